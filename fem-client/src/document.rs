@@ -1,0 +1,1 @@
+//! Reads TOML or JSON into checked values, collecting every fault.

@@ -1,0 +1,141 @@
+//! The scene document: what is pressed, and how.
+//!
+//! Units: mm, N, MPa, degrees. Every field has a default (the reference tire) and a checked range.
+
+use serde::Serialize;
+
+/// What is pressed on which ground, by how much, and how finely it is modelled.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Scene {
+    /// Shape of the tire.
+    pub geometry: Geometry,
+    /// Rubber.
+    pub material: Material,
+    /// Textile layer; absent when the scene has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub carcass: Option<Carcass>,
+    /// Internal pressure.
+    pub pressure: Pressure,
+    /// Rigid ground.
+    pub ground: Ground,
+    /// How tire and ground touch.
+    pub contact: Contact,
+    /// How finely to model.
+    pub model: Model,
+}
+
+/// A toroidal tire whose wall is an arc of a ring section, clamped at the beads.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Geometry {
+    /// Kind of body; only the tire is modelled so far.
+    pub kind: GeometryKind,
+    /// Radius of the uninflated tire at the crown, mm.
+    pub outer_radius_mm: f64,
+    /// Outer radius of the toroidal section, mm.
+    pub section_radius_mm: f64,
+    /// Wall thickness, mm.
+    pub wall_mm: f64,
+    /// Angle from the crown at which the wall ends and is clamped, degrees.
+    pub bead_angle_deg: f64,
+}
+
+/// Kinds of bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum GeometryKind {
+    /// Pneumatic tire.
+    Tire,
+}
+
+/// Mooney-Rivlin rubber, W = c10 (I1 - 3) + c01 (I2 - 3) + (J - 1)^2 / d1 with isochoric invariants.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Material {
+    /// Law; only `mooney-rivlin` so far.
+    pub model: MaterialModel,
+    /// First constant, MPa.
+    pub c10_mpa: f64,
+    /// Second constant, MPa.
+    pub c01_mpa: f64,
+    /// Compressibility, 1/MPa: the bulk modulus is 2/d1; 0 is exactly incompressible.
+    pub d1_per_mpa: f64,
+}
+
+/// Laws of the rubber.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MaterialModel {
+    /// Mooney-Rivlin.
+    MooneyRivlin,
+}
+
+/// Textile layer: two fibre families at +-angle to the circumference, a membrane within the wall.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Carcass {
+    /// Angle of both families to the circumferential direction, degrees.
+    pub angle_deg: f64,
+    /// Stiffness of each family in tension, N/mm.
+    pub stiffness_n_per_mm: f64,
+    /// Position through the wall: 0 inner surface, 1 outer surface.
+    pub position: f64,
+    /// Stiffness in compression over that in tension.
+    pub compression_ratio: f64,
+}
+
+/// Loads of the cavity.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Pressure {
+    /// Internal pressure, positive when it inflates, MPa.
+    pub internal_mpa: f64,
+}
+
+/// Rigid height field over stations along the circumference, each pressed in by its own depth.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Ground {
+    /// Number of stations, equal to the length of `depths_mm`; odd.
+    pub stations: usize,
+    /// Horizontal distance of neighbouring stations, mm.
+    pub station_spacing_mm: f64,
+    /// Shape functions of the height field.
+    pub station_functions: StationFunctions,
+    /// Depth of each station below the inflated outer radius, mm.
+    pub depths_mm: Vec<f64>,
+}
+
+/// Shape functions of the height field; they sum to one everywhere.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum StationFunctions {
+    /// Uniform cubic B-splines.
+    Bspline,
+    /// Piecewise linear.
+    Hat,
+}
+
+/// How tire and ground touch.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Contact {
+    /// Coulomb friction coefficient; only 0 so far.
+    pub friction: f64,
+    /// Contact stiffness, N/mm^3; absent: scaled from the rubber's stiffness and the wall.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub penalty_n_per_mm3: Option<f64>,
+}
+
+/// How finely to model.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Model {
+    /// Mesh level.
+    pub level: Level,
+}
+
+/// Mesh levels, coarse to fine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Level {
+    /// For a first look.
+    Draft,
+    /// For placement decisions.
+    Standard,
+    /// For judging the others.
+    Reference,
+}

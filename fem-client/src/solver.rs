@@ -1,0 +1,323 @@
+//! The one trait between the product and any solver.
+
+use std::sync::atomic::AtomicBool;
+
+use serde::{Deserialize, Serialize};
+
+use crate::fault::Fault;
+use crate::scene::Scene;
+
+/// Answers for one equilibrium of a scene.
+pub trait Solver: Send + Sync {
+    /// Name and version, part of the key under which results are stored.
+    fn version(&self) -> String;
+
+    /// Solves one equilibrium.
+    ///
+    /// The response is a function of scene and readout up to the solver's tolerance, and to the bit of scene, readout
+    /// and start together.
+    ///
+    /// # Errors
+    /// See [`SolveError`]; only [`SolveError::Broken`] is worth a retry.
+    fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError>;
+}
+
+/// What is asked of a solver.
+#[derive(Clone, Copy)]
+pub struct SolveRequest<'a> {
+    /// What is pressed, and how.
+    pub scene: &'a Scene,
+    /// Where the strain is read.
+    pub readout: &'a Readout,
+    /// A neighbouring equilibrium to start from, as an earlier solve returned it.
+    pub start: Option<&'a StartState>,
+    /// Set to true by the caller to end the solve at the next Newton iteration.
+    pub stop: &'a AtomicBool,
+}
+
+/// Where the strain is read, beside P1-P5 and the section points that every response has.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Readout {
+    /// Dense map of the inner surface; absent: no map.
+    pub grid: Option<Grid>,
+    /// Lines around the wheel at these meridional positions.
+    pub rings: Vec<Position>,
+}
+
+/// A regular grid on the inner surface, centred on the contact, both ends included.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Grid {
+    /// Points along the circumference, odd.
+    pub circumferential: usize,
+    /// Points from bead to bead, odd.
+    pub meridional: usize,
+    /// Half of the circumferential extent, degrees.
+    pub half_width_deg: f64,
+}
+
+/// Named meridional positions of a film.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Position {
+    /// 0 degrees from the crown.
+    Crown,
+    /// 45 degrees from the crown.
+    Shoulder,
+    /// 90 degrees from the crown.
+    Sidewall,
+}
+
+impl Position {
+    /// Meridional angle from the crown, degrees.
+    pub fn angle_deg(self) -> f64 {
+        match self {
+            Self::Crown => 0.0,
+            Self::Shoulder => 45.0,
+            Self::Sidewall => 90.0,
+        }
+    }
+}
+
+/// What a solve gives: the answer, its price, and the state from which a neighbour may start.
+#[derive(Debug, Clone)]
+pub struct Solved {
+    /// The answer; the same bits for the same request.
+    pub response: Response,
+    /// What it took; varies from run to run.
+    pub cost: Cost,
+    /// The equilibrium itself.
+    pub state: StartState,
+}
+
+/// Strains, forces and diagnostics of one equilibrium.
+///
+/// Strains are stretches relative to the inflated state minus one, on the inner surface; x circumferential,
+/// y meridional.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Response {
+    /// Vertical force of the ground on the whole tire, N.
+    pub reaction_n: f64,
+    /// P1, P2, ... in order.
+    pub locations: Vec<LocationStrain>,
+    /// Crown, shoulder and sidewall above the contact centre.
+    pub section: Section,
+    /// The inflated state before contact.
+    pub inflated: Inflated,
+    /// Estimated discretisation errors of the readout.
+    pub error: ResponseError,
+    /// Largest |J - 1| of an element's mean.
+    pub max_volume_change: f64,
+    /// Newton iterations of all load steps of this solve.
+    pub newton_iterations: usize,
+    /// Residual norms relative to the forces of the problem, one list per load step.
+    pub residual_history: Vec<Vec<f64>>,
+    /// What was modelled.
+    pub model: ModelSummary,
+    /// The dense map, when asked for.
+    pub map: Option<StrainMap>,
+    /// One ring per position asked for, in the order asked.
+    pub rings: Vec<Ring>,
+}
+
+/// Strain at a named location.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LocationStrain {
+    /// P1, P2, ...
+    pub name: String,
+    /// Angle from the contact centre, degrees, positive in the rolling direction.
+    pub theta_deg: f64,
+    /// Circumferential strain.
+    pub strain_x: f64,
+    /// Meridional strain.
+    pub strain_y: f64,
+    /// Von Mises stress of the rubber at the inner surface, MPa.
+    pub von_mises_mpa: f64,
+}
+
+/// Strains over the section above the contact centre.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Section {
+    /// 0 degrees from the crown.
+    pub crown: StrainPair,
+    /// 45 degrees from the crown.
+    pub shoulder: StrainPair,
+    /// 90 degrees from the crown.
+    pub sidewall: StrainPair,
+}
+
+/// Circumferential and meridional strain.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct StrainPair {
+    /// Circumferential strain.
+    pub strain_x: f64,
+    /// Meridional strain.
+    pub strain_y: f64,
+}
+
+/// The inflated tire before contact.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Inflated {
+    /// Outer radius at the crown, mm.
+    pub outer_radius_mm: f64,
+    /// Circumferential stretch at the crown's inner surface.
+    pub crown_stretch_x: f64,
+    /// Meridional stretch at the crown's inner surface.
+    pub crown_stretch_y: f64,
+}
+
+/// Estimated errors: absolute, of the largest reported value of each kind.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ResponseError {
+    /// Contact penetration's share of the reaction, N.
+    pub reaction_n: f64,
+    /// Recovered against raw circumferential strain at P1-P5, largest difference.
+    pub strain_x: f64,
+    /// Recovered against raw meridional strain at P1-P5, largest difference.
+    pub strain_y: f64,
+}
+
+/// What was modelled and what was left out.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ModelSummary {
+    /// `3d`, `3d-half` or `3d-quarter`.
+    pub dimension: String,
+    /// Mesh level.
+    pub level: String,
+    /// Number of solid elements.
+    pub elements: usize,
+    /// Free displacement unknowns.
+    pub dofs: usize,
+    /// Parts of the scene in the model.
+    pub modelled: Vec<Choice>,
+    /// Parts of the scene left out.
+    pub left_out: Vec<Choice>,
+}
+
+/// One modelling choice with its reason.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Choice {
+    /// The part.
+    pub what: String,
+    /// The reason.
+    pub why: String,
+    /// Estimated effect of leaving it out, relative; absent when the part is modelled or exact.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub effect: Option<f64>,
+}
+
+/// Strains on a regular grid, row by row: all circumferential points of the first meridional angle first.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StrainMap {
+    /// Circumferential angles of the columns, degrees.
+    pub theta_deg: Vec<f64>,
+    /// Meridional angles of the rows from the crown, degrees.
+    pub phi_deg: Vec<f64>,
+    /// Circumferential strain, rows x columns.
+    pub strain_x: Vec<f64>,
+    /// Meridional strain, rows x columns.
+    pub strain_y: Vec<f64>,
+}
+
+/// Strains around the whole wheel at one meridional position.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Ring {
+    /// Where the ring lies.
+    pub position: Position,
+    /// Angles from -180 (included) to 180 (excluded), one degree apart.
+    pub theta_deg: Vec<f64>,
+    /// Circumferential strain.
+    pub strain_x: Vec<f64>,
+    /// Meridional strain.
+    pub strain_y: Vec<f64>,
+}
+
+/// What a solve took.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Cost {
+    /// Wall-clock time, s.
+    pub wall_s: f64,
+    /// Time in numeric factorisation, s.
+    pub factorisation_s: f64,
+    /// Time in assembly of residual and tangent, s.
+    pub assembly_s: f64,
+    /// Newton iterations.
+    pub newton_iterations: usize,
+}
+
+/// An equilibrium from which a neighbour may start: opaque, but it survives storage bit for bit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StartState {
+    /// Says which inflated problem `inflated` solves; the solver's own business.
+    pub inflated_key: String,
+    /// Unknowns of the inflated state.
+    pub inflated: Vec<f64>,
+    /// Internal pressure of the equilibrium, MPa.
+    pub pressure_mpa: f64,
+    /// Station depths of the equilibrium, mm.
+    pub depths_mm: Vec<f64>,
+    /// Unknowns of the equilibrium.
+    pub equilibrium: Vec<f64>,
+}
+
+/// Why a solve gave no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SolveError {
+    /// The scene asks for something that this solver doesn't do.
+    #[error("the scene is refused")]
+    Refused {
+        /// What is wrong, where.
+        faults: Vec<Fault>,
+    },
+    /// The physics has no answer, or none was found.
+    #[error("{}: {detail}", status.as_str())]
+    NoEquilibrium {
+        /// The kind of failure.
+        status: NoEquilibrium,
+        /// Which load, how far it got.
+        detail: String,
+        /// Loads reached.
+        reached: Reached,
+    },
+    /// The caller asked to stop.
+    #[error("stopped on request")]
+    Stopped,
+    /// The solver itself failed; a retry may help.
+    #[error("the solver failed: {detail}")]
+    Broken {
+        /// What happened.
+        detail: String,
+    },
+}
+
+/// Kinds of missing equilibria.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NoEquilibrium {
+    /// Load control ended at a limit point.
+    LimitPoint,
+    /// The tire touches itself.
+    SelfContact,
+    /// Newton's method didn't converge at the smallest step.
+    NotConverged,
+}
+
+impl NoEquilibrium {
+    /// The name in documents.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::LimitPoint => "limit-point",
+            Self::SelfContact => "self-contact",
+            Self::NotConverged => "not-converged",
+        }
+    }
+}
+
+/// How far a failed solve got.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Reached {
+    /// Internal pressure of the last equilibrium, MPa.
+    pub pressure_mpa: f64,
+    /// Station depths of the last equilibrium, mm.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub depths_mm: Vec<f64>,
+}

@@ -1,0 +1,262 @@
+//! The answer of a study: the result document, field by field.
+//!
+//! Numbers that do not exist are `None` (null in JSON) with a reason beside them.
+
+use fem_client::solver::Choice;
+use serde::{Deserialize, Serialize};
+
+/// The whole answer.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StudyResult {
+    /// Which study.
+    pub study: StudyIdentity,
+    /// What was modelled.
+    pub model: ModelReport,
+    /// What varied.
+    pub inputs: Vec<InputReport>,
+    /// Every location and direction with its indices.
+    pub outputs: Vec<Output>,
+    /// Ranked locations.
+    pub locations: Vec<RankedLocation>,
+    /// Ranked layouts.
+    pub layouts: Vec<RankedLayout>,
+    /// First-order indices over the dense grid, when asked for.
+    pub map: Option<IndexMap>,
+    /// What the user must know before believing the numbers, whole sentences.
+    pub notes: Vec<String>,
+    /// Points that have no response, with their causes.
+    pub failed_points: Vec<FailedPoint>,
+    /// The cut point's own response in short: reaction and strains at the means.
+    pub cut_point: CutPoint,
+    /// What it took. Not part of the result's hash.
+    pub cost: StudyCost,
+}
+
+/// Which study, which document, which program.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StudyIdentity {
+    /// Identifier in the database.
+    pub id: String,
+    /// Name from the document.
+    pub name: String,
+    /// SHA-256 of the canonical document.
+    pub spec_sha256: String,
+    /// Version of strainsite and its solver.
+    pub version: String,
+}
+
+/// What was modelled and what was left out.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ModelReport {
+    /// `3d-half` and so on.
+    pub dimension: String,
+    /// Mesh level.
+    pub level: String,
+    /// Solid elements.
+    pub elements: usize,
+    /// Displacement unknowns.
+    pub dofs: usize,
+    /// Parts of the scene in the model, with reasons.
+    pub modelled: Vec<Choice>,
+    /// Parts left out, with reasons and effects.
+    pub left_out: Vec<Choice>,
+}
+
+/// One input as it was understood.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct InputReport {
+    /// Its name.
+    pub name: String,
+    /// Path of the scene's field.
+    pub vary: String,
+    /// Its distribution as in the document.
+    pub distribution: serde_json::Value,
+}
+
+/// Indices of one strain.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Output {
+    /// P1, P2, ...
+    pub location: String,
+    /// `x` circumferential, `y` meridional.
+    pub direction: String,
+    /// Mean strain.
+    pub mean: Option<f64>,
+    /// Standard deviation of the strain.
+    pub std: Option<f64>,
+    /// First-order index of each input.
+    pub first_order: Option<Vec<f64>>,
+    /// Total index of each input.
+    pub total: Option<Vec<f64>>,
+    /// Method that gave `first_order` and `total`: `mdrm` or `additive`.
+    pub method: String,
+    /// `ok`, `constant` or `product-form-broken`.
+    pub status: String,
+    /// Why the status is not `ok`.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+    /// What M-DRM said, when its product form is broken.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub mdrm_first_order: Option<Vec<f64>>,
+    /// Error of the first-order indices, absolute.
+    pub error: IndexError,
+}
+
+/// Parts of the error of an index, absolute.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct IndexError {
+    /// From the mesh.
+    pub mesh: Option<f64>,
+    /// From the quadrature rule.
+    pub quadrature: Option<f64>,
+    /// From the decomposition.
+    pub decomposition: Option<f64>,
+    /// Sum of the parts that are known.
+    pub total: Option<f64>,
+    /// Why a part is null.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+}
+
+/// One candidate location in the ranking.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RankedLocation {
+    /// P1, P2, ...
+    pub name: String,
+    /// 1 is best.
+    pub rank: usize,
+    /// 100 times the first-order index of this location's own depth for the x strain at the centre.
+    pub gsi_x_percent: Option<f64>,
+    /// The same for the y strain.
+    pub gsi_y_percent: Option<f64>,
+    /// Mean over the x strains at all locations.
+    pub mean_gsi_x_percent: Option<f64>,
+    /// Mean over the y strains at all locations.
+    pub mean_gsi_y_percent: Option<f64>,
+    /// For the x strain at this location itself.
+    pub own_gsi_x_percent: Option<f64>,
+    /// For the y strain at this location itself.
+    pub own_gsi_y_percent: Option<f64>,
+    /// What M-DRM said for `gsi_x_percent`, valid or not: the paper's Table 2 as the paper computed it.
+    pub mdrm_gsi_x_percent: Option<f64>,
+    /// The same for y.
+    pub mdrm_gsi_y_percent: Option<f64>,
+    /// Rank by the x strain alone.
+    pub rank_x: Option<usize>,
+    /// Rank by the y strain alone.
+    pub rank_y: Option<usize>,
+    /// Whether the errors leave no doubt about this rank.
+    pub rank_certain: bool,
+}
+
+/// One layout in the ranking.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RankedLayout {
+    /// 1 is best.
+    pub rank: usize,
+    /// Angle between neighbouring units, degrees.
+    pub spacing_deg: f64,
+    /// Number of units.
+    pub units: usize,
+    /// Meridional position.
+    pub position: String,
+    /// Films of each unit.
+    pub films: Vec<String>,
+    /// Its scores.
+    pub score: LayoutScore,
+}
+
+/// How well a layout sees the contact, over all angles at which it can touch down.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LayoutScore {
+    /// Strain of the film that sees most, at the contact angle where that is least.
+    pub weakest_signal: Option<f64>,
+    /// Cramer-Rao bound of the contact angle, worst angle, degrees.
+    pub worst_angle_error_deg: Option<f64>,
+    /// Cramer-Rao bound of the contact angle, root mean square over the angles, degrees.
+    pub rms_angle_error_deg: Option<f64>,
+    /// Cramer-Rao bound of a uniform depth, worst angle, mm.
+    pub worst_depth_error_mm: Option<f64>,
+    /// Noise of each film assumed for the bounds, strain.
+    pub noise_strain: f64,
+    /// Why numbers are null.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+}
+
+/// First-order indices over the dense grid.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct IndexMap {
+    /// Angles of the columns from the contact centre, degrees.
+    pub theta_deg: Vec<f64>,
+    /// Angles of the rows from the crown, degrees.
+    pub phi_deg: Vec<f64>,
+    /// One layer per direction.
+    pub layers: Vec<MapLayer>,
+}
+
+/// One direction of the map; all lists are rows x columns.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MapLayer {
+    /// `x` or `y`.
+    pub direction: String,
+    /// Strain at the cut point.
+    pub strain: Vec<f64>,
+    /// Standard deviation of the strain.
+    pub std: Vec<Option<f64>>,
+    /// First-order index per input, in the order of the inputs, each rows x columns.
+    pub first_order: Vec<Vec<Option<f64>>>,
+    /// Estimated error of the first-order indices, rows x columns.
+    pub error: Vec<Option<f64>>,
+    /// `ok`, `constant` or `product-form-broken`.
+    pub status: Vec<String>,
+}
+
+/// A point without a response.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FailedPoint {
+    /// Ordinal in the plan.
+    pub ordinal: usize,
+    /// Input values.
+    pub values: Vec<f64>,
+    /// What happened.
+    pub cause: String,
+}
+
+/// The response at the means.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CutPoint {
+    /// Input values.
+    pub values: Vec<f64>,
+    /// Vertical force, N.
+    pub reaction_n: f64,
+    /// Outer radius after inflation, mm.
+    pub inflated_outer_radius_mm: f64,
+    /// Strains at P1, P2, ...
+    pub locations: Vec<fem_client::solver::LocationStrain>,
+    /// Newton residuals of its load steps.
+    pub residual_history: Vec<Vec<f64>>,
+}
+
+/// What a study took.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct StudyCost {
+    /// Points of the plan.
+    pub solves: usize,
+    /// Points taken from the archive instead of being solved.
+    pub reused: usize,
+    /// Newton iterations of all solves.
+    pub newton_iterations: usize,
+    /// Wall-clock time of this run, s.
+    pub wall_s: f64,
+    /// Processor time of this run, s.
+    pub cpu_s: f64,
+    /// Peak memory of the process, bytes.
+    pub peak_memory_bytes: u64,
+    /// Share of the solves' time in numeric factorisation.
+    pub factorisation_share: f64,
+    /// Share in assembly.
+    pub assembly_share: f64,
+    /// Share in all the rest.
+    pub other_share: f64,
+}
