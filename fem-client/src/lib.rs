@@ -5,10 +5,18 @@
 //!
 //! - [`fault`]: what is wrong with a document, where, and what would be right
 //! - [`document`]: reads TOML or JSON into checked values, collecting every fault
-//! - [`scene`]: the scene document, its defaults and checked ranges
+//! - [`scene`]: the scene document and its defaults
+//! - [`scene_reader`]: reads a scene, with the ranges and the rules that tie fields together
+//! - [`scene_edit`]: changes single fields of a scene by their path
 //! - [`solver`]: the one trait between the product and any solver, with its request, response and errors
+//! - [`start_state`]: start states as bytes
+//! - [`closed_form`]: the stand-in solver for tests of what stands above
 
-pub mod fault;
+pub mod closed_form;
 pub mod document;
+pub mod fault;
 pub mod scene;
+pub mod scene_edit;
+pub mod scene_reader;
 pub mod solver;
+pub mod start_state;

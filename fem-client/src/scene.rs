@@ -1,8 +1,10 @@
 //! The scene document: what is pressed, and how.
 //!
-//! Units: mm, N, MPa, degrees. Every field has a default (the reference tire) and a checked range.
+//! Units: mm, N, MPa, degrees. Every field has a default (the reference tire) and a checked range; see
+//! [`crate::scene_reader`] for the ranges and [`crate::scene_edit`] for changing single fields.
 
 use serde::Serialize;
+use serde_json::Value;
 
 /// What is pressed on which ground, by how much, and how finely it is modelled.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -138,4 +140,141 @@ pub enum Level {
     Standard,
     /// For judging the others.
     Reference,
+}
+
+impl Default for Scene {
+    /// The reference tire without its carcass: the scene of an empty document.
+    fn default() -> Self {
+        Self {
+            geometry: Geometry::default(),
+            material: Material::default(),
+            carcass: None,
+            pressure: Pressure { internal_mpa: 0.2 },
+            ground: Ground::default(),
+            contact: Contact {
+                friction: 0.0,
+                penalty_n_per_mm3: None,
+            },
+            model: Model {
+                level: Level::Standard,
+            },
+        }
+    }
+}
+
+impl Default for Geometry {
+    fn default() -> Self {
+        Self {
+            kind: GeometryKind::Tire,
+            outer_radius_mm: 50.0,
+            section_radius_mm: 12.5,
+            wall_mm: 3.0,
+            bead_angle_deg: 120.0,
+        }
+    }
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self {
+            model: MaterialModel::MooneyRivlin,
+            c10_mpa: 0.144,
+            c01_mpa: 0.036,
+            d1_per_mpa: 0.0,
+        }
+    }
+}
+
+impl Default for Carcass {
+    fn default() -> Self {
+        Self {
+            angle_deg: 55.0,
+            stiffness_n_per_mm: 100.0,
+            position: 0.5,
+            compression_ratio: 0.01,
+        }
+    }
+}
+
+impl Default for Ground {
+    fn default() -> Self {
+        Self {
+            stations: 5,
+            station_spacing_mm: 5.5,
+            station_functions: StationFunctions::Bspline,
+            depths_mm: vec![1.0; 5],
+        }
+    }
+}
+
+impl Level {
+    /// All levels with their names in documents.
+    pub const NAMES: [(&'static str, Self); 3] = [
+        ("draft", Self::Draft),
+        ("standard", Self::Standard),
+        ("reference", Self::Reference),
+    ];
+
+    /// The name in documents.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Draft => "draft",
+            Self::Standard => "standard",
+            Self::Reference => "reference",
+        }
+    }
+}
+
+/// Names and TOML texts of the scenes that ship.
+pub const PRESETS: [(&str, &str); 1] = [("foot-tire", include_str!("../../scenes/foot-tire.toml"))];
+
+impl Scene {
+    /// A scene that ships, by name.
+    pub fn preset(name: &str) -> Option<Self> {
+        let text = PRESETS.iter().find(|(preset, _)| *preset == name)?.1;
+        Some(Self::from_toml(text).expect("shipped scenes are checked by a test"))
+    }
+
+    /// The scene as a document with every field, in a fixed order.
+    pub fn to_value(&self) -> Value {
+        serde_json::to_value(self)
+            .expect("a scene is a plain tree with text keys and finite numbers")
+    }
+
+    /// The scene as JSON text: equal scenes have equal texts, and the text reads back as the same scene.
+    pub fn canonical_json(&self) -> String {
+        self.to_value().to_string()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shipped_scenes_read_without_faults() {
+        for (name, _) in PRESETS {
+            assert!(Scene::preset(name).is_some());
+        }
+        assert_eq!(Scene::preset("bicycle"), None);
+    }
+
+    #[test]
+    fn the_shipped_tire_is_the_default_with_its_carcass() {
+        let expected = Scene {
+            carcass: Some(Carcass::default()),
+            ..Scene::default()
+        };
+        assert_eq!(Scene::preset("foot-tire"), Some(expected));
+    }
+
+    #[test]
+    fn the_canonical_text_reads_back_as_the_same_scene() {
+        let mut scene = Scene::preset("foot-tire").unwrap();
+        scene.ground.depths_mm[3] = 0.1 + 0.2;
+        scene.contact.penalty_n_per_mm3 = Some(1.0 / 3.0);
+        let text = scene.canonical_json();
+        assert_eq!(Scene::from_json(&text).unwrap(), scene);
+        assert_eq!(Scene::from_json(&text).unwrap().canonical_json(), text);
+    }
 }

@@ -1,0 +1,462 @@
+//! The stand-in solver for tests of what stands above: closed formulas in place of finite elements.
+//!
+//! The formulas have the shape of the real answer, not its figures. With theta the angle from the contact centre and
+//! phi that from the crown, both in degrees, R the inflated outer radius
+//! (which grows by 5 % per MPa) and D = asin(spacing / R) the angle between
+//! stations k at theta_k = k D:
+//!
+//! - effective depth: p(theta) = sum_k d_k exp(-((theta - theta_k)/D)^2 / 2) / sqrt(2 pi), in mm
+//! - softness: s = 2 p_0 / (p_0 + pressure) with p_0 = 0.2 MPa, so that s = 1 in the reference tire
+//! - meridional strain: 0.09 s p cos(2.5 phi)
+//! - circumferential strain: 0.04 s p (1.5 - p / mm) (1 + cos phi) / 2, which changes sign at p = 1.5 mm
+//! - reaction: 13 N (d / mm)^1.3 / s with d the mean depth
+//!
+//! As an iterative solver's, the answer carries a trace of the start state: 1e-12 of its size. So a caller that starts
+//! from whatever is at hand is found out by a test of equality to the bit.
+
+use std::f64::consts::PI;
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+
+use crate::scene::Scene;
+use crate::solver::{
+    Choice, Cost, Grid, Inflated, LocationStrain, ModelSummary, NoEquilibrium, Position, Reached,
+    Response, ResponseError, Ring, Section, SolveError, SolveRequest, Solved, Solver, StartState,
+    StrainMap, StrainPair,
+};
+
+const REFERENCE_PRESSURE_MPA: f64 = 0.2;
+/// Relative growth of the outer radius under pressure.
+const INFLATION_PER_MPA: f64 = 0.05;
+/// Size of the start's trace relative to the answer.
+const TRACE: f64 = 1e-12;
+/// How often a delayed solve looks at the caller's flag.
+const SLICE: Duration = Duration::from_millis(2);
+
+/// Answers from closed formulas, at once or after a delay.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ClosedFormSolver {
+    depth_limit_mm: Option<f64>,
+    delay: Duration,
+}
+
+impl ClosedFormSolver {
+    /// A solver that answers every scene at once.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Has no equilibrium for a scene with a station deeper than this, mm.
+    #[must_use]
+    pub fn with_depth_limit(mut self, depth_limit_mm: f64) -> Self {
+        self.depth_limit_mm = Some(depth_limit_mm);
+        self
+    }
+
+    /// Takes this long for each solve.
+    #[must_use]
+    pub fn with_delay(mut self, delay: Duration) -> Self {
+        self.delay = delay;
+        self
+    }
+
+    fn wait(&self, request: &SolveRequest<'_>) -> Result<(), SolveError> {
+        let begun = Instant::now();
+        loop {
+            if request.stop.load(Ordering::Relaxed) {
+                return Err(SolveError::Stopped);
+            }
+            match self.delay.checked_sub(begun.elapsed()) {
+                Some(rest) if !rest.is_zero() => std::thread::sleep(rest.min(SLICE)),
+                _ => return Ok(()),
+            }
+        }
+    }
+
+    fn check_depths(&self, scene: &Scene) -> Result<(), SolveError> {
+        let limit = self.depth_limit_mm.unwrap_or(f64::INFINITY);
+        let deepest = scene.ground.depths_mm.iter().copied().fold(0.0, f64::max);
+        if deepest <= limit {
+            return Ok(());
+        }
+        let share = limit / deepest;
+        Err(SolveError::NoEquilibrium {
+            status: NoEquilibrium::NotConverged,
+            detail: format!(
+                "no equilibrium beyond a depth of {limit} mm; the deepest station asks for {deepest} mm"
+            ),
+            reached: Reached {
+                pressure_mpa: scene.pressure.internal_mpa,
+                depths_mm: scene
+                    .ground
+                    .depths_mm
+                    .iter()
+                    .map(|depth| share * depth)
+                    .collect(),
+            },
+        })
+    }
+}
+
+impl Solver for ClosedFormSolver {
+    fn version(&self) -> String {
+        "closed-form 1".to_owned()
+    }
+
+    fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        let begun = Instant::now();
+        self.wait(request)?;
+        self.check_depths(request.scene)?;
+        let field = Field::new(request.scene, request.start);
+        let newton_iterations = if request.start.is_some() { 4 } else { 12 };
+        let response = field.response(request, newton_iterations);
+        let wall_s = begun.elapsed().as_secs_f64();
+        let cost = Cost {
+            wall_s,
+            factorisation_s: 0.5 * wall_s,
+            assembly_s: 0.25 * wall_s,
+            newton_iterations,
+        };
+        Ok(Solved {
+            response,
+            cost,
+            state: field.state(request.scene),
+        })
+    }
+}
+
+/// The strain field of one scene.
+struct Field {
+    /// Angle and depth of each station, degrees and mm.
+    stations: Vec<(f64, f64)>,
+    /// Angle between stations, degrees.
+    spacing_deg: f64,
+    radius_mm: f64,
+    softness: f64,
+    /// One, up to the trace of the start.
+    scale: f64,
+}
+
+impl Field {
+    fn new(scene: &Scene, start: Option<&StartState>) -> Self {
+        let radius_mm = scene.geometry.outer_radius_mm
+            * (1.0 + INFLATION_PER_MPA * scene.pressure.internal_mpa);
+        let spacing_deg = (scene.ground.station_spacing_mm / radius_mm)
+            .min(1.0)
+            .asin()
+            .to_degrees();
+        let middle = (scene.ground.stations - 1) as f64 / 2.0;
+        let stations = scene
+            .ground
+            .depths_mm
+            .iter()
+            .enumerate()
+            .map(|(k, depth)| ((k as f64 - middle) * spacing_deg, *depth));
+        let softness =
+            2.0 * REFERENCE_PRESSURE_MPA / (REFERENCE_PRESSURE_MPA + scene.pressure.internal_mpa);
+        let trace = start.map_or(0.0, |start| start.equilibrium.iter().sum::<f64>().tanh());
+        Self {
+            stations: stations.collect(),
+            spacing_deg,
+            radius_mm,
+            softness,
+            scale: 1.0 + TRACE * trace,
+        }
+    }
+
+    fn effective_depth(&self, theta_deg: f64) -> f64 {
+        let share = |centre: f64| {
+            (-0.5 * ((theta_deg - centre) / self.spacing_deg).powi(2)).exp() / (2.0 * PI).sqrt()
+        };
+        self.stations
+            .iter()
+            .map(|(centre, depth)| depth * share(*centre))
+            .sum()
+    }
+
+    fn strain(&self, theta_deg: f64, phi_deg: f64) -> StrainPair {
+        let depth = self.effective_depth(theta_deg);
+        let phi = phi_deg.to_radians();
+        let size = self.scale * self.softness * depth;
+        StrainPair {
+            strain_x: 0.04 * size * (1.5 - depth) * (1.0 + phi.cos()) / 2.0,
+            strain_y: 0.09 * size * (2.5 * phi).cos(),
+        }
+    }
+
+    fn response(&self, request: &SolveRequest<'_>, newton_iterations: usize) -> Response {
+        let mean_depth =
+            self.stations.iter().map(|(_, depth)| depth).sum::<f64>() / self.stations.len() as f64;
+        Response {
+            reaction_n: self.scale * 13.0 * mean_depth.powf(1.3) / self.softness,
+            locations: self.locations(),
+            section: Section {
+                crown: self.strain(0.0, 0.0),
+                shoulder: self.strain(0.0, 45.0),
+                sidewall: self.strain(0.0, 90.0),
+            },
+            inflated: Inflated {
+                outer_radius_mm: self.radius_mm,
+                crown_stretch_x: 1.01,
+                crown_stretch_y: 1.02,
+            },
+            error: ResponseError {
+                reaction_n: 0.0,
+                strain_x: 0.0,
+                strain_y: 0.0,
+            },
+            max_volume_change: 0.0,
+            newton_iterations,
+            residual_history: vec![
+                (0..newton_iterations as i32)
+                    .map(|i| 0.1_f64.powi(i))
+                    .collect(),
+            ],
+            model: model(request.scene),
+            map: request
+                .readout
+                .grid
+                .map(|grid| self.map(grid, request.scene.geometry.bead_angle_deg)),
+            rings: request
+                .readout
+                .rings
+                .iter()
+                .map(|position| self.ring(*position))
+                .collect(),
+        }
+    }
+
+    /// P1, P2, ... above the stations.
+    fn locations(&self) -> Vec<LocationStrain> {
+        let locations = self.stations.iter().enumerate().map(|(k, (theta_deg, _))| {
+            let StrainPair { strain_x, strain_y } = self.strain(*theta_deg, 0.0);
+            let von_mises_mpa =
+                1.08 * (strain_x * strain_x + strain_x * strain_y + strain_y * strain_y).sqrt();
+            LocationStrain {
+                name: format!("P{}", k + 1),
+                theta_deg: *theta_deg,
+                strain_x,
+                strain_y,
+                von_mises_mpa,
+            }
+        });
+        locations.collect()
+    }
+
+    fn map(&self, grid: Grid, bead_angle_deg: f64) -> StrainMap {
+        let theta_deg = symmetric(grid.circumferential, grid.half_width_deg);
+        let phi_deg = symmetric(grid.meridional, bead_angle_deg);
+        let at = |phi: &f64| {
+            theta_deg
+                .iter()
+                .map(|theta| self.strain(*theta, *phi))
+                .collect::<Vec<_>>()
+        };
+        let strains: Vec<StrainPair> = phi_deg.iter().flat_map(at).collect();
+        StrainMap {
+            strain_x: strains.iter().map(|strain| strain.strain_x).collect(),
+            strain_y: strains.iter().map(|strain| strain.strain_y).collect(),
+            theta_deg,
+            phi_deg,
+        }
+    }
+
+    fn ring(&self, position: Position) -> Ring {
+        let theta_deg: Vec<f64> = (-180..180).map(f64::from).collect();
+        let strains: Vec<StrainPair> = theta_deg
+            .iter()
+            .map(|theta| self.strain(*theta, position.angle_deg()))
+            .collect();
+        Ring {
+            position,
+            strain_x: strains.iter().map(|strain| strain.strain_x).collect(),
+            strain_y: strains.iter().map(|strain| strain.strain_y).collect(),
+            theta_deg,
+        }
+    }
+
+    fn state(&self, scene: &Scene) -> StartState {
+        StartState {
+            inflated_key: "closed-form".to_owned(),
+            inflated: vec![self.radius_mm],
+            pressure_mpa: scene.pressure.internal_mpa,
+            depths_mm: scene.ground.depths_mm.clone(),
+            equilibrium: self
+                .stations
+                .iter()
+                .map(|(_, depth)| self.scale * depth)
+                .collect(),
+        }
+    }
+}
+
+/// Points from `-half` to `half`, both included; one point lies in the middle.
+fn symmetric(points: usize, half: f64) -> Vec<f64> {
+    let middle = (points.max(1) - 1) as f64 / 2.0;
+    (0..points)
+        .map(|i| {
+            if middle == 0.0 {
+                0.0
+            } else {
+                (i as f64 - middle) / middle * half
+            }
+        })
+        .collect()
+}
+
+fn model(scene: &Scene) -> ModelSummary {
+    ModelSummary {
+        dimension: "closed-form".to_owned(),
+        level: scene.model.level.as_str().to_owned(),
+        elements: 0,
+        dofs: 0,
+        modelled: vec![Choice {
+            what: "depths and pressure".to_owned(),
+            why: "they enter the closed formulas".to_owned(),
+            effect: None,
+        }],
+        left_out: vec![Choice {
+            what: "mechanics".to_owned(),
+            why: "closed formulas stand in for it in tests".to_owned(),
+            effect: Some(1.0),
+        }],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicBool;
+
+    use super::*;
+    use crate::solver::Readout;
+
+    static GO: AtomicBool = AtomicBool::new(false);
+
+    fn solve(
+        solver: &ClosedFormSolver,
+        scene: &Scene,
+        start: Option<&StartState>,
+    ) -> Result<Solved, SolveError> {
+        let grid = Grid {
+            circumferential: 7,
+            meridional: 3,
+            half_width_deg: 45.0,
+        };
+        let readout = Readout {
+            grid: Some(grid),
+            rings: vec![Position::Crown, Position::Sidewall],
+        };
+        solver.solve(&SolveRequest {
+            scene,
+            readout: &readout,
+            start,
+            stop: &GO,
+        })
+    }
+
+    #[test]
+    fn every_part_of_the_response_is_there_and_symmetric() {
+        let response = solve(&ClosedFormSolver::new(), &Scene::default(), None)
+            .unwrap()
+            .response;
+        assert_eq!(
+            response
+                .locations
+                .iter()
+                .map(|l| l.name.as_str())
+                .collect::<String>(),
+            "P1P2P3P4P5"
+        );
+        // Mirror points take the same sums in another order: rounding alone.
+        for (left, right) in [(0, 4), (1, 3)] {
+            let difference = response.locations[left].strain_y - response.locations[right].strain_y;
+            assert!(difference.abs() < 1e-15);
+        }
+        let map = response.map.unwrap();
+        assert_eq!(
+            (map.theta_deg.len(), map.phi_deg.len(), map.strain_x.len()),
+            (7, 3, 21)
+        );
+        assert_eq!(map.strain_y[10], response.locations[2].strain_y);
+        assert_eq!(response.rings.len(), 2);
+        assert_eq!(
+            (
+                response.rings[0].theta_deg[0],
+                response.rings[0].theta_deg.len()
+            ),
+            (-180.0, 360)
+        );
+        assert_eq!(
+            response.rings[0].strain_x[180],
+            response.section.crown.strain_x
+        );
+        assert_eq!(
+            response.rings[1].strain_y[180],
+            response.section.sidewall.strain_y
+        );
+    }
+
+    #[test]
+    fn the_circumferential_strain_changes_sign_with_depth() {
+        let at = |depth: f64| {
+            let mut scene = Scene::default();
+            scene.ground.depths_mm.fill(depth);
+            solve(&ClosedFormSolver::new(), &scene, None)
+                .unwrap()
+                .response
+                .section
+                .crown
+        };
+        assert!(at(1.0).strain_x > 0.0 && at(2.0).strain_x < 0.0);
+        assert!(at(2.0).strain_y > at(1.0).strain_y);
+    }
+
+    #[test]
+    fn a_start_leaves_a_trace_and_nothing_more() {
+        let solver = ClosedFormSolver::new();
+        let first = solve(&solver, &Scene::default(), None).unwrap();
+        let again = solve(&solver, &Scene::default(), Some(&first.state)).unwrap();
+        assert_eq!(
+            again.response,
+            solve(&solver, &Scene::default(), Some(&first.state))
+                .unwrap()
+                .response
+        );
+        let difference = (again.response.reaction_n / first.response.reaction_n - 1.0).abs();
+        assert!(difference > 0.0 && difference < 2.0 * TRACE, "{difference}");
+    }
+
+    #[test]
+    fn depths_beyond_the_limit_have_no_equilibrium() {
+        let mut scene = Scene::default();
+        scene.ground.depths_mm[4] = 1.5;
+        let error =
+            solve(&ClosedFormSolver::new().with_depth_limit(1.2), &scene, None).unwrap_err();
+        let SolveError::NoEquilibrium {
+            status, reached, ..
+        } = error
+        else {
+            panic!("{error}")
+        };
+        assert_eq!(status, NoEquilibrium::NotConverged);
+        assert!((reached.depths_mm[4] - 1.2).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_stop_ends_a_long_solve() {
+        let solver = ClosedFormSolver::new().with_delay(Duration::from_secs(3600));
+        let stop = AtomicBool::new(false);
+        let (scene, readout) = (Scene::default(), Readout::default());
+        let request = SolveRequest {
+            scene: &scene,
+            readout: &readout,
+            start: None,
+            stop: &stop,
+        };
+        std::thread::scope(|threads| {
+            let solving = threads.spawn(|| solver.solve(&request));
+            stop.store(true, Ordering::Relaxed);
+            assert_eq!(solving.join().unwrap().unwrap_err(), SolveError::Stopped);
+        });
+    }
+}

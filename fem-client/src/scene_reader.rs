@@ -1,0 +1,517 @@
+//! Reads a scene from a document: the ranges, and the rules that tie fields together.
+//!
+//! The ranges are wide enough for tires from micrometres to ten metres, and narrow enough that no product of a few of
+//! them overflows.
+
+use serde_json::Value;
+
+use crate::document::{Fields, Format, Range, number, parse, plain, shown};
+use crate::fault::{Fault, entry};
+use crate::scene::{
+    Carcass, Contact, Geometry, GeometryKind, Ground, Level, Material, MaterialModel, Model,
+    Pressure, Scene, StationFunctions,
+};
+
+const LENGTH: Range = Range::new(1e-3, 1e4, "mm");
+const BEAD_ANGLE: Range = Range::new(60.0, 150.0, "degrees");
+const MODULUS: Range = Range::new(1e-6, 1e6, "MPa");
+const MODULUS_OR_ZERO: Range = Range::new(0.0, 1e6, "MPa");
+const COMPRESSIBILITY: Range = Range::new(0.0, 1e6, "1/MPa");
+const FIBRE_ANGLE: Range = Range::new(0.0, 90.0, "degrees");
+const FIBRE_STIFFNESS: Range = Range::new(0.0, 1e9, "N/mm");
+const SHARE: Range = Range::new(0.0, 1.0, "");
+const PRESSURE: Range = Range::new(0.0, 1e4, "MPa");
+const PENALTY: Range = Range::new(1e-6, 1e9, "N/mm^3");
+const FRICTION: Range = Range::new(0.0, 10.0, "");
+/// Most stations of the ground.
+pub const MAX_STATIONS: usize = 21;
+/// Thinnest wall, in section radii: below it the solid elements degenerate.
+const THINNEST_WALL: f64 = 1e-3;
+/// Least radius of the bead about the axle, in outer radii: the torus must have a hole.
+const SMALLEST_BEAD_RADIUS: f64 = 0.01;
+
+impl Scene {
+    /// Reads a scene from TOML.
+    ///
+    /// # Errors
+    /// Every fault of the document.
+    pub fn from_toml(text: &str) -> Result<Self, Vec<Fault>> {
+        Self::from_text(text, Format::Toml)
+    }
+
+    /// Reads a scene from JSON.
+    ///
+    /// # Errors
+    /// Every fault of the document.
+    pub fn from_json(text: &str) -> Result<Self, Vec<Fault>> {
+        Self::from_text(text, Format::Json)
+    }
+
+    /// Reads a scene from text in the given format.
+    ///
+    /// # Errors
+    /// Every fault of the document.
+    pub fn from_text(text: &str, format: Format) -> Result<Self, Vec<Fault>> {
+        let value = parse(text, format)?;
+        let mut faults = Vec::new();
+        Self::from_value(&value, "", &mut faults).ok_or(faults)
+    }
+
+    /// Reads a scene from a value found at `pointer` of a larger document. Adds every fault to the list and returns
+    /// None when there is one.
+    pub fn from_value(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Self> {
+        let before = faults.len();
+        let known = [
+            "geometry", "material", "carcass", "pressure", "ground", "contact", "model",
+        ];
+        let fields = Fields::open(value, pointer, &known, faults)?;
+        let geometry = section(&fields, "geometry", faults, geometry);
+        let material = section(&fields, "material", faults, material);
+        // `null` is how an override takes the carcass away.
+        let carcass = match fields.get("carcass") {
+            None | Some((Value::Null, _)) => Some(None),
+            Some((value, pointer)) => carcass(value, &pointer, faults).map(Some),
+        };
+        let pressure = section(&fields, "pressure", faults, pressure);
+        let ground = section(&fields, "ground", faults, ground);
+        let contact = section(&fields, "contact", faults, contact);
+        let model = section(&fields, "model", faults, model);
+        if let (Some(geometry), Some(ground)) = (&geometry, &ground) {
+            check_ground_under(geometry, ground, &fields.at("ground"), faults);
+        }
+        if faults.len() > before {
+            return None;
+        }
+        Some(Self {
+            geometry: geometry?,
+            material: material?,
+            carcass: carcass?,
+            pressure: pressure?,
+            ground: ground?,
+            contact: contact?,
+            model: model?,
+        })
+    }
+}
+
+/// Reads a table of the scene; an absent one is read as an empty one, so that defaults are in one place.
+fn section<T>(
+    fields: &Fields<'_>,
+    name: &str,
+    faults: &mut Vec<Fault>,
+    read: fn(&Value, &str, &mut Vec<Fault>) -> Option<T>,
+) -> Option<T> {
+    let empty = Value::Object(serde_json::Map::new());
+    match fields.get(name) {
+        Some((value, pointer)) => read(value, &pointer, faults),
+        None => read(&empty, &fields.at(name), faults),
+    }
+}
+
+fn geometry(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Geometry> {
+    check_kind(value, pointer, faults)?;
+    let known = [
+        "kind",
+        "outer_radius_mm",
+        "section_radius_mm",
+        "wall_mm",
+        "bead_angle_deg",
+    ];
+    let fields = Fields::open(value, pointer, &known, faults)?;
+    let default = Geometry::default();
+    let outer = fields.number("outer_radius_mm", LENGTH, default.outer_radius_mm, faults);
+    let section = fields.number(
+        "section_radius_mm",
+        LENGTH,
+        default.section_radius_mm,
+        faults,
+    );
+    let wall = fields.number("wall_mm", LENGTH, default.wall_mm, faults);
+    let bead = fields.number("bead_angle_deg", BEAD_ANGLE, default.bead_angle_deg, faults);
+    let geometry = Geometry {
+        kind: GeometryKind::Tire,
+        outer_radius_mm: outer?,
+        section_radius_mm: section?,
+        wall_mm: wall?,
+        bead_angle_deg: bead?,
+    };
+    check_shape(&geometry, &fields, faults);
+    Some(geometry)
+}
+
+/// Only the tire is modelled: another kind is one fault, whatever its fields are.
+fn check_kind(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<()> {
+    let Some(kind) = value
+        .get("kind")
+        .filter(|kind| kind.as_str() != Some("tire"))
+    else {
+        return Some(());
+    };
+    let known = ["ring", "cylinder", "sphere", "block", "mesh"]
+        .iter()
+        .find(|name| kind.as_str() == Some(name));
+    let detail = match known {
+        Some(name) => format!("this version models only \"tire\"; \"{name}\" isn't available yet"),
+        None => format!(
+            "must be \"tire\", the only kind that this version models; it is {}",
+            shown(kind)
+        ),
+    };
+    Fault::add(faults, &crate::fault::member(pointer, "kind"), detail);
+    None
+}
+
+fn check_shape(geometry: &Geometry, fields: &Fields<'_>, faults: &mut Vec<Fault>) {
+    let Geometry {
+        outer_radius_mm: outer,
+        section_radius_mm: section,
+        wall_mm: wall,
+        bead_angle_deg,
+        ..
+    } = *geometry;
+    if wall >= section {
+        let detail = format!(
+            "must be less than section_radius_mm ({} mm), or there is no cavity; it is {} mm",
+            plain(section),
+            plain(wall)
+        );
+        Fault::add(faults, &fields.at("wall_mm"), detail);
+    } else if wall < THINNEST_WALL * section {
+        let detail = format!(
+            "must be at least {} mm, a thousandth of section_radius_mm",
+            plain(THINNEST_WALL * section)
+        );
+        Fault::add(faults, &fields.at("wall_mm"), detail);
+    }
+    let span = 1.0 - bead_angle_deg.to_radians().cos();
+    if outer - section * span < SMALLEST_BEAD_RADIUS * outer {
+        let largest = (1.0 - SMALLEST_BEAD_RADIUS) * outer / span;
+        let detail = format!(
+            "must be at most {:.6} mm for this outer radius and bead angle, or the beads reach the axle; it is {} mm",
+            largest,
+            plain(section)
+        );
+        Fault::add(faults, &fields.at("section_radius_mm"), detail);
+    }
+}
+
+fn material(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Material> {
+    let fields = Fields::open(
+        value,
+        pointer,
+        &["model", "c10_mpa", "c01_mpa", "d1_per_mpa"],
+        faults,
+    )?;
+    let default = Material::default();
+    let model = fields.choice(
+        "model",
+        &[("mooney-rivlin", MaterialModel::MooneyRivlin)],
+        default.model,
+        faults,
+    );
+    let c10 = fields.number("c10_mpa", MODULUS, default.c10_mpa, faults);
+    let c01 = fields.number("c01_mpa", MODULUS_OR_ZERO, default.c01_mpa, faults);
+    let d1 = fields.number("d1_per_mpa", COMPRESSIBILITY, default.d1_per_mpa, faults);
+    Some(Material {
+        model: model?,
+        c10_mpa: c10?,
+        c01_mpa: c01?,
+        d1_per_mpa: d1?,
+    })
+}
+
+fn carcass(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Carcass> {
+    let known = [
+        "angle_deg",
+        "stiffness_n_per_mm",
+        "position",
+        "compression_ratio",
+    ];
+    let fields = Fields::open(value, pointer, &known, faults)?;
+    let default = Carcass::default();
+    let angle = fields.number("angle_deg", FIBRE_ANGLE, default.angle_deg, faults);
+    let stiffness = fields.number(
+        "stiffness_n_per_mm",
+        FIBRE_STIFFNESS,
+        default.stiffness_n_per_mm,
+        faults,
+    );
+    let position = fields.number("position", SHARE, default.position, faults);
+    let compression = fields.number(
+        "compression_ratio",
+        SHARE,
+        default.compression_ratio,
+        faults,
+    );
+    Some(Carcass {
+        angle_deg: angle?,
+        stiffness_n_per_mm: stiffness?,
+        position: position?,
+        compression_ratio: compression?,
+    })
+}
+
+fn pressure(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Pressure> {
+    let fields = Fields::open(value, pointer, &["internal_mpa"], faults)?;
+    let default = Scene::default().pressure.internal_mpa;
+    Some(Pressure {
+        internal_mpa: fields.number("internal_mpa", PRESSURE, default, faults)?,
+    })
+}
+
+fn ground(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Ground> {
+    let known = [
+        "stations",
+        "station_spacing_mm",
+        "station_functions",
+        "depths_mm",
+    ];
+    let fields = Fields::open(value, pointer, &known, faults)?;
+    let default = Ground::default();
+    let options = [
+        ("bspline", StationFunctions::Bspline),
+        ("hat", StationFunctions::Hat),
+    ];
+    let spacing = fields.number(
+        "station_spacing_mm",
+        LENGTH,
+        default.station_spacing_mm,
+        faults,
+    );
+    let functions = fields.choice(
+        "station_functions",
+        &options,
+        default.station_functions,
+        faults,
+    );
+    let depths = match fields.get("depths_mm") {
+        None => Some(None),
+        Some((value, pointer)) => depths(value, &pointer, faults).map(Some),
+    };
+    let length = depths.as_ref().map_or(default.stations, |given| {
+        given.as_ref().map_or(default.stations, Vec::len)
+    });
+    let stations =
+        fields.integer("stations", (1, MAX_STATIONS as u64), length as u64, faults)? as usize;
+    let depths = depths?.unwrap_or_else(|| vec![1.0; stations]);
+    if depths.len() != stations {
+        let detail = format!(
+            "must equal the length of depths_mm, which is {}; it is {stations}",
+            depths.len()
+        );
+        Fault::add(faults, &fields.at("stations"), detail);
+    } else if stations.is_multiple_of(2) {
+        let detail = format!(
+            "must be odd, so that one station lies at the contact centre; it is {stations}"
+        );
+        Fault::add(faults, &fields.at("stations"), detail);
+    }
+    Some(Ground {
+        stations,
+        station_spacing_mm: spacing?,
+        station_functions: functions?,
+        depths_mm: depths,
+    })
+}
+
+fn depths(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Vec<f64>> {
+    let items = value
+        .as_array()
+        .filter(|items| (1..=MAX_STATIONS).contains(&items.len()));
+    let Some(items) = items else {
+        let detail = format!(
+            "must be a list of 1 to {MAX_STATIONS} depths in mm; it is {}",
+            shown(value)
+        );
+        Fault::add(faults, pointer, detail);
+        return None;
+    };
+    let range = Range::new(0.0, LENGTH.high, "mm");
+    // Read all before stopping at the first None, so that every faulty depth is named.
+    let read: Vec<Option<f64>> = items
+        .iter()
+        .enumerate()
+        .map(|(i, item)| number(item, &entry(pointer, i), range, faults))
+        .collect();
+    read.into_iter().collect()
+}
+
+fn check_ground_under(
+    geometry: &Geometry,
+    ground: &Ground,
+    pointer: &str,
+    faults: &mut Vec<Fault>,
+) {
+    let deepest = Range::new(0.0, geometry.section_radius_mm, "mm (section_radius_mm)");
+    for (i, depth) in ground
+        .depths_mm
+        .iter()
+        .enumerate()
+        .filter(|(_, depth)| **depth > deepest.high)
+    {
+        let detail = format!("must be a number {deepest}; it is {}", plain(*depth));
+        Fault::add(faults, &format!("{pointer}/depths_mm/{i}"), detail);
+    }
+    let half_width = (ground.stations - 1) as f64 / 2.0 * ground.station_spacing_mm;
+    if half_width > geometry.outer_radius_mm {
+        let largest = 2.0 * geometry.outer_radius_mm / (ground.stations - 1) as f64;
+        let detail = format!(
+            "must be at most {} mm, so that all stations lie below the tire",
+            plain(largest)
+        );
+        Fault::add(faults, &format!("{pointer}/station_spacing_mm"), detail);
+    }
+}
+
+fn contact(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Contact> {
+    let fields = Fields::open(value, pointer, &["friction", "penalty_n_per_mm3"], faults)?;
+    let friction = fields.number("friction", FRICTION, 0.0, faults);
+    if let Some(friction) = friction.filter(|friction| *friction != 0.0) {
+        let detail = format!(
+            "must be 0: this version models contact without friction; it is {}",
+            plain(friction)
+        );
+        Fault::add(faults, &fields.at("friction"), detail);
+    }
+    let penalty = match fields.get("penalty_n_per_mm3") {
+        None => Some(None),
+        Some((value, pointer)) => number(value, &pointer, PENALTY, faults).map(Some),
+    };
+    Some(Contact {
+        friction: friction?,
+        penalty_n_per_mm3: penalty?,
+    })
+}
+
+fn model(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Model> {
+    let fields = Fields::open(value, pointer, &["level"], faults)?;
+    Some(Model {
+        level: fields.choice("level", &Level::NAMES, Scene::default().model.level, faults)?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pointers(text: &str) -> Vec<String> {
+        let faults = Scene::from_toml(text).expect_err(text);
+        faults.into_iter().map(|fault| fault.pointer).collect()
+    }
+
+    #[test]
+    fn an_empty_document_is_the_default() {
+        assert_eq!(Scene::from_toml("").unwrap(), Scene::default());
+        assert_eq!(Scene::from_json("{}").unwrap(), Scene::default());
+    }
+
+    #[test]
+    fn an_empty_carcass_table_has_the_reference_values() {
+        assert_eq!(
+            Scene::from_toml("[carcass]").unwrap().carcass,
+            Some(Carcass::default())
+        );
+        assert_eq!(
+            Scene::from_json("{\"carcass\": null}").unwrap().carcass,
+            None
+        );
+    }
+
+    #[test]
+    fn all_faults_are_found_at_once() {
+        let text = "colour = 1\n[geometry]\nwall_mm = -3\nbead_angle_deg = \"wide\"\n[material]\nc10_mpa = 0\n\
+                    [carcass]\nangle_deg = 91\nposition = 1.5\n[pressure]\ninternal_mpa = -0.1\n\
+                    [ground]\ndepths_mm = [1, -1, true]\nstation_functions = \"spline\"\n[contact]\nfriction = 0.5\n\
+                    penalty_n_per_mm3 = 0\n[model]\nlevel = \"fine\"\n";
+        assert_eq!(
+            pointers(text),
+            [
+                "/colour",
+                "/geometry/wall_mm",
+                "/geometry/bead_angle_deg",
+                "/material/c10_mpa",
+                "/carcass/angle_deg",
+                "/carcass/position",
+                "/pressure/internal_mpa",
+                "/ground/station_functions",
+                "/ground/depths_mm/1",
+                "/ground/depths_mm/2",
+                "/contact/friction",
+                "/contact/penalty_n_per_mm3",
+                "/model/level"
+            ]
+        );
+    }
+
+    #[test]
+    fn stations_follow_the_depths() {
+        assert_eq!(
+            Scene::from_toml("[ground]\ndepths_mm = [1, 2, 3]")
+                .unwrap()
+                .ground
+                .stations,
+            3
+        );
+        assert_eq!(
+            Scene::from_toml("[ground]\nstations = 7.0")
+                .unwrap()
+                .ground
+                .depths_mm,
+            vec![1.0; 7]
+        );
+        assert_eq!(pointers("[ground]\nstations = 4"), ["/ground/stations"]);
+        assert_eq!(
+            pointers("[ground]\nstations = 3\ndepths_mm = [1, 1]"),
+            ["/ground/stations"]
+        );
+        assert_eq!(pointers("[ground]\ndepths_mm = []"), ["/ground/depths_mm"]);
+    }
+
+    #[test]
+    fn fields_that_contradict_each_other_are_refused() {
+        assert_eq!(
+            pointers("[geometry]\nwall_mm = 12.5"),
+            ["/geometry/wall_mm"]
+        );
+        assert_eq!(
+            pointers("[geometry]\nwall_mm = 0.01"),
+            ["/geometry/wall_mm"]
+        );
+        assert_eq!(
+            pointers("[geometry]\nsection_radius_mm = 34"),
+            ["/geometry/section_radius_mm"]
+        );
+        assert_eq!(
+            pointers("[ground]\nstation_spacing_mm = 26"),
+            ["/ground/station_spacing_mm"]
+        );
+        assert_eq!(
+            pointers("[ground]\ndepths_mm = [13]"),
+            ["/ground/depths_mm/0"]
+        );
+    }
+
+    #[test]
+    fn other_kinds_of_bodies_are_refused_in_words() {
+        let faults =
+            Scene::from_toml("[geometry]\nkind = \"mesh\"\nfile = \"tire.inp\"").unwrap_err();
+        assert_eq!(faults.len(), 1);
+        assert_eq!(
+            faults[0].detail,
+            "this version models only \"tire\"; \"mesh\" isn't available yet"
+        );
+    }
+
+    #[test]
+    fn wrong_types_never_pass() {
+        let names = [
+            "geometry", "material", "carcass", "pressure", "ground", "contact", "model",
+        ];
+        for (name, bad) in names
+            .iter()
+            .flat_map(|name| ["1", "\"x\"", "[]", "[[]]", "true"].map(|bad| (name, bad)))
+        {
+            assert_eq!(pointers(&format!("{name} = {bad}")), [format!("/{name}")]);
+        }
+    }
+}
