@@ -1,0 +1,185 @@
+//! Off-axis check points: where on the tensor grid of the Gauss nodes a form is tested against the model.
+//!
+//! A check point sits on the grid because there the reduced form costs nothing: its sections are already known. It
+//! leaves the cut in at least two coordinates, since on the cut lines every form agrees with the model.
+
+use std::collections::HashSet;
+
+use rand::Rng;
+
+use crate::rule::GaussRule;
+
+/// Draws by weight before the grid is walked instead: rare points of a nearly used-up grid would take for ever.
+const DRAWS_BEFORE_WALK: usize = 256;
+
+/// The grid of all node combinations, and which node of each input (if any) coincides with the cut.
+pub(crate) struct Grid<'a> {
+    rules: &'a [GaussRule],
+    centre: Vec<Option<usize>>,
+}
+
+impl<'a> Grid<'a> {
+    pub(crate) fn new(rules: &'a [GaussRule], cut: &[f64]) -> Self {
+        let centre = rules
+            .iter()
+            .zip(cut)
+            .map(|(rule, c)| rule.nodes.iter().position(|x| x == c))
+            .collect();
+        Self { rules, centre }
+    }
+
+    /// Distinct off-axis combinations of node indices, at most `wanted` and as many as there are. Each coordinate is
+    /// drawn with its rule's weights, so that a mean over the points estimates the mean over the law.
+    pub(crate) fn off_axis(&self, wanted: usize, rng: &mut impl Rng) -> Vec<Vec<usize>> {
+        let count = wanted.min(self.off_axis_len());
+        let mut seen = HashSet::with_capacity(count);
+        let mut points = Vec::with_capacity(count);
+        while points.len() < count {
+            let mut point = self.draw(rng);
+            let mut draws = 1;
+            while !self.is_off_axis(&point) || seen.contains(&point) {
+                if draws < DRAWS_BEFORE_WALK {
+                    point = self.draw(rng);
+                    draws += 1;
+                } else {
+                    self.step(&mut point);
+                }
+            }
+            seen.insert(point.clone());
+            points.push(point);
+        }
+        points
+    }
+
+    /// Number of off-axis combinations, saturating: all of them but the cut point and the lines, where those are on
+    /// the grid.
+    fn off_axis_len(&self) -> usize {
+        // ways to choose coordinates so far with none, or exactly one, of them off the cut
+        let (mut none_off, mut one_off, mut all) = (1usize, 0usize, 1usize);
+        for (rule, centre) in self.rules.iter().zip(&self.centre) {
+            let on = usize::from(centre.is_some());
+            one_off = one_off * on + none_off * (rule.len() - on);
+            none_off *= on;
+            all = all.saturating_mul(rule.len());
+        }
+        all - none_off - one_off
+    }
+
+    fn is_off_axis(&self, point: &[usize]) -> bool {
+        let off = |(j, centre): (&usize, &Option<usize>)| *centre != Some(*j);
+        point
+            .iter()
+            .zip(&self.centre)
+            .filter(|&pair| off(pair))
+            .count()
+            >= 2
+    }
+
+    fn draw(&self, rng: &mut impl Rng) -> Vec<usize> {
+        self.rules
+            .iter()
+            .map(|rule| draw_node(rule, unit(rng)))
+            .collect()
+    }
+
+    /// The next combination in lexicographic order, round and round.
+    fn step(&self, point: &mut [usize]) {
+        for (j, rule) in point.iter_mut().zip(self.rules).rev() {
+            *j = (*j + 1) % rule.len();
+            if *j != 0 {
+                return;
+            }
+        }
+    }
+}
+
+/// Inverse of the rule's discrete distribution function.
+fn draw_node(rule: &GaussRule, u: f64) -> usize {
+    let mut sum = 0.0;
+    let below = |w: &&f64| {
+        sum += **w;
+        sum <= u
+    };
+    rule.weights
+        .iter()
+        .take_while(below)
+        .count()
+        .min(rule.len() - 1)
+}
+
+/// Uniform on \[0, 1) from the upper 53 bits; spelled out so that a seed means the same points in every release of
+/// the random number library.
+fn unit(rng: &mut impl Rng) -> f64 {
+    (rng.next_u64() >> 11) as f64 * (0.5 * f64::EPSILON)
+}
+
+#[cfg(test)]
+mod tests {
+    use rand_chacha::ChaCha8Rng;
+    use rand_chacha::rand_core::SeedableRng;
+
+    use super::*;
+    use crate::distribution::Distribution;
+
+    fn rules(sizes: &[usize]) -> Vec<GaussRule> {
+        let law = Distribution::normal(0.0, 1.0).unwrap();
+        sizes.iter().map(|&n| law.gauss_rule(n).unwrap()).collect()
+    }
+
+    #[test]
+    fn nodes_are_drawn_with_their_weights() {
+        let rule = &rules(&[5])[0];
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        let draws = 100_000;
+        let mut hits = [0.0; 5];
+        for _ in 0..draws {
+            hits[draw_node(rule, unit(&mut rng))] += 1.0;
+        }
+        for (hit, w) in hits.iter().zip(&rule.weights) {
+            let deviation = (w * (1.0 - w) / f64::from(draws)).sqrt();
+            // five binomial standard deviations: one false alarm in a million
+            assert!((hit / f64::from(draws) - w).abs() < 5.0 * deviation);
+        }
+        assert_eq!(draw_node(rule, 0.0), 0);
+        assert_eq!(draw_node(rule, 1.0 - 0.5 * f64::EPSILON), 4);
+    }
+
+    #[test]
+    fn a_used_up_grid_gives_every_point_once() {
+        let rules = rules(&[3, 5, 3]);
+        let grid = Grid::new(&rules, &[0.0; 3]);
+        // 45 combinations less the cut point and 2 + 4 + 2 on the lines
+        assert_eq!(grid.off_axis_len(), 36);
+        let points = grid.off_axis(1000, &mut ChaCha8Rng::seed_from_u64(7));
+        assert_eq!(points.len(), 36);
+        assert_eq!(points.iter().collect::<HashSet<_>>().len(), 36);
+        assert!(points.iter().all(|point| grid.is_off_axis(point)));
+    }
+
+    #[test]
+    fn a_cut_off_the_grid_leaves_every_combination() {
+        let rules = rules(&[3, 3]);
+        assert_eq!(Grid::new(&rules, &[0.1, 0.1]).off_axis_len(), 9);
+        assert_eq!(Grid::new(&rules, &[0.0, 0.1]).off_axis_len(), 6);
+    }
+
+    #[test]
+    fn one_input_has_no_off_axis_points() {
+        let rules = rules(&[5]);
+        for cut in [0.0, 0.1] {
+            assert_eq!(Grid::new(&rules, &[cut]).off_axis_len(), 0);
+            assert!(
+                Grid::new(&rules, &[cut])
+                    .off_axis(4, &mut ChaCha8Rng::seed_from_u64(7))
+                    .is_empty()
+            );
+        }
+    }
+
+    #[test]
+    fn huge_grids_do_not_overflow() {
+        let rules = rules(&[64; 50]);
+        let points = Grid::new(&rules, &[0.0; 50]).off_axis(10, &mut ChaCha8Rng::seed_from_u64(3));
+        assert_eq!(points.len(), 10);
+    }
+}
