@@ -1,0 +1,110 @@
+/** The only file that talks to the network. */
+
+import {
+  EVENT_KINDS, type Presets, type Problem, type StudyEvent, type StudyPage, type StudyResult, type StudySummary,
+} from "./types.ts";
+
+const ROOT = "/v1";
+
+/** An answer that is not the one asked for, or no answer at all. */
+export class ApiError extends Error {
+  readonly problem: Problem;
+
+  constructor(problem: Problem) {
+    super(problem.title);
+    this.problem = problem;
+  }
+}
+
+/** The problem of anything thrown. */
+export function problemOf(error: unknown): Problem {
+  if (error instanceof ApiError) return error.problem;
+  return { title: "The page failed.", status: 0, detail: error instanceof Error ? error.message : String(error) };
+}
+
+/** What the stream of one study calls. */
+export interface StreamListener {
+  event(event: StudyEvent): void;
+  /** The stream is open. */
+  open(): void;
+  /** The stream broke; it may come back. */
+  lost(): void;
+}
+
+export function presets(): Promise<Presets> {
+  return request("GET", "/presets");
+}
+
+export function studies(cursor: string | null): Promise<StudyPage> {
+  return request("GET", cursor === null ? "/studies" : `/studies?cursor=${encodeURIComponent(cursor)}`);
+}
+
+export function study(id: string): Promise<StudySummary> {
+  return request("GET", path(id));
+}
+
+export function result(id: string): Promise<StudyResult> {
+  return request("GET", path(id, "/result"));
+}
+
+/** Submits a document; the same key finds the same study again, so that a lost answer can be asked for twice. */
+export function submit(document: unknown, idempotencyKey: string): Promise<{ id: string }> {
+  return request("POST", "/studies", document, { "Idempotency-Key": idempotencyKey });
+}
+
+export function cancel(id: string): Promise<unknown> {
+  return request("DELETE", path(id));
+}
+
+/** The address of an export, for a link. */
+export function exportAddress(id: string, format: "csv" | "json" | "vtu"): string {
+  return `${ROOT}${path(id, `/export?format=${format}`)}`;
+}
+
+/** Listens to a study until the returned function is called. */
+export function follow(id: string, listener: StreamListener): () => void {
+  const source = new EventSource(`${ROOT}${path(id, "/events")}`);
+  for (const kind of EVENT_KINDS) {
+    source.addEventListener(kind, (message: MessageEvent<string>) => {
+      listener.event({ ...(JSON.parse(message.data) as object), kind } as StudyEvent);
+    });
+  }
+  source.addEventListener("open", () => listener.open());
+  source.addEventListener("error", () => listener.lost());
+  return () => source.close();
+}
+
+function path(id: string, rest = ""): string {
+  return `/studies/${encodeURIComponent(id)}${rest}`;
+}
+
+async function request<T>(method: string, where: string, body?: unknown, headers: HeadersInit = {}): Promise<T> {
+  const options: RequestInit = { method, headers: { Accept: "application/json", ...headers } };
+  if (body !== undefined) {
+    options.body = JSON.stringify(body);
+    options.headers = { ...options.headers, "Content-Type": "application/json" };
+  }
+  let response: Response;
+  try {
+    response = await fetch(`${ROOT}${where}`, options);
+  } catch {
+    throw new ApiError({ title: "The service doesn't answer.", status: 0, detail: "Is strainsite still running?" });
+  }
+  if (!response.ok) throw new ApiError(await problemIn(response));
+  const text = await response.text();
+  try {
+    return (text === "" ? null : JSON.parse(text)) as T;
+  } catch {
+    throw new ApiError({ title: "The service's answer is not JSON.", status: response.status });
+  }
+}
+
+async function problemIn(response: Response): Promise<Problem> {
+  const fallback: Problem = { title: `The service answered ${response.status}.`, status: response.status };
+  try {
+    const body = (await response.json()) as Partial<Problem> | null;
+    return { ...fallback, ...body };
+  } catch {
+    return fallback;
+  }
+}

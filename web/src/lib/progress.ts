@@ -1,0 +1,126 @@
+/** How far a study is, from the list entry and the events of its stream. Pure: time comes in as a number. */
+
+import type { StudyEvent, StudyState, StudySummary } from "../types.ts";
+
+/** One failed point as the stream told it. */
+export interface PointFailure {
+  ordinal: number;
+  cause: string;
+}
+
+export interface Progress {
+  state: StudyState;
+  total: number;
+  done: number;
+  reused: number;
+  /** Newton iterations by the ordinal of the point, so that an event told twice counts once. */
+  newton: ReadonlyMap<number, number>;
+  /** Wall seconds of solved points by ordinal. */
+  wall_s: ReadonlyMap<number, number>;
+  failures: readonly PointFailure[];
+  /** Milliseconds since the epoch. */
+  started_ms: number | null;
+  finished_ms: number | null;
+  error: string | null;
+}
+
+/** What the list entry alone tells. */
+export function fromSummary(summary: StudySummary): Progress {
+  return {
+    state: summary.state,
+    total: summary.points_total,
+    done: summary.points_done,
+    reused: 0,
+    newton: new Map(),
+    wall_s: new Map(),
+    failures: [],
+    started_ms: milliseconds(summary.started),
+    finished_ms: milliseconds(summary.finished),
+    error: summary.error,
+  };
+}
+
+/** Takes a newer list entry over, keeping what only the stream tells. */
+export function withSummary(progress: Progress, summary: StudySummary): Progress {
+  const fresh = fromSummary(summary);
+  return {
+    ...progress,
+    state: isOver(progress.state) ? progress.state : fresh.state,
+    total: Math.max(progress.total, fresh.total),
+    done: Math.max(progress.done, fresh.done),
+    started_ms: fresh.started_ms ?? progress.started_ms,
+    finished_ms: fresh.finished_ms ?? progress.finished_ms,
+    error: fresh.error ?? progress.error,
+  };
+}
+
+/** The progress after one event; events may come twice and late. */
+export function advance(progress: Progress, event: StudyEvent, now_ms: number): Progress {
+  if (isOver(progress.state)) return progress;
+  switch (event.kind) {
+    case "queued":
+      return progress;
+    case "started":
+      return {
+        ...progress,
+        state: "running",
+        total: event.points,
+        reused: event.reused,
+        done: Math.max(progress.done, event.reused),
+        started_ms: progress.started_ms ?? now_ms,
+      };
+    case "point-solved":
+      return {
+        ...progress,
+        state: "running",
+        total: event.of,
+        done: Math.max(progress.done, event.done),
+        newton: new Map(progress.newton).set(event.ordinal, event.newton_iterations),
+        wall_s: new Map(progress.wall_s).set(event.ordinal, event.wall_s),
+        started_ms: progress.started_ms ?? now_ms,
+      };
+    case "point-failed":
+      return { ...progress, failures: withFailure(progress.failures, event) };
+    case "failed":
+      return { ...progress, state: "failed", error: event.error, finished_ms: now_ms };
+    case "done":
+    case "cancelled":
+      return { ...progress, state: event.kind, finished_ms: now_ms };
+  }
+}
+
+export function isOver(state: StudyState): boolean {
+  return state === "done" || state === "failed" || state === "cancelled";
+}
+
+/** Share of the points that are solved, 0 to 1. */
+export function share(progress: Pick<Progress, "total" | "done">): number {
+  return progress.total > 0 ? Math.min(1, progress.done / progress.total) : 0;
+}
+
+export function elapsedSeconds(progress: Progress, now_ms: number): number | null {
+  if (progress.started_ms === null) return null;
+  return Math.max(0, ((progress.finished_ms ?? now_ms) - progress.started_ms) / 1000);
+}
+
+/** Seconds left at the pace so far; null before a point was solved in this run. */
+export function secondsLeft(progress: Progress, now_ms: number): number | null {
+  const elapsed = elapsedSeconds(progress, now_ms);
+  const solved = progress.done - progress.reused;
+  if (elapsed === null || solved <= 0 || progress.state !== "running") return null;
+  return (elapsed / solved) * Math.max(0, progress.total - progress.done);
+}
+
+export function newtonIterations(progress: Progress): number {
+  return [...progress.newton.values()].reduce((sum, count) => sum + count, 0);
+}
+
+function withFailure(failures: readonly PointFailure[], failure: PointFailure): readonly PointFailure[] {
+  const others = failures.filter((known) => known.ordinal !== failure.ordinal);
+  return [...others, { ordinal: failure.ordinal, cause: failure.cause }].sort((a, b) => a.ordinal - b.ordinal);
+}
+
+function milliseconds(text: string | null): number | null {
+  const time = text === null ? Number.NaN : Date.parse(text);
+  return Number.isNaN(time) ? null : time;
+}

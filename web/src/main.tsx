@@ -1,0 +1,24 @@
+import { render } from "preact";
+import { createActions } from "./actions.ts";
+import { createStore, initialState } from "./state.ts";
+import "./style.css";
+import { App } from "./views/app.tsx";
+
+const root = document.getElementById("app");
+if (root !== null) {
+  const store = createStore(initialState(location.hash, Date.now()));
+  const actions = createActions(store);
+  const draw = (): void => render(<App state={store.get()} actions={actions} />, root);
+  let scheduled = false;
+  // Many changes in one turn, one drawing.
+  store.subscribe(() => {
+    if (scheduled) return;
+    scheduled = true;
+    queueMicrotask(() => {
+      scheduled = false;
+      draw();
+    });
+  });
+  draw();
+  actions.start();
+}

@@ -1,0 +1,48 @@
+import type { Actions } from "../actions.ts";
+import { formatRoute } from "../lib/route.ts";
+import type { AppState } from "../state.ts";
+import { NewStudy } from "./new-study.tsx";
+import { StudyListView } from "./study-list.tsx";
+import { StudyView } from "./study.tsx";
+
+const HOME = formatRoute({ view: "home", preset: null });
+
+/** The whole page. */
+export function App({ state, actions }: { state: AppState; actions: Actions }) {
+  const isHome = state.route.view === "home";
+  return (
+    <div class={isHome ? "page page-home" : "page page-study"}>
+      <a class="skip" href="#main" onClick={skipToMain}>
+        Skip to the content
+      </a>
+      <header class="masthead">
+        <a class="brand" href={HOME}>
+          <span class="brand-name">strainsite</span>
+          <span class="brand-line">where to glue strain films in a tire, and how sure that is</span>
+        </a>
+        <nav aria-label="Service">
+          <a href={HOME} aria-current={isHome ? "page" : undefined}>
+            New study
+          </a>
+          <a href="/docs">HTTP interface</a>
+        </nav>
+      </header>
+      <aside class="sidebar" aria-label="Studies">
+        <StudyListView state={state} actions={actions} />
+      </aside>
+      <main id="main" tabIndex={-1}>
+        {state.route.view === "home" ? (
+          <NewStudy draft={state.draft} presets={state.presets} actions={actions} />
+        ) : (
+          <StudyView state={state} route={state.route} actions={actions} />
+        )}
+      </main>
+    </div>
+  );
+}
+
+/** The hash is the route, so the link moves the focus itself. */
+function skipToMain(event: Event): void {
+  event.preventDefault();
+  document.getElementById("main")?.focus();
+}

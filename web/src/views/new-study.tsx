@@ -1,0 +1,119 @@
+import { useRef } from "preact/hooks";
+import type { Actions } from "../actions.ts";
+import { ACCURACIES, accuracyOf, parseDraft, type Accuracy } from "../lib/draft.ts";
+import type { Span } from "../lib/pointer.ts";
+import type { Draft, Loadable } from "../state.ts";
+import type { Preset, Presets } from "../types.ts";
+import { Faults } from "./faults.tsx";
+import { Loaded } from "./loading.tsx";
+
+interface Props {
+  draft: Draft;
+  presets: Loadable<Presets>;
+  actions: Actions;
+}
+
+/** Picks a preset, edits its document, submits it, and shows what is wrong with it. */
+export function NewStudy({ draft, presets, actions }: Props) {
+  const text = useRef<HTMLTextAreaElement>(null);
+  const show = (span: Span): void => {
+    const area = text.current;
+    if (area === null) return;
+    area.focus();
+    area.setSelectionRange(span.start, span.end);
+    const lines = area.value.split("\n").length;
+    area.scrollTop = (area.scrollHeight * (span.line - 3)) / lines;
+  };
+  const submit = (event: Event): void => {
+    event.preventDefault();
+    void actions.submitDraft();
+  };
+  return (
+    <section class="panel">
+      <h1>New study</h1>
+      <form class="new-study" onSubmit={submit}>
+        <Loaded of={presets} what="the presets" onRetry={() => void actions.reloadPresets()}>
+          {(value) => <PresetChoice presets={value.studies} chosen={draft.preset} onChoose={actions.choosePreset} />}
+        </Loaded>
+        <div class="document">
+          <div class="document-text">
+            <div class="document-head">
+              <label for="document">Study document (JSON)</label>
+              <AccuracyChoice text={draft.text} onChoose={actions.setAccuracy} />
+            </div>
+            <textarea
+              id="document"
+              ref={text}
+              spellcheck={false}
+              autocomplete="off"
+              rows={24}
+              value={draft.text}
+              aria-describedby="document-faults"
+              aria-invalid={draft.problem !== null}
+              onInput={(event) => actions.editDraft(event.currentTarget.value)}
+            />
+          </div>
+          <div id="document-faults" class="faults" aria-live="polite">
+            <Faults text={draft.text} problem={draft.problem} onShow={show} />
+          </div>
+        </div>
+        <div class="actions">
+          <button type="submit" class="primary" disabled={draft.sending || draft.text.trim() === ""}>
+            {draft.sending ? "Sending …" : "Run study"}
+          </button>
+          <p class="quiet">Solved points are stored at once and reused: a study like an earlier one costs less.</p>
+        </div>
+      </form>
+    </section>
+  );
+}
+
+function PresetChoice(props: { presets: Preset[]; chosen: string | null; onChoose: (name: string) => void }) {
+  if (props.presets.length === 0) return <p class="quiet">The service ships no presets. Write a document below.</p>;
+  return (
+    <fieldset class="presets">
+      <legend>Start from</legend>
+      {props.presets.map((preset) => (
+        <label key={preset.name} class="preset">
+          <input
+            type="radio"
+            name="preset"
+            value={preset.name}
+            checked={preset.name === props.chosen}
+            onChange={() => props.onChoose(preset.name)}
+          />
+          <span>
+            <strong>{preset.title}</strong>
+            <code>{preset.name}</code>
+          </span>
+        </label>
+      ))}
+    </fieldset>
+  );
+}
+
+function AccuracyChoice({ text, onChoose }: { text: string; onChoose: (accuracy: Accuracy) => void }) {
+  const readable = !("fault" in parseDraft(text));
+  const accuracy = accuracyOf(text);
+  return (
+    <label class="inline">
+      Accuracy{" "}
+      <select
+        value={accuracy ?? ""}
+        disabled={!readable}
+        onChange={(event) => onChoose(event.currentTarget.value as Accuracy)}
+      >
+        {accuracy === null && (
+          <option value="" disabled>
+            as written
+          </option>
+        )}
+        {ACCURACIES.map((name) => (
+          <option key={name} value={name}>
+            {name}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}

@@ -1,0 +1,36 @@
+import { exportAddress } from "../api.ts";
+import type { Route } from "../lib/route.ts";
+import type { StudyResult } from "../types.ts";
+import { CostView } from "./cost.tsx";
+import { FailedPoints } from "./failed-points.tsx";
+import { LayoutsView } from "./layouts.tsx";
+import { MapView } from "./map.tsx";
+import { MatrixView } from "./matrix.tsx";
+import { ModelView } from "./model.tsx";
+import { Notes } from "./notes.tsx";
+import { RankingView } from "./ranking.tsx";
+
+type StudyRoute = Extract<Route, { view: "study" }>;
+
+/** The answer of a study, most important first. */
+export function ResultView(props: { result: StudyResult; route: StudyRoute; onAdjust: (route: Route) => void }) {
+  const { result, route, onAdjust } = props;
+  const { id, version, spec_sha256 } = result.study;
+  return (
+    <>
+      <p class="provenance">
+        {version} · document <code title={spec_sha256}>{spec_sha256.slice(0, 12)}</code> · download{" "}
+        <a href={exportAddress(id, "json")}>JSON</a>, <a href={exportAddress(id, "csv")}>CSV</a>,{" "}
+        <a href={exportAddress(id, "vtu")}>VTU</a>
+      </p>
+      <Notes notes={result.notes} />
+      <FailedPoints result={result} />
+      <RankingView result={result} />
+      <MapView result={result} route={route} onAdjust={onAdjust} />
+      <MatrixView result={result} />
+      <LayoutsView layouts={result.layouts} />
+      <ModelView result={result} />
+      <CostView cost={result.cost} />
+    </>
+  );
+}
