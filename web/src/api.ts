@@ -56,9 +56,9 @@ export function cancel(id: string): Promise<unknown> {
   return request("DELETE", path(id));
 }
 
-/** The address of an export, for a link. */
-export function exportAddress(id: string, format: "csv" | "json" | "vtu"): string {
-  return `${ROOT}${path(id, `/export?format=${format}`)}`;
+/** The address of a part of a study, for a link. */
+export function address(id: string, part: "result" | "evaluations"): string {
+  return `${ROOT}${path(id, `/${part}`)}`;
 }
 
 /** Listens to a study until the returned function is called. */
@@ -88,7 +88,7 @@ async function request<T>(method: string, where: string, body?: unknown, headers
   try {
     response = await fetch(`${ROOT}${where}`, options);
   } catch {
-    throw new ApiError({ title: "The service doesn't answer.", status: 0, detail: "Is strainsite still running?" });
+    throw new ApiError({ title: "The service doesn't answer. Is strainsite still running?", status: 0 });
   }
   if (!response.ok) throw new ApiError(await problemIn(response));
   const text = await response.text();

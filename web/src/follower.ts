@@ -65,7 +65,9 @@ export function createFollower(store: Store, onOver: () => void): Follower {
       return;
     }
     takeSummary(id, summary);
-    if (!isOpen(id) || isOver(summary.state)) return;
+    if (!isOpen(id)) return;
+    if (summary.state === "failed") listenForFailures(id);
+    if (isOver(summary.state)) return;
     stopStream = api.follow(id, {
       open: () => {
         endPolling();
@@ -79,6 +81,19 @@ export function createFollower(store: Store, onOver: () => void): Follower {
       },
       event: (event) => takeEvent(id, event),
     });
+  }
+
+  /** The stream is replayed from the start, and says which points failed and why. */
+  function listenForFailures(id: string): void {
+    const stop = api.follow(id, {
+      open: () => undefined,
+      lost: () => stop(),
+      event: (event) => {
+        if (event.kind === "point-failed") takeEvent(id, event);
+        if (event.kind === "failed") stop();
+      },
+    });
+    stopStream = stop;
   }
 
   function refresh(): void {

@@ -203,6 +203,7 @@ export type StudyEvent =
   | { kind: "started"; points: number; reused: number }
   | { kind: "point-solved"; ordinal: number; done: number; of: number; wall_s: number; newton_iterations: number }
   | { kind: "point-failed"; ordinal: number; cause: string }
+  | { kind: "analysing" }
   | { kind: "done" }
   | { kind: "failed"; error: string }
   | { kind: "cancelled" };
@@ -212,6 +213,7 @@ export const EVENT_KINDS: readonly StudyEvent["kind"][] = [
   "started",
   "point-solved",
   "point-failed",
+  "analysing",
   "done",
   "failed",
   "cancelled",

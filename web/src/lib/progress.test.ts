@@ -59,3 +59,13 @@ test("a polled entry moves the count on but never back", () => {
   assert.equal(withSummary(running, { ...queued, state: "running", points_done: 3 }).done, 5);
   assert.equal(withSummary(running, { ...queued, state: "running", points_done: 8 }).done, 8);
 });
+
+test("a failed study still takes its failed points from a replayed stream", () => {
+  const failed = fromSummary({ ...queued, state: "failed", error: "point 4 has no answer" });
+  const told = advance(failed, { kind: "point-failed", ordinal: 4, cause: "limit point" }, 0);
+  assert.deepEqual([told.state, told.failures.length], ["failed", 1]);
+});
+
+test("after the last point the indices are computed", () => {
+  assert.equal(after([solved(30, 31), { kind: "analysing" }]).analysing, true);
+});

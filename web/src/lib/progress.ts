@@ -12,12 +12,15 @@ export interface Progress {
   state: StudyState;
   total: number;
   done: number;
-  reused: number;
+  /** Points taken from the archive; null until the stream tells. */
+  reused: number | null;
   /** Newton iterations by the ordinal of the point, so that an event told twice counts once. */
   newton: ReadonlyMap<number, number>;
   /** Wall seconds of solved points by ordinal. */
   wall_s: ReadonlyMap<number, number>;
   failures: readonly PointFailure[];
+  /** Every point is solved and the indices are being computed. */
+  analysing: boolean;
   /** Milliseconds since the epoch. */
   started_ms: number | null;
   finished_ms: number | null;
@@ -30,10 +33,11 @@ export function fromSummary(summary: StudySummary): Progress {
     state: summary.state,
     total: summary.points_total,
     done: summary.points_done,
-    reused: 0,
+    reused: null,
     newton: new Map(),
     wall_s: new Map(),
     failures: [],
+    analysing: false,
     started_ms: milliseconds(summary.started),
     finished_ms: milliseconds(summary.finished),
     error: summary.error,
@@ -56,7 +60,8 @@ export function withSummary(progress: Progress, summary: StudySummary): Progress
 
 /** The progress after one event; events may come twice and late. */
 export function advance(progress: Progress, event: StudyEvent, now_ms: number): Progress {
-  if (isOver(progress.state)) return progress;
+  // The stream of a failed study is read for its failed points alone.
+  if (isOver(progress.state) && event.kind !== "point-failed") return progress;
   switch (event.kind) {
     case "queued":
       return progress;
@@ -81,6 +86,8 @@ export function advance(progress: Progress, event: StudyEvent, now_ms: number): 
       };
     case "point-failed":
       return { ...progress, failures: withFailure(progress.failures, event) };
+    case "analysing":
+      return { ...progress, analysing: true };
     case "failed":
       return { ...progress, state: "failed", error: event.error, finished_ms: now_ms };
     case "done":
@@ -106,7 +113,7 @@ export function elapsedSeconds(progress: Progress, now_ms: number): number | nul
 /** Seconds left at the pace so far; null before a point was solved in this run. */
 export function secondsLeft(progress: Progress, now_ms: number): number | null {
   const elapsed = elapsedSeconds(progress, now_ms);
-  const solved = progress.done - progress.reused;
+  const solved = progress.done - (progress.reused ?? 0);
   if (elapsed === null || solved <= 0 || progress.state !== "running") return null;
   return (elapsed / solved) * Math.max(0, progress.total - progress.done);
 }

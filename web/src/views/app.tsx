@@ -24,7 +24,6 @@ export function App({ state, actions }: { state: AppState; actions: Actions }) {
           <a href={HOME} aria-current={isHome ? "page" : undefined}>
             New study
           </a>
-          <a href="/docs">HTTP interface</a>
         </nav>
       </header>
       <aside class="sidebar" aria-label="Studies">

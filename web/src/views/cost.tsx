@@ -37,7 +37,7 @@ function Shares({ cost }: { cost: StudyCost }) {
   let start = 0;
   return (
     <figure class="shares">
-      <svg viewBox="0 0 100 4" preserveAspectRatio="none" role="img" aria-label={`Time in solves: ${words}`}>
+      <svg class="share-bar" viewBox="0 0 100 4" preserveAspectRatio="none" role="img" aria-label={`Time in solves: ${words}`}>
         {shares.map(([name, share, tone]) => {
           const from = start;
           start += 100 * share;

@@ -10,12 +10,7 @@ export function LayoutsView({ layouts }: { layouts: RankedLayout[] }) {
     <section class="panel" aria-labelledby="layouts-title">
       <h2 id="layouts-title">Layouts around the wheel</h2>
       <div class="scroll" tabIndex={0} role="region" aria-label="Ranked layouts">
-        <table>
-          <caption>
-            Errors are Cramér–Rao bounds over all angles at which the wheel can touch down, for{" "}
-            {microstrain(first.score.noise_strain)} µε of noise on each film. Weakest signal: the film that sees most, at
-            the angle where that is least, in microstrain (µε).
-          </caption>
+        <table aria-label="Ranked layouts">
           <thead>
             <tr>
               <th scope="col">Rank</th>
@@ -41,6 +36,11 @@ export function LayoutsView({ layouts }: { layouts: RankedLayout[] }) {
           </tbody>
         </table>
       </div>
+      <p class="quiet">
+        Errors are Cramér–Rao bounds over all angles at which the wheel can touch down, for{" "}
+        {microstrain(first.score.noise_strain)} µε of noise on each film. Weakest signal: the film that sees most, at the
+        angle where that is least, in microstrain (µε, 10⁻⁶).
+      </p>
     </section>
   );
 }

@@ -28,12 +28,8 @@ export function Loaded<T>(props: {
   );
 }
 
-/** A problem in a sentence: the detail says more than the title, so it comes first when there is one. */
+/** A problem in a sentence: the detail when there is one, for the title of most is only their status in words. */
 export function ProblemText({ problem }: { problem: Problem }) {
-  if (problem.detail == null || problem.detail === "") return <p>{problem.title}</p>;
-  return (
-    <p>
-      {problem.title.replace(/\.$/, "")}: {problem.detail}
-    </p>
-  );
+  const text = problem.detail == null || problem.detail === "" ? problem.title : problem.detail;
+  return <p>{text.charAt(0).toUpperCase() + text.slice(1)}</p>;
 }

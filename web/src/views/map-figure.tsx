@@ -49,9 +49,8 @@ export function MapFigure({ field, marks, title, cell, onCell }: Props) {
       <canvas ref={canvas} />
       <svg width={frame.width} height={frame.height} aria-hidden="true">
         <Axes frame={frame} />
-        {marks.map((mark) => (
-          <PointMark key={mark.name} mark={mark} frame={frame} />
-        ))}
+        <PointMarks marks={marks} frame={frame} />
+        {cell !== null && <rect class="cell cell-halo" {...cellBox(frame, cell)} />}
         {cell !== null && <rect class="cell" {...cellBox(frame, cell)} />}
       </svg>
     </div>
@@ -110,20 +109,30 @@ function Axes({ frame }: { frame: Frame }) {
         </g>
       ))}
       <text x={(left + right) / 2} y={bottom + 34} text-anchor="middle">
-        θ from the contact centre, rolling direction to the right
+        {frame.plotWidth > 500 ? "θ from the contact centre, rolling direction to the right" : "θ, rolling to the right"}
       </text>
     </g>
   );
 }
 
-function PointMark({ mark, frame }: { mark: Mark; frame: Frame }) {
-  const [x, y] = [xOf(frame, mark.theta_deg), yOf(frame, mark.phi_deg)];
+/** Room that a label needs, CSS pixels. */
+const LABEL_WIDTH = 22;
+
+function PointMarks({ marks, frame }: { marks: Mark[]; frame: Frame }) {
+  const at = (mark: Mark): number => xOf(frame, mark.theta_deg);
+  const crowded = marks.some((mark, index) => index > 0 && at(mark) - at(marks[index - 1] as Mark) < LABEL_WIDTH);
   return (
     <g class="point-mark">
-      <circle cx={x} cy={y} r={4} />
-      <text x={x} y={y - 9} text-anchor="middle">
-        {mark.name}
-      </text>
+      {marks.map((mark, index) => (
+        <g key={mark.name}>
+          <circle cx={at(mark)} cy={yOf(frame, mark.phi_deg)} r={4} />
+          {(!crowded || index % 2 === 0) && (
+            <text x={at(mark)} y={yOf(frame, mark.phi_deg) - 9} text-anchor="middle">
+              {mark.name}
+            </text>
+          )}
+        </g>
+      ))}
     </g>
   );
 }

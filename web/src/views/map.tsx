@@ -97,7 +97,7 @@ function Remarks({ field }: { field: Field }) {
   const parts = [
     counts["product-form-broken"] > 0 &&
       `${counts["product-form-broken"]} of ${field.status.length} cells are hatched because M-DRM's product form is broken there; their indices come from the additive form.`,
-    counts.constant > 0 && `${counts.constant} grey cells don't vary and have no index.`,
+    counts.constant > 0 && `${counts.constant} hatched cells don't vary with the inputs and have no index.`,
     "Unrolled, not to scale: θ around the wheel from the contact centre, φ across the section from the crown.",
   ];
   return <p class="quiet">{parts.filter(Boolean).join(" ")}</p>;

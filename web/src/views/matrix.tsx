@@ -18,12 +18,7 @@ export function MatrixView({ result }: { result: StudyResult }) {
         <KindButton kind="total" label="Total" chosen={kind} onChoose={setKind} />
       </fieldset>
       <div class="scroll" tabIndex={0} role="region" aria-label="Indices of all outputs">
-        <table class="matrix">
-          <caption>
-            {kind === "first_order" ? "First-order" : "Total"} indices, percent of the output's variance. Mean and standard
-            deviation of the strain in microstrain (µε, 10⁻⁶), relative to the inflated state. Error: of the first-order
-            indices, percentage points.
-          </caption>
+        <table class="matrix" aria-label="Indices of all outputs">
           <thead>
             <tr>
               <th scope="col">Strain</th>
@@ -47,6 +42,11 @@ export function MatrixView({ result }: { result: StudyResult }) {
           </tbody>
         </table>
       </div>
+      <p class="quiet">
+        {kind === "first_order" ? "First-order" : "Total"} indices, percent of the output's variance. Mean and standard
+        deviation of the strain in microstrain (µε, 10⁻⁶), relative to the inflated state. Error: of the first-order
+        indices, percentage points.
+      </p>
     </section>
   );
 }

@@ -47,7 +47,7 @@ function Outcome({ progress }: { progress: Progress }) {
     case "queued":
       return <p role="status">Waiting for a free solver.</p>;
     case "running":
-      return <p role="status">Solving the design points.</p>;
+      return <p role="status">{progress.analysing ? "Computing the indices." : "Solving the design points."}</p>;
     case "cancelled":
       return <p role="status">Cancelled. Run the same document again and it goes on from the points solved here.</p>;
     case "done":
@@ -67,13 +67,12 @@ function Facts({ progress, now_ms }: { progress: Progress; now_ms: number }) {
   return (
     <dl class="facts">
       <Fact name="Points" value={`${integer(progress.done)} of ${progress.total > 0 ? integer(progress.total) : "?"}`} />
-      <Fact name="Reused" value={integer(progress.reused)} />
+      {progress.reused !== null && <Fact name="Reused" value={integer(progress.reused)} />}
       <Fact name="Elapsed" value={duration(elapsedSeconds(progress, now_ms))} />
       {progress.state === "running" && <Fact name="Time left" value={duration(secondsLeft(progress, now_ms))} />}
-      <Fact
-        name="Newton iterations"
-        value={solved === 0 ? "—" : `${integer(iterations)}, ${fixed(iterations / solved, 1)} a point`}
-      />
+      {solved > 0 && (
+        <Fact name="Newton iterations" value={`${integer(iterations)}, ${fixed(iterations / solved, 1)} a point`} />
+      )}
     </dl>
   );
 }

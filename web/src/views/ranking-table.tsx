@@ -1,6 +1,6 @@
 import { fixed } from "../lib/format.ts";
 import { paperPercent } from "../lib/paper.ts";
-import { byRank, centreName, centreOutput, largest, methodName, productFormBroken, statusName } from "../lib/result.ts";
+import { byRank, centreOutput, largest, methodName, productFormBroken, statusName } from "../lib/result.ts";
 import type { Direction, RankedLocation, StudyResult } from "../types.ts";
 import { directionName } from "./direction-name.ts";
 
@@ -22,7 +22,7 @@ function columns(direction: Direction): { mdrm: Column; paper: Column; mean: Col
       value: (row) => (isX ? row.gsi_x_percent : row.gsi_y_percent),
     },
     mdrm: {
-      title: "M-DRM %",
+      title: "M\u2011DRM %",
       hint: "What M-DRM's product form gives, valid or not",
       value: (row) => (isX ? row.mdrm_gsi_x_percent : row.mdrm_gsi_y_percent),
     },
@@ -45,15 +45,14 @@ export function RankingTable({ result }: { result: StudyResult }) {
   const rows = byRank(result);
   return (
     <div class="scroll" tabIndex={0} role="region" aria-label="Ranked locations">
-      <table class="ranking">
-        <caption>
-          First-order indices of each location's contact depth for the strain at {centreName(result)}, percent of its
-          variance; ± is the estimated absolute error in percentage points.
-        </caption>
+      <table class="ranking" aria-label="Ranked locations">
         <thead>
           <tr>
             <th rowSpan={2} scope="col">
               Rank
+            </th>
+            <th rowSpan={2} scope="col">
+              Certain
             </th>
             <th rowSpan={2} scope="col">
               Place
@@ -63,9 +62,6 @@ export function RankingTable({ result }: { result: StudyResult }) {
                 Strain {directionName(direction)}
               </th>
             ))}
-            <th rowSpan={2} scope="col" class="group">
-              Rank certain
-            </th>
           </tr>
           <tr>
             {DIRECTIONS.map((direction) => (
@@ -77,17 +73,17 @@ export function RankingTable({ result }: { result: StudyResult }) {
           {rows.map((row) => (
             <tr key={row.name} data-location={row.name}>
               <td class="rank">{row.rank}</td>
+              <td>{row.rank_certain ? "yes" : "no"}</td>
               <th scope="row">{row.name}</th>
               {DIRECTIONS.map((direction) => (
                 <DirectionCells key={direction} row={row} rows={rows} result={result} direction={direction} />
               ))}
-              <td class="group">{row.rank_certain ? "yes" : "no"}</td>
             </tr>
           ))}
         </tbody>
         <tfoot>
           <tr>
-            <th colSpan={2} scope="row">
+            <th colSpan={3} scope="row">
               Method, status
             </th>
             {DIRECTIONS.map((direction) => (
@@ -95,7 +91,6 @@ export function RankingTable({ result }: { result: StudyResult }) {
                 <Method result={result} direction={direction} />
               </td>
             ))}
-            <td class="group" />
           </tr>
         </tfoot>
       </table>

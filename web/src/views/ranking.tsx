@@ -19,6 +19,11 @@ export function RankingView({ result }: { result: StudyResult }) {
       </div>
       <BarKey />
       <RankingTable result={result} />
+      <p class="quiet">
+        GSI: first-order index of each location's own contact depth for the strain at {centreName(result)}, percent of
+        its variance; ± is the estimated absolute error in percentage points. Certain: whether the errors leave no doubt
+        about the rank.
+      </p>
       <Meaning centre={centreName(result) ?? "the centre"} />
     </section>
   );

@@ -1,4 +1,4 @@
-import { exportAddress } from "../api.ts";
+import { address } from "../api.ts";
 import type { Route } from "../lib/route.ts";
 import type { StudyResult } from "../types.ts";
 import { CostView } from "./cost.tsx";
@@ -19,9 +19,8 @@ export function ResultView(props: { result: StudyResult; route: StudyRoute; onAd
   return (
     <>
       <p class="provenance">
-        {version} · document <code title={spec_sha256}>{spec_sha256.slice(0, 12)}</code> · download{" "}
-        <a href={exportAddress(id, "json")}>JSON</a>, <a href={exportAddress(id, "csv")}>CSV</a>,{" "}
-        <a href={exportAddress(id, "vtu")}>VTU</a>
+        {version} · document <code title={spec_sha256}>{spec_sha256.slice(0, 12)}</code> · as JSON:{" "}
+        <a href={address(id, "result")}>the whole result</a>, <a href={address(id, "evaluations")}>every solved point</a>
       </p>
       <Notes notes={result.notes} />
       <FailedPoints result={result} />
