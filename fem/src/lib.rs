@@ -1,1 +1,49 @@
-//! Nonlinear finite elements.
+//! Nonlinear finite elements for inflated, reinforced rubber bodies pressed on a rigid ground.
+//!
+//! The unknowns are the nodal displacements `u` and element-wise discontinuous pressures `p` of a body whose reference
+//! points are `X` and current points `x = X + u`. Units are the caller's, as long as they agree: lengths in mm, forces
+//! in N and stresses in MPa (N/mm^2) throughout the product.
+//!
+//! | symbol | meaning |
+//! | --- | --- |
+//! | `F` | deformation gradient dx/dX |
+//! | `J` | volume ratio det F |
+//! | `P` | first Piola-Kirchhoff stress dW/dF |
+//! | `A` | tangent dP/dF, 9 x 9, row and column index 3 i + J |
+//! | `G` | cofactor J F^-T |
+//!
+//! Modules in reading order, each importing only those above it:
+//!
+//! - [`tensor`]: 3 x 3 algebra
+//! - [`quadrature`], [`element`]: reference cells
+//! - [`mesh`]: nodes, elements, surfaces
+//! - [`material`]: hyperelastic laws
+//! - [`membrane`]: fibre families embedded in the mesh
+//! - [`solid`]: the mixed displacement-pressure element
+//! - [`pressure`]: live pressure on a surface
+//! - [`obstacle`], [`contact`]: rigid ground and contact with it
+//! - [`problem`]: a boundary value problem, its loads and its state
+//! - [`ordering`], [`sparsity`], [`linear`]: the sparse linear system
+//! - [`assembly`]: residual and tangent of the whole problem
+//! - [`newton`]: equilibrium under given loads
+//! - [`path`]: load stepping with automatic cut-back
+//! - [`surface`]: strains of a surface
+
+pub mod assembly;
+pub mod contact;
+pub mod element;
+pub mod linear;
+pub mod material;
+pub mod membrane;
+pub mod mesh;
+pub mod newton;
+pub mod obstacle;
+pub mod ordering;
+pub mod path;
+pub mod pressure;
+pub mod problem;
+pub mod quadrature;
+pub mod solid;
+pub mod sparsity;
+pub mod surface;
+pub mod tensor;

@@ -1,0 +1,275 @@
+//! Frictionless contact of a surface with the rigid ground, by a penalty on the vertical gap.
+//!
+//! The ground stores phi(g) per reference area of the surface at each integration point, with the gap
+//! g = z - z_g(x). A point that penetrates by s = -g > 0 is pushed with phi' = -eps s, whose slope grows from zero over a
+//! small width, so that the tangent is continuous and a surface that just touches feels nothing. The forces are the
+//! derivative of that energy, along (-z_g', 0, 1): normal to the ground.
+
+use crate::element::{FacePoint, face_points};
+use crate::membrane::tangents;
+use crate::mesh::{Mesh, Surface};
+use crate::obstacle::HeightField;
+use crate::tensor::{Vector, cross, norm};
+
+/// Stiffness of the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Penalty {
+    /// Force per area and penetration, N/mm^3.
+    pub stiffness: f64,
+    /// Penetration over which the stiffness grows from zero to its full value, mm.
+    pub ramp: f64,
+}
+
+impl Penalty {
+    /// Pressure and its slope at a penetration.
+    pub fn pressure(&self, penetration: f64) -> (f64, f64) {
+        if penetration <= 0.0 {
+            (0.0, 0.0)
+        } else if penetration < self.ramp {
+            let slope = self.stiffness * penetration / self.ramp;
+            (0.5 * slope * penetration, slope)
+        } else {
+            (
+                self.stiffness * (penetration - 0.5 * self.ramp),
+                self.stiffness,
+            )
+        }
+    }
+}
+
+/// A surface that may touch the ground.
+#[derive(Debug)]
+pub struct ContactSurface {
+    /// Its faces.
+    pub surface: Surface,
+    /// Stiffness of the contact.
+    pub penalty: Penalty,
+    rule: Vec<FacePoint>,
+    /// Reference area of each point: face, point.
+    areas: Vec<f64>,
+}
+
+/// Resultant of the contact.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ContactResultant {
+    /// Force of the ground on the body, N.
+    pub force: Vector,
+    /// Mean penetration, weighted by the contact pressure, mm.
+    pub mean_penetration: f64,
+    /// Largest penetration, mm.
+    pub max_penetration: f64,
+}
+
+impl ContactSurface {
+    /// Prepares a surface. Two points more than the order needs on each edge follow the patch's edge inside a face.
+    pub fn new(mesh: &Mesh, surface: Surface, penalty: Penalty) -> Self {
+        let rule = face_points(mesh.order, mesh.order.edge_nodes() + 1);
+        let mut areas = Vec::with_capacity(surface.face_count() * rule.len());
+        for face in surface.iter() {
+            let nodes: Vec<Vector> = face.iter().map(|&n| mesh.nodes[n as usize]).collect();
+            for point in &rule {
+                let [t1, t2] = tangents(&nodes, &point.gradients);
+                areas.push(point.weight * norm(&cross(&t1, &t2)));
+            }
+        }
+        Self {
+            surface,
+            penalty,
+            rule,
+            areas,
+        }
+    }
+
+    /// Adds a face's nodal forces and, when asked for, its stiffness (upper triangle by rows). Returns whether any point
+    /// touches; without touch the buffers are left alone.
+    pub fn integrate(
+        &self,
+        ground: &HeightField,
+        face: usize,
+        current: &[Vector],
+        residual: &mut [f64],
+        stiffness: Option<&mut [f64]>,
+    ) -> bool {
+        let mut stiffness = stiffness;
+        let mut touches = false;
+        self.for_each_touch(ground, face, current, |point, area, touch| {
+            touches = true;
+            let gradient = [-touch.slope, 0.0, 1.0];
+            for (force, n) in residual.chunks_exact_mut(3).zip(&point.values) {
+                for i in 0..3 {
+                    force[i] -= area * touch.pressure * n * gradient[i];
+                }
+            }
+            if let Some(stiffness) = stiffness.as_deref_mut() {
+                let mut block =
+                    gradient.map(|gi| gradient.map(|gj| area * touch.pressure_slope * gi * gj));
+                // Second derivative of the gap: -z_g'' on the x x component, times phi' = -pressure.
+                block[0][0] += area * touch.pressure * touch.curvature;
+                crate::membrane::add_outer(&point.values, &block, stiffness);
+            }
+        });
+        touches
+    }
+
+    /// Resultant over all faces at these current positions.
+    pub fn resultant(
+        &self,
+        ground: &HeightField,
+        positions: impl Fn(u32) -> Vector,
+    ) -> ContactResultant {
+        let mut total = ContactResultant::default();
+        let mut current = Vec::with_capacity(self.surface.order.face_nodes());
+        for (index, face) in self.surface.iter().enumerate() {
+            current.clear();
+            current.extend(face.iter().map(|&n| positions(n)));
+            self.for_each_touch(ground, index, &current, |_, area, touch| {
+                let force = area * touch.pressure;
+                total.force[0] -= force * touch.slope;
+                total.force[2] += force;
+                total.mean_penetration += force * touch.penetration;
+                total.max_penetration = total.max_penetration.max(touch.penetration);
+            });
+        }
+        if total.force[2] > 0.0 {
+            total.mean_penetration /= total.force[2];
+        }
+        total
+    }
+
+    fn for_each_touch(
+        &self,
+        ground: &HeightField,
+        face: usize,
+        current: &[Vector],
+        mut visit: impl FnMut(&FacePoint, f64, &Touch),
+    ) {
+        for (index, point) in self.rule.iter().enumerate() {
+            let (mut x, mut z) = (0.0, 0.0);
+            for (position, n) in current.iter().zip(&point.values) {
+                x += n * position[0];
+                z += n * position[2];
+            }
+            let [height, slope, curvature] = ground.height(x);
+            let penetration = height - z;
+            if penetration > 0.0 {
+                let (pressure, pressure_slope) = self.penalty.pressure(penetration);
+                let touch = Touch {
+                    penetration,
+                    pressure,
+                    pressure_slope,
+                    slope,
+                    curvature,
+                };
+                visit(point, self.areas[face * self.rule.len() + index], &touch);
+            }
+        }
+    }
+}
+
+/// State of one touching point.
+struct Touch {
+    penetration: f64,
+    pressure: f64,
+    pressure_slope: f64,
+    slope: f64,
+    curvature: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::Order;
+    use crate::obstacle::StationFunctions;
+
+    fn patch() -> (Vec<Vector>, ContactSurface) {
+        let order = Order::Quadratic;
+        let nodes: Vec<Vector> = (0..9)
+            .map(|a| [2.0 * f64::from(a % 3), 1.5 * f64::from(a / 3), 0.0])
+            .collect();
+        let mesh = Mesh {
+            order,
+            nodes: nodes.clone(),
+            bricks: vec![],
+        };
+        let surface = Surface {
+            order,
+            faces: (0..9).collect(),
+        };
+        (
+            nodes,
+            ContactSurface::new(
+                &mesh,
+                surface,
+                Penalty {
+                    stiffness: 100.0,
+                    ramp: 1e-3,
+                },
+            ),
+        )
+    }
+
+    #[test]
+    fn a_surface_that_just_touches_feels_nothing() {
+        let (nodes, contact) = patch();
+        let ground = HeightField {
+            base: 0.0,
+            spacing: 1.0,
+            functions: StationFunctions::BSpline,
+            depths: vec![0.0],
+        };
+        assert!(!contact.integrate(&ground, 0, &nodes, &mut [0.0; 27], None));
+    }
+
+    #[test]
+    fn a_flat_patch_transmits_a_constant_pressure() {
+        let (nodes, contact) = patch();
+        let ground = HeightField {
+            base: 0.0,
+            spacing: 1.0,
+            functions: StationFunctions::BSpline,
+            depths: vec![0.02; 3],
+        };
+        let resultant = contact.resultant(&ground, |n| nodes[n as usize]);
+        let expected = 100.0 * (0.02 - 0.0005) * 12.0;
+        assert!((resultant.force[2] - expected).abs() < 1e-13 * expected);
+        assert!(resultant.force[0].abs() < 1e-13);
+        // Consistent nodal forces of a constant pressure on a 9-node face: corner 1/36, edge 1/9, middle 4/9.
+        let mut residual = [0.0; 27];
+        contact.integrate(&ground, 0, &nodes, &mut residual, None);
+        for (node, share) in [(0, 1.0 / 36.0), (1, 1.0 / 9.0), (4, 4.0 / 9.0)] {
+            assert!((residual[3 * node + 2] + share * expected).abs() < 1e-13 * expected);
+        }
+    }
+
+    #[test]
+    fn stiffness_is_the_derivative_of_the_forces() {
+        let (nodes, contact) = patch();
+        let ground = HeightField {
+            base: 0.1,
+            spacing: 1.3,
+            functions: StationFunctions::BSpline,
+            depths: vec![0.3, 0.6, 0.4, 0.5, 0.7],
+        };
+        let mut stiffness = vec![0.0; 27 * 27];
+        contact.integrate(&ground, 0, &nodes, &mut [0.0; 27], Some(&mut stiffness));
+        let h = 1e-5;
+        for column in 0..27 {
+            let forces = |sign: f64| {
+                let mut moved = nodes.clone();
+                moved[column / 3][column % 3] += sign * h;
+                let mut residual = [0.0; 27];
+                contact.integrate(&ground, 0, &moved, &mut residual, None);
+                residual
+            };
+            let (plus, minus) = (forces(1.0), forces(-1.0));
+            for row in 0..=column {
+                let difference = (plus[row] - minus[row]) / (2.0 * h);
+                // Forces of order 100 N: round-off eps 100 / h = 2e-9, truncation h^2 100.
+                assert!(
+                    (difference - stiffness[row * 27 + column]).abs() < 1e-7,
+                    "{row} {column}"
+                );
+            }
+        }
+    }
+}

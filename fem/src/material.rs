@@ -1,0 +1,27 @@
+//! Hyperelastic laws of the solid's isochoric response.
+//!
+//! The volumetric response belongs to the mixed element, so a law here sees F only through its isochoric invariants.
+
+use crate::tensor::{Tensor, Tensor4};
+
+mod mooney_rivlin;
+
+pub use mooney_rivlin::MooneyRivlin;
+
+/// An isochoric stored energy: W(F) = W(J^(-1/3) F), zero with zero stress at F = 1.
+pub trait Isochoric: std::fmt::Debug + Send + Sync {
+    /// Stored energy per reference volume, MPa.
+    fn energy(&self, deformation_gradient: &Tensor) -> f64;
+
+    /// First Piola-Kirchhoff stress dW/dF, MPa.
+    fn stress(&self, deformation_gradient: &Tensor) -> Tensor;
+
+    /// Stress and tangent d2W/dF2, MPa.
+    fn stress_and_tangent(&self, deformation_gradient: &Tensor) -> (Tensor, Tensor4);
+
+    /// Shear modulus in the reference state, MPa.
+    fn shear_modulus(&self) -> f64;
+
+    /// Von Mises stress of a volume-preserving deformation with these principal stretches, MPa.
+    fn von_mises(&self, stretches: [f64; 3]) -> f64;
+}

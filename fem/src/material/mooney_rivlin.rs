@@ -1,0 +1,142 @@
+//! Mooney-Rivlin: W = C10 (I1 - 3) + C01 (I2 - 3) in the isochoric invariants
+//! I1 = J^(-2/3) F:F and I2 = J^(-4/3) ((F:F)^2 - C:C) / 2, C = F^T F.
+
+use super::Isochoric;
+use crate::tensor::{
+    Tensor, Tensor4, cofactor, cofactor_derivative, determinant, multiply, transpose,
+};
+
+/// The two constants, MPa.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MooneyRivlin {
+    /// Weight of the first invariant, MPa.
+    pub c10: f64,
+    /// Weight of the second invariant, MPa.
+    pub c01: f64,
+}
+
+/// Invariants of F without the volumetric scaling, and what their derivatives need.
+struct Kinematics {
+    cofactor: Tensor,
+    right_cauchy_green: Tensor,
+    j: f64,
+    i1: f64,
+    i2: f64,
+}
+
+impl Kinematics {
+    fn new(f: &Tensor) -> Self {
+        let c = multiply(&transpose(f), f);
+        let i1 = c[0][0] + c[1][1] + c[2][2];
+        // I2 is the squared norm of the cofactor: no cancellation near a large stretch.
+        let cofactor = cofactor(f);
+        let i2 = cofactor.iter().flatten().map(|g| g * g).sum();
+        Self {
+            cofactor,
+            right_cauchy_green: c,
+            j: determinant(f),
+            i1,
+            i2,
+        }
+    }
+
+    /// Derivatives of I1 and I2 by F: 2 F and 2 (I1 F - F C).
+    fn gradients(&self, f: &Tensor) -> (Tensor, Tensor) {
+        let fc = multiply(f, &self.right_cauchy_green);
+        let (mut d1, mut d2) = ([[0.0; 3]; 3], [[0.0; 3]; 3]);
+        for i in 0..3 {
+            for j in 0..3 {
+                d1[i][j] = 2.0 * f[i][j];
+                d2[i][j] = 2.0 * (self.i1 * f[i][j] - fc[i][j]);
+            }
+        }
+        (d1, d2)
+    }
+}
+
+impl Isochoric for MooneyRivlin {
+    fn energy(&self, deformation_gradient: &Tensor) -> f64 {
+        let k = Kinematics::new(deformation_gradient);
+        let s = k.j.powf(-2.0 / 3.0);
+        self.c10 * (s * k.i1 - 3.0) + self.c01 * (s * s * k.i2 - 3.0)
+    }
+
+    fn stress(&self, deformation_gradient: &Tensor) -> Tensor {
+        let k = Kinematics::new(deformation_gradient);
+        let (d1, d2) = k.gradients(deformation_gradient);
+        let s = k.j.powf(-2.0 / 3.0);
+        let (f1, f2) = (self.c10 * s, self.c01 * s * s);
+        let volumetric = -(2.0 / 3.0 * f1 * k.i1 + 4.0 / 3.0 * f2 * k.i2) / k.j;
+        let mut p = [[0.0; 3]; 3];
+        for i in 0..3 {
+            for j in 0..3 {
+                p[i][j] = f1 * d1[i][j] + f2 * d2[i][j] + volumetric * k.cofactor[i][j];
+            }
+        }
+        p
+    }
+
+    #[allow(non_snake_case)] // book symbols
+    fn stress_and_tangent(&self, deformation_gradient: &Tensor) -> (Tensor, Tensor4) {
+        let F = deformation_gradient;
+        let k = Kinematics::new(F);
+        let (d1, d2) = k.gradients(F);
+        let b = multiply(F, &transpose(F));
+        let (C, G) = (&k.right_cauchy_green, &k.cofactor);
+        let s = k.j.powf(-2.0 / 3.0);
+        let (f1, f2) = (self.c10 * s, self.c01 * s * s);
+        // First and second derivatives of c J^(-a) by J, for a = 2/3 and a = 4/3.
+        let (g1, g2) = (-2.0 / 3.0 * f1 / k.j, -4.0 / 3.0 * f2 / k.j);
+        let h = (10.0 / 9.0 * f1 * k.i1 + 28.0 / 9.0 * f2 * k.i2) / (k.j * k.j);
+        let volumetric = g1 * k.i1 + g2 * k.i2;
+
+        let mut P = [[0.0; 3]; 3];
+        let mut mixed = [[0.0; 3]; 3];
+        for i in 0..3 {
+            for j in 0..3 {
+                P[i][j] = f1 * d1[i][j] + f2 * d2[i][j] + volumetric * G[i][j];
+                mixed[i][j] = g1 * d1[i][j] + g2 * d2[i][j];
+            }
+        }
+        let mut A = cofactor_derivative(F);
+        for i in 0..3 {
+            for j in 0..3 {
+                let row = &mut A[3 * i + j];
+                for m in 0..3 {
+                    for n in 0..3 {
+                        let same_i = if i == m { 1.0 } else { 0.0 };
+                        let same_j = if j == n { 1.0 } else { 0.0 };
+                        let second_i1 = 2.0 * same_i * same_j;
+                        let second_i2 = 4.0 * F[i][j] * F[m][n] + 2.0 * k.i1 * same_i * same_j
+                            - 2.0 * (same_i * C[n][j] + F[i][n] * F[m][j] + b[i][m] * same_j);
+                        let value = &mut row[3 * m + n];
+                        *value = volumetric * *value
+                            + f1 * second_i1
+                            + f2 * second_i2
+                            + mixed[i][j] * G[m][n]
+                            + G[i][j] * mixed[m][n]
+                            + h * G[i][j] * G[m][n];
+                    }
+                }
+            }
+        }
+        (P, A)
+    }
+
+    fn shear_modulus(&self) -> f64 {
+        2.0 * (self.c10 + self.c01)
+    }
+
+    fn von_mises(&self, stretches: [f64; 3]) -> f64 {
+        // Cauchy stress differences sigma_i - sigma_j = 2 (l_i^2 - l_j^2) (C10 + C01 l_k^2).
+        let square = stretches.map(|l| l * l);
+        let sum: f64 = (0..3)
+            .map(|k| {
+                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                let difference = 2.0 * (square[i] - square[j]) * (self.c10 + self.c01 * square[k]);
+                difference * difference
+            })
+            .sum();
+        (0.5 * sum).sqrt()
+    }
+}

@@ -1,0 +1,89 @@
+//! Load stepping with automatic cut-back.
+
+use std::sync::atomic::AtomicBool;
+
+use crate::assembly::Imbalance;
+use crate::linear::Definiteness;
+use crate::newton::{Cause, Newton, NotConverged};
+use crate::problem::{Loads, State};
+
+/// Smallest fraction of the whole path that is tried before giving up.
+const SMALLEST_STEP: f64 = 1.0 / 1024.0;
+
+/// The path ended at its target.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathReport {
+    /// Relative residuals of each converged load step.
+    pub steps: Vec<Vec<Imbalance>>,
+    /// Attempts that failed and were repeated with a smaller step.
+    pub cut_backs: usize,
+    /// Whether the last equilibrium is stable: its tangent is positive definite.
+    pub definiteness: Definiteness,
+}
+
+/// The path ended before its target.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathFailure {
+    /// Fraction of the path that has an equilibrium.
+    pub reached: f64,
+    /// Loads there.
+    pub loads: Loads,
+    /// What ended the last attempt.
+    pub cause: Cause,
+    /// Residuals of the last attempt.
+    pub history: Vec<Imbalance>,
+    /// Whether the last attempt met a tangent with negative pivots: a sign of lost stability.
+    pub indefinite: bool,
+}
+
+/// Follows the loads from `start`, at which `state` is in equilibrium, to `target`. The first step is the whole way; a
+/// step that fails is halved, one that succeeds doubles the next. On failure `state` is the last equilibrium.
+///
+/// # Errors
+/// [`PathFailure`] says how far it got and why.
+pub fn follow(
+    newton: &mut Newton<'_>,
+    state: &mut State,
+    start: &Loads,
+    target: &Loads,
+    stop: &AtomicBool,
+) -> Result<PathReport, Box<PathFailure>> {
+    let mut report = PathReport {
+        steps: Vec::new(),
+        cut_backs: 0,
+        definiteness: Definiteness::Positive,
+    };
+    let (mut reached, mut step) = (0.0, 1.0);
+    while reached < 1.0 {
+        let next = f64::min(reached + step, 1.0);
+        let mut trial = state.clone();
+        match newton.solve(&mut trial, &start.towards(target, next), stop) {
+            Ok(converged) => {
+                *state = trial;
+                reached = next;
+                step *= 2.0;
+                report.definiteness = converged.definiteness;
+                report.steps.push(converged.history);
+            }
+            Err(NotConverged {
+                history,
+                cause,
+                indefinite,
+            }) => {
+                step *= 0.5;
+                if step < SMALLEST_STEP || cause == Cause::Stopped {
+                    let loads = start.towards(target, reached);
+                    return Err(Box::new(PathFailure {
+                        reached,
+                        loads,
+                        cause,
+                        history,
+                        indefinite,
+                    }));
+                }
+                report.cut_backs += 1;
+            }
+        }
+    }
+    Ok(report)
+}

@@ -1,0 +1,126 @@
+//! A boundary value problem, its loads and its state.
+
+use crate::contact::ContactSurface;
+use crate::membrane::Membrane;
+use crate::mesh::Mesh;
+use crate::obstacle::HeightField;
+use crate::pressure::PressureSurface;
+use crate::solid::SolidModel;
+use crate::tensor::Vector;
+
+/// What is solved: a body, how it is held, and where it can be loaded.
+#[derive(Debug)]
+pub struct Problem {
+    /// The solid's mesh.
+    pub mesh: Mesh,
+    /// Position of each brick in a chart where the mesh is regular, in bricks; guides the elimination order.
+    pub layout: Vec<[f64; 3]>,
+    /// Law of the solid.
+    pub solid: SolidModel,
+    /// Reinforcement.
+    pub membranes: Vec<Membrane>,
+    /// Held displacements per node and axis, at support factor 1; `None` is free.
+    pub supports: Vec<[Option<f64>; 3]>,
+    /// Surface under live pressure.
+    pub pressure: Option<PressureSurface>,
+    /// Surface that may touch the ground.
+    pub contact: Option<ContactSurface>,
+}
+
+/// Loads of a problem.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Loads {
+    /// Pressure on the pressure surface, MPa.
+    pub pressure: f64,
+    /// Ground below the contact surface; `None` is no ground.
+    pub ground: Option<HeightField>,
+    /// Factor of the held displacements.
+    pub support_factor: f64,
+}
+
+impl Loads {
+    /// Loads at the fraction `t` of the way to `target`. The ground is the target's, with the depths on their way from
+    /// this one's, or from zero where there is none yet.
+    pub fn towards(&self, target: &Self, t: f64) -> Self {
+        let mix = |a: f64, b: f64| if t >= 1.0 { b } else { a + t * (b - a) };
+        let ground = target.ground.as_ref().map(|ground| {
+            let start = self
+                .ground
+                .as_ref()
+                .map(|g| g.depths.as_slice())
+                .unwrap_or_default();
+            let depths = ground
+                .depths
+                .iter()
+                .enumerate()
+                .map(|(k, &depth)| mix(start.get(k).copied().unwrap_or(0.0), depth))
+                .collect();
+            HeightField {
+                depths,
+                ..ground.clone()
+            }
+        });
+        Self {
+            pressure: mix(self.pressure, target.pressure),
+            ground,
+            support_factor: mix(self.support_factor, target.support_factor),
+        }
+    }
+}
+
+/// Unknowns of a problem.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// Nodal displacements, mm.
+    pub displacement: Vec<Vector>,
+    /// Pressure unknowns of the bricks, one brick after the other, MPa.
+    pub pressure: Vec<f64>,
+}
+
+impl State {
+    /// The undeformed state.
+    pub fn reference(problem: &Problem) -> Self {
+        Self {
+            displacement: vec![[0.0; 3]; problem.mesh.nodes.len()],
+            pressure: vec![0.0; problem.mesh.brick_count() * problem.mesh.order.pressure_modes()],
+        }
+    }
+
+    /// Current position of a node.
+    pub fn position(&self, mesh: &Mesh, node: u32) -> Vector {
+        let (x, u) = (
+            &mesh.nodes[node as usize],
+            &self.displacement[node as usize],
+        );
+        [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
+    }
+
+    /// All unknowns in one list: displacements, then pressures.
+    pub fn to_flat(&self) -> Vec<f64> {
+        self.displacement
+            .iter()
+            .flatten()
+            .chain(&self.pressure)
+            .copied()
+            .collect()
+    }
+
+    /// Reads what [`State::to_flat`] wrote; `None` when the length doesn't fit the problem.
+    pub fn from_flat(problem: &Problem, flat: &[f64]) -> Option<Self> {
+        let mut state = Self::reference(problem);
+        let displacements = 3 * state.displacement.len();
+        if flat.len() != displacements + state.pressure.len() {
+            return None;
+        }
+        let (displacement, pressure) = flat.split_at(displacements);
+        for (u, values) in state
+            .displacement
+            .iter_mut()
+            .zip(displacement.chunks_exact(3))
+        {
+            u.copy_from_slice(values);
+        }
+        state.pressure.copy_from_slice(pressure);
+        Some(state)
+    }
+}
