@@ -226,18 +226,18 @@ impl Field {
         }
     }
 
-    /// P1, P2, ... above the stations.
+    /// P1 to P5, one station's angle apart.
     fn locations(&self) -> Vec<LocationStrain> {
-        let locations = self.stations.iter().enumerate().map(|(k, (theta_deg, _))| {
-            let StrainPair { strain_x, strain_y } = self.strain(*theta_deg, 0.0);
-            let von_mises_mpa =
-                1.08 * (strain_x * strain_x + strain_x * strain_y + strain_y * strain_y).sqrt();
+        let locations = (1..=5_i32).map(|k| {
+            let theta_deg = f64::from(k - 3) * self.spacing_deg;
+            let StrainPair { strain_x, strain_y } = self.strain(theta_deg, 0.0);
+            let energy = strain_x * strain_x + strain_x * strain_y + strain_y * strain_y;
             LocationStrain {
-                name: format!("P{}", k + 1),
-                theta_deg: *theta_deg,
+                name: format!("P{k}"),
+                theta_deg,
                 strain_x,
                 strain_y,
-                von_mises_mpa,
+                von_mises_mpa: 1.08 * energy.sqrt(),
             }
         });
         locations.collect()

@@ -10,13 +10,21 @@
 //! - [`scene_edit`]: changes single fields of a scene by their path
 //! - [`solver`]: the one trait between the product and any solver, with its request, response and errors
 //! - [`start_state`]: start states as bytes
+//! - [`tire_mesh`]: the structured mesh of a tire
+//! - [`tire`]: a scene as a boundary value problem: what is modelled, and what is left out
+//! - [`readout`]: strains of an equilibrium
+//! - [`embedded`]: the solver built on `fem`
 //! - [`closed_form`]: the stand-in solver for tests of what stands above
 
 pub mod closed_form;
 pub mod document;
+pub mod embedded;
 pub mod fault;
+pub mod readout;
 pub mod scene;
 pub mod scene_edit;
 pub mod scene_reader;
 pub mod solver;
 pub mod start_state;
+pub mod tire;
+pub mod tire_mesh;

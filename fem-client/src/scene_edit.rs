@@ -123,12 +123,18 @@ fn parse_path(path: &str) -> Option<Vec<Step<'_>>> {
         steps.push(Step::Name(name));
         while !rest.is_empty() {
             let (index, after) = rest.strip_prefix('[')?.split_once(']')?;
-            steps.push(Step::Index(index.trim().parse().ok()?));
+            steps.push(Step::Index(parse_index(index)?));
             rest = after;
         }
     }
     // No field of a scene lies deeper than three steps; this bounds the work for any text.
     (steps.len() <= 8).then_some(steps)
+}
+
+/// Only the usual spelling, so that equal paths are equal texts.
+fn parse_index(text: &str) -> Option<usize> {
+    let index: usize = text.parse().ok()?;
+    (index.to_string() == text).then_some(index)
 }
 
 /// One step down, or what exists instead.
@@ -264,6 +270,7 @@ mod tests {
             ("geometry.wall_mm", json!(20), "section_radius_mm"),
             ("tyre", json!(1), "the fields here are geometry"),
             ("", json!(1), "isn't a path"),
+            ("ground.depths_mm[00]", json!(1), "isn't a path"),
             ("ground.depths_mm[", json!(1), "isn't a path"),
             (
                 "ground.depths_mm[99999999999999999999]",

@@ -177,7 +177,7 @@ pub struct ResponseError {
 }
 
 /// What was modelled and what was left out.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct ModelSummary {
     /// `3d`, `3d-half` or `3d-quarter`.
     pub dimension: String,

@@ -1,0 +1,298 @@
+//! A scene as a boundary value problem: what is modelled, and what is left out.
+
+use fem::contact::{ContactSurface, Penalty};
+use fem::element::Order;
+use fem::material::MooneyRivlin;
+use fem::membrane::{FibreLaw, Membrane};
+use fem::mesh::Mesh;
+use fem::obstacle::{self, HeightField};
+use fem::pressure::PressureSurface;
+use fem::problem::{Problem, State};
+use fem::solid::SolidModel;
+use fem::surface::Chart;
+use fem::tensor::{Vector, cross};
+
+use crate::scene::{Carcass, Ground, Level, Scene, StationFunctions};
+use crate::solver::{Choice, ModelSummary};
+use crate::tire_mesh::{Extent, MeshPlan, TireGrid, TireShape};
+
+/// Contact stiffness in units of shear modulus over wall thickness, when the scene doesn't give one. At the reference
+/// tire it is 120 N/mm^3: the mean penetration is then about 2 um.
+const PENALTY_FACTOR: f64 = 1000.0;
+/// Penetration over which the contact stiffness grows to its full value, relative to the wall.
+const PENALTY_RAMP: f64 = 1e-4;
+
+/// A tire scene, ready to be solved.
+#[derive(Debug)]
+pub struct TireModel {
+    /// The boundary value problem.
+    pub problem: Problem,
+    /// Its grid.
+    pub grid: TireGrid,
+    /// Chart of the inner surface.
+    pub chart: Chart,
+}
+
+impl TireModel {
+    /// Builds the problem of a scene.
+    pub fn new(scene: &Scene, plan: &MeshPlan, extent: Extent) -> Self {
+        let grid = TireGrid::new(shape(scene), plan, extent);
+        let (mesh, layout) = grid.mesh();
+        let supports = supports(&grid, mesh.nodes.len());
+        let membranes = scene
+            .carcass
+            .iter()
+            .filter_map(|carcass| membrane(carcass, &grid, &mesh))
+            .collect();
+        let contact = ContactSurface::new(&mesh, grid.tread_surface(), penalty(scene));
+        let pressure = PressureSurface::new(grid.inner_surface());
+        let chart = chart(&grid);
+        let problem = Problem {
+            mesh,
+            layout,
+            solid: solid(scene),
+            membranes,
+            supports,
+            pressure: Some(pressure),
+            contact: Some(contact),
+        };
+        Self {
+            problem,
+            grid,
+            chart,
+        }
+    }
+
+    /// Factor from the model's forces to the whole tire's.
+    pub fn multiplicity(&self) -> f64 {
+        match self.grid.extent {
+            Extent::Half => 2.0,
+            Extent::Quarter => 4.0,
+        }
+    }
+
+    /// A flat state fitted to this mesh: its own, or a quarter's, mirrored to the half. `None` for any other length.
+    pub fn fit(&self, flat: &[f64]) -> Option<State> {
+        State::from_flat(&self.problem, flat)
+            .or_else(|| State::from_flat(&self.problem, &self.grid.mirror_quarter(flat)?))
+    }
+
+    /// What is modelled and what is left out, with reasons.
+    pub fn summary(&self, scene: &Scene, dofs: usize) -> ModelSummary {
+        let dimension = match self.grid.extent {
+            Extent::Half => "3d-half",
+            Extent::Quarter => "3d-quarter",
+        };
+        ModelSummary {
+            dimension: dimension.into(),
+            level: scene.model.level.as_str().into(),
+            elements: self.problem.mesh.brick_count(),
+            dofs,
+            modelled: modelled(scene, self.grid.order),
+            left_out: left_out(scene, self.grid.extent),
+        }
+    }
+}
+
+/// Whether left and right of the contact centre are alike.
+pub fn is_symmetric(ground: &Ground) -> bool {
+    let depths = &ground.depths_mm;
+    depths.iter().zip(depths.iter().rev()).all(|(a, b)| a == b)
+}
+
+/// The mesh of a level. The fine sector covers the stations, half a spacing beyond them, and at least 22 degrees.
+pub fn mesh_plan(scene: &Scene, level: Level) -> MeshPlan {
+    let ground = &scene.ground;
+    let half_width = 0.5 * ground.stations as f64 * ground.station_spacing_mm;
+    let fine_angle =
+        (half_width / scene.geometry.outer_radius_mm).clamp(22f64.to_radians(), 80f64.to_radians());
+    let plan = |order, fine, coarse, meridional, meridional_growth, layers| MeshPlan {
+        order,
+        fine_angle,
+        fine,
+        coarse,
+        meridional,
+        meridional_growth,
+        layers,
+    };
+    match level {
+        Level::Draft => plan(Order::Linear, 8, 6, 8, 2.0, 2),
+        Level::Standard => plan(Order::Linear, 16, 10, 14, 3.0, 4),
+        Level::Reference => plan(Order::Quadratic, 14, 8, 14, 3.0, 4),
+    }
+}
+
+fn shape(scene: &Scene) -> TireShape {
+    let geometry = &scene.geometry;
+    let inner = geometry.section_radius_mm - geometry.wall_mm;
+    TireShape {
+        centre_radius: geometry.outer_radius_mm - geometry.section_radius_mm,
+        inner,
+        outer: geometry.section_radius_mm,
+        bead_angle: geometry.bead_angle_deg.to_radians(),
+        carcass: scene
+            .carcass
+            .as_ref()
+            .map(|carcass| inner + carcass.position * geometry.wall_mm),
+    }
+}
+
+fn solid(scene: &Scene) -> SolidModel {
+    let material = &scene.material;
+    SolidModel {
+        material: Box::new(MooneyRivlin {
+            c10: material.c10_mpa,
+            c01: material.c01_mpa,
+        }),
+        compliance: 0.5 * material.d1_per_mpa,
+    }
+}
+
+fn penalty(scene: &Scene) -> Penalty {
+    let (material, wall) = (&scene.material, scene.geometry.wall_mm);
+    let scaled = PENALTY_FACTOR * 2.0 * (material.c10_mpa + material.c01_mpa) / wall;
+    Penalty {
+        stiffness: scene.contact.penalty_n_per_mm3.unwrap_or(scaled),
+        ramp: PENALTY_RAMP * wall,
+    }
+}
+
+/// Bead clamped, symmetry planes kept plane.
+fn supports(grid: &TireGrid, nodes: usize) -> Vec<[Option<f64>; 3]> {
+    let mut supports = vec![[None; 3]; nodes];
+    let held = grid.held_nodes();
+    for node in held.middle_plane {
+        supports[node as usize][1] = Some(0.0);
+    }
+    for node in held.cross_plane {
+        supports[node as usize][0] = Some(0.0);
+    }
+    for node in held.bead {
+        supports[node as usize] = [Some(0.0); 3];
+    }
+    supports
+}
+
+/// Both cord families: cos(angle) along the circumference plus and minus sin(angle) along the meridian.
+fn membrane(carcass: &Carcass, grid: &TireGrid, mesh: &Mesh) -> Option<Membrane> {
+    let law = FibreLaw {
+        stiffness: carcass.stiffness_n_per_mm,
+        compression_ratio: carcass.compression_ratio,
+    };
+    let direction = |sign: f64| {
+        let (sin, cos) = carcass.angle_deg.to_radians().sin_cos();
+        move |position: &Vector, normal: &Vector| {
+            let radius = position[0].hypot(position[2]);
+            let circumferential = [-position[2] / radius, 0.0, position[0] / radius];
+            let meridional = cross(normal, &circumferential);
+            [0, 1, 2].map(|i| cos * circumferential[i] + sign * sin * meridional[i])
+        }
+    };
+    let (plus, minus) = (direction(1.0), direction(-1.0));
+    Some(Membrane::new(
+        mesh,
+        grid.carcass_surface()?,
+        &[(law, &plus), (law, &minus)],
+    ))
+}
+
+fn chart(grid: &TireGrid) -> Chart {
+    let circumference = std::f64::consts::TAU * grid.crown_radius();
+    let mut mirrors = vec![(1, 0.0)];
+    if grid.extent == Extent::Quarter {
+        mirrors.extend([(0, 0.0), (0, 0.5 * circumference)]);
+    }
+    Chart {
+        surface: grid.inner_surface(),
+        coordinates: grid.inner_chart(),
+        mirrors,
+        period: (grid.extent == Extent::Half).then_some(circumference),
+    }
+}
+
+/// The ground of a scene below a tire whose inflated outer radius is given, mm.
+pub fn ground(ground: &Ground, inflated_radius: f64) -> HeightField {
+    HeightField {
+        base: -inflated_radius,
+        spacing: ground.station_spacing_mm,
+        functions: match ground.station_functions {
+            StationFunctions::Bspline => obstacle::StationFunctions::BSpline,
+            StationFunctions::Hat => obstacle::StationFunctions::Hat,
+        },
+        depths: ground.depths_mm.clone(),
+    }
+}
+
+fn choice(what: &str, why: String) -> Choice {
+    Choice {
+        what: what.into(),
+        why,
+        effect: None,
+    }
+}
+
+fn modelled(scene: &Scene, order: Order) -> Vec<Choice> {
+    let element = match order {
+        Order::Linear => "8-node bricks with one pressure each (Q1P0)",
+        Order::Quadratic => "27-node bricks with a linear pressure each (Q2/P1)",
+    };
+    let volume = if scene.material.d1_per_mpa == 0.0 {
+        "exactly incompressible, because d1_per_mpa is 0".to_string()
+    } else {
+        format!(
+            "bulk modulus {} MPa from d1_per_mpa",
+            2.0 / scene.material.d1_per_mpa
+        )
+    };
+    let mut list = vec![
+        choice(
+            "wall",
+            format!(
+                "three-dimensional, {element}: strains across and along the wheel are both asked for"
+            ),
+        ),
+        choice("rubber", format!("Mooney-Rivlin, {volume}")),
+        choice(
+            "pressure",
+            "live load with its tangent: it follows the deformed inner surface".into(),
+        ),
+        choice(
+            "contact",
+            "rigid ground, penalty on the vertical gap".into(),
+        ),
+    ];
+    if scene.carcass.is_some() {
+        list.push(choice(
+            "carcass",
+            "two fibre families as a membrane inside the wall, slack in compression".into(),
+        ));
+    }
+    list
+}
+
+fn left_out(scene: &Scene, extent: Extent) -> Vec<Choice> {
+    let exact = |what: &str, why: &str| Choice {
+        what: what.into(),
+        why: why.into(),
+        effect: Some(0.0),
+    };
+    let mut list = vec![exact(
+        "y < 0",
+        "tire, ground and loads are symmetric about the wheel's middle plane: exact",
+    )];
+    if extent == Extent::Quarter {
+        list.push(exact(
+            "x < 0",
+            "the depths are symmetric about the contact centre: exact",
+        ));
+    }
+    list.push(choice("friction", "contact.friction is 0".into()));
+    list.push(choice(
+        "film stiffness",
+        "the film follows the inner surface without stiffening it".into(),
+    ));
+    if scene.carcass.is_none() {
+        list.push(choice("carcass", "the scene has none".into()));
+    }
+    list
+}

@@ -1,0 +1,535 @@
+//! The structured mesh of a toroidal tire.
+//!
+//! A point of the wall has the wheel angle theta (0 at the contact centre), the section angle phi (0 at the crown) and the
+//! section radius rho: with r = R_c + rho cos(phi), x = r sin(theta), y = rho sin(phi), z = -r cos(theta). Only y >= 0
+//! is meshed, because ground and loads are constant across the wheel; a quarter mesh keeps x >= 0 too. Bricks run
+//! along (phi, theta, rho), which is right-handed; brick numbers run fastest along rho, then phi, then theta.
+
+use fem::element::Order;
+use fem::mesh::{Mesh, Surface, SurfacePoint};
+
+/// How finely a tire is meshed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshPlan {
+    /// Element order.
+    pub order: Order,
+    /// Half of the finely meshed sector, rad.
+    pub fine_angle: f64,
+    /// Bricks along the fine half sector.
+    pub fine: usize,
+    /// Bricks from there to the far side.
+    pub coarse: usize,
+    /// Bricks from crown to bead.
+    pub meridional: usize,
+    /// Size of the brick at the bead over that at the crown.
+    pub meridional_growth: f64,
+    /// Bricks through the wall.
+    pub layers: usize,
+}
+
+/// Dimensions of the uninflated tire, mm and rad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TireShape {
+    /// Distance of the section's centre from the axle.
+    pub centre_radius: f64,
+    /// Inner radius of the section.
+    pub inner: f64,
+    /// Outer radius of the section.
+    pub outer: f64,
+    /// Section angle of the bead.
+    pub bead_angle: f64,
+    /// Section radius of the layer boundary that carries the carcass; `None` without carcass.
+    pub carcass: Option<f64>,
+}
+
+/// Which part of the tire is meshed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// y >= 0, all around the wheel.
+    Half,
+    /// y >= 0 and x >= 0.
+    Quarter,
+}
+
+/// Grid lines of the mesh: edges of the bricks along each direction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TireGrid {
+    /// Element order.
+    pub order: Order,
+    /// Which part is meshed.
+    pub extent: Extent,
+    /// Dimensions.
+    pub shape: TireShape,
+    theta: Vec<f64>,
+    phi: Vec<f64>,
+    rho: Vec<f64>,
+}
+
+impl TireGrid {
+    /// Lays out the grid lines.
+    pub fn new(shape: TireShape, plan: &MeshPlan, extent: Extent) -> Self {
+        let half = half_circle(plan);
+        let theta = match extent {
+            Extent::Quarter => half,
+            Extent::Half => half
+                .iter()
+                .skip(1)
+                .rev()
+                .map(|t| -t)
+                .chain(half.iter().copied())
+                .collect(),
+        };
+        let phi = graded(
+            0.0,
+            shape.bead_angle,
+            plan.meridional,
+            plan.meridional_growth,
+        );
+        Self {
+            order: plan.order,
+            extent,
+            shape,
+            theta,
+            phi,
+            rho: layers(&shape, plan.layers),
+        }
+    }
+
+    fn bricks(&self) -> [usize; 3] {
+        [self.phi.len() - 1, self.theta.len() - 1, self.rho.len() - 1]
+    }
+
+    /// Number of solid elements.
+    pub fn brick_count(&self) -> usize {
+        self.bricks().iter().product()
+    }
+
+    /// Distinct nodes along the wheel: all around, the last line is the first.
+    fn theta_nodes(&self) -> usize {
+        let lines = (self.order.edge_nodes() - 1) * self.bricks()[1];
+        match self.extent {
+            Extent::Half => lines,
+            Extent::Quarter => lines + 1,
+        }
+    }
+
+    fn phi_nodes(&self) -> usize {
+        (self.order.edge_nodes() - 1) * self.bricks()[0] + 1
+    }
+
+    fn rho_nodes(&self) -> usize {
+        (self.order.edge_nodes() - 1) * self.bricks()[2] + 1
+    }
+
+    /// Node number from node indices along phi, theta and rho.
+    fn node(&self, [phi, theta, rho]: [usize; 3]) -> u32 {
+        let theta = theta % self.theta_nodes();
+        ((theta * self.phi_nodes() + phi) * self.rho_nodes() + rho) as u32
+    }
+
+    /// Angles of a node line: the brick edges and, for order 2, their midpoints.
+    fn line(&self, edges: &[f64], index: usize) -> f64 {
+        let e = self.order.edge_nodes() - 1;
+        let (brick, within) = (index / e, index % e);
+        if within == 0 {
+            edges[brick]
+        } else {
+            0.5 * (edges[brick] + edges[brick + 1])
+        }
+    }
+
+    /// Bricks with their nodes, and the logical position of each brick.
+    pub fn mesh(&self) -> (Mesh, Vec<[f64; 3]>) {
+        let mut nodes =
+            Vec::with_capacity(self.theta_nodes() * self.phi_nodes() * self.rho_nodes());
+        for theta in 0..self.theta_nodes() {
+            for phi in 0..self.phi_nodes() {
+                for rho in 0..self.rho_nodes() {
+                    nodes.push(self.shape.position(
+                        self.line(&self.theta, theta),
+                        self.line(&self.phi, phi),
+                        self.line(&self.rho, rho),
+                    ));
+                }
+            }
+        }
+        let [nphi, ntheta, nrho] = self.bricks();
+        let e = self.order.edge_nodes();
+        let (mut bricks, mut layout) = (Vec::new(), Vec::new());
+        for theta in 0..ntheta {
+            for phi in 0..nphi {
+                for rho in 0..nrho {
+                    layout.push([phi as f64, theta as f64, rho as f64]);
+                    for k in 0..e {
+                        for j in 0..e {
+                            for i in 0..e {
+                                let at = |brick: usize, local: usize| brick * (e - 1) + local;
+                                bricks.push(self.node([at(phi, i), at(theta, j), at(rho, k)]));
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        (
+            Mesh {
+                order: self.order,
+                nodes,
+                bricks,
+            },
+            layout,
+        )
+    }
+
+    /// Faces of a layer boundary, 0 the inner surface, ordered by theta, then phi; their normal x,1 x x,2 points outward.
+    fn layer(&self, boundary: usize, keep: impl Fn(f64) -> bool) -> Surface {
+        let [nphi, ntheta, _] = self.bricks();
+        let e = self.order.edge_nodes();
+        let rho = boundary * (e - 1);
+        let mut faces = Vec::new();
+        for theta in (0..ntheta).filter(|&t| keep(self.theta[t]) || keep(self.theta[t + 1])) {
+            for phi in 0..nphi {
+                for j in 0..e {
+                    for i in 0..e {
+                        faces.push(self.node([phi * (e - 1) + i, theta * (e - 1) + j, rho]));
+                    }
+                }
+            }
+        }
+        Surface {
+            order: self.order,
+            faces,
+        }
+    }
+
+    /// The inner surface.
+    pub fn inner_surface(&self) -> Surface {
+        self.layer(0, |_| true)
+    }
+
+    /// The layer boundary that carries the carcass.
+    pub fn carcass_surface(&self) -> Option<Surface> {
+        let carcass = self.shape.carcass?;
+        let boundary = (0..self.rho.len()).min_by(|&a, &b| {
+            (self.rho[a] - carcass)
+                .abs()
+                .total_cmp(&(self.rho[b] - carcass).abs())
+        })?;
+        Some(self.layer(boundary, |_| true))
+    }
+
+    /// The lower half of the outer surface: all that can come down on a ground below the wheel.
+    pub fn tread_surface(&self) -> Surface {
+        self.layer(self.rho.len() - 1, |theta| theta.cos() > 0.0)
+    }
+
+    /// Chart coordinates of the inner surface's face nodes: arc lengths (circumferential at the crown, meridional).
+    pub fn inner_chart(&self) -> Vec<[f64; 2]> {
+        let [nphi, ntheta, _] = self.bricks();
+        let e = self.order.edge_nodes();
+        let mut coordinates = Vec::new();
+        for theta in 0..ntheta {
+            for phi in 0..nphi {
+                for j in 0..e {
+                    for i in 0..e {
+                        let angles = (
+                            self.line(&self.theta, theta * (e - 1) + j),
+                            self.line(&self.phi, phi * (e - 1) + i),
+                        );
+                        coordinates
+                            .push([angles.0 * self.crown_radius(), angles.1 * self.shape.inner]);
+                    }
+                }
+            }
+        }
+        coordinates
+    }
+
+    /// Radius of the inner surface at the crown, mm.
+    pub fn crown_radius(&self) -> f64 {
+        self.shape.centre_radius + self.shape.inner
+    }
+
+    /// The point of the inner surface at these angles (rad); mirrored into the meshed part.
+    pub fn inner_point(&self, theta: f64, phi: f64) -> SurfacePoint {
+        let turn = std::f64::consts::TAU;
+        let wrapped = theta - turn * (theta / turn).round();
+        let theta = if self.extent == Extent::Quarter {
+            wrapped.abs()
+        } else {
+            wrapped
+        };
+        let (row, local_theta) = locate(&self.theta, theta);
+        let (column, local_phi) = locate(&self.phi, phi.abs());
+        SurfacePoint {
+            face: row * (self.phi.len() - 1) + column,
+            local: [local_phi, local_theta],
+        }
+    }
+
+    /// Node at the outer crown of the contact centre.
+    pub fn lowest_node(&self) -> u32 {
+        let e = self.order.edge_nodes() - 1;
+        let centre = self.theta.iter().position(|&t| t == 0.0).unwrap_or(0);
+        self.node([0, centre * e, self.rho_nodes() - 1])
+    }
+
+    /// Unknowns of the quarter mesh with this one's grid lines, mirrored to this half mesh: x changes sign with theta, and
+    /// so does the pressure mode along theta. `None` when this is no half mesh or the length doesn't fit.
+    pub fn mirror_quarter(&self, quarter: &[f64]) -> Option<Vec<f64>> {
+        if self.extent != Extent::Half {
+            return None;
+        }
+        let e = self.order.edge_nodes() - 1;
+        let [nphi, ntheta, nrho] = self.bricks();
+        let modes = self.order.pressure_modes();
+        let (line, half) = (self.phi_nodes() * self.rho_nodes(), ntheta / 2);
+        let displacements = 3 * line * (e * half + 1);
+        if quarter.len() != displacements + modes * nphi * nrho * half {
+            return None;
+        }
+        let (displacement, pressure) = quarter.split_at(displacements);
+        let mut flat = Vec::with_capacity(2 * quarter.len());
+        for theta in 0..self.theta_nodes() {
+            let offset = theta.abs_diff(e * half);
+            for u in displacement[3 * line * offset..3 * line * (offset + 1)].chunks_exact(3) {
+                flat.extend([if theta < e * half { -u[0] } else { u[0] }, u[1], u[2]]);
+            }
+        }
+        let row = modes * nphi * nrho;
+        for theta in 0..ntheta {
+            let source = if theta < half {
+                half - 1 - theta
+            } else {
+                theta - half
+            };
+            for p in pressure[row * source..row * (source + 1)].chunks_exact(modes) {
+                // Modes are 1, phi, theta, rho along the brick's own axes.
+                flat.extend(
+                    p.iter()
+                        .enumerate()
+                        .map(|(mode, &p)| if mode == 2 && theta < half { -p } else { p }),
+                );
+            }
+        }
+        Some(flat)
+    }
+
+    /// Nodes on the bead, on the plane y = 0, and (quarter mesh) on the plane x = 0.
+    pub fn held_nodes(&self) -> HeldNodes {
+        let (last_phi, last_theta) = (self.phi_nodes() - 1, self.theta_nodes() - 1);
+        let mut held = HeldNodes::default();
+        for theta in 0..=last_theta {
+            for rho in 0..self.rho_nodes() {
+                held.bead.push(self.node([last_phi, theta, rho]));
+                held.middle_plane.push(self.node([0, theta, rho]));
+            }
+        }
+        if self.extent == Extent::Quarter {
+            for phi in 0..=last_phi {
+                for rho in 0..self.rho_nodes() {
+                    held.cross_plane
+                        .extend([self.node([phi, 0, rho]), self.node([phi, last_theta, rho])]);
+                }
+            }
+        }
+        held
+    }
+}
+
+/// Nodes with supports.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct HeldNodes {
+    /// Clamped.
+    pub bead: Vec<u32>,
+    /// In the plane y = 0.
+    pub middle_plane: Vec<u32>,
+    /// In the plane x = 0.
+    pub cross_plane: Vec<u32>,
+}
+
+impl TireShape {
+    /// Position of a material point in the uninflated tire, mm.
+    pub fn position(&self, theta: f64, phi: f64, rho: f64) -> [f64; 3] {
+        let r = self.centre_radius + rho * phi.cos();
+        [r * theta.sin(), rho * phi.sin(), -r * theta.cos()]
+    }
+}
+
+/// Brick of a grid line that holds a coordinate, and the place in it, -1 to 1.
+fn locate(edges: &[f64], value: f64) -> (usize, f64) {
+    let last = edges.len() - 2;
+    let index = edges
+        .partition_point(|&edge| edge <= value)
+        .saturating_sub(1)
+        .min(last);
+    let local = 2.0 * (value - edges[index]) / (edges[index + 1] - edges[index]) - 1.0;
+    (index, local.clamp(-1.0, 1.0))
+}
+
+/// Edges from 0 to pi: a fine sector, then sizes that grow geometrically from the fine size.
+fn half_circle(plan: &MeshPlan) -> Vec<f64> {
+    let size = plan.fine_angle / plan.fine as f64;
+    let mut edges: Vec<f64> = (0..plan.fine).map(|i| size * i as f64).collect();
+    let rest = std::f64::consts::PI - plan.fine_angle;
+    let ratio = growth_ratio(rest / size, plan.coarse);
+    edges.extend(graded(
+        plan.fine_angle,
+        std::f64::consts::PI,
+        plan.coarse,
+        ratio.powi(plan.coarse as i32 - 1),
+    ));
+    edges
+}
+
+/// The ratio q of neighbouring sizes for which q + q^2 + ... + q^n equals `length` (in units of the size before them).
+fn growth_ratio(length: f64, n: usize) -> f64 {
+    let sum = |q: f64| (1..=n).map(|k| q.powi(k as i32)).sum::<f64>();
+    let (mut low, mut high) = (0.1, 100.0);
+    // Bisection in the logarithm: 60 halvings of ln 1000 end below round-off.
+    for _ in 0..60 {
+        let middle = f64::sqrt(low * high);
+        if sum(middle) < length {
+            low = middle
+        } else {
+            high = middle
+        }
+    }
+    f64::sqrt(low * high)
+}
+
+/// Edges from `start` to `end` whose sizes form a geometric series with the last `growth` times the first.
+fn graded(start: f64, end: f64, n: usize, growth: f64) -> Vec<f64> {
+    let ratio = if n > 1 {
+        growth.powf(1.0 / (n as f64 - 1.0))
+    } else {
+        1.0
+    };
+    let sizes: Vec<f64> = (0..n).map(|k| ratio.powi(k as i32)).collect();
+    let scale = (end - start) / sizes.iter().sum::<f64>();
+    let mut edges = vec![start];
+    let mut sum = 0.0;
+    for size in &sizes[..n - 1] {
+        sum += size;
+        edges.push(start + scale * sum);
+    }
+    edges.push(end);
+    edges
+}
+
+/// Section radii of the layer boundaries, one of them at the carcass.
+fn layers(shape: &TireShape, n: usize) -> Vec<f64> {
+    let wall = shape.outer - shape.inner;
+    let below = shape.carcass.map_or(0, |rho| {
+        let share = (rho - shape.inner) / wall;
+        if share <= 0.0 || share >= 1.0 {
+            0
+        } else {
+            ((share * n as f64).round() as usize).clamp(1, n - 1)
+        }
+    });
+    match shape.carcass {
+        Some(rho) if below > 0 => {
+            let mut edges = graded(shape.inner, rho, below, 1.0);
+            edges.extend(graded(rho, shape.outer, n - below, 1.0).into_iter().skip(1));
+            edges
+        }
+        _ => graded(shape.inner, shape.outer, n, 1.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHAPE: TireShape = TireShape {
+        centre_radius: 37.5,
+        inner: 9.5,
+        outer: 12.5,
+        bead_angle: 2.0943951023931953,
+        carcass: Some(11.0),
+    };
+
+    fn plan(order: Order) -> MeshPlan {
+        MeshPlan {
+            order,
+            fine_angle: 0.4,
+            fine: 6,
+            coarse: 6,
+            meridional: 6,
+            meridional_growth: 2.0,
+            layers: 2,
+        }
+    }
+
+    #[test]
+    fn every_brick_is_right_handed_and_the_volume_is_the_torus() {
+        // Half of the wall by Pappus: area of the section times the path of its centroid.
+        let section = 0.5 * SHAPE.bead_angle * (12.5f64.powi(2) - 9.5f64.powi(2));
+        let moment = (12.5f64.powi(3) - 9.5f64.powi(3)) / 3.0 * SHAPE.bead_angle.sin();
+        let exact = std::f64::consts::TAU * (37.5 * section + moment);
+        for (extent, share) in [(Extent::Half, 1.0), (Extent::Quarter, 0.5)] {
+            let (mesh, _) = TireGrid::new(SHAPE, &plan(Order::Quadratic), extent).mesh();
+            let geometry = fem::solid::SolidGeometry::new(&mesh).unwrap();
+            let volume: f64 = (0..mesh.brick_count()).map(|e| geometry.volume(e)).sum();
+            // Quadratic edges of 0.9 rad deviate from the circle by about angle^4 / 2000.
+            assert!(
+                (volume / (share * exact) - 1.0).abs() < 1e-3,
+                "{extent:?}: {volume} for {exact}"
+            );
+        }
+    }
+
+    #[test]
+    fn grid_lines_end_where_they_should() {
+        let grid = TireGrid::new(SHAPE, &plan(Order::Linear), Extent::Half);
+        assert_eq!(grid.theta.first(), Some(&-std::f64::consts::PI));
+        assert_eq!(grid.theta.last(), Some(&std::f64::consts::PI));
+        assert!(grid.theta.windows(2).all(|w| w[1] > w[0]));
+        assert!(grid.rho.contains(&11.0));
+        let centre = grid.lowest_node();
+        let (mesh, _) = grid.mesh();
+        let [x, y, z] = mesh.nodes[centre as usize];
+        assert!(x == 0.0 && y == 0.0 && (z + 50.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn a_point_of_the_inner_surface_is_where_its_angles_say() {
+        for extent in [Extent::Half, Extent::Quarter] {
+            let grid = TireGrid::new(SHAPE, &plan(Order::Quadratic), extent);
+            let surface = grid.inner_surface();
+            let (mesh, _) = grid.mesh();
+            for (theta, phi) in [
+                (0.0, 0.0),
+                (0.11, 0.3),
+                (-0.2, 1.2),
+                (3.1, 2.0),
+                (-3.1, -0.4),
+                (4.0, 0.1),
+            ] {
+                let point = grid.inner_point(theta, phi);
+                let (values, _) = fem::element::face_shape(grid.order, point.local);
+                let nodes = surface.face(point.face);
+                let at = [0, 1, 2].map(|i| {
+                    nodes
+                        .iter()
+                        .zip(&values)
+                        .map(|(&n, v)| v * mesh.nodes[n as usize][i])
+                        .sum::<f64>()
+                });
+                let exact = SHAPE.position(theta, phi, SHAPE.inner);
+                let mirrored = if extent == Extent::Quarter {
+                    exact[0].abs()
+                } else {
+                    exact[0]
+                };
+                // Chords of a quadratic edge of angle h stray by R h^3 / 60 (h at most 0.9 far from the contact).
+                let tolerance = 47.0 * 0.9f64.powi(3) / 60.0;
+                assert!(
+                    (at[0] - mirrored).abs() < tolerance && (at[2] - exact[2]).abs() < tolerance
+                );
+                assert!((at[1] - exact[1].abs()).abs() < 0.02);
+            }
+        }
+    }
+}
