@@ -19,7 +19,7 @@ use crate::rule::{GaussRule, RuleError};
 /// Most check points a design takes; far beyond what an error estimate gains from, and well within memory.
 pub const MAX_CHECK_POINTS: usize = 100_000;
 
-/// Why a design cannot be built. Inputs are counted from 0.
+/// Why a design cannot be built. Fields count inputs from 0, messages from 1.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DesignError {
@@ -27,7 +27,7 @@ pub enum DesignError {
     #[error("a design needs at least one input")]
     NoInputs,
     /// An input's Gauss rule does not exist.
-    #[error("input {input}: {source}")]
+    #[error("input {}: {source}", input + 1)]
     Rule {
         /// which input
         input: usize,
@@ -43,7 +43,7 @@ pub enum DesignError {
         found: usize,
     },
     /// A coordinate of the cut point is NaN or infinite.
-    #[error("coordinate {input} of the cut point must be finite, not {value}")]
+    #[error("coordinate {} of the cut point must be finite, not {value}", input + 1)]
     CutNotFinite {
         /// which input
         input: usize,

@@ -1,0 +1,5 @@
+//! The analysis of models in closed form, against extended precision and exact indices.
+
+mod error_bar;
+mod models;
+mod reference;
