@@ -62,9 +62,10 @@ impl Evidence {
         })
     }
 
-    /// Whether the product misses the model by more than the additive form does, and by more than rounding.
+    /// Whether the product misses the model by more than the additive form does, and by more than rounding; one that
+    /// overflows has missed it.
     pub(crate) fn refutes_product(&self) -> bool {
-        self.product > self.additive && self.product > self.rounding
+        self.product.is_infinite() || (self.product > self.additive && self.product > self.rounding)
     }
 }
 
@@ -76,5 +77,59 @@ fn misfit(checks: &[(&CheckPoint, f64)], predict: impl Fn(&CheckPoint) -> f64) -
         f64::INFINITY
     } else {
         mean_square.sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand_chacha::ChaCha8Rng;
+    use rand_chacha::rand_core::SeedableRng;
+
+    use super::*;
+    use crate::distribution::Distribution;
+
+    fn evidence(model: impl Fn(&[f64]) -> f64) -> Evidence {
+        let inputs = vec![Distribution::uniform(0.5, 1.5).unwrap(); 3];
+        let design = Design::new(&inputs, 5, 8, &mut ChaCha8Rng::seed_from_u64(5)).unwrap();
+        let values: Vec<f64> = design.points().iter().map(|x| model(x)).collect();
+        let sections = Sections::new(&design, &values);
+        let mdrm = Mdrm::new(&sections).ok();
+        Evidence::new(&design, &values, &sections, mdrm.as_ref()).unwrap()
+    }
+
+    #[test]
+    fn each_form_fits_what_it_was_made_for() {
+        let product = evidence(|x| 2.0 * x[0] * x[1] * x[2]);
+        assert!(product.product <= product.rounding && product.additive > 0.01);
+        assert!(!product.refutes_product());
+        let sum = evidence(|x| 2.0 + x[0] + x[1] + x[2]);
+        assert!(sum.additive <= sum.rounding && sum.product > 1e-3);
+        assert!(sum.refutes_product());
+    }
+
+    #[test]
+    fn a_misfit_of_rounding_size_refutes_nothing() {
+        // so flat that product and sum differ by 1e-20
+        let flat = evidence(|x| (1.0 + 1e-10 * x[0]) * (1.0 + 1e-10 * x[1]) + 1e-10 * x[2]);
+        assert!(!flat.refutes_product(), "{flat:?}");
+    }
+
+    #[test]
+    fn a_form_that_overflows_is_refuted() {
+        // beside sections of order one, the scaled value at every check point overflows
+        let inputs = vec![Distribution::uniform(0.5, 1.5).unwrap(); 2];
+        let design = Design::new(&inputs, 3, 2, &mut ChaCha8Rng::seed_from_u64(5)).unwrap();
+        let mut values: Vec<f64> = design
+            .points()
+            .iter()
+            .map(|x| 1e-300 * (x[0] + x[1]))
+            .collect();
+        for check in design.checks() {
+            values[check.ordinal()] = 1e300;
+        }
+        let sections = Sections::new(&design, &values);
+        let mdrm = Mdrm::new(&sections).ok();
+        let evidence = Evidence::new(&design, &values, &sections, mdrm.as_ref()).unwrap();
+        assert!(evidence.refutes_product());
     }
 }
