@@ -89,7 +89,7 @@ export function createFollower(store: Store, onOver: () => void): Follower {
       open: () => undefined,
       lost: () => stop(),
       event: (event) => {
-        if (event.kind === "point-failed") takeEvent(id, event);
+        takeEvent(id, event);
         if (event.kind === "failed") stop();
       },
     });

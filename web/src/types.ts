@@ -32,6 +32,8 @@ export interface Preset {
   name: string;
   title: string;
   document: unknown;
+  /** What it is for, in a few sentences. */
+  comment: string;
 }
 
 export interface Presets {
@@ -205,7 +207,7 @@ export type StudyEvent =
   | { kind: "point-failed"; ordinal: number; cause: string }
   | { kind: "analysing" }
   | { kind: "done" }
-  | { kind: "failed"; error: string }
+  | { kind: "failed"; error: string; failed_points?: FailedPoint[] }
   | { kind: "cancelled" };
 
 export const EVENT_KINDS: readonly StudyEvent["kind"][] = [

@@ -63,7 +63,11 @@ test("a polled entry moves the count on but never back", () => {
 test("a failed study still takes its failed points from a replayed stream", () => {
   const failed = fromSummary({ ...queued, state: "failed", error: "point 4 has no answer" });
   const told = advance(failed, { kind: "point-failed", ordinal: 4, cause: "limit point" }, 0);
-  assert.deepEqual([told.state, told.failures.length], ["failed", 1]);
+  assert.deepEqual(told.failures, [{ ordinal: 4, cause: "limit point", values: [] }]);
+  const points = [{ ordinal: 4, cause: "limit point", values: [1, 2] }];
+  const ended = advance(told, { kind: "failed", error: "again", failed_points: points }, 0);
+  assert.deepEqual(ended.failures, points);
+  assert.deepEqual([ended.state, ended.error], ["failed", "point 4 has no answer"]);
 });
 
 test("after the last point the indices are computed", () => {

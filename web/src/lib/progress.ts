@@ -1,11 +1,12 @@
 /** How far a study is, from the list entry and the events of its stream. Pure: time comes in as a number. */
 
-import type { StudyEvent, StudyState, StudySummary } from "../types.ts";
+import type { FailedPoint, StudyEvent, StudyState, StudySummary } from "../types.ts";
 
-/** One failed point as the stream told it. */
+/** One failed point as the stream told it; its inputs come with the end of the study. */
 export interface PointFailure {
   ordinal: number;
   cause: string;
+  values: readonly number[];
 }
 
 export interface Progress {
@@ -60,8 +61,7 @@ export function withSummary(progress: Progress, summary: StudySummary): Progress
 
 /** The progress after one event; events may come twice and late. */
 export function advance(progress: Progress, event: StudyEvent, now_ms: number): Progress {
-  // The stream of a failed study is read for its failed points alone.
-  if (isOver(progress.state) && event.kind !== "point-failed") return progress;
+  if (isOver(progress.state)) return { ...progress, failures: failuresOf(progress.failures, event) };
   switch (event.kind) {
     case "queued":
       return progress;
@@ -85,11 +85,17 @@ export function advance(progress: Progress, event: StudyEvent, now_ms: number): 
         started_ms: progress.started_ms ?? now_ms,
       };
     case "point-failed":
-      return { ...progress, failures: withFailure(progress.failures, event) };
+      return { ...progress, failures: failuresOf(progress.failures, event) };
     case "analysing":
       return { ...progress, analysing: true };
     case "failed":
-      return { ...progress, state: "failed", error: event.error, finished_ms: now_ms };
+      return {
+        ...progress,
+        state: "failed",
+        error: event.error,
+        failures: failuresOf(progress.failures, event),
+        finished_ms: now_ms,
+      };
     case "done":
     case "cancelled":
       return { ...progress, state: event.kind, finished_ms: now_ms };
@@ -122,9 +128,17 @@ export function newtonIterations(progress: Progress): number {
   return [...progress.newton.values()].reduce((sum, count) => sum + count, 0);
 }
 
-function withFailure(failures: readonly PointFailure[], failure: PointFailure): readonly PointFailure[] {
-  const others = failures.filter((known) => known.ordinal !== failure.ordinal);
-  return [...others, { ordinal: failure.ordinal, cause: failure.cause }].sort((a, b) => a.ordinal - b.ordinal);
+/** The failed points with what an event adds; it may come after the end, when a stream is replayed. */
+function failuresOf(known: readonly PointFailure[], event: StudyEvent): readonly PointFailure[] {
+  let told: (Omit<FailedPoint, "values"> & { values?: number[] })[] = [];
+  if (event.kind === "point-failed") told = [event];
+  if (event.kind === "failed") told = event.failed_points ?? [];
+  if (told.length === 0) return known;
+  const points = new Map(known.map((point) => [point.ordinal, point]));
+  for (const { ordinal, cause, values } of told) {
+    points.set(ordinal, { ordinal, cause, values: values ?? points.get(ordinal)?.values ?? [] });
+  }
+  return [...points.values()].sort((a, b) => a.ordinal - b.ordinal);
 }
 
 function milliseconds(text: string | null): number | null {

@@ -22,7 +22,7 @@ export function locationNames(result: StudyResult): string[] {
 /** The deformation centre: the middle location. */
 export function centreName(result: StudyResult): string | null {
   const names = locationNames(result);
-  return names[Math.floor((names.length - 1) / 2)] ?? null;
+  return names[Math.floor(names.length / 2)] ?? null;
 }
 
 export function outputOf(result: StudyResult, location: string | null, direction: Direction): Output | null {

@@ -85,6 +85,7 @@ function PresetChoice(props: { presets: Preset[]; chosen: string | null; onChoos
           <span>
             <strong>{preset.title}</strong>
             <code>{preset.name}</code>
+            <span class="quiet">{preset.comment}</span>
           </span>
         </label>
       ))}

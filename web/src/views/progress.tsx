@@ -1,4 +1,4 @@
-import { duration, fixed, integer } from "../lib/format.ts";
+import { duration, fixed, integer, significant } from "../lib/format.ts";
 import {
   elapsedSeconds, isOver, newtonIterations, secondsLeft, share, type PointFailure, type Progress,
 } from "../lib/progress.ts";
@@ -94,7 +94,9 @@ function Failures({ failures }: { failures: readonly PointFailure[] }) {
       <ul>
         {failures.map((failure) => (
           <li key={failure.ordinal}>
-            point {failure.ordinal}: {failure.cause}
+            point {failure.ordinal}
+            {failure.values.length > 0 && ` at (${failure.values.map((value) => significant(value, 4)).join(", ")})`}:{" "}
+            {failure.cause}
           </li>
         ))}
       </ul>

@@ -46,8 +46,8 @@ function Meaning({ centre }: { centre: string }) {
       <h3>What this order means</h3>
       <p>
         Each location is scored by how much of the variation of the strain at {centre}, the deformation centre, comes
-        from the contact depth at that location alone: 100 times its first-order Sobol index. That is the paper's Table
-        2. It is one choice among several, and <strong>other averages rank otherwise</strong>: <em>mean</em> averages the
+        from the contact depth at that location alone: 100 times its first-order Sobol index, as in the paper's Table 2.
+        The rank goes by the sum of the figures for x and y. It is one choice among several, and <strong>other averages rank otherwise</strong>: <em>mean</em> averages the
         index over the strains at all locations, <em>own</em> takes the strain at the location itself. The largest figure
         of each column is set in bold; where the bold moves, the order depends on the question.
       </p>
