@@ -4,9 +4,28 @@
 //!
 //! - [`study`]: the study document: what varies, what is asked
 //! - [`plan`]: the design points of a study, a pure function of the document
+//! - `input_reader`, [`study_reader`]: read a study, with every fault at once
 //! - [`archive`]: where solved points are kept, so that none is solved twice
-//! - [`run`]: solves the points that the archive lacks, on all cores
-//! - [`result`]: the answer
+//! - [`result`]: the answer, field by field
 //! - [`score`]: responses to indices per output
 //! - [`rank`]: indices to ranked locations
-//! - [`layout`]: strain rings to ranked layouts
+//! - `ring_field`, [`layout`]: strain rings to ranked layouts
+//! - `notes`: what the user must know before believing the numbers
+//! - [`assemble`]: all of it into the answer
+//! - [`usage`]: what a run takes of the machine
+//! - [`run`]: solves the points that the archive lacks, on all cores, and assembles the answer
+
+pub mod archive;
+pub mod assemble;
+mod input_reader;
+pub mod layout;
+mod notes;
+pub mod plan;
+pub mod rank;
+pub mod result;
+mod ring_field;
+pub mod run;
+pub mod score;
+pub mod study;
+pub mod study_reader;
+pub mod usage;

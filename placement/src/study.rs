@@ -1,15 +1,17 @@
 //! The study document: what varies, what is asked.
 
 use fem_client::scene::{Level, Scene};
-use fem_client::solver::{Grid, Position};
+use fem_client::solver::{Grid, Position, Readout};
 use gsa::distribution::Distribution;
+use serde_json::{Map, Value, json};
+use sha2::{Digest, Sha256};
 
-/// A checked study. Build it with `Study::from_document`.
+/// A checked study. Build it with [`Study::from_document`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Study {
     /// Free text, not empty.
     pub name: String,
-    /// The scene at the inputs' means is this scene with the inputs' means put in.
+    /// What is pressed; at a point of the plan, with the point's values put in.
     pub scene: Scene,
     /// What varies.
     pub inputs: Vec<Input>,
@@ -19,7 +21,7 @@ pub struct Study {
     pub layouts: Layouts,
     /// How indices are computed.
     pub method: Method,
-    /// How finely the scene is modelled.
+    /// How finely the scene is modelled; `scene.model.level` is the same.
     pub level: Level,
 }
 
@@ -61,4 +63,151 @@ pub struct Method {
 pub enum MethodKind {
     /// Multiplicative dimension reduction over Gauss quadrature.
     Mdrm,
+}
+
+impl Default for Layouts {
+    fn default() -> Self {
+        Self {
+            spacings_deg: vec![30.0, 45.0, 60.0, 72.0, 90.0, 120.0, 180.0],
+            positions: vec![Position::Crown, Position::Shoulder, Position::Sidewall],
+        }
+    }
+}
+
+impl Default for Method {
+    fn default() -> Self {
+        Self {
+            kind: MethodKind::Mdrm,
+            nodes: 5,
+            check_points: 5,
+            seed: 1,
+        }
+    }
+}
+
+/// Names and TOML texts of the studies that ship.
+pub fn presets() -> [(&'static str, &'static str); 2] {
+    [
+        ("foot-tire", include_str!("../../studies/foot-tire.toml")),
+        (
+            "foot-tire-paper",
+            include_str!("../../studies/foot-tire-paper.toml"),
+        ),
+    ]
+}
+
+impl Study {
+    /// What every solve of this study reads off. The crown's ring is always among those that layouts need: it sets
+    /// the noise.
+    pub fn readout(&self) -> Readout {
+        let mut rings = Vec::new();
+        if !self.layouts.spacings_deg.is_empty() && !self.layouts.positions.is_empty() {
+            rings.push(Position::Crown);
+            rings.extend(
+                self.layouts
+                    .positions
+                    .iter()
+                    .filter(|p| **p != Position::Crown),
+            );
+        }
+        Readout {
+            grid: self.grid,
+            rings,
+        }
+    }
+
+    /// The study as JSON text with every default filled in and the scene inline. It reads back as the same study, and
+    /// equal studies have equal texts.
+    pub fn canonical(&self) -> String {
+        let mut candidates = Map::new();
+        candidates.insert("points".to_owned(), "P1-P5".into());
+        if let Some(grid) = self.grid {
+            let grid = json!({
+                "circumferential": grid.circumferential,
+                "meridional": grid.meridional,
+                "half_width_deg": grid.half_width_deg,
+            });
+            candidates.insert("grid".to_owned(), grid);
+        }
+        let positions = self
+            .layouts
+            .positions
+            .iter()
+            .map(|position| position_name(*position));
+        json!({
+            "name": self.name,
+            "scene": self.scene.to_value(),
+            "inputs": self.inputs.iter().map(Input::to_value).collect::<Vec<_>>(),
+            "candidates": candidates,
+            "layouts": {
+                "spacings_deg": self.layouts.spacings_deg,
+                "positions": positions.collect::<Vec<_>>(),
+            },
+            "method": {
+                "kind": "mdrm",
+                "nodes": self.method.nodes,
+                "check_points": self.method.check_points,
+                "seed": self.method.seed,
+            },
+            "accuracy": {"preset": self.level.as_str()},
+        })
+        .to_string()
+    }
+
+    /// SHA-256 of the canonical text, in hexadecimal digits.
+    pub fn spec_sha256(&self) -> String {
+        sha256_hex(&self.canonical())
+    }
+}
+
+impl Input {
+    /// The station whose depth this input varies, counted from 0; None when it varies something else.
+    pub fn station(&self) -> Option<usize> {
+        self.vary
+            .strip_prefix("ground.depths_mm[")?
+            .strip_suffix(']')?
+            .parse()
+            .ok()
+    }
+
+    /// The distribution as in the document.
+    pub fn distribution_value(&self) -> Value {
+        let mut value = Map::new();
+        value.insert("kind".to_owned(), self.distribution.kind().into());
+        let parameters = self.distribution.parameters();
+        value.extend(
+            parameters
+                .into_iter()
+                .map(|(name, x)| (name.to_owned(), x.into())),
+        );
+        Value::Object(value)
+    }
+
+    fn to_value(&self) -> Value {
+        json!({"name": self.name, "vary": self.vary, "distribution": self.distribution_value()})
+    }
+}
+
+/// Positions with their names in documents.
+pub const POSITIONS: [(&str, Position); 3] = [
+    ("crown", Position::Crown),
+    ("shoulder", Position::Shoulder),
+    ("sidewall", Position::Sidewall),
+];
+
+/// The name of a position in documents.
+pub fn position_name(position: Position) -> &'static str {
+    match position {
+        Position::Crown => "crown",
+        Position::Shoulder => "shoulder",
+        Position::Sidewall => "sidewall",
+    }
+}
+
+/// SHA-256 of a text, in hexadecimal digits.
+pub(crate) fn sha256_hex(text: &str) -> String {
+    Sha256::digest(text)
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
 }

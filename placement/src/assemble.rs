@@ -1,0 +1,70 @@
+//! Plan and responses to the answer of a study.
+
+use fem_client::solver::Response;
+
+use crate::layout::rank_layouts;
+use crate::notes::notes;
+use crate::plan::Plan;
+use crate::rank::rank;
+use crate::result::{CutPoint, InputReport, ModelReport, StudyCost, StudyIdentity, StudyResult};
+use crate::score::score;
+use crate::study::Study;
+
+/// The answer, without its cost and the study's identifier.
+///
+/// # Panics
+/// If there is not one response for each point of the plan.
+pub fn assemble(
+    study: &Study,
+    plan: &Plan,
+    responses: &[Response],
+    solver_version: &str,
+) -> StudyResult {
+    let scores = score(&plan.design, responses);
+    let locations = rank(study, &scores);
+    let layouts = rank_layouts(study, &plan.design, responses);
+    let cut = &responses[0];
+    let notes = notes(study, plan, cut, &scores, &locations, &layouts);
+    StudyResult {
+        study: StudyIdentity {
+            id: String::new(),
+            name: study.name.clone(),
+            spec_sha256: study.spec_sha256(),
+            version: format!(
+                "strainsite {}, solver {solver_version}",
+                env!("CARGO_PKG_VERSION")
+            ),
+        },
+        model: ModelReport {
+            dimension: cut.model.dimension.clone(),
+            level: cut.model.level.clone(),
+            elements: cut.model.elements,
+            dofs: cut.model.dofs,
+            modelled: cut.model.modelled.clone(),
+            left_out: cut.model.left_out.clone(),
+        },
+        inputs: study.inputs.iter().map(input_report).collect(),
+        outputs: scores.outputs,
+        locations,
+        layouts,
+        map: scores.map,
+        notes,
+        failed_points: Vec::new(),
+        cut_point: CutPoint {
+            values: plan.design.points()[0].clone(),
+            reaction_n: cut.reaction_n,
+            inflated_outer_radius_mm: cut.inflated.outer_radius_mm,
+            locations: cut.locations.clone(),
+            residual_history: cut.residual_history.clone(),
+        },
+        cost: StudyCost::default(),
+    }
+}
+
+fn input_report(input: &crate::study::Input) -> InputReport {
+    InputReport {
+        name: input.name.clone(),
+        vary: input.vary.clone(),
+        distribution: input.distribution_value(),
+    }
+}

@@ -1,0 +1,220 @@
+//! Reads the uncertain inputs of a study: their names, paths and distributions.
+
+use fem_client::document::{Fields, Range, shown};
+use fem_client::fault::{Fault, entry};
+use fem_client::scene::Scene;
+use gsa::distribution::{Distribution, DistributionError};
+use serde_json::Value;
+
+use crate::study::Input;
+
+/// Most inputs of a study.
+const MOST_INPUTS: usize = 50;
+/// Longest name of an input, characters.
+const LONGEST_NAME: usize = 50;
+/// Parameters of any law; no field of a scene goes beyond 1e9.
+const PARAMETER: Range = Range::new(-1e12, 1e12, "");
+
+/// Builds a law from its two parameters.
+type Law = fn(f64, f64) -> Result<Distribution, DistributionError>;
+
+/// Laws by name, with their parameters in the order of the constructor.
+const LAWS: [(&str, [&str; 2], Law); 3] = [
+    ("uniform", ["min", "max"], Distribution::uniform),
+    ("normal", ["mean", "std"], Distribution::normal),
+    ("lognormal", ["mu", "sigma"], Distribution::lognormal),
+];
+
+/// Reads `inputs`. None after a fault.
+pub(crate) fn read_inputs(
+    fields: &Fields<'_>,
+    scene: Option<&Scene>,
+    nodes: usize,
+    faults: &mut Vec<Fault>,
+) -> Option<Vec<Input>> {
+    let what = format!("a list of 1 to {MOST_INPUTS} tables");
+    let (value, pointer) = fields.required("inputs", &what, faults)?;
+    let fits = |items: &&Vec<Value>| (1..=MOST_INPUTS).contains(&items.len());
+    let Some(items) = value.as_array().filter(fits) else {
+        Fault::add(
+            faults,
+            &pointer,
+            format!("must be {what}; it is {}", shown(value)),
+        );
+        return None;
+    };
+    let mut inputs: Vec<Input> = Vec::new();
+    for (i, item) in items.iter().enumerate() {
+        let at = entry(&pointer, i);
+        let Some(input) = read_input(item, &at, scene, nodes, faults) else {
+            continue;
+        };
+        for (twin, field) in [
+            (
+                inputs.iter().position(|other| other.name == input.name),
+                "name",
+            ),
+            (
+                inputs.iter().position(|other| other.vary == input.vary),
+                "vary",
+            ),
+        ] {
+            if let Some(twin) = twin {
+                let detail = format!("is the same as that of /inputs/{twin}");
+                Fault::add(faults, &format!("{at}/{field}"), detail);
+            }
+        }
+        inputs.push(input);
+    }
+    (inputs.len() == items.len()).then_some(inputs)
+}
+
+/// A name: text for people, not empty, without control characters, so that it can't forge lines of a log or table.
+pub(crate) fn read_name(
+    fields: &Fields<'_>,
+    field: &str,
+    longest: usize,
+    faults: &mut Vec<Fault>,
+) -> Option<String> {
+    let (value, pointer) = fields.required(field, "a short text", faults)?;
+    let good = |text: &&str| {
+        !text.trim().is_empty()
+            && text.chars().count() <= longest
+            && !text.chars().any(char::is_control)
+    };
+    let text = value.as_str().filter(good);
+    if text.is_none() {
+        let detail = format!(
+            "must be a text of 1 to {longest} characters without control characters; it is {}",
+            shown(value)
+        );
+        Fault::add(faults, &pointer, detail);
+    }
+    text.map(str::to_owned)
+}
+
+fn read_input(
+    value: &Value,
+    pointer: &str,
+    scene: Option<&Scene>,
+    nodes: usize,
+    faults: &mut Vec<Fault>,
+) -> Option<Input> {
+    let fields = Fields::open(value, pointer, &["name", "vary", "distribution"], faults)?;
+    let name = read_name(&fields, "name", LONGEST_NAME, faults);
+    let vary = vary(&fields, scene, faults);
+    let distribution = fields
+        .required(
+            "distribution",
+            "a table such as { kind = \"uniform\", min = 0.7, max = 1.3 }",
+            faults,
+        )
+        .and_then(|(value, pointer)| distribution(value, &pointer, faults));
+    let input = Input {
+        name: name?,
+        vary: vary?,
+        distribution: distribution?,
+    };
+    if let Some(scene) = scene {
+        check_support(&input, &fields.at("distribution"), scene, nodes, faults)?;
+    }
+    Some(input)
+}
+
+/// The path of a numeric field, without the spaces that a path may hold.
+fn vary(fields: &Fields<'_>, scene: Option<&Scene>, faults: &mut Vec<Fault>) -> Option<String> {
+    let (value, pointer) =
+        fields.required("vary", "a path such as \"ground.depths_mm[0]\"", faults)?;
+    let Some(path) = value.as_str() else {
+        let detail = format!(
+            "must be a path such as \"ground.depths_mm[0]\"; it is {}",
+            shown(value)
+        );
+        Fault::add(faults, &pointer, detail);
+        return None;
+    };
+    let path: String = path.chars().filter(|c| !c.is_whitespace()).collect();
+    match scene.map(|scene| scene.number_at(&path)) {
+        Some(Err(fault)) => {
+            Fault::add(faults, &pointer, fault.detail);
+            None
+        }
+        _ => Some(path),
+    }
+}
+
+fn distribution(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Distribution> {
+    let names = LAWS.map(|(kind, ..)| kind).join(", ");
+    let Value::Object(object) = value else {
+        let detail = format!(
+            "must be a table with a kind ({names}); it is {}",
+            shown(value)
+        );
+        Fault::add(faults, pointer, detail);
+        return None;
+    };
+    let kind = object.get("kind");
+    let Some((_, parameters, law)) = LAWS
+        .iter()
+        .find(|(name, ..)| kind.and_then(Value::as_str) == Some(name))
+    else {
+        let found = kind.map_or_else(
+            || "is missing".to_owned(),
+            |kind| format!("is {}", shown(kind)),
+        );
+        let detail = format!("the kind {found}; this version has {names}");
+        Fault::add(faults, &format!("{pointer}/kind"), detail);
+        return None;
+    };
+    let known = ["kind", parameters[0], parameters[1]];
+    let fields = Fields::open(value, pointer, &known, faults)?;
+    let first = parameter(&fields, parameters[0], faults);
+    let second = parameter(&fields, parameters[1], faults);
+    law(first?, second?)
+        .map_err(|error| Fault::add(faults, pointer, error.to_string()))
+        .ok()
+}
+
+fn parameter(fields: &Fields<'_>, name: &str, faults: &mut Vec<Fault>) -> Option<f64> {
+    fields.required(name, "a number", faults)?;
+    fields.number(name, PARAMETER, 0.0, faults)
+}
+
+/// The ends of what is put into the scene must be scenes. A law without ends is judged by its outermost nodes.
+fn check_support(
+    input: &Input,
+    pointer: &str,
+    scene: &Scene,
+    nodes: usize,
+    faults: &mut Vec<Fault>,
+) -> Option<()> {
+    let rule = match input.distribution.gauss_rule(nodes) {
+        Ok(rule) => rule,
+        Err(error) => {
+            Fault::add(faults, pointer, error.to_string());
+            return None;
+        }
+    };
+    let mut good = Some(());
+    for (p, node) in [(0.0, rule.nodes.first()), (1.0, rule.nodes.last())] {
+        let bound = input.distribution.inverse_cdf(p);
+        // An infinite end is never reached; neither is the zero of a lognormal law.
+        let bounded = input.distribution.kind() == "uniform";
+        let end = if bounded { Some(bound) } else { node.copied() };
+        let Some(end) = end else { continue };
+        if let Err(fault) = scene.clone().set(&input.vary, &Value::from(end)) {
+            let which = if bounded {
+                "its end"
+            } else {
+                "its outermost node"
+            };
+            let detail = format!(
+                "{which} {end} is outside what {} takes: {}",
+                input.vary, fault.detail
+            );
+            Fault::add(faults, pointer, detail);
+            good = None;
+        }
+    }
+    good
+}

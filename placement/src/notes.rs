@@ -1,0 +1,266 @@
+//! What the user must know before believing the numbers, in whole sentences made from the data.
+
+use fem_client::solver::Response;
+
+use crate::plan::Plan;
+use crate::rank::{ordered, own_inputs};
+use crate::result::{Output, RankedLayout, RankedLocation};
+use crate::score::{DIRECTIONS, NO_MESH_ERROR, Scores};
+use crate::study::Study;
+
+/// Difference of an index from M-DRM's that is worth a sentence.
+const NOTABLE_DIFFERENCE: f64 = 0.1;
+
+/// All notes of a study, in the order in which a reader needs them.
+pub(crate) fn notes(
+    study: &Study,
+    plan: &Plan,
+    cut: &Response,
+    scores: &Scores,
+    locations: &[RankedLocation],
+    layouts: &[RankedLayout],
+) -> Vec<String> {
+    let mut notes = Vec::new();
+    notes.extend(
+        DIRECTIONS
+            .iter()
+            .filter_map(|direction| broken(scores, direction)),
+    );
+    notes.extend(
+        DIRECTIONS
+            .iter()
+            .filter_map(|direction| constant(scores, direction)),
+    );
+    notes.extend(mdrm_at_centre(study, scores));
+    notes.extend(other_orders(locations));
+    notes.extend(uncertain(locations));
+    notes.extend(without_location(study, cut));
+    notes.extend(contact_edges(study, plan, cut));
+    notes.extend(symmetry(study, cut, locations));
+    notes.push(format!(
+        "The errors of the indices leave out the mesh: {NO_MESH_ERROR}."
+    ));
+    if !layouts.is_empty() {
+        notes.push(
+            "The layouts' errors are lower bounds for small changes about the mean load, with the same noise in every \
+             film; a layout that is blind somewhere has no bound and comes last."
+                .to_owned(),
+        );
+    }
+    notes
+}
+
+/// `P1`, `P1 and P2`, `P1, P2 and P3`.
+fn listed(names: &[&str]) -> String {
+    match names.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => names.concat(),
+    }
+}
+
+fn with_status<'s>(scores: &'s Scores, direction: &str, status: &str) -> Vec<&'s Output> {
+    let matches = |output: &&Output| output.direction == direction && output.status == status;
+    scores.outputs.iter().filter(matches).collect()
+}
+
+fn names<'o>(outputs: &[&'o Output]) -> Vec<&'o str> {
+    outputs
+        .iter()
+        .map(|output| output.location.as_str())
+        .collect()
+}
+
+fn broken(scores: &Scores, direction: &str) -> Option<String> {
+    let outputs = with_status(scores, direction, "product-form-broken");
+    let method = &outputs.first()?.method;
+    Some(format!(
+        "M-DRM's product form doesn't hold for the {direction} strain at {}: the {method} reduction gives the indices there.",
+        listed(&names(&outputs))
+    ))
+}
+
+fn constant(scores: &Scores, direction: &str) -> Option<String> {
+    let outputs = with_status(scores, direction, "constant");
+    outputs.first()?;
+    Some(format!(
+        "The {direction} strain at {} doesn't vary with the inputs, so it has no indices.",
+        listed(&names(&outputs))
+    ))
+}
+
+/// Where M-DRM would say something else at the contact centre, it is said in figures.
+fn mdrm_at_centre(study: &Study, scores: &Scores) -> Vec<String> {
+    let mut notes = Vec::new();
+    let centre = scores.outputs.len() / DIRECTIONS.len() / 2 * DIRECTIONS.len();
+    for i in centre..centre + DIRECTIONS.len() {
+        let output = &scores.outputs[i];
+        let (Some(chosen), Some(mdrm)) = (&output.first_order, &scores.mdrm_first_order[i]) else {
+            continue;
+        };
+        let differs =
+            |(_, (chosen, mdrm)): &(_, (&f64, &f64))| (*chosen - *mdrm).abs() > NOTABLE_DIFFERENCE;
+        for (input, (chosen, mdrm)) in study
+            .inputs
+            .iter()
+            .zip(chosen.iter().zip(mdrm))
+            .filter(differs)
+        {
+            notes.push(format!(
+                "M-DRM would give {:.1} % to {} in the {} strain at {}, where the {} reduction gives {:.1} %.",
+                100.0 * mdrm, input.name, output.direction, output.location, output.method, 100.0 * chosen
+            ));
+        }
+    }
+    notes
+}
+
+type Key = fn(&RankedLocation) -> Option<f64>;
+
+/// Other fair ways to rank, where they disagree with the default one.
+fn other_orders(locations: &[RankedLocation]) -> Vec<String> {
+    let orders: [(&str, Key, Key); 4] = [
+        (
+            "x strain, averaged over all locations,",
+            |l| l.gsi_x_percent,
+            |l| l.mean_gsi_x_percent,
+        ),
+        (
+            "y strain, averaged over all locations,",
+            |l| l.gsi_y_percent,
+            |l| l.mean_gsi_y_percent,
+        ),
+        (
+            "x strain at each location itself",
+            |l| l.gsi_x_percent,
+            |l| l.own_gsi_x_percent,
+        ),
+        (
+            "y strain at each location itself",
+            |l| l.gsi_y_percent,
+            |l| l.own_gsi_y_percent,
+        ),
+    ];
+    let in_order = |key: Key| -> Vec<&str> {
+        ordered(locations, &[key])
+            .into_iter()
+            .map(|i| locations[i].name.as_str())
+            .collect()
+    };
+    let mut notes = Vec::new();
+    for (what, at_centre, other) in orders {
+        if locations
+            .iter()
+            .any(|location| other(location).is_none() != at_centre(location).is_none())
+        {
+            continue;
+        }
+        let (default, found) = (in_order(at_centre), in_order(other));
+        if default != found {
+            notes.push(format!(
+                "By the {what} the order is {}; by the same strain at the contact centre it is {}.",
+                found.join(", "),
+                default.join(", ")
+            ));
+        }
+    }
+    notes
+}
+
+fn uncertain(locations: &[RankedLocation]) -> Option<String> {
+    let unsure: Vec<&str> = locations
+        .iter()
+        .filter(|location| !location.rank_certain)
+        .map(|location| location.name.as_str())
+        .collect();
+    (!unsure.is_empty()).then(|| {
+        let verb = if unsure.len() == 1 {
+            "rank of"
+        } else {
+            "ranks of"
+        };
+        let is = if unsure.len() == 1 { "is" } else { "are" };
+        format!(
+            "The {verb} {} {is} not certain: the errors bridge the distance to a neighbour.",
+            listed(&unsure)
+        )
+    })
+}
+
+fn without_location(study: &Study, cut: &Response) -> Option<String> {
+    let own = own_inputs(study, cut.locations.len());
+    let homeless = |i: &usize| !own.contains(&Some(*i));
+    let names: Vec<&str> = (0..study.inputs.len())
+        .filter(homeless)
+        .map(|i| study.inputs[i].name.as_str())
+        .collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "No location lies above what {} varies: it has indices, but no part in the ranking.",
+            listed(&names)
+        )
+    })
+}
+
+/// Stations that touch at one end of their range and not at the other, judged by the undeformed profile: the ground
+/// at a distance x from the centre meets a circle of radius R at a depth of R - sqrt(R^2 - x^2).
+fn contact_edges(study: &Study, plan: &Plan, cut: &Response) -> Option<String> {
+    let radius = cut.inflated.outer_radius_mm;
+    let ground = &study.scene.ground;
+    let middle = (ground.depths_mm.len() - 1) as f64 / 2.0;
+    let mut edges = Vec::new();
+    for (input, line) in study.inputs.iter().zip(plan.design.lines()) {
+        let Some(station) = input.station() else {
+            continue;
+        };
+        let x = ((station as f64 - middle) * ground.station_spacing_mm).min(radius);
+        let touching = radius - (radius * radius - x * x).max(0.0).sqrt();
+        let nodes = &line.rule().nodes;
+        if nodes.iter().any(|depth| *depth <= touching)
+            && nodes.iter().any(|depth| *depth > touching)
+        {
+            edges.push(format!("{} (at {touching:.2} mm)", input.name));
+        }
+    }
+    let edges: Vec<&str> = edges.iter().map(String::as_str).collect();
+    (!edges.is_empty()).then(|| {
+        format!(
+            "Within the range of its depth the station of {} gains or loses contact, judged by the undeformed profile: \
+             the strain bends there, and Gauss rules converge slowly.",
+            listed(&edges)
+        )
+    })
+}
+
+/// How well mirror locations agree, where the inputs are mirror images of each other.
+fn symmetry(study: &Study, cut: &Response, locations: &[RankedLocation]) -> Option<String> {
+    let own = own_inputs(study, cut.locations.len());
+    let law = |location: usize| own[location].map(|input| &study.inputs[input].distribution);
+    let last = own.len() - 1;
+    let mirrored = (0..own.len()).all(|i| law(i).is_some() && law(i) == law(last - i));
+    let depths = &study.scene.ground.depths_mm;
+    if !mirrored || own.len() < 2 || !depths.iter().eq(depths.iter().rev()) {
+        return None;
+    }
+    let by_name = |i: usize| locations.iter().find(|l| l.name == cut.locations[i].name);
+    let pairs: Vec<String> = (0..own.len() / 2)
+        .filter_map(|i| {
+            let (left, right) = (by_name(i)?, by_name(last - i)?);
+            let difference = |key: Key| Some((key(left)? - key(right)?).abs());
+            let (x, y) = (
+                difference(|l| l.gsi_x_percent)?,
+                difference(|l| l.gsi_y_percent)?,
+            );
+            Some(format!(
+                "{} with {} by {x:.1e} (x) and {y:.1e} (y)",
+                left.name, right.name
+            ))
+        })
+        .collect();
+    let pairs: Vec<&str> = pairs.iter().map(String::as_str).collect();
+    (!pairs.is_empty()).then(|| {
+        format!(
+            "Mirror locations should agree; in percentage points they differ: {}.",
+            listed(&pairs)
+        )
+    })
+}

@@ -1,0 +1,138 @@
+//! The design points of a study, a pure function of the document.
+
+use fem_client::fault::Fault;
+use fem_client::scene::Scene;
+use gsa::design::{Design, DesignError};
+use gsa::distribution::Distribution;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use serde_json::Value;
+
+use crate::study::Study;
+
+/// The equilibria that a study needs. Point 0 is the cut point: every input at its mean.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// The scene of each point.
+    pub points: Vec<Scene>,
+    /// What each point is for; its points are the input values, in the same order.
+    pub design: Design,
+}
+
+/// A study that can't be planned.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PlanError {
+    /// There is no such design.
+    #[error("there is no such design: {0}")]
+    Design(#[from] DesignError),
+    /// A point's values make a scene that is refused.
+    #[error("point {ordinal} of the plan, at {values:?}, is refused: {}", first(.faults))]
+    Point {
+        /// Which point.
+        ordinal: usize,
+        /// Its input values.
+        values: Vec<f64>,
+        /// What is wrong with its scene, at least one fault.
+        faults: Vec<Fault>,
+    },
+}
+
+fn first(faults: &[Fault]) -> String {
+    faults.first().map(Fault::to_string).unwrap_or_default()
+}
+
+impl Plan {
+    /// Plans a study. The check points come from ChaCha8 seeded by the study, whose stream is the same on every
+    /// machine and in every version.
+    ///
+    /// # Errors
+    /// When the design doesn't exist, or a point leaves the ranges of the scene. A study that
+    /// [`Study::from_document`] returned has a plan.
+    pub fn new(study: &Study) -> Result<Self, PlanError> {
+        let laws: Vec<Distribution> = study
+            .inputs
+            .iter()
+            .map(|input| input.distribution)
+            .collect();
+        let mut rng = ChaCha8Rng::seed_from_u64(study.method.seed);
+        let design = Design::new(
+            &laws,
+            study.method.nodes,
+            study.method.check_points,
+            &mut rng,
+        )?;
+        let scene_at = |(ordinal, values): (usize, &Vec<f64>)| {
+            scene_at(study, values).map_err(|faults| PlanError::Point {
+                ordinal,
+                values: values.clone(),
+                faults,
+            })
+        };
+        let points = design
+            .points()
+            .iter()
+            .enumerate()
+            .map(scene_at)
+            .collect::<Result<_, _>>()?;
+        Ok(Self { points, design })
+    }
+}
+
+/// The study's scene with values put in for the inputs.
+///
+/// # Errors
+/// Every fault of that scene.
+pub fn scene_at(study: &Study, values: &[f64]) -> Result<Scene, Vec<Fault>> {
+    let values: Vec<Value> = values.iter().map(|x| Value::from(*x)).collect();
+    let paths = study.inputs.iter().map(|input| input.vary.as_str());
+    let changes: Vec<(&str, &Value)> = paths.zip(&values).collect();
+    let mut scene = study.scene.clone();
+    scene.set_all(&changes)?;
+    Ok(scene)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::presets;
+    use fem_client::document::Format;
+
+    fn study() -> Study {
+        Study::from_document(presets()[0].1, Format::Toml, &|path| Err(path.to_owned())).unwrap()
+    }
+
+    #[test]
+    fn the_cut_point_comes_first_and_the_count_is_the_method_s() {
+        let plan = Plan::new(&study()).unwrap();
+        assert_eq!(plan.points[0].ground.depths_mm, [1.0; 5]);
+        // 5 inputs x 4 nodes beside the shared centre, the centre, 5 check points.
+        assert_eq!((plan.points.len(), plan.design.points().len()), (26, 26));
+        for (scene, values) in plan.points.iter().zip(plan.design.points()) {
+            assert_eq!(&scene.ground.depths_mm, values);
+        }
+    }
+
+    #[test]
+    fn the_plan_is_a_function_of_the_study() {
+        assert_eq!(Plan::new(&study()).unwrap(), Plan::new(&study()).unwrap());
+        let mut other = study();
+        other.method.seed = 2;
+        assert_ne!(Plan::new(&other).unwrap(), Plan::new(&study()).unwrap());
+    }
+
+    #[test]
+    fn a_point_out_of_range_is_named() {
+        let mut study = study();
+        study.inputs[2].distribution = Distribution::normal(1.0, 1.0).unwrap();
+        let PlanError::Point {
+            ordinal,
+            values,
+            faults,
+        } = Plan::new(&study).unwrap_err()
+        else {
+            panic!("a depth below zero must be refused");
+        };
+        assert!(ordinal > 0 && values[2] < 0.0);
+        assert_eq!(faults[0].pointer, "/ground/depths_mm/2");
+    }
+}

@@ -1,0 +1,174 @@
+//! Indices to ranked locations.
+//!
+//! A location's own input is the one that varies the depth of the station below it. The default order is by the sum of
+//! the own input's first-order indices for the x and the y strain at the contact centre; equal sums (shares within
+//! 1e-9) are ordered by x, then by name. A location without an index comes last.
+
+use crate::result::{Output, RankedLocation};
+use crate::score::Scores;
+use crate::study::Study;
+
+/// Percentages closer than this are equal (1e-9 as shares): what symmetry makes equal still differs by rounding.
+const EQUAL_PERCENT: f64 = 1e-7;
+
+/// For each location, which input varies the depth of the station below it.
+///
+/// Locations and stations are both centred on the contact and one spacing apart, so they are matched from the middle.
+pub fn own_inputs(study: &Study, locations: usize) -> Vec<Option<usize>> {
+    let stations = study.scene.ground.depths_mm.len();
+    let station_below = |location: usize| (location + stations / 2).checked_sub(locations / 2);
+    let input_of = |station: usize| {
+        study
+            .inputs
+            .iter()
+            .position(|input| input.station() == Some(station))
+    };
+    (0..locations)
+        .map(|location| station_below(location).and_then(input_of))
+        .collect()
+}
+
+/// Ranks the locations, best first.
+pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
+    let matrix = Matrix::new(scores);
+    let own = own_inputs(study, matrix.x.len());
+    let mut locations: Vec<RankedLocation> = own
+        .iter()
+        .enumerate()
+        .map(|(i, input)| matrix.unranked(i, *input))
+        .collect();
+    for (column, place) in [
+        (
+            gsi_x as fn(&RankedLocation) -> Option<f64>,
+            set_rank_x as fn(&mut RankedLocation, usize),
+        ),
+        (gsi_y, set_rank_y),
+    ] {
+        for (rank, i) in ordered(&locations, &[column]).into_iter().enumerate() {
+            if column(&locations[i]).is_some() {
+                place(&mut locations[i], rank + 1);
+            }
+        }
+    }
+    let order = ordered(&locations, &[default_key, gsi_x]);
+    let mut ranked: Vec<RankedLocation> = order.into_iter().map(|i| locations[i].clone()).collect();
+    for (i, location) in ranked.iter_mut().enumerate() {
+        location.rank = i + 1;
+    }
+    mark_certain(&mut ranked, matrix.centre_error());
+    ranked
+}
+
+/// What the default order goes by: the sum of both indices, percent.
+pub fn default_key(location: &RankedLocation) -> Option<f64> {
+    Some(location.gsi_x_percent? + location.gsi_y_percent?)
+}
+
+fn gsi_x(location: &RankedLocation) -> Option<f64> {
+    location.gsi_x_percent
+}
+
+fn gsi_y(location: &RankedLocation) -> Option<f64> {
+    location.gsi_y_percent
+}
+
+fn set_rank_x(location: &mut RankedLocation, rank: usize) {
+    location.rank_x = Some(rank);
+}
+
+fn set_rank_y(location: &mut RankedLocation, rank: usize) {
+    location.rank_y = Some(rank);
+}
+
+/// Order of the locations by the keys, greatest first, missing ones last; what all keys call equal goes by name.
+pub fn ordered(
+    locations: &[RankedLocation],
+    keys: &[fn(&RankedLocation) -> Option<f64>],
+) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..locations.len()).collect();
+    order.sort_by(|a, b| locations[*a].name.cmp(&locations[*b].name));
+    sort_by_keys(&mut order, locations, keys);
+    order
+}
+
+/// Sorts by the first key, then each run of nearly equal ones by the next keys. Comparing with a tolerance inside one
+/// sort would not be an order: a ~ b and b ~ c without a ~ c.
+fn sort_by_keys(
+    order: &mut [usize],
+    locations: &[RankedLocation],
+    keys: &[fn(&RankedLocation) -> Option<f64>],
+) {
+    let Some((key, rest)) = keys.split_first() else {
+        order.sort_by(|a, b| locations[*a].name.cmp(&locations[*b].name));
+        return;
+    };
+    let value = |i: usize| key(&locations[i]).unwrap_or(f64::NEG_INFINITY);
+    order.sort_by(|a, b| value(*b).total_cmp(&value(*a)));
+    let equal =
+        |a: &usize, b: &usize| value(*a) == value(*b) || value(*a) - value(*b) <= EQUAL_PERCENT;
+    for run in order.chunk_by_mut(equal) {
+        sort_by_keys(run, locations, rest);
+    }
+}
+
+/// A rank is certain when the distance to both neighbours is more than the errors of the two can bridge.
+fn mark_certain(ranked: &mut [RankedLocation], error: Option<f64>) {
+    let keys: Vec<Option<f64>> = ranked.iter().map(default_key).collect();
+    let apart = |a: Option<f64>, b: Option<f64>| match (a, b, error) {
+        (Some(a), Some(b), Some(error)) => (a - b).abs() > 2.0 * error,
+        _ => false,
+    };
+    for (i, location) in ranked.iter_mut().enumerate() {
+        let above = i == 0 || apart(keys[i - 1], keys[i]);
+        let below = i + 1 == keys.len() || apart(keys[i], keys[i + 1]);
+        location.rank_certain = keys[i].is_some() && error.is_some() && above && below;
+    }
+}
+
+/// Outputs by direction and location.
+struct Matrix<'s> {
+    x: Vec<Cell<'s>>,
+    y: Vec<Cell<'s>>,
+}
+
+/// An output with M-DRM's indices of it.
+type Cell<'s> = (&'s Output, &'s Option<Vec<f64>>);
+
+impl<'s> Matrix<'s> {
+    fn new(scores: &'s Scores) -> Self {
+        let both = scores.outputs.iter().zip(&scores.mdrm_first_order);
+        let (x, y) = both.partition(|(output, _)| output.direction == "x");
+        Self { x, y }
+    }
+
+    fn unranked(&self, location: usize, input: Option<usize>) -> RankedLocation {
+        let percent = |indices: Option<&Vec<f64>>| Some(100.0 * indices?[input?]);
+        let at = |output: &Output| percent(output.first_order.as_ref());
+        let centre = self.x.len() / 2;
+        let mean = |column: &[Cell<'_>]| {
+            let known: Vec<f64> = column.iter().filter_map(|(output, _)| at(output)).collect();
+            (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
+        };
+        RankedLocation {
+            name: self.x[location].0.location.clone(),
+            rank: 0,
+            gsi_x_percent: at(self.x[centre].0),
+            gsi_y_percent: at(self.y[centre].0),
+            mean_gsi_x_percent: mean(&self.x),
+            mean_gsi_y_percent: mean(&self.y),
+            own_gsi_x_percent: at(self.x[location].0),
+            own_gsi_y_percent: at(self.y[location].0),
+            mdrm_gsi_x_percent: percent(self.x[centre].1.as_ref()),
+            mdrm_gsi_y_percent: percent(self.y[centre].1.as_ref()),
+            rank_x: None,
+            rank_y: None,
+            rank_certain: false,
+        }
+    }
+
+    /// Error of the sum of both indices at the centre, percent: the same for every location.
+    fn centre_error(&self) -> Option<f64> {
+        let centre = self.x.len() / 2;
+        Some(100.0 * (self.x[centre].0.error.total? + self.y[centre].0.error.total?))
+    }
+}

@@ -1,0 +1,121 @@
+//! The strain around the wheel at one meridional position, and how it changes with a uniform depth.
+
+use std::collections::BTreeMap;
+
+use fem_client::solver::{Position, Response, Ring};
+use gsa::design::{Design, Line};
+
+use crate::study::Study;
+
+/// Both strains around the wheel, sampled each degree from -180.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct RingField {
+    /// Strains at the cut point: x, y.
+    pub strain: [Vec<f64>; 2],
+    /// Their derivatives to a uniform depth, 1/mm.
+    pub by_depth: [Vec<f64>; 2],
+}
+
+/// The fields of all rings of a study, or why there is no derivative to the depth.
+pub(crate) fn ring_fields(
+    study: &Study,
+    design: &Design,
+    responses: &[Response],
+) -> Result<BTreeMap<Position, RingField>, String> {
+    let differences = depth_differences(study, design)?;
+    let field = |(i, ring): (usize, &Ring)| {
+        let by_depth = |strain: fn(&Ring) -> &Vec<f64>| {
+            let mut slope = vec![0.0; strain(ring).len()];
+            for d in &differences {
+                let (below, above) = (
+                    strain(&responses[d.below].rings[i]),
+                    strain(&responses[d.above].rings[i]),
+                );
+                for ((slope, below), above) in slope.iter_mut().zip(below).zip(above) {
+                    *slope += (above - below) / d.distance_mm;
+                }
+            }
+            slope
+        };
+        let strain = [ring.strain_x.clone(), ring.strain_y.clone()];
+        let by_depth = [
+            by_depth(|ring| &ring.strain_x),
+            by_depth(|ring| &ring.strain_y),
+        ];
+        (ring.position, RingField { strain, by_depth })
+    };
+    Ok(responses[0].rings.iter().enumerate().map(field).collect())
+}
+
+/// Two points of the design on either side of the cut point, along one depth.
+struct Difference {
+    below: usize,
+    above: usize,
+    distance_mm: f64,
+}
+
+/// By the chain rule the derivative to a uniform depth is the sum of those to each station's own.
+fn depth_differences(study: &Study, design: &Design) -> Result<Vec<Difference>, String> {
+    let depths = study
+        .inputs
+        .iter()
+        .enumerate()
+        .filter(|(_, input)| input.station().is_some());
+    let cut = &design.points()[0];
+    let differences: Option<Vec<Difference>> = depths
+        .map(|(i, _)| central_difference(&design.lines()[i], cut[i]))
+        .collect();
+    match differences {
+        None => Err("one node per input gives no derivative to the depth".to_owned()),
+        Some(list) if list.len() < study.scene.ground.depths_mm.len() => Err(
+            "not every station's depth is an input, so there is no derivative to a uniform depth"
+                .to_owned(),
+        ),
+        Some(list) => Ok(list),
+    }
+}
+
+/// The nodes nearest to the centre on both sides of it.
+fn central_difference(line: &Line, centre: f64) -> Option<Difference> {
+    let nodes = || {
+        line.rule()
+            .nodes
+            .iter()
+            .copied()
+            .zip(line.ordinals().iter().copied())
+    };
+    let (below_mm, below) = nodes().rfind(|(x, _)| *x < centre)?;
+    let (above_mm, above) = nodes().find(|(x, _)| *x > centre)?;
+    Some(Difference {
+        below,
+        above,
+        distance_mm: above_mm - below_mm,
+    })
+}
+
+/// A sampled function of the angle, one sample each degree from -180, between samples by straight lines.
+pub(crate) fn at_angle(samples: &[f64], angle_deg: f64) -> f64 {
+    let position = (angle_deg + 180.0).rem_euclid(360.0);
+    let (i, share) = (position.floor() as usize % samples.len(), position.fract());
+    samples[i] + share * (samples[(i + 1) % samples.len()] - samples[i])
+}
+
+/// Its derivative to the angle by central differences over two degrees, 1/degree.
+pub(crate) fn slope_at_angle(samples: &[f64], angle_deg: f64) -> f64 {
+    (at_angle(samples, angle_deg + 1.0) - at_angle(samples, angle_deg - 1.0)) / 2.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_wrap_around() {
+        let samples: Vec<f64> = (-180..180).map(f64::from).collect();
+        assert_eq!(at_angle(&samples, 0.5), 0.5);
+        assert_eq!(at_angle(&samples, -540.0), -180.0);
+        assert_eq!(at_angle(&samples, 359.0), -1.0);
+        assert_eq!(at_angle(&samples, 179.5), (179.0 - 180.0) / 2.0);
+        assert_eq!(slope_at_angle(&samples, 10.0), 1.0);
+    }
+}

@@ -1,0 +1,179 @@
+//! Runs a study: solves the points that the archive lacks, then analyses and ranks.
+
+mod finite;
+mod points;
+
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+use fem_client::fault::Fault;
+use fem_client::solver::{Cost, Response, Solver};
+
+use self::points::{Answers, Points, keys};
+use crate::archive::{Archive, ArchiveError};
+use crate::assemble::assemble;
+use crate::plan::Plan;
+use crate::result::{FailedPoint, StudyCost, StudyResult};
+use crate::study::Study;
+use crate::usage::{cpu_s, peak_memory_bytes};
+
+/// What happens during a run, as it happens.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Event {
+    /// The archive was searched; the solves begin.
+    Started {
+        /// Points of the plan.
+        points: usize,
+        /// Those that the archive had.
+        reused: usize,
+    },
+    /// A point was solved, and is in the archive.
+    PointSolved {
+        /// Its ordinal in the plan.
+        ordinal: usize,
+        /// Points done so far, reused ones included; rises by one from event to event.
+        done: usize,
+        /// Points of the plan.
+        of: usize,
+        /// Wall-clock time of the solve, s.
+        wall_s: f64,
+        /// Newton iterations of the solve.
+        newton_iterations: usize,
+    },
+    /// A point has no answer.
+    PointFailed {
+        /// Its ordinal in the plan.
+        ordinal: usize,
+        /// What happened.
+        cause: String,
+    },
+    /// All points are there.
+    Analysing,
+}
+
+/// Is told of events, from the solving threads, one at a time for solved points.
+pub type Observer<'o> = &'o (dyn Fn(Event) + Sync);
+
+/// Why a run gave no result. What was solved is in the archive in every case.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RunError {
+    /// Points without an equilibrium, or whose solve broke twice.
+    #[error("{}", failures(.failed))]
+    PointsFailed {
+        /// Each of them, in the order of the plan; at least one.
+        failed: Vec<FailedPoint>,
+    },
+    /// The solver doesn't do what the scene asks for.
+    #[error("the solver refuses the scene: {}", refusals(.faults))]
+    Refused {
+        /// What is wrong, where.
+        faults: Vec<Fault>,
+    },
+    /// The caller asked to stop; the same run later goes on where this one ended.
+    #[error("stopped on request")]
+    Stopped,
+    /// The archive failed.
+    #[error(transparent)]
+    Archive(#[from] ArchiveError),
+    /// The archive has the cut point's response but not its equilibrium, from which the others start.
+    #[error(
+        "the archive has the response of the cut point ({key}) but not its start state: remove the entry"
+    )]
+    StartMissing {
+        /// Content key of the cut point.
+        key: String,
+    },
+}
+
+fn failures(failed: &[FailedPoint]) -> String {
+    let count = failed.len();
+    match failed.first() {
+        Some(FailedPoint {
+            ordinal,
+            values,
+            cause,
+        }) => format!(
+            "{count} {} failed; the first is point {ordinal} at {values:?}: {cause}",
+            if count == 1 { "point" } else { "points" }
+        ),
+        None => "points failed".to_owned(),
+    }
+}
+
+fn refusals(faults: &[Fault]) -> String {
+    faults
+        .iter()
+        .map(Fault::to_string)
+        .collect::<Vec<_>>()
+        .join("; ")
+}
+
+/// Runs a study on `threads` threads and gives its result.
+///
+/// Each solved point is in the archive before it is reported, so a run that ends in any way loses no solve. The result
+/// is the same to the bit, its cost aside, on any number of threads and however often the run was interrupted. Its
+/// `study.id` is left empty for the caller to fill.
+///
+/// # Errors
+/// See [`RunError`].
+pub fn run(
+    study: &Study,
+    plan: &Plan,
+    solver: &dyn Solver,
+    archive: &dyn Archive,
+    threads: usize,
+    stop: &AtomicBool,
+    observer: Observer<'_>,
+) -> Result<StudyResult, RunError> {
+    let (begun, cpu_before) = (Instant::now(), cpu_s());
+    let readout = study.readout();
+    let keys = keys(plan, solver, &readout);
+    let points = Points {
+        plan,
+        readout,
+        solver,
+        archive,
+        stop,
+        observer,
+        keys,
+    };
+    let Answers { points, reused } = points.answers(threads)?;
+    observer(Event::Analysing);
+    let (responses, costs): (Vec<Response>, Vec<Cost>) = points.into_iter().unzip();
+    let mut result = assemble(study, plan, &responses, &solver.version());
+    result.cost = StudyCost {
+        wall_s: begun.elapsed().as_secs_f64(),
+        cpu_s: (cpu_s() - cpu_before).max(0.0),
+        peak_memory_bytes: peak_memory_bytes(),
+        ..solve_cost(&costs, reused)
+    };
+    Ok(result)
+}
+
+/// What the solves took, whenever they were made.
+fn solve_cost(costs: &[Cost], reused: usize) -> StudyCost {
+    let sum = |part: fn(&Cost) -> f64| costs.iter().map(part).sum::<f64>();
+    let wall = sum(|cost| cost.wall_s);
+    let share = |part: f64| {
+        if wall > 0.0 {
+            (part / wall).clamp(0.0, 1.0)
+        } else {
+            0.0
+        }
+    };
+    let factorisation = share(sum(|cost| cost.factorisation_s));
+    let assembly = share(sum(|cost| cost.assembly_s));
+    StudyCost {
+        solves: costs.len(),
+        reused,
+        newton_iterations: costs.iter().map(|cost| cost.newton_iterations).sum(),
+        factorisation_share: factorisation,
+        assembly_share: assembly,
+        other_share: if wall > 0.0 {
+            (1.0 - factorisation - assembly).max(0.0)
+        } else {
+            0.0
+        },
+        ..StudyCost::default()
+    }
+}

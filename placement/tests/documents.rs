@@ -1,0 +1,333 @@
+//! Study documents: every fault at once, and no document that breaks the reader.
+
+#![allow(clippy::unwrap_used)]
+
+mod support;
+
+use fem_client::document::{Format, parse};
+use placement::study::{Study, presets};
+use proptest::prelude::*;
+use serde_json::{Value, json};
+use support::{shipped, study};
+
+fn pointers(document: &Value) -> Vec<String> {
+    let faults = Study::from_value(document, &|path| Err(format!("no file {path}")))
+        .expect_err("has faults");
+    faults.into_iter().map(|fault| fault.pointer).collect()
+}
+
+fn valid() -> Value {
+    parse(presets()[0].1, Format::Toml).unwrap()
+}
+
+fn with(pointer: &str, value: Value) -> Value {
+    let mut document = valid();
+    *document
+        .pointer_mut(pointer)
+        .unwrap_or_else(|| panic!("no {pointer}")) = value;
+    document
+}
+
+#[test]
+fn shipped_studies_read_and_plan() {
+    for (name, _) in presets() {
+        let study = shipped(name);
+        assert_eq!(study.inputs.len(), 5);
+        assert_eq!(
+            study
+                .scene
+                .carcass
+                .as_ref()
+                .map(|carcass| carcass.angle_deg),
+            Some(55.0)
+        );
+    }
+}
+
+#[test]
+fn little_is_enough() {
+    let study = study(
+        "name = \"a\"\nscene = {}\n[[inputs]]\nname = \"p\"\nvary = \"pressure.internal_mpa\"\n\
+         distribution = { kind = \"lognormal\", mu = -1.6, sigma = 0.1 }",
+    );
+    assert_eq!(
+        (
+            study.method.nodes,
+            study.method.check_points,
+            study.method.seed
+        ),
+        (5, 5, 1)
+    );
+    assert_eq!((study.grid, study.layouts.spacings_deg.len()), (None, 7));
+    assert_eq!(study.scene.carcass, None);
+}
+
+#[test]
+fn every_fault_is_found_at_once() {
+    let document = json!({
+        "name": " ",
+        "scene": {"preset": "foot-tire", "ground": {"depths_mm": [1, 1, 1, 1, -1]}},
+        "inputs": [
+            {"name": "a", "vary": "x", "distribution": {"kind": "uniform", "min": 1}},
+            {"name": "b\n", "distribution": {"kind": "gamma", "shape": 1, "scale": 1}},
+            {"name": "c", "vary": "ground.depths_mm[0]", "distribution": {"kind": "normal", "mean": 1, "std": 0}},
+            {"name": "d", "vary": "ground.depths_mm[1]", "distribution": {"kind": "uniform", "min": 2, "max": 1}},
+            7
+        ],
+        "candidates": {"points": "P1-P9", "grid": {"circumferential": 60, "half_width_deg": 0}},
+        "layouts": {"spacings_deg": [60, 50, 60], "positions": ["crown", "toe"]},
+        "method": {"kind": "pce", "nodes": 16, "check_points": 1.5, "seed": -1},
+        "accuracy": {"tolerance": 0.02, "budget_s": 60},
+        "extra": {}
+    });
+    assert_eq!(
+        pointers(&document),
+        [
+            "/extra",
+            "/name",
+            "/scene/ground/depths_mm/4",
+            "/candidates/points",
+            "/candidates/grid/circumferential",
+            "/candidates/grid/meridional",
+            "/candidates/grid/half_width_deg",
+            "/layouts/spacings_deg/1",
+            "/layouts/spacings_deg/2",
+            "/layouts/positions/1",
+            "/method/kind",
+            "/method/nodes",
+            "/method/check_points",
+            "/method/seed",
+            "/accuracy/tolerance",
+            "/accuracy/budget_s",
+            "/inputs/0/distribution/max",
+            "/inputs/1/name",
+            "/inputs/1/vary",
+            "/inputs/1/distribution/kind",
+            "/inputs/2/distribution",
+            "/inputs/3/distribution",
+            "/inputs/4",
+        ]
+    );
+}
+
+#[test]
+fn inputs_must_exist_be_numbers_and_differ() {
+    assert_eq!(
+        pointers(&with("/inputs/1/vary", json!("ground.depth[1]"))),
+        ["/inputs/1/vary"]
+    );
+    assert_eq!(
+        pointers(&with("/inputs/1/vary", json!("model.level"))),
+        ["/inputs/1/vary"]
+    );
+    assert_eq!(
+        pointers(&with("/inputs/1/vary", json!("ground.depths_mm[ 0 ]"))),
+        ["/inputs/1/vary"]
+    );
+    assert_eq!(
+        pointers(&with("/inputs/1/name", json!("P1"))),
+        ["/inputs/1/name"]
+    );
+    assert_eq!(pointers(&with("/inputs", json!([]))), ["/inputs"]);
+}
+
+#[test]
+fn a_support_outside_the_scene_s_range_is_refused_at_its_ends() {
+    let law = |value| pointers(&with("/inputs/0/distribution", value));
+    let here = ["/inputs/0/distribution"];
+    assert_eq!(law(json!({"kind": "uniform", "min": -0.1, "max": 1})), here);
+    assert_eq!(law(json!({"kind": "uniform", "min": 0.1, "max": 13})), here);
+    // The outermost of five Gauss nodes lie 2.857 standard deviations out.
+    assert_eq!(law(json!({"kind": "normal", "mean": 1, "std": 0.4})), here);
+    let narrow = with(
+        "/inputs/0/distribution",
+        json!({"kind": "normal", "mean": 1, "std": 0.3}),
+    );
+    assert!(Study::from_value(&narrow, &|_| Err(String::new())).is_ok());
+}
+
+#[test]
+fn inputs_that_contradict_each_other_only_together_are_refused() {
+    let mut document = valid();
+    document["scene"] = json!({});
+    document["inputs"] = json!([
+        {"name": "wall", "vary": "geometry.wall_mm", "distribution": {"kind": "uniform", "min": 2, "max": 9}},
+        {"name": "section", "vary": "geometry.section_radius_mm",
+         "distribution": {"kind": "uniform", "min": 4, "max": 21}}
+    ]);
+    document["method"] = json!({"check_points": 16});
+    assert_eq!(pointers(&document), ["/inputs"]);
+}
+
+#[test]
+fn a_map_that_would_not_fit_in_memory_is_refused() {
+    let mut document = valid();
+    document["candidates"]["grid"] = json!({"circumferential": 201, "meridional": 201});
+    document["method"]["check_points"] = json!(1000);
+    assert_eq!(pointers(&document), ["/candidates/grid"]);
+}
+
+#[test]
+fn a_scene_file_is_read_through_the_callback() {
+    let mut document = valid();
+    document["scene"] = json!("tires/mine.json");
+    let resolve = |path: &str| match path {
+        "tires/mine.json" => Ok("{\"geometry\": {\"wall_mm\": 2}}".to_owned()),
+        other => Err(format!("no file {other}")),
+    };
+    assert_eq!(
+        Study::from_value(&document, &resolve)
+            .unwrap()
+            .scene
+            .geometry
+            .wall_mm,
+        2.0
+    );
+    let faulty = |_: &str| Ok("{\"geometry\": {\"wall_mm\": 20}}".to_owned());
+    let faults = Study::from_value(&document, &faulty).unwrap_err();
+    assert_eq!(faults[0].pointer, "/scene/geometry/wall_mm");
+    assert!(
+        faults[0].detail.starts_with("in tires/mine.json: "),
+        "{}",
+        faults[0].detail
+    );
+    let refusing = |_: &str| Err("paths aren't read here".to_owned());
+    let faults = Study::from_value(&document, &refusing).unwrap_err();
+    assert_eq!(
+        (faults[0].pointer.as_str(), faults[0].detail.as_str()),
+        ("/scene", "paths aren't read here")
+    );
+}
+
+#[test]
+fn the_accuracy_sets_the_level_of_the_scene() {
+    let document = with("/accuracy/preset", json!("draft"));
+    let study = Study::from_value(&document, &|_| Err(String::new())).unwrap();
+    assert_eq!(study.level.as_str(), "draft");
+    assert_eq!(study.scene.model.level, study.level);
+}
+
+/// A leaf of a document, or what could stand in its place.
+fn any_value() -> impl Strategy<Value = Value> {
+    prop_oneof![
+        Just(Value::Null),
+        any::<bool>().prop_map(Value::from),
+        any::<i64>().prop_map(Value::from),
+        any::<f64>().prop_map(Value::from),
+        (0.0..3.0_f64).prop_map(Value::from),
+        ".{0,12}".prop_map(Value::from),
+        Just(json!([])),
+        Just(json!([1, 2, 3])),
+        Just(json!({})),
+        Just(json!({"kind": "normal", "mean": 1, "std": 0.05})),
+        Just(json!("ground.depths_mm[99999999999999]")),
+        Just(json!("draft")),
+    ]
+}
+
+/// Pointers of all values below this one.
+fn all_pointers(value: &Value, at: &str, found: &mut Vec<String>) {
+    let children: Vec<(String, &Value)> = match value {
+        Value::Object(object) => object
+            .iter()
+            .map(|(k, v)| (format!("{at}/{k}"), v))
+            .collect(),
+        Value::Array(items) => items
+            .iter()
+            .enumerate()
+            .map(|(i, v)| (format!("{at}/{i}"), v))
+            .collect(),
+        _ => Vec::new(),
+    };
+    for (pointer, child) in children {
+        all_pointers(child, &pointer, found);
+        found.push(pointer);
+    }
+}
+
+proptest! {
+    #[test]
+    fn mutated_documents_are_read_or_refused_with_pointers(
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any_value(), any::<bool>()), 1..6),
+        inline in any::<bool>(),
+    ) {
+        let mut document = valid();
+        if inline {
+            document["scene"] = shipped("foot-tire").scene.to_value();
+        }
+        for (index, value, rename) in changes {
+            let mut found = Vec::new();
+            all_pointers(&document, "", &mut found);
+            let pointer = &found[index.index(found.len())];
+            let (parent, name) = pointer.rsplit_once('/').unwrap();
+            match document.pointer_mut(parent) {
+                Some(Value::Object(object)) if rename => {
+                    object.remove(name);
+                    object.insert("renamed".to_owned(), value);
+                }
+                _ => *document.pointer_mut(pointer).unwrap() = value,
+            }
+            if !document.is_object() || found.len() < 2 {
+                break;
+            }
+        }
+        match Study::from_value(&document, &|path| Err(format!("no file {path}"))) {
+            Ok(study) => reads_back(&study)?,
+            Err(faults) => {
+                prop_assert!(!faults.is_empty());
+                for fault in faults {
+                    prop_assert!(fault.pointer.is_empty() || fault.pointer.starts_with('/'));
+                    prop_assert!(!fault.detail.is_empty());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn cut_and_garbled_texts_never_panic(
+        which in 0..2_usize, from in 0..3000_usize, length in 0..40_usize, garbage in ".{0,20}",
+    ) {
+        let text = presets()[which].1;
+        let boundary = |i: usize| (0..=i.min(text.len())).rev().find(|i| text.is_char_boundary(*i)).unwrap();
+        let (from, to) = (boundary(from), boundary(from + length));
+        let garbled = format!("{}{garbage}{}", &text[..from], &text[to.max(from)..]);
+        for format in [Format::Toml, Format::Json] {
+            if let Ok(study) = Study::from_document(&garbled, format, &|_| Err("none".to_owned())) {
+                reads_back(&study)?;
+            }
+        }
+    }
+
+    #[test]
+    fn canonical_texts_read_back_as_the_same_study(
+        depths in prop::collection::vec((0.3..0.9_f64, 0.01..2.0_f64), 5),
+        nodes in 1..=15_usize, check_points in 0..40_usize, seed in any::<u64>(),
+        grid in prop::option::of((1..40_usize, 1..20_usize, 0.1..180.0_f64)),
+    ) {
+        let inputs: Vec<Value> = depths.iter().enumerate().map(|(i, (min, width))| json!({
+            "name": format!("d{i}"), "vary": format!("ground.depths_mm[{i}]"),
+            "distribution": {"kind": "uniform", "min": min, "max": min + width},
+        })).collect();
+        let mut document = json!({
+            "name": "random", "scene": {"preset": "foot-tire"}, "inputs": inputs,
+            "method": {"nodes": nodes, "check_points": check_points, "seed": seed},
+        });
+        if let Some((half_columns, half_rows, width)) = grid {
+            document["candidates"] = json!({"grid": {
+                "circumferential": 2 * half_columns + 1, "meridional": 2 * half_rows + 1, "half_width_deg": width,
+            }});
+        }
+        let study = Study::from_value(&document, &|_| Err(String::new()));
+        reads_back(&study.map_err(|faults| TestCaseError::fail(format!("{faults:?}")))?)?;
+    }
+}
+
+fn reads_back(study: &Study) -> Result<(), TestCaseError> {
+    let text = study.canonical();
+    let again = Study::from_document(&text, Format::Json, &|_| Err("no files".to_owned()));
+    let again = again.map_err(|faults| TestCaseError::fail(format!("{faults:?}")))?;
+    prop_assert_eq!(&again, study);
+    prop_assert_eq!(again.canonical(), text);
+    prop_assert_eq!(again.spec_sha256().len(), 64);
+    Ok(())
+}
