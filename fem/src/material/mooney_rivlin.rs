@@ -54,6 +54,43 @@ impl Kinematics {
     }
 }
 
+/// First derivatives of the energy, which stress and tangent share.
+struct Slopes {
+    /// Factors C10 J^(-2/3) and C01 J^(-4/3).
+    scale: [f64; 2],
+    /// Their derivatives by J.
+    scale_slope: [f64; 2],
+    /// Derivatives of I1 and I2 by F.
+    invariants: [Tensor; 2],
+    /// Factor of the cofactor in the stress.
+    volumetric: f64,
+    stress: Tensor,
+}
+
+impl MooneyRivlin {
+    fn slopes(&self, f: &Tensor, k: &Kinematics) -> Slopes {
+        let (d1, d2) = k.gradients(f);
+        let s = k.j.powf(-2.0 / 3.0);
+        let scale = [self.c10 * s, self.c01 * s * s];
+        let scale_slope = [-2.0 / 3.0 * scale[0] / k.j, -4.0 / 3.0 * scale[1] / k.j];
+        let volumetric = scale_slope[0] * k.i1 + scale_slope[1] * k.i2;
+        let mut stress = [[0.0; 3]; 3];
+        for i in 0..3 {
+            for j in 0..3 {
+                stress[i][j] =
+                    scale[0] * d1[i][j] + scale[1] * d2[i][j] + volumetric * k.cofactor[i][j];
+            }
+        }
+        Slopes {
+            scale,
+            scale_slope,
+            invariants: [d1, d2],
+            volumetric,
+            stress,
+        }
+    }
+}
+
 impl Isochoric for MooneyRivlin {
     fn energy(&self, deformation_gradient: &Tensor) -> f64 {
         let k = Kinematics::new(deformation_gradient);
@@ -62,45 +99,29 @@ impl Isochoric for MooneyRivlin {
     }
 
     fn stress(&self, deformation_gradient: &Tensor) -> Tensor {
-        let k = Kinematics::new(deformation_gradient);
-        let (d1, d2) = k.gradients(deformation_gradient);
-        let s = k.j.powf(-2.0 / 3.0);
-        let (f1, f2) = (self.c10 * s, self.c01 * s * s);
-        let volumetric = -(2.0 / 3.0 * f1 * k.i1 + 4.0 / 3.0 * f2 * k.i2) / k.j;
-        let mut p = [[0.0; 3]; 3];
-        for i in 0..3 {
-            for j in 0..3 {
-                p[i][j] = f1 * d1[i][j] + f2 * d2[i][j] + volumetric * k.cofactor[i][j];
-            }
-        }
-        p
+        self.slopes(deformation_gradient, &Kinematics::new(deformation_gradient))
+            .stress
     }
 
     #[allow(non_snake_case)] // book symbols
     fn stress_and_tangent(&self, deformation_gradient: &Tensor) -> (Tensor, Tensor4) {
         let F = deformation_gradient;
         let k = Kinematics::new(F);
-        let (d1, d2) = k.gradients(F);
+        let Slopes {
+            scale: [f1, f2],
+            scale_slope: [g1, g2],
+            invariants: [d1, d2],
+            volumetric,
+            stress,
+        } = self.slopes(F, &k);
         let b = multiply(F, &transpose(F));
         let (C, G) = (&k.right_cauchy_green, &k.cofactor);
-        let s = k.j.powf(-2.0 / 3.0);
-        let (f1, f2) = (self.c10 * s, self.c01 * s * s);
-        // First and second derivatives of c J^(-a) by J, for a = 2/3 and a = 4/3.
-        let (g1, g2) = (-2.0 / 3.0 * f1 / k.j, -4.0 / 3.0 * f2 / k.j);
+        // Second derivatives of c J^(-a) by J, for a = 2/3 and a = 4/3.
         let h = (10.0 / 9.0 * f1 * k.i1 + 28.0 / 9.0 * f2 * k.i2) / (k.j * k.j);
-        let volumetric = g1 * k.i1 + g2 * k.i2;
-
-        let mut P = [[0.0; 3]; 3];
-        let mut mixed = [[0.0; 3]; 3];
-        for i in 0..3 {
-            for j in 0..3 {
-                P[i][j] = f1 * d1[i][j] + f2 * d2[i][j] + volumetric * G[i][j];
-                mixed[i][j] = g1 * d1[i][j] + g2 * d2[i][j];
-            }
-        }
         let mut A = cofactor_derivative(F);
         for i in 0..3 {
             for j in 0..3 {
+                let mixed_ij = g1 * d1[i][j] + g2 * d2[i][j];
                 let row = &mut A[3 * i + j];
                 for m in 0..3 {
                     for n in 0..3 {
@@ -109,18 +130,19 @@ impl Isochoric for MooneyRivlin {
                         let second_i1 = 2.0 * same_i * same_j;
                         let second_i2 = 4.0 * F[i][j] * F[m][n] + 2.0 * k.i1 * same_i * same_j
                             - 2.0 * (same_i * C[n][j] + F[i][n] * F[m][j] + b[i][m] * same_j);
+                        let mixed_mn = g1 * d1[m][n] + g2 * d2[m][n];
                         let value = &mut row[3 * m + n];
                         *value = volumetric * *value
                             + f1 * second_i1
                             + f2 * second_i2
-                            + mixed[i][j] * G[m][n]
-                            + G[i][j] * mixed[m][n]
+                            + mixed_ij * G[m][n]
+                            + G[i][j] * mixed_mn
                             + h * G[i][j] * G[m][n];
                     }
                 }
             }
         }
-        (P, A)
+        (stress, A)
     }
 
     fn shear_modulus(&self) -> f64 {
