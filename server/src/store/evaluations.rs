@@ -1,0 +1,204 @@
+//! Solved points and start states, kept by content key, written once, checked when read.
+
+use fem_client::solver::{Cost, Response, StartState};
+use placement::archive::PointRecord;
+use sqlx::{FromRow, SqliteConnection};
+
+use super::content::{encode, sha256};
+use super::{StoreError, now};
+
+/// A solved point as it was stored.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Evaluation {
+    /// Canonical scene, JSON.
+    pub scene: String,
+    /// Strains, forces, diagnostics.
+    pub response: Response,
+    /// What the solve took.
+    pub cost: Cost,
+}
+
+#[derive(FromRow)]
+struct EvaluationRow {
+    key: String,
+    scene: String,
+    response: String,
+    cost: String,
+    sha256: String,
+}
+
+impl EvaluationRow {
+    fn read(self) -> Result<Evaluation, StoreError> {
+        let damaged = || StoreError::Damaged {
+            table: "evaluations",
+            row: self.key.clone(),
+        };
+        if evaluation_sha256(&self.key, &self.scene, &self.response, &self.cost) != self.sha256 {
+            return Err(damaged());
+        }
+        let response = serde_json::from_str(&self.response).map_err(|_| damaged())?;
+        let cost = serde_json::from_str(&self.cost).map_err(|_| damaged())?;
+        Ok(Evaluation {
+            scene: self.scene,
+            response,
+            cost,
+        })
+    }
+}
+
+/// Stores a solved point, its start state, and that it answers for its ordinal of the study. What is there already
+/// stays as it is.
+///
+/// # Errors
+/// [`StoreError::NotFinite`] when the response holds NaN or infinity; when the database can't be written.
+pub async fn insert(
+    connection: &mut SqliteConnection,
+    study: &str,
+    point: &PointRecord<'_>,
+) -> Result<(), StoreError> {
+    let response = encode("the response of a point", point.response)?;
+    let cost = encode("the cost of a point", &point.cost)?;
+    sqlx::query(
+        "insert into evaluations (key, scene, response, cost, sha256, created) values (?, ?, ?, ?, ?, ?)
+         on conflict do nothing",
+    )
+    .bind(point.key)
+    .bind(point.scene)
+    .bind(&response)
+    .bind(&cost)
+    .bind(evaluation_sha256(point.key, point.scene, &response, &cost))
+    .bind(now())
+    .execute(&mut *connection)
+    .await?;
+    if let Some(start) = point.start {
+        insert_start(connection, point.key, start).await?;
+    }
+    link(connection, study, point.ordinal, point.key).await
+}
+
+/// Notes that an evaluation answers for an ordinal of a study.
+///
+/// # Errors
+/// When there is no such evaluation or study, or the database can't be written.
+pub async fn link(
+    connection: &mut SqliteConnection,
+    study: &str,
+    ordinal: usize,
+    key: &str,
+) -> Result<(), StoreError> {
+    sqlx::query("insert into study_points (study, ordinal, evaluation) values (?, ?, ?) on conflict do nothing")
+        .bind(study)
+        .bind(i64::try_from(ordinal).unwrap_or(i64::MAX))
+        .bind(key)
+        .execute(connection)
+        .await?;
+    Ok(())
+}
+
+/// Whether an ordinal of a study has its evaluation.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn linked(
+    connection: &mut SqliteConnection,
+    study: &str,
+    ordinal: usize,
+) -> Result<bool, StoreError> {
+    let found: Option<i64> =
+        sqlx::query_scalar("select 1 from study_points where study = ? and ordinal = ?")
+            .bind(study)
+            .bind(i64::try_from(ordinal).unwrap_or(i64::MAX))
+            .fetch_optional(connection)
+            .await?;
+    Ok(found.is_some())
+}
+
+async fn insert_start(
+    connection: &mut SqliteConnection,
+    key: &str,
+    start: &StartState,
+) -> Result<(), StoreError> {
+    let state = start.to_bytes();
+    sqlx::query(
+        "insert into start_states (key, state, sha256) values (?, ?, ?) on conflict do nothing",
+    )
+    .bind(key)
+    .bind(&state)
+    .bind(sha256(&[key.as_bytes(), &state]))
+    .execute(connection)
+    .await?;
+    Ok(())
+}
+
+/// The evaluation under this key.
+///
+/// # Errors
+/// [`StoreError::Damaged`] when the row doesn't match its hash; when the database can't be read.
+pub async fn find(
+    connection: &mut SqliteConnection,
+    key: &str,
+) -> Result<Option<Evaluation>, StoreError> {
+    let query = "select key, scene, response, cost, sha256 from evaluations where key = ?";
+    let row: Option<EvaluationRow> = sqlx::query_as(query)
+        .bind(key)
+        .fetch_optional(connection)
+        .await?;
+    row.map(EvaluationRow::read).transpose()
+}
+
+/// The start state under this key.
+///
+/// # Errors
+/// As for [`find`].
+pub async fn find_start(
+    connection: &mut SqliteConnection,
+    key: &str,
+) -> Result<Option<StartState>, StoreError> {
+    let row: Option<(Vec<u8>, String)> =
+        sqlx::query_as("select state, sha256 from start_states where key = ?")
+            .bind(key)
+            .fetch_optional(connection)
+            .await?;
+    let Some((state, stored)) = row else {
+        return Ok(None);
+    };
+    let damaged = || StoreError::Damaged {
+        table: "start_states",
+        row: key.to_owned(),
+    };
+    if sha256(&[key.as_bytes(), &state]) != stored {
+        return Err(damaged());
+    }
+    StartState::from_bytes(&state)
+        .map(Some)
+        .map_err(|_| damaged())
+}
+
+/// The ordinals of a study that have an evaluation, with its key, in order.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn points_of(
+    connection: &mut SqliteConnection,
+    study: &str,
+) -> Result<Vec<(usize, String)>, StoreError> {
+    let rows: Vec<(i64, String)> = sqlx::query_as(
+        "select ordinal, evaluation from study_points where study = ? order by ordinal",
+    )
+    .bind(study)
+    .fetch_all(connection)
+    .await?;
+    Ok(rows
+        .into_iter()
+        .filter_map(|(ordinal, key)| Some((usize::try_from(ordinal).ok()?, key)))
+        .collect())
+}
+
+fn evaluation_sha256(key: &str, scene: &str, response: &str, cost: &str) -> String {
+    sha256(&[
+        key.as_bytes(),
+        scene.as_bytes(),
+        response.as_bytes(),
+        cost.as_bytes(),
+    ])
+}

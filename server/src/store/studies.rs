@@ -1,0 +1,357 @@
+//! What was asked, and the queue.
+//!
+//! A study is `queued`, `running`, then `done`, `failed` or `cancelled`. Every change of state is guarded by the state
+//! that it starts from, so that a late writer never overwrites an end. One process holds the database, so a study
+//! that is `running` when the process starts was left behind by a crash.
+
+use serde::{Deserialize, Serialize};
+use sqlx::{FromRow, SqliteConnection};
+
+use super::{StoreError, now};
+
+/// Where a study stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum State {
+    /// Waits for its turn, from the start or for what it still lacks.
+    Queued,
+    /// Is being solved.
+    Running,
+    /// Has a result.
+    Done,
+    /// Has none, and `error` says why.
+    Failed,
+    /// Was cancelled.
+    Cancelled,
+}
+
+impl State {
+    /// The name in documents and in the database.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Queued => "queued",
+            Self::Running => "running",
+            Self::Done => "done",
+            Self::Failed => "failed",
+            Self::Cancelled => "cancelled",
+        }
+    }
+
+    /// The state of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        [
+            Self::Queued,
+            Self::Running,
+            Self::Done,
+            Self::Failed,
+            Self::Cancelled,
+        ]
+        .into_iter()
+        .find(|state| state.as_str() == name)
+    }
+}
+
+/// A study as stored.
+#[derive(Debug, Clone, PartialEq, FromRow)]
+pub struct StudyRow {
+    /// UUID, ordered by time.
+    pub id: String,
+    /// Name from the document.
+    pub name: String,
+    /// Canonical document, JSON.
+    pub spec: String,
+    /// SHA-256 of the canonical document.
+    pub spec_sha256: String,
+    state: String,
+    /// Points of its plan, once known.
+    pub points_total: Option<i64>,
+    /// Points that have a response.
+    pub points_done: i64,
+    /// Why it failed.
+    pub error: Option<String>,
+    /// When it was submitted.
+    pub created: String,
+    /// When it was first started.
+    pub started: Option<String>,
+    /// When it ended.
+    pub finished: Option<String>,
+}
+
+impl StudyRow {
+    /// Where it stands.
+    ///
+    /// # Panics
+    /// Never: the table allows no other names.
+    pub fn state(&self) -> State {
+        State::named(&self.state).expect("the table's check allows known states only")
+    }
+
+    /// Whether it has come to an end.
+    pub fn ended(&self) -> bool {
+        matches!(self.state(), State::Done | State::Failed | State::Cancelled)
+    }
+}
+
+/// Stores a new study in the queue and returns its identifier.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn insert(
+    connection: &mut SqliteConnection,
+    name: &str,
+    spec: &str,
+    spec_sha256: &str,
+) -> Result<String, StoreError> {
+    let id = uuid::Uuid::now_v7().to_string();
+    sqlx::query("insert into studies (id, name, spec, spec_sha256, state, created) values (?, ?, ?, ?, 'queued', ?)")
+        .bind(&id)
+        .bind(name)
+        .bind(spec)
+        .bind(spec_sha256)
+        .bind(now())
+        .execute(connection)
+        .await?;
+    Ok(id)
+}
+
+/// The study of this identifier.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn find(
+    connection: &mut SqliteConnection,
+    id: &str,
+) -> Result<Option<StudyRow>, StoreError> {
+    Ok(sqlx::query_as("select * from studies where id = ?")
+        .bind(id)
+        .fetch_optional(connection)
+        .await?)
+}
+
+/// Up to `limit` studies, newest first, older than the study `before`, of one state or of all.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn page(
+    connection: &mut SqliteConnection,
+    state: Option<State>,
+    before: Option<&str>,
+    limit: u32,
+) -> Result<Vec<StudyRow>, StoreError> {
+    let query = "select * from studies
+                 where (?1 is null or state = ?1) and (?2 is null or id < ?2)
+                 order by id desc limit ?3";
+    Ok(sqlx::query_as(query)
+        .bind(state.map(State::as_str))
+        .bind(before)
+        .bind(limit)
+        .fetch_all(connection)
+        .await?)
+}
+
+/// The newest queued study of the same document: one that was interrupted, or still waits.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn queued_twin(
+    connection: &mut SqliteConnection,
+    spec_sha256: &str,
+) -> Result<Option<StudyRow>, StoreError> {
+    let query =
+        "select * from studies where spec_sha256 = ? and state = 'queued' order by id desc limit 1";
+    Ok(sqlx::query_as(query)
+        .bind(spec_sha256)
+        .fetch_optional(connection)
+        .await?)
+}
+
+/// The identifier of the study that waits longest.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn oldest_queued(
+    connection: &mut SqliteConnection,
+) -> Result<Option<String>, StoreError> {
+    Ok(
+        sqlx::query_scalar("select id from studies where state = 'queued' order by id limit 1")
+            .fetch_optional(connection)
+            .await?,
+    )
+}
+
+/// Takes a queued study to run it; `None` when it isn't queued any more.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn claim(
+    connection: &mut SqliteConnection,
+    id: &str,
+) -> Result<Option<StudyRow>, StoreError> {
+    let query = "update studies set state = 'running', started = coalesce(started, ?)
+                 where id = ? and state = 'queued' returning *";
+    Ok(sqlx::query_as(query)
+        .bind(now())
+        .bind(id)
+        .fetch_optional(connection)
+        .await?)
+}
+
+/// Puts a running study back into the queue; false when it isn't running any more.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn release(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
+    let query = "update studies set state = 'queued' where id = ? and state = 'running'";
+    Ok(sqlx::query(query)
+        .bind(id)
+        .execute(connection)
+        .await?
+        .rows_affected()
+        == 1)
+}
+
+/// The studies that a crash left running.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn running(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {
+    Ok(
+        sqlx::query_scalar("select id from studies where state = 'running' order by id")
+            .fetch_all(connection)
+            .await?,
+    )
+}
+
+/// Ends a running study; false when it isn't running any more.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn finish(
+    connection: &mut SqliteConnection,
+    id: &str,
+    state: State,
+    error: Option<&str>,
+) -> Result<bool, StoreError> {
+    let query =
+        "update studies set state = ?, error = ?, finished = ? where id = ? and state = 'running'";
+    let done = sqlx::query(query)
+        .bind(state.as_str())
+        .bind(error)
+        .bind(now())
+        .bind(id)
+        .execute(connection)
+        .await?;
+    Ok(done.rows_affected() == 1)
+}
+
+/// Cancels a study that hasn't ended; false when it has.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn cancel(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
+    let query = "update studies set state = 'cancelled', finished = ? where id = ? and state in ('queued', 'running')";
+    Ok(sqlx::query(query)
+        .bind(now())
+        .bind(id)
+        .execute(connection)
+        .await?
+        .rows_affected()
+        == 1)
+}
+
+/// Notes how many points the plan has, and how many of them are known already.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn set_progress(
+    connection: &mut SqliteConnection,
+    id: &str,
+    total: usize,
+    done: usize,
+) -> Result<(), StoreError> {
+    sqlx::query("update studies set points_total = ?, points_done = ? where id = ?")
+        .bind(i64::try_from(total).unwrap_or(i64::MAX))
+        .bind(i64::try_from(done).unwrap_or(i64::MAX))
+        .bind(id)
+        .execute(connection)
+        .await?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::store::tests::fresh;
+
+    #[tokio::test]
+    async fn the_queue_hands_out_each_study_once_oldest_first() {
+        let (_folder, store) = fresh().await;
+        let mut tx = store.begin().await.expect("begins");
+        let first = insert(&mut tx, "a", "{}", "x").await.expect("inserts");
+        let second = insert(&mut tx, "b", "{}", "y").await.expect("inserts");
+        assert_eq!(
+            oldest_queued(&mut tx).await.expect("reads"),
+            Some(first.clone())
+        );
+        assert_eq!(
+            claim(&mut tx, &first)
+                .await
+                .expect("claims")
+                .map(|row| row.state()),
+            Some(State::Running)
+        );
+        assert_eq!(claim(&mut tx, &first).await.expect("claims"), None);
+        assert_eq!(oldest_queued(&mut tx).await.expect("reads"), Some(second));
+        assert!(release(&mut tx, &first).await.expect("releases"));
+        assert_eq!(oldest_queued(&mut tx).await.expect("reads"), Some(first));
+    }
+
+    #[tokio::test]
+    async fn an_end_is_never_overwritten() {
+        let (_folder, store) = fresh().await;
+        let mut tx = store.begin().await.expect("begins");
+        let id = insert(&mut tx, "a", "{}", "x").await.expect("inserts");
+        claim(&mut tx, &id).await.expect("claims");
+        assert!(cancel(&mut tx, &id).await.expect("cancels"));
+        assert!(!cancel(&mut tx, &id).await.expect("cancels"));
+        assert!(
+            !finish(&mut tx, &id, State::Done, None)
+                .await
+                .expect("finishes")
+        );
+        assert!(!release(&mut tx, &id).await.expect("releases"));
+        assert_eq!(
+            find(&mut tx, &id)
+                .await
+                .expect("reads")
+                .map(|row| row.state()),
+            Some(State::Cancelled)
+        );
+    }
+
+    #[tokio::test]
+    async fn pages_go_from_new_to_old_without_overlap() {
+        let (_folder, store) = fresh().await;
+        let mut tx = store.begin().await.expect("begins");
+        let mut ids = Vec::new();
+        for name in ["a", "b", "c"] {
+            ids.push(insert(&mut tx, name, "{}", "x").await.expect("inserts"));
+        }
+        let first = page(&mut tx, None, None, 2).await.expect("reads");
+        let rest = page(&mut tx, Some(State::Queued), Some(&first[1].id), 2)
+            .await
+            .expect("reads");
+        let seen: Vec<&str> = first
+            .iter()
+            .chain(&rest)
+            .map(|row| row.id.as_str())
+            .collect();
+        assert_eq!(seen, [&ids[2], &ids[1], &ids[0]]);
+        assert!(
+            page(&mut tx, Some(State::Done), None, 2)
+                .await
+                .expect("reads")
+                .is_empty()
+        );
+    }
+}
