@@ -4,8 +4,20 @@
 //!
 //! - [`config`]: settings from flags and environment
 //! - [`telemetry`]: the log
+//! - [`solver`]: which solver answers
+//! - [`shutdown`]: the wish to stop
 //! - [`store`]: the database, all SQL
+//! - [`study_document`]: study documents from files and from the database
+//! - [`archive`]: the database as the place where solved points are kept
+//! - [`engine`]: runs one study from its document to its end
+//! - [`queue`]: the queue of studies
 
+pub mod archive;
 pub mod config;
+pub mod engine;
+pub mod queue;
+pub mod shutdown;
+pub mod solver;
 pub mod store;
+pub mod study_document;
 pub mod telemetry;

@@ -1,0 +1,87 @@
+//! The database as the place where solved points are kept.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use fem_client::solver::{Cost, Response, StartState};
+use placement::archive::{Archive, ArchiveError, PointRecord};
+use placement::plan::Plan;
+use tokio::runtime::Handle;
+
+use crate::store::evaluations::{self, Evaluation};
+use crate::store::{Store, StoreError};
+
+/// Keeps the points of one study. Used from solving threads, which may wait; never from a task of the runtime.
+pub struct StoreArchive {
+    store: Arc<Store>,
+    runtime: Handle,
+    study: String,
+    /// The ordinal of each scene of the plan: no two points of a plan share a scene.
+    ordinals: HashMap<String, usize>,
+}
+
+impl StoreArchive {
+    /// The archive of this study.
+    pub fn new(store: Arc<Store>, runtime: Handle, study: &str, plan: &Plan) -> Self {
+        let scenes = plan.points.iter().enumerate();
+        let ordinals = scenes
+            .map(|(ordinal, scene)| (scene.canonical_json(), ordinal))
+            .collect();
+        Self {
+            store,
+            runtime,
+            study: study.to_owned(),
+            ordinals,
+        }
+    }
+
+    /// Finds an evaluation, whichever study solved it, and notes that this study uses it too.
+    async fn find(&self, key: &str) -> Result<Option<Evaluation>, StoreError> {
+        let mut connection = self.store.read().await?;
+        let found = evaluations::find(&mut connection, key).await?;
+        let ordinal = found
+            .as_ref()
+            .and_then(|evaluation| self.ordinals.get(&evaluation.scene).copied());
+        if let Some(ordinal) = ordinal
+            && !evaluations::linked(&mut connection, &self.study, ordinal).await?
+        {
+            let mut transaction = self.store.begin().await?;
+            evaluations::link(&mut transaction, &self.study, ordinal, key).await?;
+            self.store.commit(transaction, 0).await?;
+        }
+        Ok(found)
+    }
+}
+
+impl Archive for StoreArchive {
+    fn load(&self, key: &str) -> Result<Option<(Response, Cost)>, ArchiveError> {
+        let found = self.runtime.block_on(self.find(key));
+        Ok(found
+            .map_err(failed)?
+            .map(|evaluation| (evaluation.response, evaluation.cost)))
+    }
+
+    /// One transaction for the evaluation, its start state and its place in the study: a kill leaves all or nothing.
+    fn save(&self, point: &PointRecord<'_>) -> Result<(), ArchiveError> {
+        let saved = self.runtime.block_on(async {
+            let mut transaction = self.store.begin().await?;
+            evaluations::insert(&mut transaction, &self.study, point).await?;
+            self.store.commit(transaction, 0).await
+        });
+        saved.map_err(failed)
+    }
+
+    fn load_start(&self, key: &str) -> Result<Option<StartState>, ArchiveError> {
+        let found = self.runtime.block_on(async {
+            let mut connection = self.store.read().await?;
+            evaluations::find_start(&mut connection, key).await
+        });
+        found.map_err(failed)
+    }
+}
+
+fn failed(error: StoreError) -> ArchiveError {
+    ArchiveError {
+        detail: error.to_string(),
+    }
+}

@@ -1,0 +1,196 @@
+//! Runs one claimed study from its document to its end, the same for the service and for the command line.
+//!
+//! A study that was interrupted anywhere is run again as if it were new: its plan is the same, the archive has the
+//! points that were solved, and what is lacking is solved from the same start.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use fem_client::solver::Solver;
+use placement::result::{FailedPoint, StudyResult};
+use placement::run::{self, Event, RunError};
+use serde_json::{Value, json};
+use tokio::runtime::Handle;
+
+use crate::archive::StoreArchive;
+use crate::store::studies::{self, State, StudyRow};
+use crate::store::{Store, StoreError, events, results};
+use crate::study_document::stored_plan;
+
+/// What a study is run with.
+#[derive(Clone)]
+pub struct Engine {
+    /// Where points and results go.
+    pub store: Arc<Store>,
+    /// Who solves.
+    pub solver: Arc<dyn Solver>,
+    /// Solves that run at once.
+    pub threads: usize,
+}
+
+/// How a run ended.
+#[derive(Debug)]
+pub enum End {
+    /// With a result.
+    Done(Box<StudyResult>),
+    /// Without one.
+    Failed {
+        /// Why, a sentence.
+        error: String,
+        /// The points that have no response.
+        points: Vec<FailedPoint>,
+    },
+    /// On request; what was solved is kept.
+    Stopped,
+}
+
+impl End {
+    /// One word for the log.
+    pub fn as_str(&self) -> &'static str {
+        match self {
+            Self::Done(_) => "done",
+            Self::Failed { .. } => "failed",
+            Self::Stopped => "stopped",
+        }
+    }
+
+    /// A failure that no single point is to blame for.
+    pub fn failed(error: impl Into<String>) -> Self {
+        Self::Failed {
+            error: error.into(),
+            points: Vec::new(),
+        }
+    }
+}
+
+impl Engine {
+    /// Runs a claimed study until it ends or `stop` is set. Blocks: call it on a plain thread.
+    pub fn run(
+        &self,
+        row: &StudyRow,
+        runtime: &Handle,
+        stop: &AtomicBool,
+        progress: &(dyn Fn(&Event) + Sync),
+    ) -> End {
+        let (study, plan) = match stored_plan(row) {
+            Ok(read) => read,
+            Err(error) => return End::failed(error),
+        };
+        let archive = StoreArchive::new(self.store.clone(), runtime.clone(), &row.id, &plan);
+        let observer = |event: Event| {
+            if let Err(error) = runtime.block_on(self.record(&row.id, &event)) {
+                tracing::warn!(study = row.id, %error, "an event could not be recorded");
+            }
+            progress(&event);
+        };
+        match run::run(
+            &study,
+            &plan,
+            self.solver.as_ref(),
+            &archive,
+            self.threads,
+            stop,
+            &observer,
+        ) {
+            Ok(mut result) => {
+                result.study.id.clone_from(&row.id);
+                End::Done(Box::new(result))
+            }
+            Err(RunError::Stopped) => End::Stopped,
+            Err(error) => {
+                let sentence = error.to_string();
+                let points = if let RunError::PointsFailed { failed } = error {
+                    failed
+                } else {
+                    Vec::new()
+                };
+                End::Failed {
+                    error: sentence,
+                    points,
+                }
+            }
+        }
+    }
+
+    async fn record(&self, study: &str, event: &Event) -> Result<(), StoreError> {
+        let mut transaction = self.store.begin().await?;
+        if let Some((total, done)) = progress_of(event) {
+            studies::set_progress(&mut transaction, study, total, done).await?;
+        }
+        let (kind, payload) = wire(event);
+        let id = events::insert(&mut transaction, study, kind, &payload).await?;
+        self.store.commit(transaction, id).await
+    }
+
+    /// Records how a run ended. Returns false, and changes nothing, when the study was cancelled meanwhile.
+    ///
+    /// # Errors
+    /// When the database can't be written; then the study is still running and this can be tried again.
+    pub async fn settle(&self, row: &StudyRow, end: &End) -> Result<bool, StoreError> {
+        let mut transaction = self.store.begin().await?;
+        let (changed, kind, payload) = match end {
+            End::Done(result) => {
+                results::insert(&mut transaction, &row.id, result).await?;
+                let sha256 = results::sha256_of(&mut transaction, &row.id).await?;
+                let changed = studies::finish(&mut transaction, &row.id, State::Done, None).await?;
+                (changed, "done", json!({"result_sha256": sha256}))
+            }
+            End::Failed { error, points } => {
+                let changed =
+                    studies::finish(&mut transaction, &row.id, State::Failed, Some(error)).await?;
+                (
+                    changed,
+                    "failed",
+                    json!({"error": error, "failed_points": points}),
+                )
+            }
+            End::Stopped => {
+                let changed = studies::release(&mut transaction, &row.id).await?;
+                (changed, "queued", json!({"resumed": true}))
+            }
+        };
+        if !changed {
+            return Ok(false);
+        }
+        let id = events::insert(&mut transaction, &row.id, kind, &payload).await?;
+        self.store.commit(transaction, id).await?;
+        Ok(true)
+    }
+}
+
+/// Total and solved points, when the event changes them.
+fn progress_of(event: &Event) -> Option<(usize, usize)> {
+    match *event {
+        Event::Started { points, reused } => Some((points, reused)),
+        Event::PointSolved { done, of, .. } => Some((of, done)),
+        Event::PointFailed { .. } | Event::Analysing => None,
+    }
+}
+
+fn wire(event: &Event) -> (&'static str, Value) {
+    match event {
+        Event::Started { points, reused } => {
+            ("started", json!({"points": points, "reused": reused}))
+        }
+        Event::PointSolved {
+            ordinal,
+            done,
+            of,
+            wall_s,
+            newton_iterations,
+        } => (
+            "point-solved",
+            json!({
+                "ordinal": ordinal,
+                "done": done,
+                "of": of,
+                "wall_s": wall_s,
+                "newton_iterations": newton_iterations,
+            }),
+        ),
+        Event::PointFailed { ordinal, cause } => {
+            ("point-failed", json!({"ordinal": ordinal, "cause": cause}))
+        }
+        Event::Analysing => ("analysing", json!({})),
+    }
+}
