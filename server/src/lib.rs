@@ -11,11 +11,15 @@
 //! - [`archive`]: the database as the place where solved points are kept
 //! - [`engine`]: runs one study from its document to its end
 //! - [`queue`]: the queue of studies
+//! - [`http`]: routes and dashboard
+//! - [`service`]: database, queue and HTTP together
 
 pub mod archive;
 pub mod config;
 pub mod engine;
+pub mod http;
 pub mod queue;
+pub mod service;
 pub mod shutdown;
 pub mod solver;
 pub mod store;

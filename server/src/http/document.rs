@@ -1,0 +1,118 @@
+//! Reads the body of a submitted study.
+
+use axum::body::to_bytes;
+use axum::extract::{FromRequest, Request};
+use axum::http::{HeaderMap, StatusCode, header};
+use fem_client::document::{Format, MAX_BYTES, parse};
+use fem_client::fault::Fault;
+use placement::study::Study;
+use std::time::Duration;
+
+use super::problem::Problem;
+
+/// A client that has not sent its document by then is refused.
+const BODY_TIMEOUT: Duration = Duration::from_secs(30);
+
+/// A checked study from a request's body.
+pub struct StudyBody {
+    /// The study.
+    pub study: Study,
+}
+
+impl<S: Send + Sync> FromRequest<S> for StudyBody {
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, _: &S) -> Result<Self, Problem> {
+        let format = format_of(request.headers())?;
+        let text = read(request).await?;
+        well_formed(&text, format)?;
+        let study = Study::from_document(&text, format, &no_files).map_err(Problem::faults)?;
+        Ok(Self { study })
+    }
+}
+
+/// A service must not read files that a page or a script on another machine names.
+fn no_files(path: &str) -> Result<String, String> {
+    Err(format!(
+        "the service reads no scene files, so {path:?} can't be used here: put the scene's tables inline, or name a \
+         preset as in {{\"preset\": \"foot-tire\"}}"
+    ))
+}
+
+fn format_of(headers: &HeaderMap) -> Result<Format, Problem> {
+    let unsupported = |detail| Problem::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, detail);
+    if headers.contains_key(header::CONTENT_ENCODING) {
+        return Err(unsupported(
+            "send the document as it is, without a Content-Encoding",
+        ));
+    }
+    let kind = headers
+        .get(header::CONTENT_TYPE)
+        .and_then(|value| value.to_str().ok())
+        .unwrap_or_default();
+    match kind
+        .split(';')
+        .next()
+        .unwrap_or_default()
+        .trim()
+        .to_ascii_lowercase()
+        .as_str()
+    {
+        "application/json" => Ok(Format::Json),
+        "application/toml" => Ok(Format::Toml),
+        _ => Err(unsupported(
+            "a study is sent as application/json or application/toml",
+        )),
+    }
+}
+
+async fn read(request: Request) -> Result<String, Problem> {
+    let too_large = || {
+        Problem::new(
+            StatusCode::PAYLOAD_TOO_LARGE,
+            format!("a document has at most {MAX_BYTES} bytes"),
+        )
+    };
+    let announced = request
+        .headers()
+        .get(header::CONTENT_LENGTH)
+        .and_then(|value| value.to_str().ok()?.parse().ok());
+    if announced.is_some_and(|length: u64| length > MAX_BYTES as u64) {
+        return Err(too_large());
+    }
+    let slow = |_| {
+        Problem::new(
+            StatusCode::REQUEST_TIMEOUT,
+            "the document took too long to arrive",
+        )
+    };
+    let body = tokio::time::timeout(BODY_TIMEOUT, to_bytes(request.into_body(), MAX_BYTES))
+        .await
+        .map_err(slow)?;
+    let bytes = body.map_err(|error| {
+        let limit = std::error::Error::source(&error)
+            .is_some_and(|cause| cause.is::<http_body_util::LengthLimitError>());
+        if limit {
+            too_large()
+        } else {
+            Problem::new(StatusCode::BAD_REQUEST, "the document did not arrive whole")
+        }
+    })?;
+    String::from_utf8(bytes.into())
+        .map_err(|_| Problem::new(StatusCode::BAD_REQUEST, "the document is not UTF-8"))
+}
+
+/// A text that can't be read is a bad request; what can be read and is wrong is for the study's own reader.
+fn well_formed(text: &str, format: Format) -> Result<(), Problem> {
+    let Err(faults) = parse(text, format) else {
+        return Ok(());
+    };
+    let unreadable =
+        |fault: &Fault| fault.pointer.is_empty() && !fault.detail.contains("number out of range");
+    if faults.iter().any(unreadable) {
+        return Err(
+            Problem::new(StatusCode::BAD_REQUEST, "the document can't be read").with_errors(faults),
+        );
+    }
+    Err(Problem::faults(faults))
+}

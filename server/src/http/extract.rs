@@ -1,0 +1,41 @@
+//! Reads addresses and queries, with problem documents for those that can't be read.
+
+use axum::extract::rejection::{PathRejection, QueryRejection};
+use axum::extract::{FromRequestParts, Path, Query};
+use axum::http::StatusCode;
+use axum::http::request::Parts;
+use serde::de::DeserializeOwned;
+
+use super::problem::Problem;
+
+/// The query of a request.
+pub struct Params<T>(pub T);
+
+impl<T: DeserializeOwned, S: Send + Sync> FromRequestParts<S> for Params<T> {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
+        let refused =
+            |error: QueryRejection| Problem::new(StatusCode::BAD_REQUEST, error.body_text());
+        Query::from_request_parts(parts, state)
+            .await
+            .map(|Query(value)| Self(value))
+            .map_err(refused)
+    }
+}
+
+/// The study's identifier in an address.
+pub struct StudyId(pub String);
+
+impl<S: Send + Sync> FromRequestParts<S> for StudyId {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
+        let refused =
+            |error: PathRejection| Problem::new(StatusCode::BAD_REQUEST, error.body_text());
+        Path::from_request_parts(parts, state)
+            .await
+            .map(|Path(id)| Self(id))
+            .map_err(refused)
+    }
+}

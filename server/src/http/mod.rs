@@ -1,0 +1,89 @@
+//! The service's outside: routes under `/v1`, health, and the dashboard.
+//!
+//! - [`problem`]: what a client is told when a request can't be answered
+//! - [`request_id`]: every request has an identifier
+//! - [`guard`]: who may ask
+//! - [`extract`]: reads addresses and queries
+//! - [`document`]: reads the body of a submitted study
+//! - [`studies`]: submit, list, look at, cancel
+//! - [`events`]: progress as server-sent events
+//! - [`results`]: result, locations, layouts, evaluations, map
+//! - [`presets`]: studies and scenes to start from
+//! - [`health`]: is it up, can it work
+//! - [`assets`]: the dashboard
+//! - [`listener`]: accepts connections
+
+pub mod assets;
+pub mod document;
+pub mod events;
+pub mod extract;
+pub mod guard;
+pub mod health;
+pub mod listener;
+pub mod presets;
+pub mod problem;
+pub mod request_id;
+pub mod results;
+pub mod studies;
+
+use std::any::Any;
+use std::sync::Arc;
+
+use axum::http::StatusCode;
+use axum::middleware::{from_fn, from_fn_with_state};
+use axum::response::{IntoResponse, Response};
+use axum::{Router, body::Body};
+use tower_http::catch_panic::CatchPanicLayer;
+
+use crate::queue::Queue;
+use crate::shutdown::Shutdown;
+use crate::store::Store;
+use problem::Problem;
+
+/// What every handler may use.
+#[derive(Clone)]
+pub struct AppState {
+    /// The database.
+    pub store: Arc<Store>,
+    /// The queue of studies.
+    pub queue: Arc<Queue>,
+    /// Hears when the service is to stop.
+    pub shutdown: Shutdown,
+}
+
+/// All routes, guarded: the innermost layer stands first.
+pub fn app(state: AppState, hosts: guard::HostList) -> Router {
+    Router::new()
+        .merge(studies::router())
+        .merge(events::router())
+        .merge(results::router())
+        .merge(presets::router())
+        .merge(health::router())
+        .method_not_allowed_fallback(wrong_method)
+        .fallback(assets::fallback)
+        .with_state(state)
+        .layer(CatchPanicLayer::custom(panicked))
+        .layer(from_fn_with_state(hosts, guard::admit))
+        .layer(from_fn(guard::harden))
+        .layer(from_fn(request_id::assign))
+}
+
+async fn wrong_method() -> Problem {
+    Problem::new(
+        StatusCode::METHOD_NOT_ALLOWED,
+        "this address does not take that method; see the Allow header",
+    )
+}
+
+fn panicked(cause: Box<dyn Any + Send>) -> Response<Body> {
+    let said = cause.downcast_ref::<&str>().map(|text| (*text).to_owned());
+    let said = said
+        .or_else(|| cause.downcast_ref::<String>().cloned())
+        .unwrap_or_default();
+    tracing::error!(panic = ?said, "a request handler panicked");
+    Problem::new(
+        StatusCode::INTERNAL_SERVER_ERROR,
+        "the service has a fault; its log says where",
+    )
+    .into_response()
+}
