@@ -13,8 +13,10 @@
 //! - [`queue`]: the queue of studies
 //! - [`http`]: routes and dashboard
 //! - [`service`]: database, queue and HTTP together
+//! - [`cli`]: the command line
 
 pub mod archive;
+pub mod cli;
 pub mod config;
 pub mod engine;
 pub mod http;

@@ -1,0 +1,68 @@
+//! The command line: one file per command.
+//!
+//! Data goes to standard output, talk to standard error. Exit codes: 0 done, 2 the input is wrong, 3 the physics has
+//! no answer, 1 anything else.
+
+mod failure;
+mod output;
+mod run;
+mod serve;
+mod signals;
+mod solve;
+mod table;
+mod validate;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::telemetry;
+pub use failure::Failure;
+
+/// Ranks strain-sensor locations in a smart tire
+#[derive(Debug, Parser)]
+#[command(name = "strainsite", version, arg_required_else_help = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Start the service and the dashboard
+    Serve(serve::Serve),
+    /// Run one study without the service
+    Run(run::Run),
+    /// Solve one equilibrium of a scene
+    Solve(solve::Solve),
+    /// Check a study or scene file without running it
+    Validate(validate::Validate),
+}
+
+/// Runs the program: the one place that prints failures and chooses the exit code.
+pub fn main() -> ExitCode {
+    let command = Cli::parse().command;
+    telemetry::start(if matches!(command, Command::Serve(_)) {
+        "info"
+    } else {
+        "warn"
+    });
+    let (done, json) = match command {
+        Command::Serve(command) => (command.execute(), None),
+        Command::Run(command) => (command.execute(), command.json),
+        Command::Solve(command) => (command.execute(), command.json),
+        Command::Validate(command) => (command.execute(), None),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprint!("{failure}");
+            if let Some(target) = json
+                && let Err(error) = target.write(&failure.document())
+            {
+                eprintln!("{error}");
+            }
+            ExitCode::from(failure.code())
+        }
+    }
+}

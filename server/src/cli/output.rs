@@ -1,0 +1,102 @@
+//! Where results are written.
+
+use std::convert::Infallible;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use serde::Serialize;
+
+use super::Failure;
+
+/// Where `--json` goes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum JsonTarget {
+    /// Standard output, which then holds this document and nothing else.
+    Stdout,
+    /// A file.
+    File(PathBuf),
+}
+
+impl FromStr for JsonTarget {
+    type Err = Infallible;
+
+    fn from_str(text: &str) -> Result<Self, Infallible> {
+        Ok(if text == "-" {
+            Self::Stdout
+        } else {
+            Self::File(PathBuf::from(text))
+        })
+    }
+}
+
+impl JsonTarget {
+    /// Writes one JSON document.
+    ///
+    /// # Errors
+    /// When it can't be written.
+    pub fn write<T: Serialize>(&self, document: &T) -> Result<(), Failure> {
+        let mut text = serde_json::to_string_pretty(document).map_err(Failure::other)?;
+        text.push('\n');
+        match self {
+            Self::Stdout => print(&text),
+            Self::File(path) => write_whole(path, &text),
+        }
+    }
+}
+
+/// Prints to standard output. A reader that went away is no failure of ours.
+///
+/// # Errors
+/// When standard output can't be written.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::other(error)),
+        _ => Ok(()),
+    }
+}
+
+/// Prints where people look: on standard output, unless a JSON document goes there.
+///
+/// # Errors
+/// When standard output can't be written.
+pub fn tell(text: &str, json: Option<&JsonTarget>) -> Result<(), Failure> {
+    if json == Some(&JsonTarget::Stdout) {
+        eprint!("{text}");
+        return Ok(());
+    }
+    print(text)
+}
+
+/// Writes a file so that it is either there whole or as it was before.
+///
+/// # Errors
+/// When it can't be written.
+pub fn write_whole(path: &Path, text: &str) -> Result<(), Failure> {
+    let mut name = path.as_os_str().to_owned();
+    name.push(format!(".{}.part", std::process::id()));
+    let part = PathBuf::from(name);
+    let written = std::fs::write(&part, text).and_then(|()| std::fs::rename(&part, path));
+    written.map_err(|error| {
+        // What can't be removed was most likely never made.
+        let _ = std::fs::remove_file(&part);
+        Failure::Other(format!("{} can't be written: {error}", path.display()))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_replaced_whole_and_leaves_no_part_behind() {
+        let folder = tempfile::tempdir().expect("temp dir");
+        let path = folder.path().join("result.json");
+        write_whole(&path, "first").expect("writes");
+        write_whole(&path, "second").expect("writes");
+        assert_eq!(std::fs::read_to_string(&path).expect("reads"), "second");
+        assert_eq!(std::fs::read_dir(folder.path()).expect("lists").count(), 1);
+        assert!(write_whole(&folder.path().join("absent/result.json"), "x").is_err());
+    }
+}

@@ -1,0 +1,190 @@
+//! `strainsite run`: one study without the service, with the same engine and the same database.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use placement::result::{FailedPoint, StudyResult};
+use placement::run::Event;
+use placement::study::Study;
+use serde_json::json;
+use tokio::runtime::Runtime;
+
+use super::Failure;
+use super::output::{JsonTarget, tell, write_whole};
+use super::signals::Signals;
+use super::table::{locations_csv, report};
+use crate::config::Config;
+use crate::engine::{End, Engine};
+use crate::queue::recover;
+use crate::solver::solver;
+use crate::store::studies::{self, StudyRow};
+use crate::store::{Store, StoreError, events};
+use crate::study_document::{read_file, read_study};
+
+/// Run one study without the service
+#[derive(Debug, Args)]
+pub struct Run {
+    /// Study file, TOML or JSON
+    study: PathBuf,
+    #[command(flatten)]
+    config: Config,
+    /// Write result.json and locations.csv into this folder
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Write the result as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+impl Run {
+    /// Runs the study and prints its answer.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let text = read_file(&self.study).map_err(Failure::Input)?;
+        let study = read_study(&text, &self.study).map_err(Failure::Input)?;
+        let runtime = Runtime::new().map_err(Failure::other)?;
+        let store = runtime
+            .block_on(Store::open(&self.config.db))
+            .map_err(Failure::other)?;
+        let engine = Engine {
+            store: Arc::new(store),
+            solver: solver(),
+            threads: self.config.threads(),
+        };
+        let end = self.solve(&runtime, &engine, &study);
+        runtime.block_on(engine.store.close());
+        self.answer(end?)
+    }
+
+    fn solve(&self, runtime: &Runtime, engine: &Engine, study: &Study) -> Result<End, Failure> {
+        let row = runtime
+            .block_on(claim(&engine.store, study))
+            .map_err(Failure::other)?;
+        let stop = stop_flag(runtime)?;
+        let bar = progress_bar();
+        let end = engine.run(&row, runtime.handle(), &stop, &|event| show(&bar, event));
+        bar.finish_and_clear();
+        runtime
+            .block_on(engine.settle(&row, &end))
+            .map_err(Failure::other)?;
+        Ok(end)
+    }
+
+    fn answer(&self, end: End) -> Result<(), Failure> {
+        match end {
+            End::Done(result) => self.publish(&result),
+            End::Failed { error, points } => Err(failure(error, &points)),
+            End::Stopped => Err(Failure::Other(format!(
+                "stopped; what is solved is kept in {}, and the next run of this study resumes there",
+                self.config.db.display()
+            ))),
+        }
+    }
+
+    fn publish(&self, result: &StudyResult) -> Result<(), Failure> {
+        if let Some(folder) = &self.out {
+            std::fs::create_dir_all(folder).map_err(|error| {
+                Failure::Other(format!("{} can't be made: {error}", folder.display()))
+            })?;
+            JsonTarget::File(folder.join("result.json")).write(result)?;
+            write_whole(&folder.join("locations.csv"), &locations_csv(result))?;
+        }
+        if let Some(target) = &self.json {
+            target.write(result)?;
+        }
+        tell(&report(result), self.json.as_ref())
+    }
+}
+
+/// Takes the interrupted study of the same document up again, or stores a new one.
+async fn claim(store: &Store, study: &Study) -> Result<StudyRow, StoreError> {
+    recover(store).await?;
+    let mut transaction = store.begin().await?;
+    let sha256 = study.spec_sha256();
+    let id = match studies::queued_twin(&mut transaction, &sha256).await? {
+        Some(row) => row.id,
+        None => {
+            let id =
+                studies::insert(&mut transaction, &study.name, &study.canonical(), &sha256).await?;
+            events::insert(&mut transaction, &id, "queued", &json!({"resumed": false})).await?;
+            id
+        }
+    };
+    let row = studies::claim(&mut transaction, &id).await?;
+    store.commit(transaction, 0).await?;
+    row.ok_or(StoreError::Database(sqlx::Error::RowNotFound))
+}
+
+/// A flag that Ctrl-C sets; a second one ends the program at once, which loses nothing that is solved.
+fn stop_flag(runtime: &Runtime) -> Result<Arc<AtomicBool>, Failure> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let mut signals = runtime.block_on(async { Signals::listen() })?;
+    let flag = stop.clone();
+    runtime.spawn(async move {
+        signals.next().await;
+        flag.store(true, Ordering::Relaxed);
+        signals.next().await;
+        std::process::exit(1);
+    });
+    Ok(stop)
+}
+
+/// A bar on standard error, on a terminal only.
+fn progress_bar() -> ProgressBar {
+    let bar = ProgressBar::new(0);
+    if let Ok(style) = ProgressStyle::with_template(
+        "{bar:40} {pos}/{len} points, {elapsed} gone, {eta} to go  {msg}",
+    ) {
+        bar.set_style(style);
+    }
+    bar
+}
+
+fn show(bar: &ProgressBar, event: &Event) {
+    let count = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
+    match event {
+        Event::Started { points, reused } => {
+            bar.set_length(count(*points));
+            bar.set_position(count(*reused));
+            bar.reset_eta();
+        }
+        Event::PointSolved {
+            done,
+            newton_iterations,
+            wall_s,
+            ..
+        } => {
+            bar.set_position(count(*done));
+            bar.set_message(format!(
+                "last: {newton_iterations} iterations, {wall_s:.1} s"
+            ));
+        }
+        Event::PointFailed { ordinal, cause } => bar.println(format!("point {ordinal}: {cause}")),
+        Event::Analysing => bar.set_message("analysing"),
+    }
+}
+
+/// The physics is to blame when every point that failed has no equilibrium.
+fn failure(error: String, points: &[FailedPoint]) -> Failure {
+    let statuses: Option<Vec<&str>> = points.iter().map(|point| status_of(&point.cause)).collect();
+    match statuses.as_deref().and_then(<[&str]>::first) {
+        Some(status) => Failure::Physics {
+            status: (*status).to_owned(),
+            detail: error,
+            known: json!({"failed_points": points}),
+        },
+        None => Failure::Other(error),
+    }
+}
+
+/// The kind of missing equilibrium that a cause begins with, as a solver's error prints it.
+fn status_of(cause: &str) -> Option<&str> {
+    use fem_client::solver::NoEquilibrium::{LimitPoint, NotConverged, SelfContact};
+    let status = cause.split(": ").next()?;
+    [LimitPoint, SelfContact, NotConverged]
+        .iter()
+        .any(|known| known.as_str() == status)
+        .then_some(status)
+}

@@ -1,0 +1,49 @@
+//! `strainsite serve`: the service and the dashboard.
+
+use std::net::SocketAddr;
+
+use clap::Args;
+
+use super::Failure;
+use super::output::print;
+use super::signals::Signals;
+use crate::config::{Config, loopback_address};
+use crate::service::{Service, ServiceParts};
+use crate::solver::solver;
+
+/// Start the service and the dashboard
+#[derive(Debug, Args)]
+pub struct Serve {
+    /// Address to listen on; port 0 takes a free one
+    #[arg(long, env = "STRAINSITE_ADDR", value_name = "IP:PORT", default_value = "127.0.0.1:8080",
+          value_parser = loopback_address)]
+    addr: SocketAddr,
+    #[command(flatten)]
+    config: Config,
+}
+
+impl Serve {
+    /// Serves until Ctrl-C or SIGTERM.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let runtime = tokio::runtime::Runtime::new().map_err(Failure::other)?;
+        runtime.block_on(self.serve())
+    }
+
+    async fn serve(&self) -> Result<(), Failure> {
+        let parts = ServiceParts {
+            address: self.addr,
+            database: self.config.db.clone(),
+            solver: solver(),
+            threads: self.config.threads(),
+        };
+        let mut signals = Signals::listen()?;
+        let service = Service::start(parts).await.map_err(Failure::other)?;
+        print(&format!("listening on http://{}\n", service.address()))?;
+        signals.next().await;
+        tracing::info!("stopping; once more stops at once");
+        tokio::select! {
+            () = service.stop() => Ok(()),
+            () = signals.next() => Err(Failure::Other("stopped at once; the next start resumes".to_owned())),
+        }
+    }
+}

@@ -1,0 +1,250 @@
+//! `strainsite solve`: one equilibrium of a scene.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+use fem_client::scene::Scene;
+use fem_client::solver::{Readout, SolveError, SolveRequest, Solved};
+use serde_json::{Value, json};
+
+use super::Failure;
+use super::output::{JsonTarget, tell};
+use super::signals::Signals;
+use crate::solver::solver;
+use crate::study_document::{format_of, read_file};
+
+/// Solve one equilibrium of a scene
+#[derive(Debug, Args)]
+pub struct Solve {
+    /// Scene file, TOML or JSON
+    scene: PathBuf,
+    /// Change one field of the scene, as in ground.depths_mm=[1,1,1,1,1] or pressure.internal_mpa=0.15
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    /// Write the answer as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+impl Solve {
+    /// Solves and prints.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let scene = self.scene()?;
+        let stop = Arc::new(AtomicBool::new(false));
+        let runtime = tokio::runtime::Runtime::new().map_err(Failure::other)?;
+        let mut signals = runtime.block_on(async { Signals::listen() })?;
+        let flag = stop.clone();
+        runtime.spawn(async move {
+            signals.next().await;
+            flag.store(true, Ordering::Relaxed);
+        });
+        let request = SolveRequest {
+            scene: &scene,
+            readout: &Readout::default(),
+            start: None,
+            stop: &stop,
+        };
+        let solved = solver().solve(&request).map_err(failure)?;
+        if let Some(target) = &self.json {
+            target.write(&document(&solved)?)?;
+        }
+        tell(&report(&solved), self.json.as_ref())
+    }
+
+    fn scene(&self) -> Result<Scene, Failure> {
+        let text = read_file(&self.scene).map_err(Failure::Input)?;
+        let mut scene = Scene::from_text(&text, format_of(&self.scene)).map_err(Failure::Input)?;
+        let changes = self
+            .set
+            .iter()
+            .map(|text| assignment(text))
+            .collect::<Result<Vec<_>, _>>()?;
+        let changes: Vec<(&str, &Value)> =
+            changes.iter().map(|(path, value)| (*path, value)).collect();
+        if !changes.is_empty() {
+            scene.set_all(&changes).map_err(Failure::Input)?;
+        }
+        Ok(scene)
+    }
+}
+
+/// Splits KEY=VALUE; the value is JSON, or a word.
+fn assignment(text: &str) -> Result<(&str, Value), Failure> {
+    let Some((path, value)) = text.split_once('=') else {
+        return Err(Failure::input(format!(
+            "--set {text:?}: a change is KEY=VALUE, as in pressure.internal_mpa=0.15"
+        )));
+    };
+    let value = value.trim();
+    Ok((
+        path.trim(),
+        serde_json::from_str(value).unwrap_or_else(|_| Value::String(value.to_owned())),
+    ))
+}
+
+fn failure(error: SolveError) -> Failure {
+    match error {
+        SolveError::Refused { faults } => Failure::Input(faults),
+        SolveError::NoEquilibrium {
+            status,
+            detail,
+            reached,
+        } => Failure::Physics {
+            status: status.as_str().to_owned(),
+            detail,
+            known: json!({"reached": reached}),
+        },
+        SolveError::Stopped => Failure::Other("stopped on request; nothing was solved".to_owned()),
+        SolveError::Broken { .. } => Failure::other(error),
+    }
+}
+
+/// The response with its status and its time; the map and the rings are left out, as nobody asked for them.
+fn document(solved: &Solved) -> Result<Value, Failure> {
+    let text =
+        crate::store::content::encode("the response", &solved.response).map_err(Failure::other)?;
+    let Value::Object(response) = serde_json::from_str(&text).map_err(Failure::other)? else {
+        return Err(Failure::Other("a response is a JSON object".to_owned()));
+    };
+    let mut document = json!({"status": "converged"});
+    if let Value::Object(document) = &mut document {
+        document.extend(
+            response
+                .into_iter()
+                .filter(|(name, _)| name != "map" && name != "rings"),
+        );
+        document.insert("wall_s".to_owned(), json!(solved.cost.wall_s));
+    }
+    Ok(document)
+}
+
+fn report(solved: &Solved) -> String {
+    let response = &solved.response;
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let _ = writeln!(text, "reaction            {:12.4} N", response.reaction_n);
+    let _ = writeln!(
+        text,
+        "inflated radius     {:12.4} mm",
+        response.inflated.outer_radius_mm
+    );
+    let _ = writeln!(
+        text,
+        "\nstrain since inflation, microstrain   x circumferential   y meridional   von Mises MPa"
+    );
+    for location in &response.locations {
+        let (x, y) = (1e6 * location.strain_x, 1e6 * location.strain_y);
+        let _ = writeln!(
+            text,
+            "{:4} at {:8.3} deg  {x:35.1} {y:14.1} {:15.5}",
+            location.name, location.theta_deg, location.von_mises_mpa
+        );
+    }
+    let _ = writeln!(
+        text,
+        "\nload step   relative residuals of Newton's iterations"
+    );
+    for (step, residuals) in response.residual_history.iter().enumerate() {
+        let residuals: Vec<String> = residuals
+            .iter()
+            .map(|residual| format!("{residual:.1e}"))
+            .collect();
+        let _ = writeln!(text, "{:9}   {}", step + 1, residuals.join("  "));
+    }
+    let model = &response.model;
+    let _ = writeln!(
+        text,
+        "\n{} model, level {}: {} elements, {} unknowns; {} Newton iterations in {:.2} s",
+        model.dimension,
+        model.level,
+        model.elements,
+        model.dofs,
+        response.newton_iterations,
+        solved.cost.wall_s
+    );
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fem_client::closed_form::ClosedFormSolver;
+    use fem_client::fault::Fault;
+    use fem_client::solver::{NoEquilibrium, Reached, Solver};
+
+    #[test]
+    fn a_change_is_json_or_a_word() {
+        assert_eq!(
+            assignment("ground.depths_mm=[1, 2]").expect("reads"),
+            ("ground.depths_mm", json!([1, 2]))
+        );
+        assert_eq!(
+            assignment("model.level = draft").expect("reads"),
+            ("model.level", json!("draft"))
+        );
+        assert_eq!(assignment("model.level").expect_err("no value").code(), 2);
+    }
+
+    #[test]
+    fn the_document_has_the_fields_that_scripts_read() {
+        let (scene, stop) = (Scene::default(), AtomicBool::new(false));
+        let request = SolveRequest {
+            scene: &scene,
+            readout: &Readout::default(),
+            start: None,
+            stop: &stop,
+        };
+        let solved = ClosedFormSolver::new().solve(&request).expect("solves");
+        let document = document(&solved).expect("finite");
+        assert_eq!(document["status"], "converged");
+        for field in [
+            "reaction_n",
+            "max_volume_change",
+            "newton_iterations",
+            "wall_s",
+        ] {
+            assert!(document[field].is_number(), "{field}");
+        }
+        for pointer in [
+            "/locations/2/strain_x",
+            "/section/sidewall/strain_y",
+            "/inflated/crown_stretch_x",
+            "/error/strain_x",
+        ] {
+            assert!(
+                document.pointer(pointer).is_some_and(Value::is_number),
+                "{pointer}"
+            );
+        }
+        assert!(document["model"].is_object() && document.get("map").is_none());
+        assert!(report(&solved).contains("P3"));
+    }
+
+    #[test]
+    fn a_missing_equilibrium_says_how_far_it_got() {
+        let reached = Reached {
+            pressure_mpa: 0.11,
+            depths_mm: Vec::new(),
+        };
+        let status = NoEquilibrium::LimitPoint;
+        let failure = failure(SolveError::NoEquilibrium {
+            status,
+            detail: "at 0.12 MPa".to_owned(),
+            reached,
+        });
+        assert_eq!(failure.code(), 3);
+        let expected = json!({"status": "limit-point", "detail": "at 0.12 MPa", "reached": {"pressure_mpa": 0.11}});
+        assert_eq!(failure.document(), expected);
+        let refused = vec![Fault {
+            pointer: "/contact/friction".to_owned(),
+            detail: "must be 0".to_owned(),
+        }];
+        assert_eq!(
+            super::failure(SolveError::Refused { faults: refused }).to_string(),
+            "/contact/friction: must be 0\n"
+        );
+    }
+}

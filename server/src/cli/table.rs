@@ -1,0 +1,118 @@
+//! The ranked table and the notes, for people.
+
+use std::fmt::Write;
+
+use placement::result::{RankedLocation, StudyResult};
+
+/// Table 2 of the paper (Sensors 2025, 25, 4026): P1 to P5, x and y, percent.
+const PAPER: [(&str, f64, f64); 5] = [
+    ("P1", 1.4719, 0.0662),
+    ("P2", 6.1071, 19.4910),
+    ("P3", 29.9733, 32.1724),
+    ("P4", 6.6748, 10.1924),
+    ("P5", 1.5767, 0.0662),
+];
+
+/// Everything that `run` prints of a result.
+pub fn report(result: &StudyResult) -> String {
+    let mut text = ranked(result);
+    text.push_str(&notes(result));
+    text.push_str(&cost(result));
+    text
+}
+
+/// One row per location, best first. Global sensitivity indices in percent.
+fn ranked(result: &StudyResult) -> String {
+    let mut text = format!("{}\n\n", result.study.name.escape_debug());
+    text.push_str("                gsi: own depth,      mean over all     strain at the    M-DRM's gsi,      paper's\n");
+    text.push_str("                strain at centre, %  locations, %      location, %      valid or not, %   Table 2, %\n");
+    text.push_str("rank  location       x       y          x       y        x       y        x       y        x       y   rank is\n");
+    for location in &result.locations {
+        text.push_str(&row(location));
+    }
+    text
+}
+
+fn row(location: &RankedLocation) -> String {
+    let paper = PAPER.iter().find(|(name, ..)| *name == location.name);
+    let pairs = [
+        (location.gsi_x_percent, location.gsi_y_percent),
+        (location.mean_gsi_x_percent, location.mean_gsi_y_percent),
+        (location.own_gsi_x_percent, location.own_gsi_y_percent),
+        (location.mdrm_gsi_x_percent, location.mdrm_gsi_y_percent),
+        (paper.map(|(_, x, _)| *x), paper.map(|(_, _, y)| *y)),
+    ];
+    let mut text = format!("{:4}  {:<8} ", location.rank, location.name);
+    for (i, (x, y)) in pairs.into_iter().enumerate() {
+        let gap = if i == 0 {
+            ""
+        } else if i == 1 {
+            "   "
+        } else {
+            " "
+        };
+        let _ = write!(text, "{gap}{} {}", percent(x), percent(y));
+    }
+    text.push_str(if location.rank_certain {
+        "   certain\n"
+    } else {
+        "   uncertain\n"
+    });
+    text
+}
+
+fn percent(number: Option<f64>) -> String {
+    number.map_or_else(|| format!("{:>7}", "-"), |number| format!("{number:7.2}"))
+}
+
+fn notes(result: &StudyResult) -> String {
+    result
+        .notes
+        .iter()
+        .fold(String::from("\n"), |text, note| text + "- " + note + "\n")
+}
+
+fn cost(result: &StudyResult) -> String {
+    let cost = &result.cost;
+    format!(
+        "\nwhole study {:.2} s; {} solves, {} of them known before; {} Newton iterations\n\
+         of the solves' time: factorisation {:.0} %, assembly {:.0} %, the rest {:.0} %\n",
+        cost.wall_s,
+        cost.solves,
+        cost.reused,
+        cost.newton_iterations,
+        100.0 * cost.factorisation_share,
+        100.0 * cost.assembly_share,
+        100.0 * cost.other_share,
+    )
+}
+
+/// The ranked locations as comma-separated values; an index that doesn't exist is an empty field.
+pub fn locations_csv(result: &StudyResult) -> String {
+    let mut text = String::from(
+        "rank,name,gsi_x_percent,gsi_y_percent,mean_gsi_x_percent,mean_gsi_y_percent,own_gsi_x_percent,\
+         own_gsi_y_percent,mdrm_gsi_x_percent,mdrm_gsi_y_percent,rank_x,rank_y,rank_certain\n",
+    );
+    let number = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+    let rank = |value: Option<usize>| value.map(|value| value.to_string()).unwrap_or_default();
+    for l in &result.locations {
+        let fields = [
+            l.rank.to_string(),
+            l.name.clone(),
+            number(l.gsi_x_percent),
+            number(l.gsi_y_percent),
+            number(l.mean_gsi_x_percent),
+            number(l.mean_gsi_y_percent),
+            number(l.own_gsi_x_percent),
+            number(l.own_gsi_y_percent),
+            number(l.mdrm_gsi_x_percent),
+            number(l.mdrm_gsi_y_percent),
+            rank(l.rank_x),
+            rank(l.rank_y),
+            l.rank_certain.to_string(),
+        ];
+        text.push_str(&fields.join(","));
+        text.push('\n');
+    }
+    text
+}
