@@ -1,0 +1,9 @@
+//! The service from outside: a real listener, a fresh database, the closed-form solver behind it.
+
+mod dashboard;
+mod events;
+mod guard;
+mod queue;
+mod results;
+mod studies;
+mod support;
