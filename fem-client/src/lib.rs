@@ -4,7 +4,8 @@
 //! the strains of the inner surface off it. The modules, in reading order:
 //!
 //! - [`fault`]: what is wrong with a document, where, and what would be right
-//! - [`document`]: reads TOML or JSON into checked values, collecting every fault
+//! - [`document`]: reads TOML or JSON text into one kind of value
+//! - [`fields`]: reads checked fields from a value, collecting every fault
 //! - [`scene`]: the scene document and its defaults
 //! - [`scene_reader`]: reads a scene, with the ranges and the rules that tie fields together
 //! - [`scene_edit`]: changes single fields of a scene by their path
@@ -20,6 +21,7 @@ pub mod closed_form;
 pub mod document;
 pub mod embedded;
 pub mod fault;
+pub mod fields;
 pub mod readout;
 pub mod scene;
 pub mod scene_edit;

@@ -4,8 +4,8 @@
 
 use serde_json::{Map, Value};
 
-use crate::document::shown;
 use crate::fault::{Fault, entry, member};
+use crate::fields::shown;
 use crate::scene::Scene;
 
 impl Scene {

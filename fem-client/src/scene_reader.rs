@@ -3,17 +3,19 @@
 //! The ranges are wide enough for tires from micrometres to ten metres, and narrow enough that no product of a few of
 //! them overflows.
 
+mod geometry;
+mod ground;
+
 use serde_json::Value;
 
-use crate::document::{Fields, Format, Range, number, parse, plain, shown};
-use crate::fault::{Fault, entry};
-use crate::scene::{
-    Carcass, Contact, Geometry, GeometryKind, Ground, Level, Material, MaterialModel, Model,
-    Pressure, Scene, StationFunctions,
-};
+use self::geometry::geometry;
+use self::ground::{check_ground_under, ground};
+use crate::document::{Format, parse};
+use crate::fault::Fault;
+use crate::fields::{Fields, Range, number, plain};
+use crate::scene::{Carcass, Contact, Level, Material, MaterialModel, Model, Pressure, Scene};
 
 const LENGTH: Range = Range::new(1e-3, 1e4, "mm");
-const BEAD_ANGLE: Range = Range::new(60.0, 150.0, "degrees");
 const MODULUS: Range = Range::new(1e-6, 1e6, "MPa");
 const MODULUS_OR_ZERO: Range = Range::new(0.0, 1e6, "MPa");
 const COMPRESSIBILITY: Range = Range::new(0.0, 1e6, "1/MPa");
@@ -23,12 +25,6 @@ const SHARE: Range = Range::new(0.0, 1.0, "");
 const PRESSURE: Range = Range::new(0.0, 1e4, "MPa");
 const PENALTY: Range = Range::new(1e-6, 1e9, "N/mm^3");
 const FRICTION: Range = Range::new(0.0, 10.0, "");
-/// Most stations of the ground.
-pub const MAX_STATIONS: usize = 21;
-/// Thinnest wall, in section radii: below it the solid elements degenerate.
-const THINNEST_WALL: f64 = 1e-3;
-/// Least radius of the bead about the axle, in outer radii: the torus must have a hole.
-const SMALLEST_BEAD_RADIUS: f64 = 0.01;
 
 impl Scene {
     /// Reads a scene from TOML.
@@ -108,93 +104,6 @@ fn section<T>(
     }
 }
 
-fn geometry(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Geometry> {
-    check_kind(value, pointer, faults)?;
-    let known = [
-        "kind",
-        "outer_radius_mm",
-        "section_radius_mm",
-        "wall_mm",
-        "bead_angle_deg",
-    ];
-    let fields = Fields::open(value, pointer, &known, faults)?;
-    let default = Geometry::default();
-    let outer = fields.number("outer_radius_mm", LENGTH, default.outer_radius_mm, faults);
-    let section = fields.number(
-        "section_radius_mm",
-        LENGTH,
-        default.section_radius_mm,
-        faults,
-    );
-    let wall = fields.number("wall_mm", LENGTH, default.wall_mm, faults);
-    let bead = fields.number("bead_angle_deg", BEAD_ANGLE, default.bead_angle_deg, faults);
-    let geometry = Geometry {
-        kind: GeometryKind::Tire,
-        outer_radius_mm: outer?,
-        section_radius_mm: section?,
-        wall_mm: wall?,
-        bead_angle_deg: bead?,
-    };
-    check_shape(&geometry, &fields, faults);
-    Some(geometry)
-}
-
-/// Only the tire is modelled: another kind is one fault, whatever its fields are.
-fn check_kind(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<()> {
-    let Some(kind) = value
-        .get("kind")
-        .filter(|kind| kind.as_str() != Some("tire"))
-    else {
-        return Some(());
-    };
-    let known = ["ring", "cylinder", "sphere", "block", "mesh"]
-        .iter()
-        .find(|name| kind.as_str() == Some(name));
-    let detail = match known {
-        Some(name) => format!("this version models only \"tire\"; \"{name}\" isn't available yet"),
-        None => format!(
-            "must be \"tire\", the only kind that this version models; it is {}",
-            shown(kind)
-        ),
-    };
-    Fault::add(faults, &crate::fault::member(pointer, "kind"), detail);
-    None
-}
-
-fn check_shape(geometry: &Geometry, fields: &Fields<'_>, faults: &mut Vec<Fault>) {
-    let Geometry {
-        outer_radius_mm: outer,
-        section_radius_mm: section,
-        wall_mm: wall,
-        bead_angle_deg,
-        ..
-    } = *geometry;
-    if wall >= section {
-        let detail = format!(
-            "must be less than section_radius_mm ({} mm), or there is no cavity; it is {} mm",
-            plain(section),
-            plain(wall)
-        );
-        Fault::add(faults, &fields.at("wall_mm"), detail);
-    } else if wall < THINNEST_WALL * section {
-        let detail = format!(
-            "must be at least {} mm, a thousandth of section_radius_mm",
-            plain(THINNEST_WALL * section)
-        );
-        Fault::add(faults, &fields.at("wall_mm"), detail);
-    }
-    let span = 1.0 - bead_angle_deg.to_radians().cos();
-    if outer - section * span < SMALLEST_BEAD_RADIUS * outer {
-        let largest = (1.0 - SMALLEST_BEAD_RADIUS) * outer / span;
-        let detail = format!(
-            "must be at most {:.6} mm for this outer radius and bead angle, or the beads reach the axle; it is {} mm",
-            largest,
-            plain(section)
-        );
-        Fault::add(faults, &fields.at("section_radius_mm"), detail);
-    }
-}
-
 fn material(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Material> {
     let fields = Fields::open(
         value,
@@ -257,110 +166,6 @@ fn pressure(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Pre
     Some(Pressure {
         internal_mpa: fields.number("internal_mpa", PRESSURE, default, faults)?,
     })
-}
-
-fn ground(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Ground> {
-    let known = [
-        "stations",
-        "station_spacing_mm",
-        "station_functions",
-        "depths_mm",
-    ];
-    let fields = Fields::open(value, pointer, &known, faults)?;
-    let default = Ground::default();
-    let options = [
-        ("bspline", StationFunctions::Bspline),
-        ("hat", StationFunctions::Hat),
-    ];
-    let spacing = fields.number(
-        "station_spacing_mm",
-        LENGTH,
-        default.station_spacing_mm,
-        faults,
-    );
-    let functions = fields.choice(
-        "station_functions",
-        &options,
-        default.station_functions,
-        faults,
-    );
-    let depths = match fields.get("depths_mm") {
-        None => Some(None),
-        Some((value, pointer)) => depths(value, &pointer, faults).map(Some),
-    };
-    let length = depths.as_ref().map_or(default.stations, |given| {
-        given.as_ref().map_or(default.stations, Vec::len)
-    });
-    let stations =
-        fields.integer("stations", (1, MAX_STATIONS as u64), length as u64, faults)? as usize;
-    let depths = depths?.unwrap_or_else(|| vec![1.0; stations]);
-    if depths.len() != stations {
-        let detail = format!(
-            "must equal the length of depths_mm, which is {}; it is {stations}",
-            depths.len()
-        );
-        Fault::add(faults, &fields.at("stations"), detail);
-    } else if stations.is_multiple_of(2) {
-        let detail = format!(
-            "must be odd, so that one station lies at the contact centre; it is {stations}"
-        );
-        Fault::add(faults, &fields.at("stations"), detail);
-    }
-    Some(Ground {
-        stations,
-        station_spacing_mm: spacing?,
-        station_functions: functions?,
-        depths_mm: depths,
-    })
-}
-
-fn depths(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Vec<f64>> {
-    let items = value
-        .as_array()
-        .filter(|items| (1..=MAX_STATIONS).contains(&items.len()));
-    let Some(items) = items else {
-        let detail = format!(
-            "must be a list of 1 to {MAX_STATIONS} depths in mm; it is {}",
-            shown(value)
-        );
-        Fault::add(faults, pointer, detail);
-        return None;
-    };
-    let range = Range::new(0.0, LENGTH.high, "mm");
-    // Read all before stopping at the first None, so that every faulty depth is named.
-    let read: Vec<Option<f64>> = items
-        .iter()
-        .enumerate()
-        .map(|(i, item)| number(item, &entry(pointer, i), range, faults))
-        .collect();
-    read.into_iter().collect()
-}
-
-fn check_ground_under(
-    geometry: &Geometry,
-    ground: &Ground,
-    pointer: &str,
-    faults: &mut Vec<Fault>,
-) {
-    let deepest = Range::new(0.0, geometry.section_radius_mm, "mm (section_radius_mm)");
-    for (i, depth) in ground
-        .depths_mm
-        .iter()
-        .enumerate()
-        .filter(|(_, depth)| **depth > deepest.high)
-    {
-        let detail = format!("must be a number {deepest}; it is {}", plain(*depth));
-        Fault::add(faults, &format!("{pointer}/depths_mm/{i}"), detail);
-    }
-    let half_width = (ground.stations - 1) as f64 / 2.0 * ground.station_spacing_mm;
-    if half_width > geometry.outer_radius_mm {
-        let largest = 2.0 * geometry.outer_radius_mm / (ground.stations - 1) as f64;
-        let detail = format!(
-            "must be at most {} mm, so that all stations lie below the tire",
-            plain(largest)
-        );
-        Fault::add(faults, &format!("{pointer}/station_spacing_mm"), detail);
-    }
 }
 
 fn contact(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Contact> {

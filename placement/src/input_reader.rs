@@ -1,7 +1,7 @@
 //! Reads the uncertain inputs of a study: their names, paths and distributions.
 
-use fem_client::document::{Fields, Range, shown};
 use fem_client::fault::{Fault, entry};
+use fem_client::fields::{Fields, Range, shown};
 use fem_client::scene::Scene;
 use gsa::distribution::{Distribution, DistributionError};
 use serde_json::Value;

@@ -172,3 +172,85 @@ impl<'s> Matrix<'s> {
         Some(100.0 * (self.x[centre].0.error.total? + self.y[centre].0.error.total?))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn location(
+        name: &str,
+        gsi_x_percent: Option<f64>,
+        gsi_y_percent: Option<f64>,
+    ) -> RankedLocation {
+        RankedLocation {
+            name: name.to_owned(),
+            rank: 0,
+            gsi_x_percent,
+            gsi_y_percent,
+            mean_gsi_x_percent: None,
+            mean_gsi_y_percent: None,
+            own_gsi_x_percent: None,
+            own_gsi_y_percent: None,
+            mdrm_gsi_x_percent: None,
+            mdrm_gsi_y_percent: None,
+            rank_x: None,
+            rank_y: None,
+            rank_certain: false,
+        }
+    }
+
+    #[test]
+    fn equal_sums_go_by_x_then_by_name_and_missing_ones_last() {
+        let locations = [
+            location("P0", None, Some(90.0)),
+            location("P2", Some(10.0), Some(20.0)),
+            location("P3", Some(11.0), Some(19.0)),
+            location("P1", Some(10.0 + 1e-9), Some(20.0)),
+            location("P4", Some(30.0), Some(30.0)),
+        ];
+        let order = ordered(&locations, &[default_key, gsi_x]);
+        let names: Vec<&str> = order
+            .into_iter()
+            .map(|i| locations[i].name.as_str())
+            .collect();
+        assert_eq!(names, ["P4", "P3", "P1", "P2", "P0"]);
+    }
+
+    #[test]
+    fn the_order_does_not_depend_on_the_order_given() {
+        // Neighbours are equal within the tolerance, the ends are not: no comparison of pairs would be an order.
+        let chain: Vec<RankedLocation> = (0..40)
+            .map(|i| location(&format!("P{i:02}"), Some(0.6e-7 * f64::from(i)), Some(0.0)))
+            .collect();
+        let names = |locations: &[RankedLocation]| -> Vec<String> {
+            let order = ordered(locations, &[default_key]);
+            order
+                .into_iter()
+                .map(|i| locations[i].name.clone())
+                .collect()
+        };
+        let mut reversed = chain.clone();
+        reversed.reverse();
+        assert_eq!(names(&chain), names(&reversed));
+        assert!(names(&chain).is_sorted());
+    }
+
+    #[test]
+    fn ranks_are_certain_beyond_the_errors_of_both_neighbours() {
+        let mut ranked = [
+            location("a", Some(60.0), Some(0.0)),
+            location("b", Some(50.0), Some(0.0)),
+            location("c", Some(45.0), Some(0.0)),
+            location("d", None, None),
+        ];
+        mark_certain(&mut ranked, Some(4.0));
+        assert_eq!(
+            ranked.each_ref().map(|l| l.rank_certain),
+            [true, false, false, false]
+        );
+        mark_certain(&mut ranked[..3], Some(2.0));
+        assert!(ranked[..3].iter().all(|l| l.rank_certain));
+        mark_certain(&mut ranked, None);
+        assert!(ranked.iter().all(|l| !l.rank_certain));
+    }
+}

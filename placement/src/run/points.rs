@@ -8,13 +8,12 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use fem_client::fault::Fault;
 use fem_client::solver::{
     Cost, Readout, Response, SolveError, SolveRequest, Solved, Solver, StartState,
 };
 
 use super::finite::not_finite;
-use super::{Event, Observer, RunError};
+use super::{Event, Observer, RunError, refusals};
 use crate::archive::{Archive, ArchiveError, PointRecord};
 use crate::plan::Plan;
 use crate::result::FailedPoint;
@@ -65,9 +64,7 @@ pub(crate) fn keys(plan: &Plan, solver: &dyn Solver, readout: &Readout) -> Vec<S
 /// Why one point has no answer.
 enum Lack {
     /// The point itself: its siblings go on.
-    Failed(String),
-    /// The solver refuses the scene.
-    Refused(Vec<Fault>),
+    Failed(SolveError),
     /// The run ends.
     Stopped,
     /// The run ends.
@@ -130,14 +127,11 @@ impl Points<'_> {
         match lack {
             Lack::Stopped => RunError::Stopped,
             Lack::Archive(error) => RunError::Archive(error),
-            Lack::Refused(faults) => RunError::Refused { faults },
-            Lack::Failed(cause) => {
-                (self.observer)(Event::PointFailed {
-                    ordinal: 0,
-                    cause: cause.clone(),
-                });
+            Lack::Failed(SolveError::Refused { faults }) => RunError::Refused { faults },
+            Lack::Failed(error) => {
+                self.report_failed(0, &error);
                 RunError::PointsFailed {
-                    failed: vec![self.failed_point(0, cause)],
+                    failed: vec![self.failed_point(0, &error)],
                 }
             }
         }
@@ -185,22 +179,15 @@ impl Points<'_> {
         start: &StartState,
         done: &Mutex<usize>,
     ) -> Result<Answer, Lack> {
-        let solved = match self.solved(ordinal, Some(start)) {
-            Err(Lack::Refused(faults)) => Err(Lack::Failed(refusal(&faults))),
-            other => other,
-        };
-        match solved {
+        match self.solved(ordinal, Some(start)) {
             Ok(solved) => {
                 self.save(ordinal, &solved, None).map_err(Lack::Archive)?;
                 self.report_solved(ordinal, &solved.cost, done);
                 Ok((solved.response, solved.cost))
             }
             Err(lack) => {
-                if let Lack::Failed(cause) = &lack {
-                    (self.observer)(Event::PointFailed {
-                        ordinal,
-                        cause: cause.clone(),
-                    });
+                if let Lack::Failed(error) = &lack {
+                    self.report_failed(ordinal, error);
                 }
                 Err(lack)
             }
@@ -217,10 +204,7 @@ impl Points<'_> {
         for (ordinal, outcome) in outcomes {
             match outcome {
                 Ok(answer) => answers.push((ordinal, answer)),
-                Err(Lack::Failed(cause)) => failed.push(self.failed_point(ordinal, cause)),
-                Err(Lack::Refused(faults)) => {
-                    failed.push(self.failed_point(ordinal, refusal(&faults)));
-                }
+                Err(Lack::Failed(error)) => failed.push(self.failed_point(ordinal, &error)),
                 Err(Lack::Stopped) => stopped = true,
                 Err(Lack::Archive(error)) => archive = Some(error),
             }
@@ -241,8 +225,7 @@ impl Points<'_> {
         }
         .map_err(|error| match error {
             SolveError::Stopped => Lack::Stopped,
-            SolveError::Refused { faults } => Lack::Refused(faults),
-            error => Lack::Failed(error.to_string()),
+            error => Lack::Failed(error),
         })
     }
 
@@ -297,18 +280,28 @@ impl Points<'_> {
         });
     }
 
-    fn failed_point(&self, ordinal: usize, cause: String) -> FailedPoint {
+    fn report_failed(&self, ordinal: usize, error: &SolveError) {
+        (self.observer)(Event::PointFailed {
+            ordinal,
+            cause: cause(error),
+        });
+    }
+
+    fn failed_point(&self, ordinal: usize, error: &SolveError) -> FailedPoint {
+        let values = self.plan.design.points()[ordinal].clone();
         FailedPoint {
             ordinal,
-            values: self.plan.design.points()[ordinal].clone(),
-            cause,
+            values,
+            cause: cause(error),
         }
     }
 }
 
-fn refusal(faults: &[Fault]) -> String {
-    let faults: Vec<String> = faults.iter().map(Fault::to_string).collect();
-    format!("the solver refuses the scene: {}", faults.join("; "))
+fn cause(error: &SolveError) -> String {
+    match error {
+        SolveError::Refused { faults } => format!("{error}: {}", refusals(faults)),
+        other => other.to_string(),
+    }
 }
 
 fn message(panic: &(dyn std::any::Any + Send)) -> &str {
