@@ -1,0 +1,197 @@
+//! The real program on the command line.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
+fn strainsite(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_strainsite"))
+        .args(arguments)
+        .current_dir(folder)
+        .env_remove("STRAINSITE_DB")
+        .output()
+        .expect("the program runs")
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).expect("UTF-8")
+}
+
+/// The shipped study on the coarsest mesh, as a file in the folder.
+fn draft(folder: &Path) -> &'static str {
+    let study = std::fs::read_to_string(format!("{REPOSITORY}/studies/foot-tire.toml"))
+        .expect("the study ships");
+    let study = study.replace("preset = \"standard\"", "preset = \"draft\"");
+    std::fs::write(folder.join("draft.toml"), study).expect("writes");
+    "draft.toml"
+}
+
+#[test]
+fn a_study_runs_and_leaves_its_result_in_every_form_that_was_asked_for() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let study = draft(folder.path());
+    let first = strainsite(
+        folder.path(),
+        &["run", study, "--out", "answer", "--json", "-"],
+    );
+    assert_eq!(first.status.code(), Some(0), "{}", text(&first.stderr));
+    let result: Value =
+        serde_json::from_slice(&first.stdout).expect("one JSON document and nothing else");
+    assert_eq!(
+        result["locations"][0]["name"], "P3",
+        "the deformation centre ranks first"
+    );
+    assert!(
+        text(&first.stderr).contains("rank  location"),
+        "the table goes to standard error"
+    );
+
+    let file =
+        std::fs::read_to_string(folder.path().join("answer/result.json")).expect("the result");
+    assert_eq!(serde_json::from_str::<Value>(&file).expect("JSON"), result);
+    let csv =
+        std::fs::read_to_string(folder.path().join("answer/locations.csv")).expect("the locations");
+    assert_eq!(csv.lines().count(), 6);
+    assert!(
+        csv.lines()
+            .nth(1)
+            .is_some_and(|line| line.starts_with("1,P3,")),
+        "{csv}"
+    );
+
+    // The same study again takes every point from the database.
+    let again = strainsite(folder.path(), &["run", study]);
+    assert_eq!(again.status.code(), Some(0));
+    let table = text(&again.stdout);
+    assert!(
+        table.contains("29.97") && table.contains("26 solves, 26 of them known before"),
+        "{table}"
+    );
+}
+
+#[test]
+fn one_equilibrium_is_solved_and_changed_by_its_keys() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let scene = format!("{REPOSITORY}/scenes/foot-tire.toml");
+    let solve = |depth: &str| {
+        let depths = format!("ground.depths_mm={depth}");
+        let output = strainsite(
+            folder.path(),
+            &[
+                "solve",
+                &scene,
+                "--set",
+                "model.level=draft",
+                "--set",
+                &depths,
+                "--json",
+                "-",
+            ],
+        );
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let answer: Value =
+            serde_json::from_slice(&output.stdout).expect("one JSON document and nothing else");
+        assert_eq!(answer["status"], "converged");
+        answer["reaction_n"].as_f64().expect("a force")
+    };
+    let (shallow, deep) = (solve("[0.5,0.5,0.5,0.5,0.5]"), solve("[1,1,1,1,1]"));
+    assert!(
+        0.0 < shallow && shallow < deep,
+        "{shallow} N at 0.5 mm, {deep} N at 1 mm"
+    );
+}
+
+#[test]
+fn wrong_input_ends_with_2_and_every_fault_on_a_line_of_its_own() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    std::fs::write(
+        folder.path().join("scene.toml"),
+        "[pressure]\ninternal_mpa = -1\n[carcass]\nposition = 2\n",
+    )
+    .expect("writes");
+    for command in ["validate", "solve"] {
+        let output = strainsite(folder.path(), &[command, "scene.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{command}");
+        let lines: Vec<&str> = text(&output.stderr).lines().collect();
+        assert_eq!(lines.len(), 2, "{lines:?}");
+        assert!(
+            lines
+                .iter()
+                .any(|line| line.starts_with("/pressure/internal_mpa: ")),
+            "{lines:?}"
+        );
+        assert!(
+            lines
+                .iter()
+                .any(|line| line.starts_with("/carcass/position: ")),
+            "{lines:?}"
+        );
+        assert!(output.stdout.is_empty());
+    }
+    for arguments in [
+        vec!["validate", "absent.toml"],
+        vec!["run", "absent.toml"],
+        vec!["run", "scene.toml"],
+        vec!["solve", "scene.toml", "--set", "pressure"],
+        vec!["serve", "--addr", "0.0.0.0:8080"],
+        vec!["fly"],
+    ] {
+        let output = strainsite(folder.path(), &arguments);
+        assert_eq!(
+            output.status.code(),
+            Some(2),
+            "{arguments:?}: {}",
+            text(&output.stderr)
+        );
+        assert!(!output.stderr.is_empty());
+    }
+    assert!(
+        !folder.path().join("strainsite.db").exists(),
+        "a refused study makes no database"
+    );
+}
+
+#[test]
+fn shipped_documents_are_valid() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    for kind in ["studies", "scenes"] {
+        for file in std::fs::read_dir(format!("{REPOSITORY}/{kind}")).expect("the folder ships") {
+            let path = file.expect("an entry").path();
+            let output = strainsite(folder.path(), &["validate", &path.to_string_lossy()]);
+            assert_eq!(
+                output.status.code(),
+                Some(0),
+                "{}: {}",
+                path.display(),
+                text(&output.stderr)
+            );
+        }
+    }
+}
+
+#[test]
+fn an_unusable_database_is_a_clear_failure() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let study = draft(folder.path());
+    std::fs::write(
+        folder.path().join("letter.db"),
+        "dear reader, this is not a database".repeat(100),
+    )
+    .expect("writes");
+    let output = strainsite(
+        folder.path(),
+        &["run", study, "--db", "letter.db", "--json", "-"],
+    );
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        text(&output.stderr).contains("letter.db"),
+        "{}",
+        text(&output.stderr)
+    );
+    let document: Value =
+        serde_json::from_slice(&output.stdout).expect("one JSON document and nothing else");
+    assert_eq!(document["status"], "failed");
+}
