@@ -29,7 +29,7 @@ test("an index keeps the scale from 0 to 1, a deviation its own", () => {
 test("signed strain has zero in the middle of its scale", () => {
   const strain = fieldOf(map, "x", "strain", 0);
   assert.ok(strain);
-  assert.deepEqual([strain.scale.low, strain.scale.high], [-0.02, 0.02]);
+  assert.deepEqual([strain.scale.low, strain.scale.high, strain.judged], [-0.02, 0.02, false]);
   assert.equal(shareOf(strain.scale, 0), 0.5);
   assert.equal(shareOf(strain.scale, 9), 1);
 });

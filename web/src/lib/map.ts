@@ -11,6 +11,8 @@ export interface Field {
   values: readonly (number | null)[];
   errors: readonly (number | null)[];
   status: readonly OutputStatus[];
+  /** Whether the values depend on the status: all but the strain at the means do. */
+  judged: boolean;
   scale: Scale;
 }
 
@@ -54,7 +56,9 @@ export function fieldOf(map: IndexMap, direction: Direction, quantity: Quantity,
   const values = quantity === "index" ? layer.first_order[input] : layer[quantity];
   if (values === undefined) return null;
   const { theta_deg, phi_deg } = map;
-  return { theta_deg, phi_deg, values, errors: layer.error, status: layer.status, scale: scaleOf(values, quantity) };
+  const judged = quantity !== "strain";
+  const scale = scaleOf(values, quantity);
+  return { theta_deg, phi_deg, values, errors: layer.error, status: layer.status, judged, scale };
 }
 
 function scaleOf(values: readonly (number | null)[], quantity: Quantity): Scale {

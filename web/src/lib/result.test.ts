@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Output, RankedLocation, StudyResult } from "../types.ts";
-import { bars, byRank, centreName, centreOutput, largest, locationNames, paperGap, productFormBroken } from "./result.ts";
+import { bars, byRank, centreName, centreOutput, largest, locationNames, mdrmGap, paperGap, productFormBroken } from "./result.ts";
 import { paperPercent } from "./paper.ts";
 
 const output = (location: string, direction: "x" | "y"): Output => ({
@@ -56,4 +56,12 @@ test("columns are compared with the paper's at the location where they differ mo
   const gap = paperGap(result, "x");
   assert.ok(gap !== null && Math.abs(gap.valid - 73.8929) < 1e-9 && Math.abs(gap.mdrm - 33.8929) < 1e-9);
   assert.equal(paperGap(result, "y"), null);
+});
+
+test("M-DRM's distance from the valid column is held against the error", () => {
+  // The error is 2 points; M-DRM has half of each: 40 points away at P2.
+  assert.deepEqual(mdrmGap(result, "x"), { points: 40, covered: false });
+  const close = { ...result, locations: result.locations.map((row) => ({ ...row, mdrm_gsi_x_percent: row.gsi_x_percent })) };
+  assert.deepEqual(mdrmGap(close, "x"), { points: 0, covered: true });
+  assert.equal(mdrmGap(result, "y"), null);
 });

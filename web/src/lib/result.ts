@@ -99,3 +99,13 @@ export function paperGap(result: StudyResult, direction: Direction): PaperGap | 
   }
   return gap;
 }
+
+/** Largest difference between M-DRM's column and the valid one, percentage points, and whether the error covers it. */
+export function mdrmGap(result: StudyResult, direction: Direction): { points: number; covered: boolean } | null {
+  const rows = bars(result, direction);
+  const gaps = rows.map((bar) => (bar.mdrm === null || bar.percent === null ? null : Math.abs(bar.mdrm - bar.percent)));
+  if (gaps.length === 0 || gaps.some((gap) => gap === null)) return null;
+  const points = Math.max(...(gaps as number[]));
+  const error = rows[0]?.error ?? null;
+  return { points, covered: error !== null && points <= error };
+}

@@ -25,7 +25,7 @@ export function paintField(canvas: HTMLCanvasElement, field: Field, frame: Frame
       const width = Math.round((box.x + box.width) * density) - left;
       const height = Math.round((box.y + box.height) * density) - top;
       context.fillRect(left, top, width, height);
-      if (field.status[index] !== "ok") marked.rect(left, top, width, height);
+      if (field.judged && field.status[index] !== "ok") marked.rect(left, top, width, height);
     }),
   );
   hatch(context, marked, density);

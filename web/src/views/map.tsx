@@ -39,7 +39,7 @@ export function MapView(props: { result: StudyResult; route: StudyRoute; onAdjus
           />
           <Readout field={field} cell={cell} quantity={route.quantity} title={title} />
           <Legend scale={field.scale} title={title} />
-          <Remarks field={field} />
+          <Remarks field={field} quantity={route.quantity} />
         </>
       )}
     </section>
@@ -87,14 +87,16 @@ function Readout(props: { field: Field; cell: Cell | null; quantity: Quantity; t
       <span>φ {fixed(field.phi_deg[cell.row], 1)}°</span>
       <strong>{value === null ? "no value" : `${shown}${unit}`}</strong>
       {quantity === "index" ? <span>{bar}</span> : quantity !== "error" && <span>indices here {bar}</span>}
-      <span>{statusName(field.status[index] ?? "ok")}</span>
+      <span>status: {statusName(field.status[index] ?? "ok")}</span>
     </p>
   );
 }
 
-function Remarks({ field }: { field: Field }) {
-  const counts = countStatus(field.status);
+function Remarks({ field, quantity }: { field: Field; quantity: Quantity }) {
+  const counts = countStatus(field.judged ? field.status : []);
   const parts = [
+    quantity === "index" &&
+      "An index is a share: where the strain hardly varies it says nothing, so look at the standard deviation too.",
     counts["product-form-broken"] > 0 &&
       `${counts["product-form-broken"]} of ${field.status.length} cells are hatched because M-DRM's product form is broken there; their indices come from the additive form.`,
     counts.constant > 0 && `${counts.constant} hatched cells don't vary with the inputs and have no index.`,

@@ -33,7 +33,7 @@ function Choices({ title, choices }: { title: string; choices: Choice[] }) {
               <dt>{choice.what}</dt>
               <dd>
                 {choice.why}
-                {choice.effect != null && <span class="effect"> Estimated effect {percent(choice.effect, 1)} %.</span>}
+                {choice.effect != null && choice.effect !== 0 && <span class="effect"> Estimated effect {percent(choice.effect, 1)} %.</span>}
               </dd>
             </div>
           ))}
