@@ -195,3 +195,112 @@ fn an_unusable_database_is_a_clear_failure() {
         serde_json::from_slice(&output.stdout).expect("one JSON document and nothing else");
     assert_eq!(document["status"], "failed");
 }
+
+#[test]
+fn a_load_that_the_tire_can_not_hold_ends_with_3_and_how_far_it_got() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    // Without its carcass the reference tire loses its stability below 0.2 MPa.
+    let scene = "[pressure]\ninternal_mpa = 0.2\n[model]\nlevel = \"draft\"\n";
+    std::fs::write(folder.path().join("bare.toml"), scene).expect("writes");
+    let output = strainsite(folder.path(), &["solve", "bare.toml", "--json", "-"]);
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+    let answer: Value =
+        serde_json::from_slice(&output.stdout).expect("one JSON document and nothing else");
+    assert_eq!(answer["status"], "limit-point");
+    assert!(answer["detail"].is_string());
+    let reached = answer["reached"]["pressure_mpa"]
+        .as_f64()
+        .expect("a pressure");
+    assert!(0.0 < reached && reached < 0.2, "{reached} MPa");
+}
+
+#[cfg(unix)]
+mod signals {
+    use super::*;
+    use std::io::{BufRead, BufReader};
+    use std::process::{Child, Stdio};
+    use std::time::{Duration, Instant};
+
+    fn spawn(folder: &Path, arguments: &[&str]) -> Child {
+        Command::new(env!("CARGO_BIN_EXE_strainsite"))
+            .args(arguments)
+            .current_dir(folder)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts")
+    }
+
+    fn send(signal: &str, child: &Child) {
+        let sent = Command::new("kill")
+            .args([signal, &child.id().to_string()])
+            .status()
+            .expect("kill runs");
+        assert!(sent.success());
+    }
+
+    async fn stored_points(database: &Path) -> i64 {
+        use sqlx::Connection;
+        let options = sqlx::sqlite::SqliteConnectOptions::new()
+            .filename(database)
+            .read_only(true);
+        let Ok(mut sql) = sqlx::SqliteConnection::connect_with(&options).await else {
+            return 0;
+        };
+        sqlx::query_scalar("select count(*) from study_points")
+            .fetch_one(&mut sql)
+            .await
+            .unwrap_or(0)
+    }
+
+    #[tokio::test]
+    async fn ctrl_c_keeps_what_is_solved_and_the_next_run_resumes() {
+        let folder = tempfile::tempdir().expect("temp dir");
+        let study = draft(folder.path());
+        let run = spawn(folder.path(), &["run", study, "--threads", "1"]);
+        let begun = Instant::now();
+        while stored_points(&folder.path().join("strainsite.db")).await < 3 {
+            assert!(
+                begun.elapsed() < Duration::from_secs(60),
+                "no point was stored"
+            );
+            tokio::time::sleep(Duration::from_millis(5)).await;
+        }
+        send("-INT", &run);
+        let output = run.wait_with_output().expect("ends");
+        assert_eq!(output.status.code(), Some(1));
+        assert!(
+            text(&output.stderr).contains("next run of this study resumes"),
+            "{}",
+            text(&output.stderr)
+        );
+        let kept = stored_points(&folder.path().join("strainsite.db")).await;
+        assert!((3..26).contains(&kept), "{kept} points");
+
+        let resumed = strainsite(folder.path(), &["run", study, "--json", "-"]);
+        assert_eq!(resumed.status.code(), Some(0), "{}", text(&resumed.stderr));
+        let result: Value = serde_json::from_slice(&resumed.stdout).expect("JSON");
+        assert_eq!(result["cost"]["reused"], kept);
+    }
+
+    #[test]
+    fn the_service_ends_with_0_when_it_is_asked_to_stop() {
+        for signal in ["-INT", "-TERM"] {
+            let folder = tempfile::tempdir().expect("temp dir");
+            let mut service = spawn(folder.path(), &["serve", "--addr", "127.0.0.1:0"]);
+            let mut line = String::new();
+            let stdout = service.stdout.take().expect("a pipe");
+            BufReader::new(stdout).read_line(&mut line).expect("a line");
+            assert!(
+                line.starts_with("listening on http://127.0.0.1:"),
+                "{line:?}"
+            );
+            send(signal, &service);
+            assert_eq!(service.wait().expect("ends").code(), Some(0), "{signal}");
+            assert!(
+                !folder.path().join("strainsite.db-wal").exists(),
+                "the log is folded into the database"
+            );
+        }
+    }
+}
