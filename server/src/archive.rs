@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use fem_client::solver::{Cost, Response, StartState};
 use placement::archive::{Archive, ArchiveError, PointRecord};
@@ -18,6 +19,7 @@ pub struct StoreArchive {
     study: String,
     /// The ordinal of each scene of the plan: no two points of a plan share a scene.
     ordinals: HashMap<String, usize>,
+    disk_full: AtomicBool,
 }
 
 impl StoreArchive {
@@ -32,7 +34,13 @@ impl StoreArchive {
             runtime,
             study: study.to_owned(),
             ordinals,
+            disk_full: AtomicBool::new(false),
         }
+    }
+
+    /// Whether a point could not be stored because the disk is full.
+    pub fn disk_full(&self) -> bool {
+        self.disk_full.load(Ordering::Relaxed)
     }
 
     /// Finds an evaluation, whichever study solved it, and notes that this study uses it too.
@@ -68,6 +76,9 @@ impl Archive for StoreArchive {
             evaluations::insert(&mut transaction, &self.study, point).await?;
             self.store.commit(transaction, 0).await
         });
+        if matches!(saved, Err(StoreError::Full)) {
+            self.disk_full.store(true, Ordering::Relaxed);
+        }
         saved.map_err(failed)
     }
 

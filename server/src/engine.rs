@@ -42,6 +42,8 @@ pub enum End {
     },
     /// On request; what was solved is kept.
     Stopped,
+    /// Because the disk is full; what was solved before is kept.
+    DiskFull,
 }
 
 impl End {
@@ -51,6 +53,7 @@ impl End {
             Self::Done(_) => "done",
             Self::Failed { .. } => "failed",
             Self::Stopped => "stopped",
+            Self::DiskFull => "disk full",
         }
     }
 
@@ -97,6 +100,7 @@ impl Engine {
                 End::Done(Box::new(result))
             }
             Err(RunError::Stopped) => End::Stopped,
+            Err(RunError::Archive(_)) if archive.disk_full() => End::DiskFull,
             Err(error) => {
                 let sentence = error.to_string();
                 let points = if let RunError::PointsFailed { failed } = error {
@@ -144,7 +148,7 @@ impl Engine {
                     json!({"error": error, "failed_points": points}),
                 )
             }
-            End::Stopped => {
+            End::Stopped | End::DiskFull => {
                 let changed = studies::release(&mut transaction, &row.id).await?;
                 (changed, "queued", json!({"resumed": true}))
             }

@@ -19,6 +19,8 @@ use crate::store::{Store, StoreError, events, idempotency};
 
 /// How long to wait before the database is tried again.
 const RETRY: Duration = Duration::from_secs(1);
+/// How long to wait for space on the disk.
+const SPACE: Duration = Duration::from_secs(5);
 
 /// Takes studies in, runs them, cancels them.
 pub struct Queue {
@@ -116,7 +118,7 @@ impl Queue {
                 }
                 Err(error) => {
                     tracing::error!(%error, "the queue can't go on; it tries again");
-                    tokio::time::sleep(RETRY).await;
+                    self.pause(RETRY).await;
                 }
             }
         }
@@ -136,7 +138,12 @@ impl Queue {
         if self.still_running(&row.id).await? {
             tracing::info!(study = row.id, name = ?row.name, "study started");
             let end = self.run(row.clone(), stop).await;
+            let wait = matches!(end, End::DiskFull);
             self.settle(&row, end).await;
+            if wait {
+                // Back in the queue, it would solve the point again only to find the disk as full as before.
+                self.pause(SPACE).await;
+            }
         }
         self.set_current(None);
         Ok(true)
@@ -202,9 +209,17 @@ impl Queue {
                     if self.shutdown.requested() {
                         return;
                     }
-                    tokio::time::sleep(RETRY).await;
+                    self.pause(RETRY).await;
                 }
             }
+        }
+    }
+
+    async fn pause(&self, time: Duration) {
+        let mut shutdown = self.shutdown.clone();
+        tokio::select! {
+            () = tokio::time::sleep(time) => {}
+            () = shutdown.wait() => {}
         }
     }
 

@@ -76,6 +76,7 @@ impl Run {
         match end {
             End::Done(result) => self.publish(&result),
             End::Failed { error, points } => Err(failure(error, &points)),
+            End::DiskFull => Err(Failure::other(StoreError::Full)),
             End::Stopped => Err(Failure::Other(format!(
                 "stopped; what is solved is kept in {}, and the next run of this study resumes there",
                 self.config.db.display()
