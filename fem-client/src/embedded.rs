@@ -286,6 +286,7 @@ fn cause(cause: Cause) -> &'static str {
         Cause::Diverged => "the residual grew without bound at the smallest load step",
         Cause::Inverted => "an element would turn inside out",
         Cause::Singular(_) => "the tangent is singular",
+        Cause::Unstable => "the equilibrium found is unstable",
         Cause::Stopped => "stopped on request",
     }
 }

@@ -70,6 +70,8 @@ pub enum Cause {
     Inverted,
     /// The tangent is singular.
     Singular(LinearError),
+    /// An equilibrium was found, but it is unstable.
+    Unstable,
     /// The caller asked to stop.
     Stopped,
 }

@@ -1,10 +1,10 @@
-//! Load stepping with automatic cut-back.
+//! Load stepping with automatic cut-back along stable equilibria.
 
 use std::sync::atomic::AtomicBool;
 
 use crate::assembly::Imbalance;
 use crate::linear::Definiteness;
-use crate::newton::{Cause, Newton, NotConverged};
+use crate::newton::{Cause, Converged, Newton, NotConverged};
 use crate::problem::{Loads, State};
 
 /// Smallest fraction of the whole path that is tried before giving up.
@@ -17,8 +17,6 @@ pub struct PathReport {
     pub steps: Vec<Vec<Imbalance>>,
     /// Attempts that failed and were repeated with a smaller step.
     pub cut_backs: usize,
-    /// Whether the last equilibrium is stable: its tangent is positive definite.
-    pub definiteness: Definiteness,
 }
 
 /// The path ended before its target.
@@ -37,7 +35,8 @@ pub struct PathFailure {
 }
 
 /// Follows the loads from `start`, at which `state` is in equilibrium, to `target`. The first step is the whole way; a
-/// step that fails is halved, one that succeeds doubles the next. On failure `state` is the last equilibrium.
+/// step that fails is halved, one that succeeds doubles the next. An equilibrium whose tangent isn't positive definite is
+/// unstable: the body would not stay there, so such a step fails too. On failure `state` is the last equilibrium.
 ///
 /// # Errors
 /// [`PathFailure`] says how far it got and why.
@@ -51,25 +50,24 @@ pub fn follow(
     let mut report = PathReport {
         steps: Vec::new(),
         cut_backs: 0,
-        definiteness: Definiteness::Positive,
     };
     let (mut reached, mut step) = (0.0, 1.0);
     while reached < 1.0 {
         let next = f64::min(reached + step, 1.0);
         let mut trial = state.clone();
         match newton.solve(&mut trial, &start.towards(target, next), stop) {
-            Ok(converged) => {
+            Ok(converged) if converged.definiteness == Definiteness::Positive => {
                 *state = trial;
                 reached = next;
                 step *= 2.0;
-                report.definiteness = converged.definiteness;
                 report.steps.push(converged.history);
             }
-            Err(NotConverged {
-                history,
-                cause,
-                indefinite,
-            }) => {
+            attempt => {
+                let NotConverged {
+                    history,
+                    cause,
+                    indefinite,
+                } = refused(attempt);
                 step *= 0.5;
                 if step < SMALLEST_STEP || cause == Cause::Stopped {
                     let loads = start.towards(target, reached);
@@ -86,4 +84,16 @@ pub fn follow(
         }
     }
     Ok(report)
+}
+
+/// Why a step is not taken: it found no equilibrium, or one that is unstable.
+fn refused(attempt: Result<Converged, NotConverged>) -> NotConverged {
+    attempt.map_or_else(
+        |failure| failure,
+        |converged| NotConverged {
+            history: converged.history,
+            cause: Cause::Unstable,
+            indefinite: true,
+        },
+    )
 }

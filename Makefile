@@ -1,0 +1,45 @@
+# The two commands: `make run` and `make test`. Both do all their set-up themselves.
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.PHONY: run build test lint test-rust test-web test-browser setup-build setup-test help
+
+STRAINSITE := $(or $(CARGO_TARGET_DIR),target)/release/strainsite
+export STRAINSITE_BIN := $(abspath $(STRAINSITE))
+# Debian packages are installed as root, or by sudo where there is one.
+APT_GET := $(if $(filter 0,$(shell id -u)),,sudo )apt-get
+
+help:
+	@echo "make run    build, run the paper's study on the default database, serve the dashboard"
+	@echo "make test   every check and test"
+
+run: build
+	$(STRAINSITE) run studies/foot-tire.toml
+	$(STRAINSITE) serve
+
+build: setup-build
+	cargo build --release --locked --bin strainsite
+
+test: lint test-rust test-web test-browser
+
+lint: setup-build
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets --locked -- -D warnings
+	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
+
+test-rust: setup-build
+	cargo test --release --workspace --locked
+
+test-web: setup-test
+	cd web && npm ci && npm test && npm run check-dist
+
+test-browser: setup-test build
+	cd tests/browser && npm ci && npm test
+
+setup-build:
+	@command -v cargo >/dev/null || { echo "Rust is missing: install rustup's stable toolchain (1.95 or newer)"; exit 1; }
+	@command -v cc >/dev/null || { $(APT_GET) update -q && $(APT_GET) install -y -q gcc libc6-dev; }
+
+setup-test:
+	@command -v npm >/dev/null || { echo "Node.js is missing: install version 20.19 or newer with npm"; exit 1; }
+	@test -x /usr/bin/chromium || { $(APT_GET) update -q && $(APT_GET) install -y -q --no-install-recommends chromium; }
