@@ -118,6 +118,10 @@ impl Engine {
 
     async fn record(&self, study: &str, event: &Event) -> Result<(), StoreError> {
         let mut transaction = self.store.begin().await?;
+        // A solve may end after its study was cancelled: its point is kept, but nothing comes after the last event.
+        if !studies::is_running(&mut transaction, study).await? {
+            return Ok(());
+        }
         if let Some((total, done)) = progress_of(event) {
             studies::set_progress(&mut transaction, study, total, done).await?;
         }

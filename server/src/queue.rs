@@ -14,7 +14,7 @@ use tokio::sync::{Notify, oneshot};
 
 use crate::engine::{End, Engine};
 use crate::shutdown::Shutdown;
-use crate::store::studies::{self, State, StudyRow};
+use crate::store::studies::{self, StudyRow};
 use crate::store::{Store, StoreError, events, idempotency};
 
 /// How long to wait before the database is tried again.
@@ -161,9 +161,7 @@ impl Queue {
 
     async fn still_running(&self, id: &str) -> Result<bool, StoreError> {
         let mut connection = self.engine.store.read().await?;
-        Ok(studies::find(&mut connection, id)
-            .await?
-            .is_some_and(|row| row.state() == State::Running))
+        studies::is_running(&mut connection, id).await
     }
 
     /// Runs a study on a thread of its own, so that the runtime stays free.

@@ -136,7 +136,7 @@ fn stop_flag(runtime: &Runtime) -> Result<Arc<AtomicBool>, Failure> {
 fn progress_bar() -> ProgressBar {
     let bar = ProgressBar::new(0);
     if let Ok(style) = ProgressStyle::with_template(
-        "{bar:40} {pos}/{len} points, {elapsed} gone, {eta} to go  {msg}",
+        "{wide_bar} {pos}/{len} points, {elapsed} gone, {eta} to go  {msg}",
     ) {
         bar.set_style(style);
     }

@@ -1,17 +1,21 @@
 //! Reads the body of a submitted study.
 
-use axum::body::to_bytes;
+use std::time::Duration;
+
+use axum::body::Body;
 use axum::extract::{FromRequest, Request};
 use axum::http::{HeaderMap, StatusCode, header};
 use fem_client::document::{Format, MAX_BYTES, parse};
 use fem_client::fault::Fault;
+use http_body_util::BodyExt;
 use placement::study::Study;
-use std::time::Duration;
 
 use super::problem::Problem;
 
 /// A client that has not sent its document by then is refused.
 const BODY_TIMEOUT: Duration = Duration::from_secs(30);
+/// A body that goes on beyond this is cut off.
+const DISCARDED_BYTES: usize = 16 * MAX_BYTES;
 
 /// A checked study from a request's body.
 pub struct StudyBody {
@@ -67,39 +71,43 @@ fn format_of(headers: &HeaderMap) -> Result<Format, Problem> {
 }
 
 async fn read(request: Request) -> Result<String, Problem> {
-    let too_large = || {
-        Problem::new(
-            StatusCode::PAYLOAD_TOO_LARGE,
-            format!("a document has at most {MAX_BYTES} bytes"),
-        )
-    };
-    let announced = request
-        .headers()
-        .get(header::CONTENT_LENGTH)
-        .and_then(|value| value.to_str().ok()?.parse().ok());
-    if announced.is_some_and(|length: u64| length > MAX_BYTES as u64) {
-        return Err(too_large());
-    }
     let slow = |_| {
         Problem::new(
             StatusCode::REQUEST_TIMEOUT,
             "the document took too long to arrive",
         )
     };
-    let body = tokio::time::timeout(BODY_TIMEOUT, to_bytes(request.into_body(), MAX_BYTES))
+    let read = collect(request.into_body());
+    let bytes = tokio::time::timeout(BODY_TIMEOUT, read)
         .await
-        .map_err(slow)?;
-    let bytes = body.map_err(|error| {
-        let limit = std::error::Error::source(&error)
-            .is_some_and(|cause| cause.is::<http_body_util::LengthLimitError>());
-        if limit {
-            too_large()
+        .map_err(slow)??;
+    let foreign = |_| Problem::new(StatusCode::BAD_REQUEST, "the document is not UTF-8");
+    String::from_utf8(bytes).map_err(foreign)
+}
+
+/// The body, when it isn't too large. Of one that is, some more is read and thrown away: most clients look for an
+/// answer only when they have sent everything, and see a broken connection otherwise.
+async fn collect(mut body: Body) -> Result<Vec<u8>, Problem> {
+    let (mut bytes, mut length) = (Vec::new(), 0);
+    while let Some(frame) = body.frame().await {
+        let broken = |_| Problem::new(StatusCode::BAD_REQUEST, "the document did not arrive whole");
+        let Ok(data) = frame.map_err(broken)?.into_data() else {
+            continue;
+        };
+        length += data.len();
+        if length <= MAX_BYTES {
+            bytes.extend_from_slice(&data);
+        } else if length <= DISCARDED_BYTES {
+            bytes = Vec::new();
         } else {
-            Problem::new(StatusCode::BAD_REQUEST, "the document did not arrive whole")
+            break;
         }
-    })?;
-    String::from_utf8(bytes.into())
-        .map_err(|_| Problem::new(StatusCode::BAD_REQUEST, "the document is not UTF-8"))
+    }
+    if length > MAX_BYTES {
+        let detail = format!("a document has at most {MAX_BYTES} bytes");
+        return Err(Problem::new(StatusCode::PAYLOAD_TOO_LARGE, detail));
+    }
+    Ok(bytes)
 }
 
 /// A text that can't be read is a bad request; what can be read and is wrong is for the study's own reader.

@@ -202,3 +202,124 @@ fn evaluation_sha256(key: &str, scene: &str, response: &str, cost: &str) -> Stri
         cost.as_bytes(),
     ])
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicBool;
+
+    use fem_client::closed_form::ClosedFormSolver;
+    use fem_client::scene::Scene;
+    use fem_client::solver::{Readout, SolveRequest, Solved, Solver};
+
+    use super::*;
+    use crate::store::studies;
+    use crate::store::tests::fresh;
+
+    fn solved() -> Solved {
+        let (scene, stop) = (Scene::default(), AtomicBool::new(false));
+        let readout = Readout::default();
+        let request = SolveRequest {
+            scene: &scene,
+            readout: &readout,
+            start: None,
+            stop: &stop,
+        };
+        ClosedFormSolver::new().solve(&request).expect("solves")
+    }
+
+    fn record(solved: &Solved) -> PointRecord<'_> {
+        PointRecord {
+            key: "k",
+            ordinal: 3,
+            scene: "{}",
+            response: &solved.response,
+            cost: solved.cost,
+            start: Some(&solved.state),
+        }
+    }
+
+    #[tokio::test]
+    async fn a_point_reads_back_bit_for_bit_and_is_written_once() {
+        let (_folder, store) = fresh().await;
+        let mut tx = store.begin().await.expect("begins");
+        let study = studies::insert(&mut tx, "a", "{}", "x")
+            .await
+            .expect("inserts");
+        let first = solved();
+        insert(&mut tx, &study, &record(&first))
+            .await
+            .expect("stores");
+        let mut other = first.clone();
+        other.response.reaction_n += 1.0;
+        insert(&mut tx, &study, &record(&other))
+            .await
+            .expect("is no error");
+
+        let stored = find(&mut tx, "k").await.expect("reads").expect("is there");
+        assert_eq!(
+            (&stored.response, stored.cost),
+            (&first.response, first.cost)
+        );
+        assert_eq!(
+            find_start(&mut tx, "k").await.expect("reads"),
+            Some(first.state)
+        );
+        assert_eq!(
+            points_of(&mut tx, &study).await.expect("reads"),
+            [(3, "k".to_owned())]
+        );
+        assert!(linked(&mut tx, &study, 3).await.expect("reads"));
+        assert!(!linked(&mut tx, &study, 4).await.expect("reads"));
+        assert_eq!(find(&mut tx, "absent").await.expect("reads"), None);
+    }
+
+    #[tokio::test]
+    async fn a_number_that_is_not_finite_is_not_stored() {
+        let (_folder, store) = fresh().await;
+        let mut tx = store.begin().await.expect("begins");
+        let study = studies::insert(&mut tx, "a", "{}", "x")
+            .await
+            .expect("inserts");
+        let mut wrong = solved();
+        wrong.response.locations[2].strain_x = f64::NAN;
+        let refused = insert(&mut tx, &study, &record(&wrong)).await;
+        assert!(matches!(refused, Err(StoreError::NotFinite { .. })));
+        assert_eq!(find(&mut tx, "k").await.expect("reads"), None);
+    }
+
+    #[tokio::test]
+    async fn a_lost_or_changed_byte_is_found() {
+        let (_folder, store) = fresh().await;
+        let mut tx = store.begin().await.expect("begins");
+        let study = studies::insert(&mut tx, "a", "{}", "x")
+            .await
+            .expect("inserts");
+        let solved = solved();
+        insert(&mut tx, &study, &record(&solved))
+            .await
+            .expect("stores");
+        sqlx::query("update start_states set state = substr(state, 1, length(state) - 1)")
+            .execute(&mut *tx)
+            .await
+            .expect("damages");
+        let damaged = find_start(&mut tx, "k").await;
+        assert!(matches!(
+            damaged,
+            Err(StoreError::Damaged {
+                table: "start_states",
+                ..
+            })
+        ));
+        sqlx::query("update evaluations set cost = replace(cost, '0', '1')")
+            .execute(&mut *tx)
+            .await
+            .expect("damages");
+        assert!(matches!(
+            find(&mut tx, "k").await,
+            Err(StoreError::Damaged {
+                table: "evaluations",
+                ..
+            })
+        ));
+    }
+}

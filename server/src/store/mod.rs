@@ -1,7 +1,7 @@
 //! The database: all SQL of the program, one aggregate per file.
 //!
-//! - [`lock`]: one process per database
-//! - [`pools`]: connections: one that writes, a few that read
+//! - `lock`: one process per database
+//! - `pools`: connections: one that writes, a few that read
 //! - [`content`]: content hashes, and JSON that reads back as what was written
 //! - [`studies`]: what was asked, and the queue
 //! - [`evaluations`]: solved points and start states

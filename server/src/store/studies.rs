@@ -196,6 +196,15 @@ pub async fn claim(
         .await?)
 }
 
+/// Whether a study is running.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn is_running(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
+    let running = find(connection, id).await?.map(|row| row.state());
+    Ok(running == Some(State::Running))
+}
+
 /// Puts a running study back into the queue; false when it isn't running any more.
 ///
 /// # Errors

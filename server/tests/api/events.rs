@@ -120,6 +120,10 @@ async fn a_cancelled_study_ends_its_stream() {
         events.last().map(|event| event.kind.as_str()),
         Some("cancelled")
     );
+    // The queue has done with a study when it has done with the next one; nothing may follow the last event.
+    let next = app.submit(&study()).await;
+    app.wait_for(&next, "done").await;
+    assert_eq!(stream(&app, &id, None).await, events);
 }
 
 #[tokio::test(flavor = "multi_thread")]
