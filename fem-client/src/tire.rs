@@ -110,19 +110,19 @@ pub fn mesh_plan(scene: &Scene, level: Level) -> MeshPlan {
     let sector_deg = (half_width / scene.geometry.outer_radius_mm)
         .to_degrees()
         .clamp(SMALLEST_SECTOR, LARGEST_SECTOR);
-    let plan = |order, fine: f64, coarse, meridional, layers| MeshPlan {
+    let plan = |order, fine: f64, coarse, meridional, meridional_growth, layers| MeshPlan {
         order,
         fine_angle: sector_deg.to_radians(),
         fine: (fine * sector_deg / SMALLEST_SECTOR).ceil() as usize,
         coarse,
         meridional,
-        meridional_growth: 3.0,
+        meridional_growth,
         layers,
     };
     match level {
-        Level::Draft => plan(Order::Linear, 10.0, 5, 10, 2),
-        Level::Standard => plan(Order::Quadratic, 8.0, 5, 10, 3),
-        Level::Reference => plan(Order::Quadratic, 12.0, 8, 14, 4),
+        Level::Draft => plan(Order::Linear, 10.0, 5, 10, 3.0, 2),
+        Level::Standard => plan(Order::Quadratic, 8.0, 5, 12, 4.0, 3),
+        Level::Reference => plan(Order::Quadratic, 10.0, 6, 18, 5.0, 4),
     }
 }
 

@@ -7,7 +7,9 @@ use std::sync::atomic::AtomicBool;
 
 use fem_client::embedded::EmbeddedSolver;
 use fem_client::scene::{Level, Scene};
-use fem_client::solver::{NoEquilibrium, Readout, SolveError, SolveRequest, Solved, Solver, StartState};
+use fem_client::solver::{
+    NoEquilibrium, Readout, SolveError, SolveRequest, Solved, Solver, StartState,
+};
 
 /// Depth, reaction, strains at the centre (x, y), 5.5 mm and 11 mm beside it (x, then y).
 struct Figures {
@@ -53,7 +55,7 @@ const Y_TOLERANCE: f64 = 0.02;
 /// Where a strain passes zero or changes steeply only the absolute difference means anything: "about 0.001".
 const STRAIN_TOLERANCE: f64 = 0.001;
 
-const RUNNING: AtomicBool = AtomicBool::new(false);
+static RUNNING: AtomicBool = AtomicBool::new(false);
 
 fn scene(level: Level, depths: [f64; 5]) -> Scene {
     let mut scene = Scene::preset("foot-tire").expect("the preset ships");
@@ -72,30 +74,54 @@ fn reference(level: Level, depth: f64) -> Scene {
 
 fn solve(scene: &Scene, start: Option<&StartState>) -> Result<Solved, SolveError> {
     let readout = Readout::default();
-    EmbeddedSolver.solve(&SolveRequest { scene, readout: &readout, start, stop: &RUNNING })
+    EmbeddedSolver.solve(&SolveRequest {
+        scene,
+        readout: &readout,
+        start,
+        stop: &RUNNING,
+    })
 }
 
 #[test]
 fn the_standard_mesh_reproduces_the_reference_figures() {
     let mut start = None;
     for figures in &FIGURES {
-        let solved = solve(&reference(Level::Standard, figures.depth), start.as_ref()).expect("an equilibrium");
+        let solved = solve(&reference(Level::Standard, figures.depth), start.as_ref())
+            .expect("an equilibrium");
         let response = &solved.response;
         println!(
             "depth {} mm: reaction {:.4} N for {:.4}; x {:?}; y {:?}",
             figures.depth,
             response.reaction_n,
             figures.reaction,
-            response.locations.iter().map(|l| l.strain_x).collect::<Vec<_>>(),
-            response.locations.iter().map(|l| l.strain_y).collect::<Vec<_>>(),
+            response
+                .locations
+                .iter()
+                .map(|l| l.strain_x)
+                .collect::<Vec<_>>(),
+            response
+                .locations
+                .iter()
+                .map(|l| l.strain_y)
+                .collect::<Vec<_>>(),
         );
         let allowed = REACTION_TOLERANCE * figures.reaction + CONTACT_SHIFT_N;
         assert!((response.reaction_n - figures.reaction).abs() < allowed);
         for (k, (x, y)) in figures.x.iter().zip(&figures.y).enumerate() {
             for location in [&response.locations[2 + k], &response.locations[2 - k]] {
                 let y_allowed = STRAIN_TOLERANCE + Y_TOLERANCE * y.abs();
-                assert!((location.strain_x - x).abs() < STRAIN_TOLERANCE, "x at {}: {}", location.name, location.strain_x);
-                assert!((location.strain_y - y).abs() < y_allowed, "y at {}: {}", location.name, location.strain_y);
+                assert!(
+                    (location.strain_x - x).abs() < STRAIN_TOLERANCE,
+                    "x at {}: {}",
+                    location.name,
+                    location.strain_x
+                );
+                assert!(
+                    (location.strain_y - y).abs() < y_allowed,
+                    "y at {}: {}",
+                    location.name,
+                    location.strain_y
+                );
             }
         }
         let shoulder = response.section.shoulder;
@@ -113,21 +139,41 @@ fn an_incompressible_tire_keeps_its_volume_and_newton_ends_quadratically() {
     let mut compressible = reference(Level::Standard, 1.0);
     compressible.contact.penalty_n_per_mm3 = None;
     let solved = solve(&compressible, None).expect("an equilibrium");
-    let history = solved.response.residual_history.last().expect("one load step");
+    let history = solved
+        .response
+        .residual_history
+        .last()
+        .expect("one load step");
     println!("relative residuals of the last load step: {history:?}");
-    // Once the contact zone has settled the order of convergence, read off three residuals above round-off, is 2.
-    let tail: Vec<f64> = history.iter().copied().filter(|r| *r > 1e-13).collect();
-    let [a, b, c] = tail[tail.len() - 3..] else { panic!("three residuals") };
-    let order = (c / b).ln() / (b / a).ln();
-    println!("observed order of convergence: {order:.2}");
-    assert!(order > 1.8, "order {order}: {history:?}");
+    // The last iterations obey r_next <= C r^2. The sharpest nonlinearity is the contact law, whose slope changes over a
+    // ramp of 3e-4 mm; a relative residual r moves the tread by about r times 10 mm, hence C = 10 / 3e-4.
+    const QUADRATIC_CONSTANT: f64 = 10.0 / 3e-4;
+    let last: Vec<f64> = history.iter().rev().take(3).map(|r| r.max(1e-13)).collect();
+    println!(
+        "residual over squared residual before it: {:.0} {:.0}",
+        last[0] / last[1].powi(2),
+        last[1] / last[2].powi(2)
+    );
+    for pair in last.windows(2) {
+        assert!(
+            pair[0] < QUADRATIC_CONSTANT * pair[1] * pair[1],
+            "{history:?}"
+        );
+    }
+    assert!(last[0] < 1e-3 * last[1], "{history:?}");
     let solved = solve(&scene(Level::Standard, [1.0; 5]), None).expect("an equilibrium");
-    assert!(solved.response.max_volume_change < 1e-8, "{}", solved.response.max_volume_change);
+    assert!(
+        solved.response.max_volume_change < 1e-8,
+        "{}",
+        solved.response.max_volume_change
+    );
 }
 
 #[test]
 fn without_depth_there_is_no_reaction_and_no_strain() {
-    let response = solve(&scene(Level::Draft, [0.0; 5]), None).expect("an equilibrium").response;
+    let response = solve(&scene(Level::Draft, [0.0; 5]), None)
+        .expect("an equilibrium")
+        .response;
     assert_eq!(response.reaction_n, 0.0);
     for location in &response.locations {
         assert!(location.strain_x.abs() < 1e-9 && location.strain_y.abs() < 1e-9);
@@ -143,8 +189,15 @@ fn twice_the_stiffness_gives_twice_the_reaction() {
     stiff.material.d1_per_mpa /= 2.0;
     stiff.pressure.internal_mpa *= 2.0;
     stiff.contact.penalty_n_per_mm3 = Some(200.0);
-    stiff.carcass.as_mut().expect("the preset has a carcass").stiffness_n_per_mm *= 2.0;
-    let (base, stiff) = (solve(&base, None).unwrap().response, solve(&stiff, None).unwrap().response);
+    stiff
+        .carcass
+        .as_mut()
+        .expect("the preset has a carcass")
+        .stiffness_n_per_mm *= 2.0;
+    let (base, stiff) = (
+        solve(&base, None).unwrap().response,
+        solve(&stiff, None).unwrap().response,
+    );
     assert!((stiff.reaction_n / base.reaction_n - 2.0).abs() < 1e-6);
     assert!((stiff.locations[2].strain_y - base.locations[2].strain_y).abs() < 1e-9);
 }
@@ -154,33 +207,70 @@ const SOLVER_TOLERANCE: f64 = 1e-7;
 
 fn assert_same(a: &Solved, b: &Solved) {
     let (a, b) = (&a.response, &b.response);
-    assert!((a.reaction_n / b.reaction_n - 1.0).abs() < SOLVER_TOLERANCE, "{} {}", a.reaction_n, b.reaction_n);
+    assert!(
+        (a.reaction_n / b.reaction_n - 1.0).abs() < SOLVER_TOLERANCE,
+        "{} {}",
+        a.reaction_n,
+        b.reaction_n
+    );
     for (p, q) in a.locations.iter().zip(&b.locations) {
-        assert!((p.strain_x - q.strain_x).abs() < SOLVER_TOLERANCE, "x at {}: {} {}", p.name, p.strain_x, q.strain_x);
-        assert!((p.strain_y - q.strain_y).abs() < SOLVER_TOLERANCE, "y at {}: {} {}", p.name, p.strain_y, q.strain_y);
+        assert!(
+            (p.strain_x - q.strain_x).abs() < SOLVER_TOLERANCE,
+            "x at {}: {} {}",
+            p.name,
+            p.strain_x,
+            q.strain_x
+        );
+        assert!(
+            (p.strain_y - q.strain_y).abs() < SOLVER_TOLERANCE,
+            "y at {}: {} {}",
+            p.name,
+            p.strain_y,
+            q.strain_y
+        );
     }
 }
 
 #[test]
 fn the_result_does_not_depend_on_the_start() {
     let centre = solve(&scene(Level::Draft, [1.0; 5]), None).unwrap().state;
-    for depths in [[1.0, 1.2, 0.8, 1.0, 1.3], [0.0, 1.0, 2.0, 0.5, 1.0], [1.0, 1.0, 1.3, 1.0, 1.0]] {
+    for depths in [
+        [1.0, 1.2, 0.8, 1.0, 1.3],
+        [0.0, 1.0, 2.0, 0.5, 1.0],
+        [1.0, 1.0, 1.3, 1.0, 1.0],
+    ] {
         let scene = scene(Level::Draft, depths);
-        let (cold, warm) = (solve(&scene, None).unwrap(), solve(&scene, Some(&centre)).unwrap());
+        let (cold, warm) = (
+            solve(&scene, None).unwrap(),
+            solve(&scene, Some(&centre)).unwrap(),
+        );
         assert_same(&cold, &warm);
         assert!(warm.cost.newton_iterations < cold.cost.newton_iterations);
     }
     // Another pressure: the start's inflated state is no longer this scene's.
     let mut scene = scene(Level::Draft, [1.0; 5]);
     scene.pressure.internal_mpa = 0.15;
-    assert_same(&solve(&scene, None).unwrap(), &solve(&scene, Some(&centre)).unwrap());
+    assert_same(
+        &solve(&scene, None).unwrap(),
+        &solve(&scene, Some(&centre)).unwrap(),
+    );
 }
 
 #[test]
 fn mirrored_ground_gives_mirrored_strains() {
     let centre = solve(&scene(Level::Draft, [1.0; 5]), None).unwrap().state;
-    let left = solve(&scene(Level::Draft, [1.3, 0.8, 1.0, 1.1, 0.6]), Some(&centre)).unwrap().response;
-    let right = solve(&scene(Level::Draft, [0.6, 1.1, 1.0, 0.8, 1.3]), Some(&centre)).unwrap().response;
+    let left = solve(
+        &scene(Level::Draft, [1.3, 0.8, 1.0, 1.1, 0.6]),
+        Some(&centre),
+    )
+    .unwrap()
+    .response;
+    let right = solve(
+        &scene(Level::Draft, [0.6, 1.1, 1.0, 0.8, 1.3]),
+        Some(&centre),
+    )
+    .unwrap()
+    .response;
     for (l, r) in left.locations.iter().zip(right.locations.iter().rev()) {
         assert!((l.strain_x - r.strain_x).abs() < SOLVER_TOLERANCE);
         assert!((l.strain_y - r.strain_y).abs() < SOLVER_TOLERANCE);
@@ -192,7 +282,11 @@ fn a_quarter_model_is_the_half_model_of_a_symmetric_scene() {
     let quarter = solve(&scene(Level::Draft, [1.0; 5]), None).unwrap();
     assert_eq!(quarter.response.model.dimension, "3d-quarter");
     // A difference of 1e-12 mm left to right asks for the half model and changes nothing else.
-    let half = solve(&scene(Level::Draft, [1.0, 1.0, 1.0, 1.0, 1.0 + 1e-12]), None).unwrap();
+    let half = solve(
+        &scene(Level::Draft, [1.0, 1.0, 1.0, 1.0, 1.0 + 1e-12]),
+        None,
+    )
+    .unwrap();
     assert_eq!(half.response.model.dimension, "3d-half");
     assert_same(&quarter, &half);
 }
@@ -202,9 +296,16 @@ fn a_wall_that_cannot_hold_its_pressure_is_named() {
     let mut scene = scene(Level::Draft, [1.0; 5]);
     scene.carcass = None;
     match solve(&scene, None) {
-        Err(SolveError::NoEquilibrium { status, detail, reached }) => {
+        Err(SolveError::NoEquilibrium {
+            status,
+            detail,
+            reached,
+        }) => {
             println!("{status:?} at {} MPa: {detail}", reached.pressure_mpa);
-            assert!(matches!(status, NoEquilibrium::LimitPoint | NoEquilibrium::NotConverged));
+            assert!(matches!(
+                status,
+                NoEquilibrium::LimitPoint | NoEquilibrium::NotConverged
+            ));
             assert!(reached.pressure_mpa > 0.0 && reached.pressure_mpa < 0.2);
         }
         other => panic!("an unreinforced wall of 3 mm cannot hold 0.2 MPa: {other:?}"),

@@ -38,6 +38,9 @@ impl FibreLaw {
     }
 }
 
+/// Direction of a family as a function of reference position and unit normal; its tangential part is taken.
+pub type Direction<'d> = &'d dyn Fn(&Vector, &Vector) -> Vector;
+
 /// Fibre families on a surface of the mesh, ready to be integrated.
 #[derive(Debug)]
 pub struct Membrane {
@@ -54,13 +57,8 @@ pub struct Membrane {
 }
 
 impl Membrane {
-    /// Puts families on a surface. A family's direction is a function of reference position and unit normal; its
-    /// tangential part is taken.
-    pub fn new(
-        mesh: &Mesh,
-        surface: Surface,
-        families: &[(FibreLaw, &dyn Fn(&Vector, &Vector) -> Vector)],
-    ) -> Self {
+    /// Puts families on a surface.
+    pub fn new(mesh: &Mesh, surface: Surface, families: &[(FibreLaw, Direction<'_>)]) -> Self {
         let rule = face_points(mesh.order, mesh.order.edge_nodes());
         let (mut along, mut areas, mut positions) = (Vec::new(), Vec::new(), Vec::new());
         for face in surface.iter() {

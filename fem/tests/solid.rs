@@ -13,7 +13,7 @@ use fem::solid::SolidModel;
 use fem::tensor::Vector;
 
 const ORDERS: [Order; 2] = [Order::Linear, Order::Quadratic];
-const RUNNING: AtomicBool = AtomicBool::new(false);
+static RUNNING: AtomicBool = AtomicBool::new(false);
 
 /// A cube of n^3 bricks on [0, 1]^3 whose inner nodes are moved about when `distorted`.
 fn cube(order: Order, n: usize, distorted: bool) -> (Mesh, Vec<[f64; 3]>) {
