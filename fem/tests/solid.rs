@@ -78,7 +78,7 @@ fn problem(order: Order, n: usize, distorted: bool, compliance: f64) -> Problem 
 }
 
 fn solve(problem: &Problem, target: &Loads) -> (State, Vec<Vec<f64>>) {
-    let mut newton = Newton::new(problem).unwrap();
+    let mut newton = Newton::new(problem).expect("a valid mesh");
     let mut state = State::reference(problem);
     let report = follow(&mut newton, &mut state, &Loads::default(), target, &RUNNING)
         .expect("an equilibrium");
