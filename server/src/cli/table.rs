@@ -7,7 +7,7 @@ use placement::result::{RankedLocation, StudyResult};
 /// Table 2 of the paper (Sensors 2025, 25, 4026): P1 to P5, x and y, percent.
 const PAPER: [(&str, f64, f64); 5] = [
     ("P1", 1.4719, 0.0662),
-    ("P2", 6.1071, 19.4910),
+    ("P2", 6.1071, 9.4910),
     ("P3", 29.9733, 32.1724),
     ("P4", 6.6748, 10.1924),
     ("P5", 1.5767, 0.0662),
