@@ -22,7 +22,12 @@ pub struct EmbeddedSolver;
 
 impl Solver for EmbeddedSolver {
     fn version(&self) -> String {
-        format!("strainsite-fem {}", env!("CARGO_PKG_VERSION"))
+        // The sources' hash tells results of different numerics apart, whether or not someone raised the version.
+        format!(
+            "strainsite-fem {}+{}",
+            env!("CARGO_PKG_VERSION"),
+            env!("SOLVER_SOURCES")
+        )
     }
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {

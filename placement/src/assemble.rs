@@ -35,14 +35,7 @@ pub fn assemble(
                 env!("CARGO_PKG_VERSION")
             ),
         },
-        model: ModelReport {
-            dimension: cut.model.dimension.clone(),
-            level: cut.model.level.clone(),
-            elements: cut.model.elements,
-            dofs: cut.model.dofs,
-            modelled: cut.model.modelled.clone(),
-            left_out: cut.model.left_out.clone(),
-        },
+        model: model_report(responses),
         inputs: study.inputs.iter().map(input_report).collect(),
         outputs: scores.outputs,
         locations,
@@ -58,6 +51,26 @@ pub fn assemble(
             residual_history: cut.residual_history.clone(),
         },
         cost: StudyCost::default(),
+    }
+}
+
+/// The largest model that any point needed: symmetric points are solved on less.
+fn model_report(responses: &[Response]) -> ModelReport {
+    // The first of equals, so that the report doesn't depend on later points.
+    let largest = responses
+        .iter()
+        .rev()
+        .max_by_key(|response| response.model.dofs);
+    let model = largest
+        .map(|response| response.model.clone())
+        .unwrap_or_default();
+    ModelReport {
+        dimension: model.dimension,
+        level: model.level,
+        elements: model.elements,
+        dofs: model.dofs,
+        modelled: model.modelled,
+        left_out: model.left_out,
     }
 }
 

@@ -21,44 +21,81 @@ pub fn report(result: &StudyResult) -> String {
     text
 }
 
-/// One row per location, best first. Global sensitivity indices in percent.
+/// One row per location, best first. Global sensitivity indices in percent; the first pair with its error.
 fn ranked(result: &StudyResult) -> String {
     let mut text = format!("{}\n\n", result.study.name.escape_debug());
-    text.push_str("                gsi: own depth,      mean over all     strain at the    M-DRM's gsi,      paper's\n");
-    text.push_str("                strain at centre, %  locations, %      location, %      valid or not, %   Table 2, %\n");
-    text.push_str("rank  location       x       y          x       y        x       y        x       y        x       y   rank is\n");
+    text.push_str("                gsi: own depth, strain at         mean over all     strain at the     M-DRM's gsi,      paper's\n");
+    text.push_str("                the centre, %, with its error     locations, %      location, %       valid or not, %   Table 2, %\n");
+    text.push_str("rank  location         x               y             x       y         x       y         x       y         x       y   rank is\n");
+    let errors = ["x", "y"].map(|direction| centre_error(result, direction));
     for location in &result.locations {
-        text.push_str(&row(location));
+        text.push_str(&row(location, errors));
     }
     text
 }
 
-fn row(location: &RankedLocation) -> String {
+/// Error of the indices of the strain at the middle location, percent.
+fn centre_error(result: &StudyResult, direction: &str) -> Option<f64> {
+    let outputs: Vec<_> = result
+        .outputs
+        .iter()
+        .filter(|output| output.direction == direction)
+        .collect();
+    let centre = outputs.get(outputs.len() / 2)?;
+    centre.error.total.map(|error| 100.0 * error)
+}
+
+fn row(location: &RankedLocation, errors: [Option<f64>; 2]) -> String {
     let paper = PAPER.iter().find(|(name, ..)| *name == location.name);
     let pairs = [
-        (location.gsi_x_percent, location.gsi_y_percent),
         (location.mean_gsi_x_percent, location.mean_gsi_y_percent),
         (location.own_gsi_x_percent, location.own_gsi_y_percent),
         (location.mdrm_gsi_x_percent, location.mdrm_gsi_y_percent),
         (paper.map(|(_, x, _)| *x), paper.map(|(_, _, y)| *y)),
     ];
     let mut text = format!("{:4}  {:<8} ", location.rank, location.name);
-    for (i, (x, y)) in pairs.into_iter().enumerate() {
-        let gap = if i == 0 {
-            ""
-        } else if i == 1 {
-            "   "
-        } else {
-            " "
-        };
-        let _ = write!(text, "{gap}{} {}", percent(x), percent(y));
+    for (index, error) in [location.gsi_x_percent, location.gsi_y_percent]
+        .into_iter()
+        .zip(errors)
+    {
+        let _ = write!(
+            text,
+            "{} {:<7} ",
+            percent(index),
+            error.map_or(String::new(), |e| format!("+-{e:.2}"))
+        );
+    }
+    for (x, y) in pairs {
+        let _ = write!(text, " {} {} ", percent(x), percent(y));
     }
     text.push_str(if location.rank_certain {
-        "   certain\n"
+        " certain\n"
     } else {
-        "   uncertain\n"
+        " uncertain\n"
     });
     text
+}
+
+/// What M-DRM's numbers are worth beside the paper's, where they come close to it and the valid ones don't.
+fn paper_remark(result: &StudyResult) -> Option<String> {
+    let furthest = |index: fn(&RankedLocation) -> Option<f64>| {
+        PAPER.iter().try_fold(0.0, |furthest: f64, (name, x, _)| {
+            let location = result
+                .locations
+                .iter()
+                .find(|location| location.name == *name)?;
+            Some(furthest.max((index(location)? - x).abs()))
+        })
+    };
+    let mdrm = furthest(|location| location.mdrm_gsi_x_percent)?;
+    let valid = furthest(|location| location.gsi_x_percent)?;
+    (mdrm < 5.0 && valid > 2.0 * mdrm).then(|| {
+        format!(
+            "M-DRM's x column is within {mdrm:.1} points of the paper's Table 2, and it is wrong here: the circumferential \
+             strain changes sign within the range of depths, so its product form is broken; the valid indices are up to \
+             {valid:.1} points away from the paper's."
+        )
+    })
 }
 
 fn percent(number: Option<f64>) -> String {
@@ -66,10 +103,9 @@ fn percent(number: Option<f64>) -> String {
 }
 
 fn notes(result: &StudyResult) -> String {
-    result
-        .notes
-        .iter()
-        .fold(String::from("\n"), |text, note| text + "- " + note + "\n")
+    let remark = paper_remark(result);
+    let notes = remark.iter().chain(&result.notes);
+    notes.fold(String::from("\n"), |text, note| text + "- " + note + "\n")
 }
 
 fn cost(result: &StudyResult) -> String {
