@@ -5,6 +5,7 @@
 
 use serde_json::{Map, Value};
 
+use crate::document::as_non_finite;
 use crate::fault::{Fault, member};
 
 /// Numbers that a field takes.
@@ -48,6 +49,9 @@ pub fn plain(number: f64) -> String {
 
 /// What a value is, for people, cut short when it is long.
 pub fn shown(value: &Value) -> String {
+    if let Some(number) = as_non_finite(value) {
+        return number.to_owned();
+    }
     match value {
         Value::Object(_) => "a table".to_owned(),
         Value::Array(items) => format!("a list of {} entries", items.len()),
@@ -151,7 +155,8 @@ impl<'v> Fields<'v> {
         known: &[&str],
         faults: &mut Vec<Fault>,
     ) -> Option<Self> {
-        let Value::Object(object) = value else {
+        let table = value.as_object().filter(|_| as_non_finite(value).is_none());
+        let Some(object) = table else {
             let detail = format!(
                 "must be a table with the fields {}; it is {}",
                 known.join(", "),

@@ -46,27 +46,28 @@ pub(crate) fn read_inputs(
     let mut inputs: Vec<Input> = Vec::new();
     for (i, item) in items.iter().enumerate() {
         let at = entry(&pointer, i);
-        let Some(input) = read_input(item, &at, scene, nodes, faults) else {
-            continue;
-        };
-        for (twin, field) in [
-            (
-                inputs.iter().position(|other| other.name == input.name),
-                "name",
-            ),
-            (
-                inputs.iter().position(|other| other.vary == input.vary),
-                "vary",
-            ),
-        ] {
+        inputs.extend(read_input(item, &at, scene, nodes, faults));
+        for field in ["name", "vary"] {
+            let twin = items[..i]
+                .iter()
+                .position(|other| same_text(other, item, field));
             if let Some(twin) = twin {
                 let detail = format!("is the same as that of /inputs/{twin}");
                 Fault::add(faults, &format!("{at}/{field}"), detail);
             }
         }
-        inputs.push(input);
     }
     (inputs.len() == items.len()).then_some(inputs)
+}
+
+/// Whether two inputs have the same text in a field, spaces aside, whatever else is wrong with them.
+fn same_text(a: &Value, b: &Value, field: &str) -> bool {
+    let text = |input: &Value| Some(without_spaces(input.get(field)?.as_str()?));
+    text(a).is_some() && text(a) == text(b)
+}
+
+fn without_spaces(text: &str) -> String {
+    text.chars().filter(|c| !c.is_whitespace()).collect()
 }
 
 /// A name: text for people, not empty, without control characters, so that it can't forge lines of a log or table.
@@ -133,13 +134,34 @@ fn vary(fields: &Fields<'_>, scene: Option<&Scene>, faults: &mut Vec<Fault>) -> 
         Fault::add(faults, &pointer, detail);
         return None;
     };
-    let path: String = path.chars().filter(|c| !c.is_whitespace()).collect();
-    match scene.map(|scene| scene.number_at(&path)) {
-        Some(Err(fault)) => {
+    let path = without_spaces(path);
+    let found = match scene {
+        Some(scene) => scene.number_at(&path),
+        // A faulty scene can't be asked; the shipped one has every field, if not as many entries in its lists.
+        None => {
+            Scene::preset("foot-tire").map_or(Ok(0.0), |scene| scene.number_at(&first_entry(&path)))
+        }
+    };
+    match found {
+        Err(fault) => {
             Fault::add(faults, &pointer, fault.detail);
             None
         }
-        _ => Some(path),
+        Ok(_) => Some(path),
+    }
+}
+
+/// The path with the first entry of a list instead of any other.
+fn first_entry(path: &str) -> String {
+    match path.split_once('[') {
+        Some((list, index))
+            if index
+                .strip_suffix(']')
+                .is_some_and(|i| i.parse::<usize>().is_ok()) =>
+        {
+            format!("{list}[0]")
+        }
+        _ => path.to_owned(),
     }
 }
 

@@ -99,6 +99,7 @@ fn every_fault_is_found_at_once() {
             "/method/seed",
             "/accuracy/tolerance",
             "/accuracy/budget_s",
+            "/inputs/0/vary",
             "/inputs/0/distribution/max",
             "/inputs/1/name",
             "/inputs/1/vary",
@@ -106,6 +107,33 @@ fn every_fault_is_found_at_once() {
             "/inputs/2/distribution",
             "/inputs/3/distribution",
             "/inputs/4",
+        ]
+    );
+}
+
+#[test]
+fn a_number_that_is_none_and_a_faulty_scene_hide_no_other_fault() {
+    let text = "name = \"a\"\n\
+        scene = { geometry = { wall_mm = -3 }, material = { c10_mpa = nan } }\n\
+        [[inputs]]\nname = \"P1\"\nvary = \"ground.depths_mm[1]\"\n\
+        distribution = { kind = \"uniform\", min = 1.3, max = 0.7 }\n\
+        [[inputs]]\nname = \"P1\"\nvary = \"ground.depth[0]\"\n\
+        distribution = { kind = \"normal\", mean = inf, std = 1 }\n\
+        [method]\nnodes = 50\n";
+    let faults =
+        Study::from_document(text, Format::Toml, &|_| Err(String::new())).expect_err("has faults");
+    let mut pointers: Vec<&str> = faults.iter().map(|fault| fault.pointer.as_str()).collect();
+    pointers.sort_unstable();
+    assert_eq!(
+        pointers,
+        [
+            "/inputs/0/distribution",
+            "/inputs/1/distribution/mean",
+            "/inputs/1/name",
+            "/inputs/1/vary",
+            "/method/nodes",
+            "/scene/geometry/wall_mm",
+            "/scene/material/c10_mpa",
         ]
     );
 }
