@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use fem::newton::{Cause, Effort, Newton};
-use fem::path::{PathFailure, PathReport, follow};
+use fem::path::{PathFailure, PathReport, Stability, follow};
 use fem::problem::{Loads, State};
 use sha2::{Digest, Sha256};
 
@@ -182,6 +182,7 @@ impl Session<'_> {
             &mut state,
             &Loads::default(),
             &target,
+            Stability::Required,
             self.stop,
         ) {
             Ok(_) => Ok(state),
@@ -199,13 +200,27 @@ impl Session<'_> {
         if let Some(start) = start {
             let mut state = start.equilibrium.clone();
             let from = self.loads_of(start, target);
-            if let Ok(report) = follow(&mut self.newton, &mut state, &from, target, self.stop) {
+            if let Ok(report) = follow(
+                &mut self.newton,
+                &mut state,
+                &from,
+                target,
+                Stability::Ignored,
+                self.stop,
+            ) {
                 return Ok((state, report));
             }
         }
         let mut state = inflated.clone();
         let unpressed = self.inflation();
-        match follow(&mut self.newton, &mut state, &unpressed, target, self.stop) {
+        match follow(
+            &mut self.newton,
+            &mut state,
+            &unpressed,
+            target,
+            Stability::Ignored,
+            self.stop,
+        ) {
             Ok(report) => Ok((state, report)),
             Err(failure) => Err(pressing_error(self.scene, &failure)),
         }

@@ -11,6 +11,7 @@
 //! - [`scene_edit`]: changes single fields of a scene by their path
 //! - [`solver`]: the one trait between the product and any solver, with its request, response and errors
 //! - [`start_state`]: start states as bytes
+//! - `grid_lines`: where the bricks of a mesh begin and end
 //! - [`tire_mesh`]: the structured mesh of a tire
 //! - [`tire`]: a scene as a boundary value problem: what is modelled, and what is left out
 //! - [`readout`]: strains of an equilibrium
@@ -22,6 +23,7 @@ pub mod document;
 pub mod embedded;
 pub mod fault;
 pub mod fields;
+mod grid_lines;
 pub mod readout;
 pub mod scene;
 pub mod scene_edit;

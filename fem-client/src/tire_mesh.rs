@@ -8,6 +8,8 @@
 use fem::element::Order;
 use fem::mesh::{Mesh, Surface, SurfacePoint};
 
+use crate::grid_lines::{graded, half_circle, layers, locate};
+
 /// How finely a tire is meshed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshPlan {
@@ -68,7 +70,7 @@ pub struct TireGrid {
 impl TireGrid {
     /// Lays out the grid lines.
     pub fn new(shape: TireShape, plan: &MeshPlan, extent: Extent) -> Self {
-        let half = half_circle(plan);
+        let half = half_circle(plan.fine_angle, plan.fine, plan.coarse);
         let theta = match extent {
             Extent::Quarter => half,
             Extent::Half => half
@@ -91,7 +93,7 @@ impl TireGrid {
             shape,
             theta,
             phi,
-            rho: layers(&shape, plan.layers),
+            rho: layers(shape.inner, shape.outer, shape.carcass, plan.layers),
         }
     }
 
@@ -353,88 +355,6 @@ impl TireShape {
     pub fn position(&self, theta: f64, phi: f64, rho: f64) -> [f64; 3] {
         let r = self.centre_radius + rho * phi.cos();
         [r * theta.sin(), rho * phi.sin(), -r * theta.cos()]
-    }
-}
-
-/// Brick of a grid line that holds a coordinate, and the place in it, -1 to 1.
-fn locate(edges: &[f64], value: f64) -> (usize, f64) {
-    let last = edges.len() - 2;
-    let index = edges
-        .partition_point(|&edge| edge <= value)
-        .saturating_sub(1)
-        .min(last);
-    let local = 2.0 * (value - edges[index]) / (edges[index + 1] - edges[index]) - 1.0;
-    (index, local.clamp(-1.0, 1.0))
-}
-
-/// Edges from 0 to pi: a fine sector, then sizes that grow geometrically from the fine size.
-fn half_circle(plan: &MeshPlan) -> Vec<f64> {
-    let size = plan.fine_angle / plan.fine as f64;
-    let mut edges: Vec<f64> = (0..plan.fine).map(|i| size * i as f64).collect();
-    let rest = std::f64::consts::PI - plan.fine_angle;
-    let ratio = growth_ratio(rest / size, plan.coarse);
-    edges.extend(graded(
-        plan.fine_angle,
-        std::f64::consts::PI,
-        plan.coarse,
-        ratio.powi(plan.coarse as i32 - 1),
-    ));
-    edges
-}
-
-/// The ratio q of neighbouring sizes for which q + q^2 + ... + q^n equals `length` (in units of the size before them).
-fn growth_ratio(length: f64, n: usize) -> f64 {
-    let sum = |q: f64| (1..=n).map(|k| q.powi(k as i32)).sum::<f64>();
-    let (mut low, mut high) = (0.1, 100.0);
-    // Bisection in the logarithm: 60 halvings of ln 1000 end below round-off.
-    for _ in 0..60 {
-        let middle = f64::sqrt(low * high);
-        if sum(middle) < length {
-            low = middle
-        } else {
-            high = middle
-        }
-    }
-    f64::sqrt(low * high)
-}
-
-/// Edges from `start` to `end` whose sizes form a geometric series with the last `growth` times the first.
-fn graded(start: f64, end: f64, n: usize, growth: f64) -> Vec<f64> {
-    let ratio = if n > 1 {
-        growth.powf(1.0 / (n as f64 - 1.0))
-    } else {
-        1.0
-    };
-    let sizes: Vec<f64> = (0..n).map(|k| ratio.powi(k as i32)).collect();
-    let scale = (end - start) / sizes.iter().sum::<f64>();
-    let mut edges = vec![start];
-    let mut sum = 0.0;
-    for size in &sizes[..n - 1] {
-        sum += size;
-        edges.push(start + scale * sum);
-    }
-    edges.push(end);
-    edges
-}
-
-/// Section radii of the layer boundaries, one of them at the carcass.
-fn layers(shape: &TireShape, n: usize) -> Vec<f64> {
-    let wall = shape.outer - shape.inner;
-    let below = shape.carcass.map_or(0, |rho| {
-        let share = (rho - shape.inner) / wall;
-        if share <= 0.0 || share >= 1.0 {
-            0
-        } else {
-            ((share * n as f64).round() as usize).clamp(1, n - 1)
-        }
-    });
-    match shape.carcass {
-        Some(rho) if below > 0 => {
-            let mut edges = graded(shape.inner, rho, below, 1.0);
-            edges.extend(graded(rho, shape.outer, n - below, 1.0).into_iter().skip(1));
-            edges
-        }
-        _ => graded(shape.inner, shape.outer, n, 1.0),
     }
 }
 

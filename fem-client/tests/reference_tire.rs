@@ -181,6 +181,18 @@ fn without_depth_there_is_no_reaction_and_no_strain() {
 }
 
 #[test]
+fn a_tire_without_pressure_stands_on_its_wall() {
+    let mut flat = scene(Level::Draft, [1.0; 5]);
+    flat.pressure.internal_mpa = 0.0;
+    let response = solve(&flat, None).expect("an equilibrium").response;
+    let inflated = solve(&scene(Level::Draft, [1.0; 5]), None)
+        .expect("an equilibrium")
+        .response;
+    assert_eq!(response.inflated.crown_stretch_x, 1.0);
+    assert!(response.reaction_n > 0.0 && response.reaction_n < inflated.reaction_n);
+}
+
+#[test]
 fn twice_the_stiffness_gives_twice_the_reaction() {
     let base = reference(Level::Draft, 1.0);
     let mut stiff = base.clone();

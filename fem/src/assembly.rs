@@ -1,11 +1,17 @@
 //! Residual and tangent of the whole problem.
 
 use crate::element::Order;
+use crate::membrane::Membrane;
 use crate::mesh::Surface;
 use crate::problem::{Loads, Problem, State};
 use crate::solid::{InvalidReference, SolidContribution, SolidGeometry};
-use crate::sparsity::{Equations, NONE, Pattern};
+use crate::sparsity::{Equations, Pattern};
+use crate::system::{Imbalance, System};
 use crate::tensor::Vector;
+
+/// Share of the body's natural force below which forces count as round-off: a body that nothing loads is in balance
+/// although its forces, each rounded, are as large as their sum.
+const ROUND_OFF_SHARE: f64 = 1e-5;
 
 /// Sums element contributions into the linear system of one Newton step.
 #[derive(Debug)]
@@ -20,6 +26,8 @@ pub struct Assembler<'p> {
     contact_scatter: Vec<u32>,
     solid: SolidContribution,
     face: FaceBuffers,
+    /// Shear modulus times volume^(2/3), and fibre stiffnesses times the root of their area, N.
+    natural_force: f64,
 }
 
 #[derive(Debug)]
@@ -27,37 +35,6 @@ struct FaceBuffers {
     residual: Vec<f64>,
     stiffness: Vec<f64>,
     positions: Vec<Vector>,
-}
-
-/// The linear system of one Newton step, in buffers that are reused.
-#[derive(Debug)]
-pub struct System {
-    /// Out-of-balance forces of the free displacements, N.
-    pub residual: Vec<f64>,
-    /// The same after elimination of the pressures: minus the right-hand side.
-    pub condensed_residual: Vec<f64>,
-    /// Entries of the condensed tangent in the pattern's order.
-    pub entries: Vec<f64>,
-    /// Sum of the absolute forces that meet at each displacement, held ones included.
-    force_magnitude: Vec<f64>,
-    coupling: Vec<f64>,
-    pressure_residual: Vec<f64>,
-}
-
-/// Size of the imbalance, relative to the problem's own forces and volumes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Imbalance {
-    /// Norm of the out-of-balance forces over the norm of the forces that meet at the nodes; 0 without any force.
-    pub force: f64,
-    /// Norm of the volume residuals over the norm of the volumes.
-    pub volume: f64,
-}
-
-impl Imbalance {
-    /// The larger of the two relative residuals.
-    pub fn worst(&self) -> f64 {
-        self.force.max(self.volume)
-    }
 }
 
 impl<'p> Assembler<'p> {
@@ -94,6 +71,7 @@ impl<'p> Assembler<'p> {
                 .as_ref()
                 .map(|c| of_surface(&c.surface))
                 .unwrap_or_default(),
+            natural_force: natural_force(problem, &geometry),
             geometry,
             equations,
             solid: SolidContribution::new(order),
@@ -299,8 +277,9 @@ impl<'p> Assembler<'p> {
             .map(|e| self.geometry.volume(e).powi(2))
             .sum::<f64>()
             .sqrt();
+        let forces = norm(&system.force_magnitude).max(ROUND_OFF_SHARE * self.natural_force);
         Imbalance {
-            force: ratio(norm(&system.residual), norm(&system.force_magnitude)),
+            force: ratio(norm(&system.residual), forces),
             volume: ratio(norm(&system.pressure_residual), volumes),
         }
     }
@@ -370,6 +349,14 @@ impl<'p> Assembler<'p> {
     }
 }
 
+fn natural_force(problem: &Problem, geometry: &SolidGeometry) -> f64 {
+    let volume: f64 = (0..problem.mesh.brick_count())
+        .map(|e| geometry.volume(e))
+        .sum();
+    let fibres: f64 = problem.membranes.iter().map(Membrane::natural_force).sum();
+    problem.solid.material.shear_modulus() * volume.powf(2.0 / 3.0) + fibres
+}
+
 fn gather(values: &[Vector], nodes: &[u32], local: &mut [Vector]) {
     for (target, &node) in local.iter_mut().zip(nodes) {
         *target = values[node as usize];
@@ -411,77 +398,6 @@ impl FaceBuffers {
                 scatter,
                 pending,
             );
-        }
-    }
-}
-
-impl System {
-    fn add_forces(&mut self, equations: &Equations, nodes: &[u32], forces: &[f64]) {
-        for (&node, force) in nodes.iter().zip(forces.chunks_exact(3)) {
-            for axis in 0..3 {
-                self.force_magnitude[3 * node as usize + axis] += force[axis].abs();
-                let equation = equations.of_node[node as usize][axis];
-                if equation != NONE {
-                    self.residual[equation as usize] += force[axis];
-                }
-            }
-        }
-    }
-
-    fn add_tangent(
-        &mut self,
-        equations: &Equations,
-        nodes: &[u32],
-        forces: &[f64],
-        stiffness: &[f64],
-        scatter: &[u32],
-        pending: &[Vector],
-    ) {
-        for (&node, force) in nodes.iter().zip(forces.chunks_exact(3)) {
-            for axis in 0..3 {
-                let equation = equations.of_node[node as usize][axis];
-                if equation != NONE {
-                    self.condensed_residual[equation as usize] += force[axis];
-                }
-            }
-        }
-        let unknowns = forces.len();
-        let mut start = 0;
-        for row in 0..unknowns {
-            let count = unknowns - row;
-            let values = &stiffness[row * unknowns + row..(row + 1) * unknowns];
-            for (value, &position) in values.iter().zip(&scatter[start..start + count]) {
-                if position != NONE {
-                    self.entries[position as usize] += value;
-                }
-            }
-            start += count;
-        }
-        self.add_pending(equations, nodes, stiffness, pending);
-    }
-
-    /// Forces that the pending increments of held displacements cause at the free ones.
-    fn add_pending(
-        &mut self,
-        equations: &Equations,
-        nodes: &[u32],
-        stiffness: &[f64],
-        pending: &[Vector],
-    ) {
-        let unknowns = 3 * nodes.len();
-        for (local, &node) in nodes.iter().enumerate() {
-            for axis in 0..3 {
-                let change = pending.get(node as usize).map_or(0.0, |du| du[axis]);
-                if change == 0.0 {
-                    continue;
-                }
-                let column = 3 * local + axis;
-                for (row, equation) in equations.of(nodes).enumerate().filter(|(_, e)| *e != NONE) {
-                    let (a, b) = (row.min(column), row.max(column));
-                    self.condensed_residual[equation as usize] +=
-                        stiffness[a * unknowns + b] * change;
-                }
-            }
         }
     }
 }

@@ -24,7 +24,7 @@
 //! - [`obstacle`], [`contact`]: rigid ground and contact with it
 //! - [`problem`]: a boundary value problem, its loads and its state
 //! - [`ordering`], [`sparsity`], [`linear`]: the sparse linear system
-//! - [`assembly`]: residual and tangent of the whole problem
+//! - [`system`], [`assembly`]: residual and tangent of the whole problem
 //! - [`newton`]: equilibrium under given loads
 //! - [`path`]: load stepping with automatic cut-back
 //! - [`surface`]: strains of a surface
@@ -46,4 +46,5 @@ pub mod quadrature;
 pub mod solid;
 pub mod sparsity;
 pub mod surface;
+pub mod system;
 pub mod tensor;

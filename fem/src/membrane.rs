@@ -52,15 +52,16 @@ pub struct Membrane {
     along: Vec<f64>,
     /// Reference area of each point: face, point.
     areas: Vec<f64>,
-    /// Reference positions: face, node.
-    positions: Vec<Vector>,
+    /// Unit fibre direction in the reference state: face, point, family. Current fibres are this plus the displacements'
+    /// derivative, so that an undeformed fibre is free of round-off however far from the origin.
+    directions: Vec<Vector>,
 }
 
 impl Membrane {
     /// Puts families on a surface.
     pub fn new(mesh: &Mesh, surface: Surface, families: &[(FibreLaw, Direction<'_>)]) -> Self {
         let rule = face_points(mesh.order, mesh.order.edge_nodes());
-        let (mut along, mut areas, mut positions) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut along, mut areas, mut directions) = (Vec::new(), Vec::new(), Vec::new());
         for face in surface.iter() {
             let nodes: Vec<Vector> = face.iter().map(|&n| mesh.nodes[n as usize]).collect();
             for point in &rule {
@@ -77,16 +78,13 @@ impl Membrane {
                         .sum::<f64>()
                 });
                 for (_, direction) in families {
-                    let components = surface_components(&direction(&position, &normal), &t1, &t2);
-                    along.extend(
-                        point
-                            .gradients
-                            .iter()
-                            .map(|g| g[0] * components[0] + g[1] * components[1]),
-                    );
+                    let [a, b] = surface_components(&direction(&position, &normal), &t1, &t2);
+                    along.extend(point.gradients.iter().map(|g| g[0] * a + g[1] * b));
+                    let fibre = [0, 1, 2].map(|i| a * t1[i] + b * t2[i]);
+                    let length = norm(&fibre);
+                    directions.push(fibre.map(|c| c / length));
                 }
             }
-            positions.extend(nodes);
         }
         Self {
             surface,
@@ -94,7 +92,7 @@ impl Membrane {
             points_per_face: rule.len(),
             along,
             areas,
-            positions,
+            directions,
         }
     }
 
@@ -112,7 +110,7 @@ impl Membrane {
             let area = self.areas[face * self.points_per_face + point];
             for (family, law) in self.families.iter().enumerate() {
                 let b = self.shape_along(face, point, family, nodes);
-                let fibre = self.fibre(face, displacement, b);
+                let fibre = self.fibre(face, point, family, displacement);
                 let stretch = norm(&fibre);
                 let (tension, slope) = law.tension(stretch);
                 let unit = fibre.map(|c| c / stretch);
@@ -135,13 +133,18 @@ impl Membrane {
         }
     }
 
+    /// Stiffness of all families times the root of the area: the force at a strain of order one, N.
+    pub fn natural_force(&self) -> f64 {
+        let stiffness: f64 = self.families.iter().map(|law| law.stiffness).sum();
+        stiffness * self.areas.iter().sum::<f64>().sqrt()
+    }
+
     /// Smallest and largest fibre stretch of one face.
     pub fn stretch_range(&self, face: usize, displacement: &[Vector]) -> (f64, f64) {
         let mut range = (f64::INFINITY, f64::NEG_INFINITY);
         for point in 0..self.points_per_face {
             for family in 0..self.families.len() {
-                let b = self.shape_along(face, point, family, displacement.len());
-                let stretch = norm(&self.fibre(face, displacement, b));
+                let stretch = norm(&self.fibre(face, point, family, displacement));
                 range = (range.0.min(stretch), range.1.max(stretch));
             }
         }
@@ -153,13 +156,14 @@ impl Membrane {
         &self.along[offset..offset + nodes]
     }
 
-    fn fibre(&self, face: usize, displacement: &[Vector], along: &[f64]) -> Vector {
-        let nodes = displacement.len();
-        let positions = &self.positions[face * nodes..(face + 1) * nodes];
-        let mut fibre = [0.0; 3];
-        for ((x, u), b) in positions.iter().zip(displacement).zip(along) {
+    /// Current fibre: its reference direction plus the derivative of the displacements along it.
+    fn fibre(&self, face: usize, point: usize, family: usize, displacement: &[Vector]) -> Vector {
+        let index = (face * self.points_per_face + point) * self.families.len() + family;
+        let mut fibre = self.directions[index];
+        let along = self.shape_along(face, point, family, displacement.len());
+        for (u, b) in displacement.iter().zip(along) {
             for i in 0..3 {
-                fibre[i] += b * (x[i] + u[i]);
+                fibre[i] += b * u[i];
             }
         }
         fibre

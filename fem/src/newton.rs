@@ -8,11 +8,12 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use crate::assembly::{Assembler, Imbalance, System};
+use crate::assembly::Assembler;
 use crate::linear::{Definiteness, Factor, LinearError, Symbolic};
 use crate::problem::{Loads, Problem, State};
 use crate::solid::InvalidReference;
 use crate::sparsity::NONE;
+use crate::system::{Imbalance, System};
 use crate::tensor::Vector;
 
 /// When to stop.

@@ -1,14 +1,27 @@
-//! Load stepping with automatic cut-back along stable equilibria.
+//! Load stepping with automatic cut-back.
 
 use std::sync::atomic::AtomicBool;
 
-use crate::assembly::Imbalance;
 use crate::linear::Definiteness;
 use crate::newton::{Cause, Converged, Newton, NotConverged};
 use crate::problem::{Loads, State};
+use crate::system::Imbalance;
 
 /// Smallest fraction of the whole path that is tried before giving up.
 const SMALLEST_STEP: f64 = 1.0 / 1024.0;
+
+/// Whether a load step may end in an equilibrium whose tangent isn't positive definite.
+///
+/// A body doesn't stay in an unstable equilibrium. Where the load drives the instability, as a pressure beyond the limit
+/// point does, Newton's method can jump over it to a state of no meaning, so there stability is worth requiring. Under
+/// strong compression mixed elements lose definiteness on distorted meshes before the body does, so elsewhere it is not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stability {
+    /// Unstable equilibria are refused.
+    Required,
+    /// Any equilibrium will do.
+    Ignored,
+}
 
 /// The path ended at its target.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,8 +48,7 @@ pub struct PathFailure {
 }
 
 /// Follows the loads from `start`, at which `state` is in equilibrium, to `target`. The first step is the whole way; a
-/// step that fails is halved, one that succeeds doubles the next. An equilibrium whose tangent isn't positive definite is
-/// unstable: the body would not stay there, so such a step fails too. On failure `state` is the last equilibrium.
+/// step that fails is halved, one that succeeds doubles the next. On failure `state` is the last equilibrium.
 ///
 /// # Errors
 /// [`PathFailure`] says how far it got and why.
@@ -45,6 +57,7 @@ pub fn follow(
     state: &mut State,
     start: &Loads,
     target: &Loads,
+    stability: Stability,
     stop: &AtomicBool,
 ) -> Result<PathReport, Box<PathFailure>> {
     let mut report = PathReport {
@@ -56,7 +69,7 @@ pub fn follow(
         let next = f64::min(reached + step, 1.0);
         let mut trial = state.clone();
         match newton.solve(&mut trial, &start.towards(target, next), stop) {
-            Ok(converged) if converged.definiteness == Definiteness::Positive => {
+            Ok(converged) if stability.accepts(converged.definiteness) => {
                 *state = trial;
                 reached = next;
                 step *= 2.0;
@@ -84,6 +97,12 @@ pub fn follow(
         }
     }
     Ok(report)
+}
+
+impl Stability {
+    fn accepts(self, definiteness: Definiteness) -> bool {
+        self == Self::Ignored || definiteness == Definiteness::Positive
+    }
 }
 
 /// Why a step is not taken: it found no equilibrium, or one that is unstable.

@@ -6,7 +6,7 @@ use fem::element::Order;
 use fem::material::MooneyRivlin;
 use fem::mesh::{Mesh, Surface};
 use fem::newton::Newton;
-use fem::path::follow;
+use fem::path::{Stability, follow};
 use fem::pressure::PressureSurface;
 use fem::problem::{Loads, Problem, State};
 use fem::solid::SolidModel;
@@ -80,8 +80,15 @@ fn problem(order: Order, n: usize, distorted: bool, compliance: f64) -> Problem 
 fn solve(problem: &Problem, target: &Loads) -> (State, Vec<Vec<f64>>) {
     let mut newton = Newton::new(problem).expect("a valid mesh");
     let mut state = State::reference(problem);
-    let report = follow(&mut newton, &mut state, &Loads::default(), target, &RUNNING)
-        .expect("an equilibrium");
+    let report = follow(
+        &mut newton,
+        &mut state,
+        &Loads::default(),
+        target,
+        Stability::Ignored,
+        &RUNNING,
+    )
+    .expect("an equilibrium");
     (
         state,
         report

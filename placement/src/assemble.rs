@@ -1,12 +1,12 @@
 //! Plan and responses to the answer of a study.
 
-use fem_client::solver::Response;
+use fem_client::solver::{ModelSummary, Response};
 
 use crate::layout::rank_layouts;
 use crate::notes::notes;
 use crate::plan::Plan;
 use crate::rank::rank;
-use crate::result::{CutPoint, InputReport, ModelReport, StudyCost, StudyIdentity, StudyResult};
+use crate::result::{CutPoint, InputReport, StudyCost, StudyIdentity, StudyResult};
 use crate::score::score;
 use crate::study::Study;
 
@@ -35,7 +35,7 @@ pub fn assemble(
                 env!("CARGO_PKG_VERSION")
             ),
         },
-        model: model_report(responses),
+        model: largest_model(responses),
         inputs: study.inputs.iter().map(input_report).collect(),
         outputs: scores.outputs,
         locations,
@@ -54,24 +54,16 @@ pub fn assemble(
     }
 }
 
-/// The largest model that any point needed: symmetric points are solved on less.
-fn model_report(responses: &[Response]) -> ModelReport {
-    // The first of equals, so that the report doesn't depend on later points.
+/// The largest model that any point needed: symmetric points are solved on less. The first of equals, so that it doesn't
+/// depend on later points.
+fn largest_model(responses: &[Response]) -> ModelSummary {
     let largest = responses
         .iter()
         .rev()
         .max_by_key(|response| response.model.dofs);
-    let model = largest
+    largest
         .map(|response| response.model.clone())
-        .unwrap_or_default();
-    ModelReport {
-        dimension: model.dimension,
-        level: model.level,
-        elements: model.elements,
-        dofs: model.dofs,
-        modelled: model.modelled,
-        left_out: model.left_out,
-    }
+        .unwrap_or_default()
 }
 
 fn input_report(input: &crate::study::Input) -> InputReport {

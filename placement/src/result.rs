@@ -2,7 +2,7 @@
 //!
 //! Numbers that do not exist are `None` (null in JSON) with a reason beside them.
 
-use fem_client::solver::Choice;
+use fem_client::solver::ModelSummary;
 use serde::{Deserialize, Serialize};
 
 /// The whole answer.
@@ -11,7 +11,7 @@ pub struct StudyResult {
     /// Which study.
     pub study: StudyIdentity,
     /// What was modelled.
-    pub model: ModelReport,
+    pub model: ModelSummary,
     /// What varied.
     pub inputs: Vec<InputReport>,
     /// Every location and direction with its indices.
@@ -43,23 +43,6 @@ pub struct StudyIdentity {
     pub spec_sha256: String,
     /// Version of strainsite and its solver.
     pub version: String,
-}
-
-/// What was modelled and what was left out.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ModelReport {
-    /// `3d-half` and so on.
-    pub dimension: String,
-    /// Mesh level.
-    pub level: String,
-    /// Solid elements.
-    pub elements: usize,
-    /// Displacement unknowns.
-    pub dofs: usize,
-    /// Parts of the scene in the model, with reasons.
-    pub modelled: Vec<Choice>,
-    /// Parts left out, with reasons and effects.
-    pub left_out: Vec<Choice>,
 }
 
 /// One input as it was understood.
