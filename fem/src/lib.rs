@@ -27,7 +27,7 @@
 //! - [`system`], [`assembly`]: residual and tangent of the whole problem
 //! - [`newton`]: equilibrium under given loads
 //! - [`path`]: load stepping with automatic cut-back
-//! - [`surface`]: strains of a surface
+//! - [`patch`], [`surface`]: strains of a surface
 
 pub mod assembly;
 pub mod contact;
@@ -39,6 +39,7 @@ pub mod mesh;
 pub mod newton;
 pub mod obstacle;
 pub mod ordering;
+pub mod patch;
 pub mod path;
 pub mod pressure;
 pub mod problem;

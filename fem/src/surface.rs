@@ -9,6 +9,7 @@
 
 use crate::element::{Order, face_shape};
 use crate::mesh::{Mesh, Surface, SurfacePoint};
+use crate::patch::{Patch, Sample};
 use crate::quadrature;
 use crate::tensor::{Vector, dot, norm};
 
@@ -46,9 +47,6 @@ impl Stretch {
     }
 }
 
-/// Samples of a patch: position relative to its corner, and (s1, s2, shear) there.
-type Sample = ([f64; 2], [f64; 3]);
-
 /// Recovered stretches of one state.
 #[derive(Debug)]
 pub struct Recovery<'c> {
@@ -58,13 +56,6 @@ pub struct Recovery<'c> {
     patches: Vec<Patch>,
     positions: Vec<Vector>,
     reference: Vec<Vector>,
-}
-
-/// A polynomial around a corner in coordinates scaled by the patch's size.
-#[derive(Debug, Clone)]
-struct Patch {
-    scale: [f64; 2],
-    coefficients: Vec<[f64; 3]>,
 }
 
 impl<'c> Recovery<'c> {
@@ -96,14 +87,9 @@ impl<'c> Recovery<'c> {
         for (corner, weight) in weights.iter().enumerate() {
             let patch = &self.patches[self.fits[point.face][corner]];
             let origin = self.chart.corner(point.face, corner);
-            let basis = monomials(
-                self.chart.surface.order,
-                patch.scaled([here[0] - origin[0], here[1] - origin[1]]),
-            );
-            for (c, b) in patch.coefficients.iter().zip(basis) {
-                for k in 0..3 {
-                    value[k] += weight * b * c[k];
-                }
+            let fitted = patch.at([here[0] - origin[0], here[1] - origin[1]]);
+            for k in 0..3 {
+                value[k] += weight * fitted[k];
             }
         }
         Stretch {
@@ -267,78 +253,6 @@ impl Corners {
 fn corner_node(order: Order, corner: usize) -> usize {
     let n = order.edge_nodes();
     [0, n - 1, n * (n - 1), n * n - 1][corner]
-}
-
-/// Complete polynomials: degree 1 for 4-node faces, degree 2 for 9-node faces.
-fn monomials(order: Order, [a, b]: [f64; 2]) -> Vec<f64> {
-    match order {
-        Order::Linear => vec![1.0, a, b],
-        Order::Quadratic => vec![1.0, a, b, a * a, a * b, b * b],
-    }
-}
-
-impl Patch {
-    fn scaled(&self, s: [f64; 2]) -> [f64; 2] {
-        [s[0] / self.scale[0], s[1] / self.scale[1]]
-    }
-
-    /// Least squares through the samples by the normal equations; coordinates scaled to the patch keep them well
-    /// conditioned.
-    fn fit(order: Order, samples: &[Sample]) -> Self {
-        let scale = [0, 1].map(|k| {
-            samples
-                .iter()
-                .map(|(s, _)| s[k].abs())
-                .fold(f64::MIN_POSITIVE, f64::max)
-        });
-        let mut patch = Self {
-            scale,
-            coefficients: Vec::new(),
-        };
-        let rows: Vec<Vec<f64>> = samples
-            .iter()
-            .map(|(s, _)| monomials(order, patch.scaled(*s)))
-            .collect();
-        let n = rows[0].len();
-        let mut normal = vec![vec![0.0; n]; n];
-        let mut rhs = vec![[0.0; 3]; n];
-        for (row, (_, value)) in rows.iter().zip(samples) {
-            for i in 0..n {
-                for j in 0..n {
-                    normal[i][j] += row[i] * row[j];
-                }
-                for k in 0..3 {
-                    rhs[i][k] += row[i] * value[k];
-                }
-            }
-        }
-        solve_spd(&mut normal, &mut rhs);
-        patch.coefficients = rhs;
-        patch
-    }
-}
-
-/// Gaussian elimination of a small symmetric positive definite system with three right-hand sides.
-fn solve_spd(matrix: &mut [Vec<f64>], rhs: &mut [[f64; 3]]) {
-    let n = rhs.len();
-    for pivot in 0..n {
-        for row in pivot + 1..n {
-            let factor = matrix[row][pivot] / matrix[pivot][pivot];
-            let (upper, lower) = matrix.split_at_mut(row);
-            for (value, above) in lower[0][pivot..].iter_mut().zip(&upper[pivot][pivot..]) {
-                *value -= factor * above;
-            }
-            for k in 0..3 {
-                rhs[row][k] -= factor * rhs[pivot][k];
-            }
-        }
-    }
-    for row in (0..n).rev() {
-        for k in 0..3 {
-            let known: f64 = (row + 1..n).map(|c| matrix[row][c] * rhs[c][k]).sum();
-            rhs[row][k] = (rhs[row][k] - known) / matrix[row][row];
-        }
-    }
 }
 
 /// Derivatives of the shape functions by the chart's coordinates.
