@@ -33,7 +33,8 @@ test-rust: setup-build
 test-web: setup-test
 	cd web && npm ci && npm test && npm run check-dist
 
-test-browser: setup-test build
+# The binary that the Rust tests drive: building it apart from them would build its dependencies once more.
+test-browser: setup-test test-rust
 	cd tests/browser && npm ci && npm test
 
 setup-build:
