@@ -310,7 +310,7 @@ mod tests {
                 ..
             })
         ));
-        sqlx::query("update evaluations set cost = replace(cost, '0', '1')")
+        sqlx::query("update evaluations set cost = replace(cost, 'wall_s', 'wall_t')")
             .execute(&mut *tx)
             .await
             .expect("damages");
