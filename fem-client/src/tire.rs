@@ -240,6 +240,10 @@ fn modelled(scene: &Scene, order: Order) -> Vec<Choice> {
     let element = match order {
         Order::Linear => "8-node bricks with one pressure each (Q1P0)",
         Order::Quadratic => "27-node bricks with a linear pressure each (Q2/P1)",
+        Order::PlaneLinear => "4-node quadrilaterals in plane strain with one pressure each (Q1P0)",
+        Order::PlaneQuadratic => {
+            "9-node quadrilaterals in plane strain with a linear pressure each (Q2/P1)"
+        }
     };
     let volume = if scene.material.d1_per_mpa == 0.0 {
         "exactly incompressible, because d1_per_mpa is 0".to_string()

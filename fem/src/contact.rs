@@ -6,7 +6,6 @@
 //! derivative of that energy, along (-z_g', 0, 1): normal to the ground.
 
 use crate::element::{FacePoint, face_points};
-use crate::membrane::tangents;
 use crate::mesh::{Mesh, Surface};
 use crate::obstacle::HeightField;
 use crate::tensor::{Vector, cross, norm};
@@ -68,7 +67,7 @@ impl ContactSurface {
         for face in surface.iter() {
             let nodes: Vec<Vector> = face.iter().map(|&n| mesh.nodes[n as usize]).collect();
             for point in &rule {
-                let [t1, t2] = tangents(&nodes, &point.gradients);
+                let [t1, t2] = point.tangents(&nodes);
                 areas.push(point.weight * norm(&cross(&t1, &t2)));
             }
         }

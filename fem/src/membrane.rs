@@ -65,7 +65,7 @@ impl Membrane {
         for face in surface.iter() {
             let nodes: Vec<Vector> = face.iter().map(|&n| mesh.nodes[n as usize]).collect();
             for point in &rule {
-                let [t1, t2] = tangents(&nodes, &point.gradients);
+                let [t1, t2] = point.tangents(&nodes);
                 let normal = cross(&t1, &t2);
                 let area = norm(&normal);
                 let normal = normal.map(|n| n / area);
@@ -168,18 +168,6 @@ impl Membrane {
         }
         fibre
     }
-}
-
-/// Tangents of a face: derivatives of the position by the two reference coordinates.
-pub(crate) fn tangents(positions: &[Vector], gradients: &[[f64; 2]]) -> [Vector; 2] {
-    let mut tangents = [[0.0; 3]; 2];
-    for (x, g) in positions.iter().zip(gradients) {
-        for i in 0..3 {
-            tangents[0][i] += g[0] * x[i];
-            tangents[1][i] += g[1] * x[i];
-        }
-    }
-    tangents
 }
 
 /// Components (a1, a2) of the unit tangential part of `direction`: a1 t1 + a2 t2.

@@ -16,8 +16,8 @@ pub struct Patch {
 /// Complete polynomials: degree 1 for 4-node faces, degree 2 for 9-node faces.
 fn monomials(order: Order, [a, b]: [f64; 2]) -> Vec<f64> {
     match order {
-        Order::Linear => vec![1.0, a, b],
-        Order::Quadratic => vec![1.0, a, b, a * a, a * b, b * b],
+        Order::Linear | Order::PlaneLinear => vec![1.0, a, b],
+        Order::Quadratic | Order::PlaneQuadratic => vec![1.0, a, b, a * a, a * b, b * b],
     }
 }
 

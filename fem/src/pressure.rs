@@ -6,7 +6,6 @@
 //! which cancels against its neighbours', is left out here.
 
 use crate::element::{FacePoint, face_points};
-use crate::membrane::tangents;
 use crate::mesh::Surface;
 use crate::tensor::{Vector, cross};
 
@@ -35,7 +34,7 @@ impl PressureSurface {
     ) {
         let mut stiffness = stiffness;
         for point in &self.rule {
-            let [t1, t2] = tangents(current, &point.gradients);
+            let [t1, t2] = point.tangents(current);
             let normal = cross(&t1, &t2);
             for (force, n) in residual.chunks_exact_mut(3).zip(&point.values) {
                 for i in 0..3 {
@@ -48,13 +47,15 @@ impl PressureSurface {
         }
     }
 
-    /// Volume between the surface and the origin, signed like the normal: a third of the flux of the position.
+    /// Volume between the surface and the origin, signed like the normal: the flux of the position over the number of
+    /// directions in which the body extends.
     pub fn enclosed_volume(&self, positions: impl Fn(u32) -> Vector) -> f64 {
+        let dimensions = self.surface.order.dimensions() as f64;
         let mut volume = 0.0;
         for face in self.surface.iter() {
             let nodes: Vec<Vector> = face.iter().map(|&n| positions(n)).collect();
             for point in &self.rule {
-                let [t1, t2] = tangents(&nodes, &point.gradients);
+                let [t1, t2] = point.tangents(&nodes);
                 let normal = cross(&t1, &t2);
                 let x = [0, 1, 2].map(|i| {
                     nodes
@@ -63,7 +64,7 @@ impl PressureSurface {
                         .map(|(x, n)| x[i] * n)
                         .sum::<f64>()
                 });
-                volume += point.weight * crate::tensor::dot(&x, &normal) / 3.0;
+                volume += point.weight * crate::tensor::dot(&x, &normal) / dimensions;
             }
         }
         volume

@@ -35,25 +35,25 @@ fn legendre(n: usize, x: f64) -> (f64, f64) {
     (value, n as f64 * (x * value - previous) / (x * x - 1.0))
 }
 
-/// Tensor-product rule on the square, the first coordinate running fastest.
-pub fn square(n: usize) -> Vec<([f64; 2], f64)> {
-    let line = gauss_legendre(n);
-    let mut rule = Vec::with_capacity(n * n);
-    for &(y, wy) in &line {
-        for &(x, wx) in &line {
+/// Tensor-product rule on the square with this many points along each coordinate, the first running fastest.
+pub fn rectangle(points: [usize; 2]) -> Vec<([f64; 2], f64)> {
+    let [line_x, line_y] = points.map(gauss_legendre);
+    let mut rule = Vec::with_capacity(points.iter().product());
+    for &(y, wy) in &line_y {
+        for &(x, wx) in &line_x {
             rule.push(([x, y], wx * wy));
         }
     }
     rule
 }
 
-/// Tensor-product rule on the cube, the first coordinate running fastest.
-pub fn cube(n: usize) -> Vec<([f64; 3], f64)> {
-    let line = gauss_legendre(n);
-    let mut rule = Vec::with_capacity(n * n * n);
-    for &(z, wz) in &line {
-        for &(y, wy) in &line {
-            for &(x, wx) in &line {
+/// Tensor-product rule on the cube with this many points along each coordinate, the first running fastest.
+pub fn brick(points: [usize; 3]) -> Vec<([f64; 3], f64)> {
+    let [line_x, line_y, line_z] = points.map(gauss_legendre);
+    let mut rule = Vec::with_capacity(points.iter().product());
+    for &(z, wz) in &line_z {
+        for &(y, wy) in &line_y {
+            for &(x, wx) in &line_x {
                 rule.push(([x, y, z], wx * wy * wz));
             }
         }
@@ -86,8 +86,11 @@ mod tests {
 
     #[test]
     fn weights_sum_to_the_volume() {
-        assert!((square(4).iter().map(|p| p.1).sum::<f64>() - 4.0).abs() < 1e-14);
-        // 27 roundings of partial sums up to 8.
-        assert!((cube(3).iter().map(|p| p.1).sum::<f64>() - 8.0).abs() < 27.0 * 8.0 * f64::EPSILON);
+        assert!((rectangle([4, 3]).iter().map(|p| p.1).sum::<f64>() - 4.0).abs() < 1e-14);
+        // At most 27 roundings of partial sums up to 8.
+        assert!(
+            (brick([3, 1, 2]).iter().map(|p| p.1).sum::<f64>() - 8.0).abs()
+                < 27.0 * 8.0 * f64::EPSILON
+        );
     }
 }

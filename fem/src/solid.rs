@@ -14,10 +14,9 @@
 //! matrix stays positive definite and well conditioned for any bulk modulus. Pressures kept as unknowns make this
 //! converge where p = kappa (J - 1), inserted, does not.
 
-use crate::element::{Order, brick_gradients, pressure_modes};
+use crate::element::{Order, brick_gradients, brick_points, pressure_modes};
 use crate::material::Isochoric;
 use crate::mesh::Mesh;
-use crate::quadrature;
 use crate::tensor::{Tensor, cofactor, cofactor_derivative, determinant};
 
 /// Ratio of the step's bulk modulus to the shear modulus for (nearly) incompressible solids. A Newton step then leaves
@@ -75,7 +74,7 @@ impl SolidGeometry {
     /// [`InvalidReference`] names the first inverted brick.
     pub fn new(mesh: &Mesh) -> Result<Self, InvalidReference> {
         let order = mesh.order;
-        let rule = quadrature::cube(order.edge_nodes());
+        let rule = brick_points(order);
         let modes: Vec<_> = rule
             .iter()
             .map(|(point, _)| pressure_modes(order, *point))
@@ -155,7 +154,8 @@ impl SolidGeometry {
 }
 
 fn jacobian_matrix(mesh: &Mesh, element: usize, gradients: &[[f64; 3]]) -> Tensor {
-    let mut jacobian = [[0.0; 3]; 3];
+    let lateral = mesh.order.lateral_tangent();
+    let mut jacobian = lateral.map(|component| [0.0, component, 0.0]);
     for (&node, gradient) in mesh.brick(element).iter().zip(gradients) {
         let position = &mesh.nodes[node as usize];
         for i in 0..3 {

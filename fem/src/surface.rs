@@ -60,7 +60,14 @@ pub struct Recovery<'c> {
 
 impl<'c> Recovery<'c> {
     /// Recovers the stretches of the state whose current nodal positions are given.
+    ///
+    /// # Panics
+    /// When the surface belongs to a body in plane strain: its faces are lines and have no second coordinate.
     pub fn new(chart: &'c Chart, mesh: &Mesh, position: impl Fn(u32) -> Vector) -> Self {
+        assert!(
+            !mesh.order.is_plane(),
+            "recovery needs faces with two coordinates"
+        );
         let positions: Vec<Vector> = chart.surface.faces.iter().map(|&n| position(n)).collect();
         let reference: Vec<Vector> = chart
             .surface
@@ -140,7 +147,7 @@ impl<'c> Recovery<'c> {
 
     /// Samples of one face in the chart's coordinates.
     fn face_samples(&self, face: usize) -> Vec<Sample> {
-        quadrature::square(self.chart.surface.order.edge_nodes() - 1)
+        quadrature::rectangle([self.chart.surface.order.edge_nodes() - 1; 2])
             .into_iter()
             .map(|(local, _)| {
                 let point = SurfacePoint { face, local };
