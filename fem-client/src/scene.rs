@@ -3,8 +3,12 @@
 //! Units: mm, N, MPa, degrees. Every field has a default (the reference tire) and a checked range; see
 //! [`crate::scene_reader`] for the ranges and [`crate::scene_edit`] for changing single fields.
 
+mod material;
+
 use serde::Serialize;
 use serde_json::Value;
+
+pub use material::{Law, Material, OgdenTerm};
 
 /// What is pressed on which ground, by how much, and how finely it is modelled.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -47,27 +51,6 @@ pub struct Geometry {
 pub enum GeometryKind {
     /// Pneumatic tire.
     Tire,
-}
-
-/// Mooney-Rivlin rubber, W = c10 (I1 - 3) + c01 (I2 - 3) + (J - 1)^2 / d1 with isochoric invariants.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Material {
-    /// Law; only `mooney-rivlin` so far.
-    pub model: MaterialModel,
-    /// First constant, MPa.
-    pub c10_mpa: f64,
-    /// Second constant, MPa.
-    pub c01_mpa: f64,
-    /// Compressibility, 1/MPa: the bulk modulus is 2/d1; 0 is exactly incompressible.
-    pub d1_per_mpa: f64,
-}
-
-/// Laws of the rubber.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum MaterialModel {
-    /// Mooney-Rivlin.
-    MooneyRivlin,
 }
 
 /// Textile layer: two fibre families at +-angle to the circumference, a membrane within the wall.
@@ -170,17 +153,6 @@ impl Default for Geometry {
             section_radius_mm: 12.5,
             wall_mm: 3.0,
             bead_angle_deg: 120.0,
-        }
-    }
-}
-
-impl Default for Material {
-    fn default() -> Self {
-        Self {
-            model: MaterialModel::MooneyRivlin,
-            c10_mpa: 0.144,
-            c01_mpa: 0.036,
-            d1_per_mpa: 0.0,
         }
     }
 }

@@ -6,12 +6,13 @@ use serde_json::{Map, Value};
 
 use crate::fault::{Fault, entry, member};
 use crate::fields::shown;
-use crate::scene::Scene;
+use crate::scene::{Law, Scene};
 
 impl Scene {
     /// Sets one field by its path.
     ///
-    /// Setting the whole of `ground.depths_mm` sets the number of stations too.
+    /// Setting the whole of `ground.depths_mm` sets the number of stations too. Setting `material.model` to another law
+    /// starts from that law's default parameters.
     ///
     /// # Errors
     /// The first fault: no such field, or a scene that the reader refuses. The scene is unchanged then.
@@ -30,6 +31,9 @@ impl Scene {
         let sets = |field| changes.iter().any(|(path, _)| *path == field);
         if sets("ground.depths_mm") && !sets("ground.stations") {
             forget_stations(&mut document);
+        }
+        if let Some((_, model)) = changes.iter().find(|(path, _)| *path == "material.model") {
+            forget_parameters(&mut document, &self.material.law, model);
         }
         for (path, value) in changes {
             match parse_path(path) {
@@ -62,6 +66,9 @@ impl Scene {
             ground.get("depths_mm").is_some() && ground.get("stations").is_none()
         }) {
             forget_stations(&mut document);
+        }
+        if let Some(model) = overrides.get("material").and_then(|m| m.get("model")) {
+            forget_parameters(&mut document, &self.material.law, model);
         }
         if let Value::Object(object) = &mut document {
             lay_over(object, overrides);
@@ -127,7 +134,7 @@ fn parse_path(path: &str) -> Option<Vec<Step<'_>>> {
             rest = after;
         }
     }
-    // No field of a scene lies deeper than three steps; this bounds the work for any text.
+    // No field of a scene lies deeper than four steps; this bounds the work for any text.
     (steps.len() <= 8).then_some(steps)
 }
 
@@ -190,6 +197,18 @@ fn put(document: &mut Value, steps: &[Step<'_>], value: Value, faults: &mut Vec<
 fn forget_stations(document: &mut Value) {
     if let Some(ground) = document.get_mut("ground").and_then(Value::as_object_mut) {
         ground.shift_remove("stations");
+    }
+}
+
+/// Parameters of one law say nothing about another.
+fn forget_parameters(document: &mut Value, law: &Law, model: &Value) {
+    if model.as_str() == Some(law.model()) {
+        return;
+    }
+    if let Some(material) = document.get_mut("material").and_then(Value::as_object_mut) {
+        for name in law.fields() {
+            material.shift_remove(*name);
+        }
     }
 }
 
@@ -256,6 +275,34 @@ mod tests {
         );
         scene.set("carcass", &Value::Null).unwrap();
         assert_eq!(scene.carcass, None);
+    }
+
+    #[test]
+    fn another_law_starts_from_its_own_parameters() {
+        let mut scene = Scene::default();
+        scene.set("material.model", &json!("yeoh")).unwrap();
+        assert_eq!(scene.material.law, Law::yeoh());
+        scene.set("material.c20_mpa", &json!(-0.01)).unwrap();
+        assert_eq!(scene.number_at("material.c20_mpa"), Ok(-0.01));
+        // The same law again keeps what was set.
+        scene.set("material.model", &json!("yeoh")).unwrap();
+        assert_eq!(scene.number_at("material.c20_mpa"), Ok(-0.01));
+        let terms = json!([{"mu_mpa": 0.5, "alpha": 1.3}, {"mu_mpa": 0.1, "alpha": -2}]);
+        scene
+            .set_all(&[
+                ("material.model", &json!("ogden")),
+                ("material.terms", &terms),
+            ])
+            .unwrap();
+        scene.set("material.terms[1].mu_mpa", &json!(0.2)).unwrap();
+        assert_eq!(scene.number_at("material.terms[1].mu_mpa"), Ok(0.2));
+        assert_eq!(scene.number_at("material.terms[0].alpha"), Ok(1.3));
+        let overrides = json!({"material": {"model": "neo-hookean", "c10_mpa": 0.2}});
+        let preset = Scene::preset("foot-tire").unwrap();
+        let scene = preset
+            .overlaid(overrides.as_object().unwrap(), "", &mut Vec::new())
+            .unwrap();
+        assert_eq!(scene.material.law, Law::NeoHookean { c10_mpa: 0.2 });
     }
 
     #[test]

@@ -5,20 +5,21 @@
 
 mod geometry;
 mod ground;
+mod material;
 
 use serde_json::Value;
 
 use self::geometry::geometry;
 use self::ground::{check_ground_under, ground};
+use self::material::material;
 use crate::document::{Format, parse};
 use crate::fault::Fault;
 use crate::fields::{Fields, Range, number, plain};
-use crate::scene::{Carcass, Contact, Level, Material, MaterialModel, Model, Pressure, Scene};
+use crate::scene::{Carcass, Contact, Level, Model, Pressure, Scene};
 
 const LENGTH: Range = Range::new(1e-3, 1e4, "mm");
 const MODULUS: Range = Range::new(1e-6, 1e6, "MPa");
 const MODULUS_OR_ZERO: Range = Range::new(0.0, 1e6, "MPa");
-const COMPRESSIBILITY: Range = Range::new(0.0, 1e6, "1/MPa");
 const FIBRE_ANGLE: Range = Range::new(0.0, 90.0, "degrees");
 const FIBRE_STIFFNESS: Range = Range::new(0.0, 1e9, "N/mm");
 const SHARE: Range = Range::new(0.0, 1.0, "");
@@ -102,31 +103,6 @@ fn section<T>(
         Some((value, pointer)) => read(value, &pointer, faults),
         None => read(&empty, &fields.at(name), faults),
     }
-}
-
-fn material(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Material> {
-    let fields = Fields::open(
-        value,
-        pointer,
-        &["model", "c10_mpa", "c01_mpa", "d1_per_mpa"],
-        faults,
-    )?;
-    let default = Material::default();
-    let model = fields.choice(
-        "model",
-        &[("mooney-rivlin", MaterialModel::MooneyRivlin)],
-        default.model,
-        faults,
-    );
-    let c10 = fields.number("c10_mpa", MODULUS, default.c10_mpa, faults);
-    let c01 = fields.number("c01_mpa", MODULUS_OR_ZERO, default.c01_mpa, faults);
-    let d1 = fields.number("d1_per_mpa", COMPRESSIBILITY, default.d1_per_mpa, faults);
-    Some(Material {
-        model: model?,
-        c10_mpa: c10?,
-        c01_mpa: c01?,
-        d1_per_mpa: d1?,
-    })
 }
 
 fn carcass(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Carcass> {

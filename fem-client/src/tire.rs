@@ -2,7 +2,6 @@
 
 use fem::contact::{ContactSurface, Penalty};
 use fem::element::Order;
-use fem::material::MooneyRivlin;
 use fem::membrane::{FibreLaw, Membrane};
 use fem::mesh::Mesh;
 use fem::obstacle::{self, HeightField};
@@ -143,19 +142,15 @@ fn shape(scene: &Scene) -> TireShape {
 }
 
 fn solid(scene: &Scene) -> SolidModel {
-    let material = &scene.material;
     SolidModel {
-        material: Box::new(MooneyRivlin {
-            c10: material.c10_mpa,
-            c01: material.c01_mpa,
-        }),
-        compliance: 0.5 * material.d1_per_mpa,
+        material: scene.material.law.isochoric(),
+        compliance: 0.5 * scene.material.d1_per_mpa,
     }
 }
 
 fn penalty(scene: &Scene) -> Penalty {
-    let (material, wall) = (&scene.material, scene.geometry.wall_mm);
-    let scaled = PENALTY_FACTOR * 2.0 * (material.c10_mpa + material.c01_mpa) / wall;
+    let wall = scene.geometry.wall_mm;
+    let scaled = PENALTY_FACTOR * scene.material.law.shear_modulus_mpa() / wall;
     Penalty {
         stiffness: scene.contact.penalty_n_per_mm3.unwrap_or(scaled),
         ramp: PENALTY_RAMP * wall,
@@ -260,7 +255,10 @@ fn modelled(scene: &Scene, order: Order) -> Vec<Choice> {
                 "three-dimensional, {element}: strains across and along the wheel are both asked for"
             ),
         ),
-        choice("rubber", format!("Mooney-Rivlin, {volume}")),
+        choice(
+            "rubber",
+            format!("{}, {volume}", scene.material.law.title()),
+        ),
         choice(
             "pressure",
             "live load with its tangent: it follows the deformed inner surface".into(),

@@ -17,7 +17,7 @@
 //! - [`tensor`]: 3 x 3 algebra
 //! - [`quadrature`], [`element`]: reference cells
 //! - [`mesh`]: nodes, elements, surfaces
-//! - [`material`]: hyperelastic laws
+//! - [`material`]: hyperelastic laws: neo-Hookean, Mooney-Rivlin, Yeoh, Ogden
 //! - [`membrane`]: fibre families embedded in the mesh
 //! - [`solid`]: the mixed displacement-pressure element
 //! - [`pressure`]: live pressure on a surface

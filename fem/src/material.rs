@@ -4,9 +4,16 @@
 
 use crate::tensor::{Tensor, Tensor4};
 
+mod first_invariant;
 mod mooney_rivlin;
+mod neo_hookean;
+mod ogden;
+mod yeoh;
 
 pub use mooney_rivlin::MooneyRivlin;
+pub use neo_hookean::NeoHookean;
+pub use ogden::{Ogden, OgdenTerm};
+pub use yeoh::Yeoh;
 
 /// An isochoric stored energy: W(F) = W(J^(-1/3) F), zero with zero stress at F = 1.
 pub trait Isochoric: std::fmt::Debug + Send + Sync {
@@ -24,4 +31,9 @@ pub trait Isochoric: std::fmt::Debug + Send + Sync {
 
     /// Von Mises stress of a volume-preserving deformation with these principal stretches, MPa.
     fn von_mises(&self, stretches: [f64; 3]) -> f64;
+}
+
+/// Von Mises stress from principal Cauchy stresses, which may all be off by one pressure.
+fn von_mises_of_principal(s: [f64; 3]) -> f64 {
+    (0.5 * ((s[0] - s[1]).powi(2) + (s[1] - s[2]).powi(2) + (s[2] - s[0]).powi(2))).sqrt()
 }

@@ -1,7 +1,7 @@
 //! Mooney-Rivlin: W = C10 (I1 - 3) + C01 (I2 - 3) in the isochoric invariants
 //! I1 = J^(-2/3) F:F and I2 = J^(-4/3) ((F:F)^2 - C:C) / 2, C = F^T F.
 
-use super::Isochoric;
+use super::{Isochoric, von_mises_of_principal};
 use crate::tensor::{
     Tensor, Tensor4, cofactor, cofactor_derivative, determinant, multiply, transpose,
 };
@@ -150,15 +150,7 @@ impl Isochoric for MooneyRivlin {
     }
 
     fn von_mises(&self, stretches: [f64; 3]) -> f64 {
-        // Cauchy stress differences sigma_i - sigma_j = 2 (l_i^2 - l_j^2) (C10 + C01 l_k^2).
-        let square = stretches.map(|l| l * l);
-        let sum: f64 = (0..3)
-            .map(|k| {
-                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-                let difference = 2.0 * (square[i] - square[j]) * (self.c10 + self.c01 * square[k]);
-                difference * difference
-            })
-            .sum();
-        (0.5 * sum).sqrt()
+        // Cauchy stress up to a pressure: 2 (C10 l_i^2 - C01 l_i^-2).
+        von_mises_of_principal(stretches.map(|l| 2.0 * (self.c10 * l * l - self.c01 / (l * l))))
     }
 }
