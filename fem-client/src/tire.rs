@@ -2,14 +2,15 @@
 
 use fem::contact::{ContactSurface, Penalty};
 use fem::element::Order;
-use fem::membrane::{FibreLaw, Membrane};
+use fem::membrane::Membrane;
 use fem::mesh::Mesh;
 use fem::obstacle::{self, HeightField};
 use fem::pressure::PressureSurface;
 use fem::problem::{Problem, State};
 use fem::solid::SolidModel;
 use fem::surface::Chart;
-use fem::tensor::{Vector, cross};
+use fem::surface_law::{FibreFamily, SurfaceLaw};
+use fem::tensor::Vector;
 
 use crate::scene::{Carcass, Ground, Level, Scene, StationFunctions};
 use crate::solver::{Choice, ModelSummary};
@@ -173,26 +174,28 @@ fn supports(grid: &TireGrid, nodes: usize) -> Vec<[Option<f64>; 3]> {
     supports
 }
 
-/// Both cord families: cos(angle) along the circumference plus and minus sin(angle) along the meridian.
-fn membrane(carcass: &Carcass, grid: &TireGrid, mesh: &Mesh) -> Option<Membrane> {
-    let law = FibreLaw {
+/// The unit vector along the circumference, in the rolling direction.
+fn circumferential(position: &Vector, _normal: &Vector) -> Vector {
+    let radius = position[0].hypot(position[2]);
+    [-position[2] / radius, 0.0, position[0] / radius]
+}
+
+/// Both cord families, at plus and minus their angle to the circumference.
+pub fn cord_families(carcass: &Carcass) -> [FibreFamily; 2] {
+    [1.0, -1.0].map(|sign| FibreFamily {
+        angle: sign * carcass.angle_deg.to_radians(),
         stiffness: carcass.stiffness_n_per_mm,
         compression_ratio: carcass.compression_ratio,
-    };
-    let direction = |sign: f64| {
-        let (sin, cos) = carcass.angle_deg.to_radians().sin_cos();
-        move |position: &Vector, normal: &Vector| {
-            let radius = position[0].hypot(position[2]);
-            let circumferential = [-position[2] / radius, 0.0, position[0] / radius];
-            let meridional = cross(normal, &circumferential);
-            [0, 1, 2].map(|i| cos * circumferential[i] + sign * sin * meridional[i])
-        }
-    };
-    let (plus, minus) = (direction(1.0), direction(-1.0));
+    })
+}
+
+fn membrane(carcass: &Carcass, grid: &TireGrid, mesh: &Mesh) -> Option<Membrane> {
+    let laws = cord_families(carcass).map(|family| Box::new(family) as Box<dyn SurfaceLaw>);
     Some(Membrane::new(
         mesh,
         grid.carcass_surface()?,
-        &[(law, &plus), (law, &minus)],
+        &circumferential,
+        laws.into(),
     ))
 }
 

@@ -173,20 +173,28 @@ impl FacePoint {
     }
 }
 
-/// Integration points of a face with `n` Gauss points along each of its lines.
-pub fn face_points(order: Order, n: usize) -> Vec<FacePoint> {
+/// A point of a reference face with its shape functions.
+pub fn face_point(order: Order, local: [f64; 2], weight: f64) -> FacePoint {
+    let (values, gradients) = face_shape(order, local);
+    FacePoint {
+        weight,
+        values,
+        gradients,
+        lateral: order.lateral_tangent(),
+    }
+}
+
+/// Points and weights of a face with `n` Gauss points along each of its lines.
+pub fn face_rule(order: Order, n: usize) -> Vec<([f64; 2], f64)> {
     let across = if order.is_plane() { 1 } else { n };
     quadrature::rectangle([n, across])
+}
+
+/// Integration points of a face with `n` Gauss points along each of its lines.
+pub fn face_points(order: Order, n: usize) -> Vec<FacePoint> {
+    face_rule(order, n)
         .into_iter()
-        .map(|(point, weight)| {
-            let (values, gradients) = face_shape(order, point);
-            FacePoint {
-                weight,
-                values,
-                gradients,
-                lateral: order.lateral_tangent(),
-            }
-        })
+        .map(|(local, weight)| face_point(order, local, weight))
         .collect()
 }
 

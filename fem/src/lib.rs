@@ -18,7 +18,7 @@
 //! - [`quadrature`], [`element`]: reference cells
 //! - [`mesh`]: nodes, elements, surfaces
 //! - [`material`]: hyperelastic laws: neo-Hookean, Mooney-Rivlin, Yeoh, Ogden
-//! - [`membrane`]: fibre families embedded in the mesh
+//! - [`surface_law`], [`membrane`]: fibre families and films embedded in the mesh
 //! - [`solid`]: the mixed displacement-pressure element
 //! - [`pressure`]: live pressure on a surface
 //! - [`obstacle`], [`contact`]: rigid ground and contact with it
@@ -47,5 +47,6 @@ pub mod quadrature;
 pub mod solid;
 pub mod sparsity;
 pub mod surface;
+pub mod surface_law;
 pub mod system;
 pub mod tensor;
