@@ -1,33 +1,27 @@
 //! Residual and tangent of the whole problem.
 
+use std::sync::Arc;
+
 use crate::element::Order;
-use crate::membrane::Membrane;
-use crate::mesh::Surface;
 use crate::problem::{Loads, Problem, State};
-use crate::solid::{InvalidReference, SolidContribution, SolidGeometry};
-use crate::sparsity::{Equations, Pattern};
-use crate::system::{Imbalance, System};
+use crate::setup::Setup;
+use crate::solid::SolidContribution;
+use crate::sparsity::NONE;
+use crate::system::{Entries, Imbalance, Residuals};
 use crate::tensor::Vector;
 
 /// Share of the body's natural force below which forces count as round-off: a body that nothing loads is in balance
 /// although its forces, each rounded, are as large as their sum.
 const ROUND_OFF_SHARE: f64 = 1e-5;
 
-/// Sums element contributions into the linear system of one Newton step.
+/// Sums element contributions, with the buffers that this takes.
 #[derive(Debug)]
 pub struct Assembler<'p> {
     problem: &'p Problem,
-    geometry: SolidGeometry,
-    /// Equation numbers.
-    pub equations: Equations,
-    brick_scatter: Vec<u32>,
-    membrane_scatter: Vec<Vec<u32>>,
-    pressure_scatter: Vec<u32>,
-    contact_scatter: Vec<u32>,
+    setup: Arc<Setup>,
     solid: SolidContribution,
+    displacement: Vec<Vector>,
     face: FaceBuffers,
-    /// Shear modulus times volume^(2/3), and fibre stiffnesses times the root of their area, N.
-    natural_force: f64,
 }
 
 #[derive(Debug)]
@@ -37,325 +31,274 @@ struct FaceBuffers {
     positions: Vec<Vector>,
 }
 
+
 impl<'p> Assembler<'p> {
-    /// Prepares the scatter of every element.
-    ///
-    /// # Errors
-    /// [`InvalidReference`] names an inverted brick.
-    pub fn new(problem: &'p Problem) -> Result<(Self, Pattern), InvalidReference> {
-        let mesh = &problem.mesh;
-        let geometry = SolidGeometry::new(mesh)?;
-        let equations = Equations::new(mesh, &problem.layout, &problem.supports);
-        let pattern = Pattern::new(mesh, &equations);
-        let scatter = |nodes: &[u32]| pattern.scatter(&equations.of(nodes).collect::<Vec<_>>());
-        let of_surface = |surface: &Surface| surface.iter().flat_map(scatter).collect::<Vec<_>>();
-        let order = mesh.order;
+    /// Allocates the buffers.
+    pub fn new(problem: &'p Problem, setup: Arc<Setup>) -> Self {
+        let order = problem.mesh.order;
         let face_unknowns = 3 * order.face_nodes();
-        let assembler = Self {
+        Self {
             problem,
-            brick_scatter: (0..mesh.brick_count())
-                .flat_map(|e| scatter(mesh.brick(e)))
-                .collect(),
-            membrane_scatter: problem
-                .membranes
-                .iter()
-                .map(|m| of_surface(&m.surface))
-                .collect(),
-            pressure_scatter: problem
-                .pressure
-                .as_ref()
-                .map(|p| of_surface(&p.surface))
-                .unwrap_or_default(),
-            contact_scatter: problem
-                .contact
-                .as_ref()
-                .map(|c| of_surface(&c.surface))
-                .unwrap_or_default(),
-            natural_force: natural_force(problem, &geometry),
-            geometry,
-            equations,
+            setup,
             solid: SolidContribution::new(order),
+            displacement: vec![[0.0; 3]; order.brick_nodes()],
             face: FaceBuffers {
                 residual: vec![0.0; face_unknowns],
                 stiffness: vec![0.0; face_unknowns * face_unknowns],
                 positions: vec![[0.0; 3]; order.face_nodes()],
             },
-        };
-        Ok((assembler, pattern))
+        }
     }
 
-    /// Buffers of a system.
-    pub fn system(&self, pattern: &Pattern) -> System {
-        let (order, bricks) = (self.order(), self.problem.mesh.brick_count());
-        System {
-            residual: vec![0.0; self.equations.count],
-            condensed_residual: vec![0.0; self.equations.count],
-            entries: vec![0.0; pattern.entries()],
-            force_magnitude: vec![0.0; 3 * self.problem.mesh.nodes.len()],
-            coupling: vec![0.0; bricks * order.pressure_modes() * 3 * order.brick_nodes()],
-            pressure_residual: vec![0.0; bricks * order.pressure_modes()],
-        }
+    /// Buffers of the residuals.
+    pub fn residuals(&self) -> Residuals {
+        let pressures = self.problem.mesh.brick_count() * self.order().pressure_modes();
+        Residuals::new(&self.setup, pressures, self.problem.mesh.nodes.len())
     }
 
     fn order(&self) -> Order {
         self.problem.mesh.order
     }
 
-    /// Residual alone.
-    pub fn residual(&mut self, state: &State, loads: &Loads, system: &mut System) -> Imbalance {
-        self.assemble(state, loads, system, None)
+    /// Unknowns of a brick's displacements and of its pressures.
+    fn sizes(&self) -> (usize, usize) {
+        (
+            3 * self.order().brick_nodes(),
+            self.order().pressure_modes(),
+        )
     }
 
-    /// Residual and condensed tangent. `pending` holds increments of the held displacements that the step must make.
+    /// Entries of the coupling between pressures and displacements: brick, mode, unknown.
+    pub fn coupling_len(&self) -> usize {
+        let (unknowns, modes) = self.sizes();
+        self.problem.mesh.brick_count() * modes * unknowns
+    }
+
+    /// Residuals at a state.
+    pub fn residual(&mut self, state: &State, loads: &Loads, target: &mut Residuals) -> Imbalance {
+        target.clear();
+        self.add_solid_residuals(state, target);
+        let problem = self.problem;
+        let setup = self.setup.clone();
+        for membrane in &problem.membranes {
+            for (index, nodes) in membrane.surface.iter().enumerate() {
+                self.face.clear(false);
+                gather(&state.displacement, nodes, &mut self.face.positions);
+                membrane.integrate(index, &self.face.positions, &mut self.face.residual, None);
+                target.add(&setup.equations, nodes, &self.face.residual);
+            }
+        }
+        if let Some(surface) = problem.pressure.as_ref().filter(|_| loads.pressure != 0.0) {
+            for nodes in surface.surface.iter() {
+                self.face.clear(false);
+                self.face.move_to(problem, state, nodes);
+                surface.integrate(
+                    loads.pressure,
+                    &self.face.positions,
+                    &mut self.face.residual,
+                    None,
+                );
+                target.add(&setup.equations, nodes, &self.face.residual);
+            }
+        }
+        self.add_contact(state, loads, target);
+        self.imbalance(target)
+    }
+
+    fn add_solid_residuals(&mut self, state: &State, target: &mut Residuals) {
+        let (_, modes) = self.sizes();
+        for element in 0..self.problem.mesh.brick_count() {
+            self.integrate_solid(state, element, false);
+            target.volumes[element * modes..(element + 1) * modes]
+                .copy_from_slice(&self.solid.pressure_residual);
+            target.min_volume_ratio = target.min_volume_ratio.min(self.solid.min_volume_ratio);
+            let nodes = self.problem.mesh.brick(element);
+            target.add(&self.setup.equations, nodes, &self.solid.residual);
+        }
+    }
+
+    fn integrate_solid(&mut self, state: &State, element: usize, tangent: bool) {
+        let (_, modes) = self.sizes();
+        let nodes = self.problem.mesh.brick(element);
+        gather(&state.displacement, nodes, &mut self.displacement);
+        let pressure = &state.pressure[element * modes..(element + 1) * modes];
+        self.solid.integrate(
+            &self.problem.solid,
+            &self.setup.geometry,
+            element,
+            &self.displacement,
+            pressure,
+            tangent,
+        );
+    }
+
+    fn add_contact(&mut self, state: &State, loads: &Loads, target: &mut Residuals) {
+        let (Some(surface), Some(ground)) = (&self.problem.contact, &loads.ground) else {
+            return;
+        };
+        for (index, nodes) in surface.surface.iter().enumerate() {
+            self.face.clear(false);
+            self.face.move_to(self.problem, state, nodes);
+            let FaceBuffers {
+                residual,
+                positions,
+                ..
+            } = &mut self.face;
+            if surface.integrate(ground, index, positions, residual, None) {
+                target.add_contact(&self.setup.equations, nodes, residual);
+                target.touches_outside |= !self.setup.border_faces[index];
+            }
+        }
+    }
+
+    /// Condensed tangent of all but contact, and the coupling of pressures and displacements. `pending` holds increments
+    /// of the held displacements that the step must make.
     pub fn tangent(
         &mut self,
         state: &State,
         loads: &Loads,
         pending: &[Vector],
-        system: &mut System,
-    ) -> Imbalance {
-        self.assemble(state, loads, system, Some(pending))
-    }
-
-    fn assemble(
-        &mut self,
-        state: &State,
-        loads: &Loads,
-        system: &mut System,
-        pending: Option<&[Vector]>,
-    ) -> Imbalance {
-        system.residual.fill(0.0);
-        system.force_magnitude.fill(0.0);
-        if pending.is_some() {
-            system.condensed_residual.fill(0.0);
-            system.entries.fill(0.0);
-        }
-        self.add_solids(state, system, pending);
-        self.add_membranes(state, system, pending);
-        self.add_pressure(state, loads, system, pending);
-        self.add_contact(state, loads, system, pending);
-        self.imbalance(system)
-    }
-
-    fn add_solids(&mut self, state: &State, system: &mut System, pending: Option<&[Vector]>) {
-        let problem = self.problem;
-        let (order, modes) = (self.order(), self.order().pressure_modes());
-        let unknowns = 3 * order.brick_nodes();
-        let packed = unknowns * (unknowns + 1) / 2;
-        let mut displacement = vec![[0.0; 3]; order.brick_nodes()];
-        for element in 0..problem.mesh.brick_count() {
-            let nodes = problem.mesh.brick(element);
-            gather(&state.displacement, nodes, &mut displacement);
-            let pressure = &state.pressure[element * modes..(element + 1) * modes];
-            self.solid.integrate(
-                &problem.solid,
-                &self.geometry,
-                element,
-                &displacement,
-                pressure,
-                pending.is_some(),
-            );
-            system.pressure_residual[element * modes..(element + 1) * modes]
-                .copy_from_slice(&self.solid.pressure_residual);
-            system.add_forces(&self.equations, nodes, &self.solid.residual);
-            if let Some(pending) = pending {
-                system.coupling[element * modes * unknowns..(element + 1) * modes * unknowns]
-                    .copy_from_slice(&self.solid.coupling);
-                self.solid.condense(&problem.solid, &self.geometry, element);
-                let scatter = &self.brick_scatter[element * packed..(element + 1) * packed];
-                system.add_tangent(
-                    &self.equations,
-                    nodes,
-                    &self.solid.residual,
-                    &self.solid.stiffness,
-                    scatter,
-                    pending,
-                );
-            }
-        }
-    }
-
-    fn add_membranes(&mut self, state: &State, system: &mut System, pending: Option<&[Vector]>) {
-        for (membrane, scatter) in self.problem.membranes.iter().zip(&self.membrane_scatter) {
+        entries: &mut Entries,
+        coupling: &mut [f64],
+    ) {
+        entries.clear();
+        self.add_solid_tangents(state, pending, entries, coupling);
+        let (problem, setup) = (self.problem, self.setup.clone());
+        for (membrane, scatter) in problem.membranes.iter().zip(&setup.membrane_scatter) {
             for (index, nodes) in membrane.surface.iter().enumerate() {
-                self.face.clear(pending.is_some());
+                self.face.clear(true);
                 gather(&state.displacement, nodes, &mut self.face.positions);
-                let FaceBuffers {
-                    residual,
-                    stiffness,
-                    positions,
-                } = &mut self.face;
-                membrane.integrate(
-                    index,
-                    positions,
-                    residual,
-                    pending.map(|_| stiffness.as_mut_slice()),
-                );
+                let (positions, residual, stiffness) = self.face.parts();
+                membrane.integrate(index, positions, residual, Some(stiffness));
                 self.face
-                    .scatter(&self.equations, nodes, index, scatter, pending, system);
+                    .scatter(&setup, nodes, index, scatter, pending, entries);
+            }
+        }
+        if let Some(surface) = problem.pressure.as_ref().filter(|_| loads.pressure != 0.0) {
+            for (index, nodes) in surface.surface.iter().enumerate() {
+                self.face.clear(true);
+                self.face.move_to(problem, state, nodes);
+                let (positions, residual, stiffness) = self.face.parts();
+                surface.integrate(loads.pressure, positions, residual, Some(stiffness));
+                let scatter = &setup.pressure_scatter;
+                self.face
+                    .scatter(&setup, nodes, index, scatter, pending, entries);
             }
         }
     }
 
-    fn add_pressure(
+    fn add_solid_tangents(
         &mut self,
         state: &State,
-        loads: &Loads,
-        system: &mut System,
-        pending: Option<&[Vector]>,
+        pending: &[Vector],
+        entries: &mut Entries,
+        coupling: &mut [f64],
     ) {
-        let Some(surface) = self
-            .problem
-            .pressure
-            .as_ref()
-            .filter(|_| loads.pressure != 0.0)
-        else {
-            return;
-        };
-        for (index, nodes) in surface.surface.iter().enumerate() {
-            self.face.clear(pending.is_some());
-            self.face.move_to(self.problem, state, nodes);
-            let FaceBuffers {
-                residual,
-                stiffness,
-                positions,
-            } = &mut self.face;
-            surface.integrate(
-                loads.pressure,
-                positions,
-                residual,
-                pending.map(|_| stiffness.as_mut_slice()),
-            );
-            self.face.scatter(
-                &self.equations,
-                nodes,
-                index,
-                &self.pressure_scatter,
+        let (unknowns, modes) = self.sizes();
+        let packed = unknowns * (unknowns + 1) / 2;
+        let coupling = coupling.chunks_exact_mut(modes * unknowns);
+        for (element, coupling) in (0..self.problem.mesh.brick_count()).zip(coupling) {
+            self.integrate_solid(state, element, true);
+            coupling.copy_from_slice(&self.solid.coupling);
+            self.solid
+                .condense(&self.problem.solid, &self.setup.geometry, element);
+            entries.add(
+                &self.setup.equations,
+                self.problem.mesh.brick(element),
+                &self.solid.stiffness,
+                &self.setup.brick_scatter[element * packed..(element + 1) * packed],
                 pending,
-                system,
             );
         }
     }
 
-    fn add_contact(
-        &mut self,
-        state: &State,
-        loads: &Loads,
-        system: &mut System,
-        pending: Option<&[Vector]>,
-    ) {
-        let (Some(surface), Some(ground)) = (&self.problem.contact, &loads.ground) else {
-            return;
-        };
-        for (index, nodes) in surface.surface.iter().enumerate() {
-            self.face.clear(pending.is_some());
-            self.face.move_to(self.problem, state, nodes);
-            let FaceBuffers {
-                residual,
-                stiffness,
-                positions,
-            } = &mut self.face;
-            let stiffness = pending.map(|_| stiffness.as_mut_slice());
-            if surface.integrate(ground, index, positions, residual, stiffness) {
-                self.face.scatter(
-                    &self.equations,
-                    nodes,
-                    index,
-                    &self.contact_scatter,
-                    pending,
-                    system,
-                );
+    /// Adds to `forces` what the elimination of the pressures moves there: B^T M^-1 r_p / c.
+    pub fn add_condensed_volumes(&self, coupling: &[f64], volumes: &[f64], forces: &mut [f64]) {
+        let (unknowns, modes) = self.sizes();
+        let mut pressure = [0.0; MODES];
+        let bricks = coupling
+            .chunks_exact(modes * unknowns)
+            .zip(volumes.chunks_exact(modes));
+        for (element, (coupling, volumes)) in bricks.enumerate() {
+            let pressure = &mut pressure[..modes];
+            self.pressure_increment(element, volumes, pressure);
+            for (mode, rows) in pressure.iter().zip(coupling.chunks_exact(unknowns)) {
+                let equations = self.setup.equations.of(self.problem.mesh.brick(element));
+                for (equation, b) in equations.zip(rows) {
+                    if equation != NONE {
+                        forces[equation as usize] += mode * b;
+                    }
+                }
             }
         }
     }
 
-    fn imbalance(&self, system: &System) -> Imbalance {
+    /// Pressure increments that belong to the displacement increments `du` (held ones included).
+    pub fn pressure_increments(
+        &mut self,
+        coupling: &[f64],
+        volumes: &[f64],
+        increments: &[Vector],
+        target: &mut [f64],
+    ) {
+        let (unknowns, modes) = self.sizes();
+        let mut change = [0.0; MODES];
+        let bricks = coupling
+            .chunks_exact(modes * unknowns)
+            .zip(volumes.chunks_exact(modes))
+            .zip(target.chunks_exact_mut(modes));
+        for (element, ((coupling, volumes), target)) in bricks.enumerate() {
+            let nodes = self.problem.mesh.brick(element);
+            gather(increments, nodes, &mut self.displacement);
+            let rows = coupling.chunks_exact(unknowns).zip(volumes);
+            for (change, (row, volume)) in change.iter_mut().zip(rows) {
+                let du = self.displacement.as_flattened();
+                *change = volume + row.iter().zip(du).map(|(b, u)| b * u).sum::<f64>();
+            }
+            self.pressure_increment(element, &change[..modes], target);
+        }
+    }
+
+    fn pressure_increment(&self, element: usize, volume_change: &[f64], target: &mut [f64]) {
+        SolidContribution::pressure_increment(
+            &self.problem.solid,
+            &self.setup.geometry,
+            element,
+            volume_change,
+            target,
+        );
+    }
+
+    fn imbalance(&self, residuals: &Residuals) -> Imbalance {
         let norm = |values: &[f64]| values.iter().map(|v| v * v).sum::<f64>().sqrt();
         let ratio = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
         let bricks = self.problem.mesh.brick_count();
         let volumes = (0..bricks)
-            .map(|e| self.geometry.volume(e).powi(2))
+            .map(|e| self.setup.geometry.volume(e).powi(2))
             .sum::<f64>()
             .sqrt();
-        let forces = norm(&system.force_magnitude).max(ROUND_OFF_SHARE * self.natural_force);
+        let forces = norm(&residuals.magnitudes).max(ROUND_OFF_SHARE * self.setup.natural_force);
         Imbalance {
-            force: ratio(norm(&system.residual), forces),
-            volume: ratio(norm(&system.pressure_residual), volumes),
-        }
-    }
-
-    /// Adds the displacement increments `du` (held ones included) and the pressures that belong to them.
-    pub fn apply(&self, state: &mut State, system: &System, increments: &[Vector], factor: f64) {
-        let (order, modes) = (self.order(), self.order().pressure_modes());
-        let unknowns = 3 * order.brick_nodes();
-        let mut local = vec![[0.0; 3]; order.brick_nodes()];
-        let mut change = vec![0.0; modes];
-        for element in 0..self.problem.mesh.brick_count() {
-            gather(increments, self.problem.mesh.brick(element), &mut local);
-            SolidContribution::pressure_increment(
-                &self.problem.solid,
-                &self.geometry,
-                element,
-                &system.coupling[element * modes * unknowns..(element + 1) * modes * unknowns],
-                &system.pressure_residual[element * modes..(element + 1) * modes],
-                local.as_flattened(),
-                &mut change,
-            );
-            for (p, dp) in state.pressure[element * modes..(element + 1) * modes]
-                .iter_mut()
-                .zip(&change)
-            {
-                *p += factor * dp;
-            }
-        }
-        for (u, du) in state.displacement.iter_mut().zip(increments) {
-            for i in 0..3 {
-                u[i] += factor * du[i];
-            }
+            force: ratio(norm(&residuals.forces), forces),
+            volume: ratio(norm(&residuals.volumes), volumes),
         }
     }
 
     /// Largest |J - 1| of a brick's mean.
-    pub fn max_volume_change(&self, state: &State) -> f64 {
-        self.volume_ratios(state)
-            .map(|(mean, _)| (mean - 1.0).abs())
+    pub fn max_volume_change(&mut self, state: &State) -> f64 {
+        (0..self.problem.mesh.brick_count())
+            .map(|element| {
+                let nodes = self.problem.mesh.brick(element);
+                gather(&state.displacement, nodes, &mut self.displacement);
+                let geometry = &self.setup.geometry;
+                (geometry.mean_volume_ratio(element, &self.displacement) - 1.0).abs()
+            })
             .fold(0.0, f64::max)
     }
-
-    /// Smallest J of an integration point; minus infinity when one isn't a number.
-    pub fn min_volume_ratio(&self, state: &State) -> f64 {
-        self.volume_ratios(state)
-            .map(|(_, smallest)| {
-                if smallest.is_nan() {
-                    f64::NEG_INFINITY
-                } else {
-                    smallest
-                }
-            })
-            .fold(f64::INFINITY, f64::min)
-    }
-
-    /// Mean and smallest J of each brick.
-    fn volume_ratios(&self, state: &State) -> impl Iterator<Item = (f64, f64)> {
-        let mut displacement = vec![[0.0; 3]; self.order().brick_nodes()];
-        (0..self.problem.mesh.brick_count()).map(move |element| {
-            gather(
-                &state.displacement,
-                self.problem.mesh.brick(element),
-                &mut displacement,
-            );
-            self.geometry.volume_ratios(element, &displacement)
-        })
-    }
 }
 
-fn natural_force(problem: &Problem, geometry: &SolidGeometry) -> f64 {
-    let volume: f64 = (0..problem.mesh.brick_count())
-        .map(|e| geometry.volume(e))
-        .sum();
-    let fibres: f64 = problem.membranes.iter().map(Membrane::natural_force).sum();
-    problem.solid.material.shear_modulus() * volume.powf(2.0 / 3.0) + fibres
-}
+/// Most pressure unknowns of a brick.
+const MODES: usize = 4;
 
 fn gather(values: &[Vector], nodes: &[u32], local: &mut [Vector]) {
     for (target, &node) in local.iter_mut().zip(nodes) {
@@ -371,6 +314,10 @@ impl FaceBuffers {
         }
     }
 
+    fn parts(&mut self) -> (&[Vector], &mut [f64], &mut [f64]) {
+        (&self.positions, &mut self.residual, &mut self.stiffness)
+    }
+
     fn move_to(&mut self, problem: &Problem, state: &State, nodes: &[u32]) {
         for (position, &node) in self.positions.iter_mut().zip(nodes) {
             *position = state.position(&problem.mesh, node);
@@ -379,25 +326,15 @@ impl FaceBuffers {
 
     fn scatter(
         &self,
-        equations: &Equations,
+        setup: &Setup,
         nodes: &[u32],
         index: usize,
         scatter: &[u32],
-        pending: Option<&[Vector]>,
-        system: &mut System,
+        pending: &[Vector],
+        entries: &mut Entries,
     ) {
         let packed = self.residual.len() * (self.residual.len() + 1) / 2;
-        system.add_forces(equations, nodes, &self.residual);
-        if let Some(pending) = pending {
-            let scatter = &scatter[index * packed..(index + 1) * packed];
-            system.add_tangent(
-                equations,
-                nodes,
-                &self.residual,
-                &self.stiffness,
-                scatter,
-                pending,
-            );
-        }
+        let scatter = &scatter[index * packed..(index + 1) * packed];
+        entries.add(&setup.equations, nodes, &self.stiffness, scatter, pending);
     }
 }

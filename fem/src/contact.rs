@@ -5,6 +5,8 @@
 //! small width, so that the tangent is continuous and a surface that just touches feels nothing. The forces are the
 //! derivative of that energy, along (-z_g', 0, 1): normal to the ground.
 
+use std::collections::HashSet;
+
 use crate::element::{FacePoint, face_points};
 use crate::mesh::{Mesh, Surface};
 use crate::obstacle::HeightField;
@@ -108,6 +110,31 @@ impl ContactSurface {
             }
         });
         touches
+    }
+
+    /// Faces with a node on or below the ground, and their neighbours.
+    pub fn faces_near(
+        &self,
+        ground: &HeightField,
+        positions: impl Fn(u32) -> Vector,
+    ) -> Vec<bool> {
+        let below = |face: &[u32]| {
+            face.iter().any(|&n| {
+                let [x, _, z] = positions(n);
+                z <= ground.height(x)[0]
+            })
+        };
+        let near: HashSet<u32> = self
+            .surface
+            .iter()
+            .filter(|face| below(face))
+            .flatten()
+            .copied()
+            .collect();
+        self.surface
+            .iter()
+            .map(|face| face.iter().any(|n| near.contains(n)))
+            .collect()
     }
 
     /// Resultant over all faces at these current positions.

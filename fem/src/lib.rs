@@ -23,13 +23,17 @@
 //! - [`pressure`]: live pressure on a surface
 //! - [`obstacle`], [`contact`]: rigid ground and contact with it
 //! - [`problem`]: a boundary value problem, its loads and its state
-//! - [`ordering`], [`sparsity`], [`linear`]: the sparse linear system
+//! - [`ordering`], [`sparsity`], `substitution`, [`linear`]: the sparse linear system
+//! - [`setup`]: what all states of a problem share
 //! - [`system`], [`assembly`]: residual and tangent of the whole problem
+//! - `condensed_contact`, [`tangent`]: linear body, nonlinear contact
 //! - [`newton`]: equilibrium under given loads
 //! - [`path`]: load stepping with automatic cut-back
 //! - [`patch`], [`surface`]: strains of a surface
 
+mod acceleration;
 pub mod assembly;
+mod condensed_contact;
 pub mod contact;
 pub mod element;
 pub mod linear;
@@ -44,9 +48,12 @@ pub mod path;
 pub mod pressure;
 pub mod problem;
 pub mod quadrature;
+pub mod setup;
 pub mod solid;
 pub mod sparsity;
+mod substitution;
 pub mod surface;
 pub mod surface_law;
 pub mod system;
+pub mod tangent;
 pub mod tensor;

@@ -1,19 +1,23 @@
-//! Equilibrium under given loads by Newton's method.
+//! Equilibrium under given loads by Newton's method with a tangent that is kept while it serves.
 //!
-//! Each step solves the condensed tangent for the displacements and recovers the pressures element by element. A step that
-//! would turn an element inside out is halved. The iteration ends when the out-of-balance forces and the volume
-//! residuals, both relative to the problem's own, are below the tolerance; every residual is kept.
+//! Each step solves a factorised tangent of the body for the displacements - contact in full, see [`crate::tangent`] - and
+//! recovers the pressures element by element. A tangent is renewed when, at the rate seen, the steps that it would still
+//! need cost more than a new one. A step that would turn an element inside out is halved. The iteration ends when the
+//! out-of-balance forces and the volume residuals, both relative to the problem's own, are below the tolerance; every
+//! residual is kept.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
+use crate::acceleration::Acceleration;
 use crate::assembly::Assembler;
-use crate::linear::{Definiteness, Factor, LinearError, Symbolic};
+use crate::linear::{Inertia, LinearError, Workspace};
 use crate::problem::{Loads, Problem, State};
-use crate::solid::InvalidReference;
+use crate::setup::{Setup, SetupError};
 use crate::sparsity::NONE;
-use crate::system::{Imbalance, System};
+use crate::system::{Entries, Imbalance, Residuals};
+use crate::tangent::Tangent;
 use crate::tensor::Vector;
 
 /// When to stop.
@@ -27,15 +31,18 @@ pub struct NewtonSettings {
     pub divergence: f64,
     /// Smallest volume ratio that a step may reach at an integration point.
     pub min_volume_ratio: f64,
+    /// Steps with a kept tangent that cost as much as a new one and the step with it.
+    pub renewal_cost: f64,
 }
 
 impl Default for NewtonSettings {
     fn default() -> Self {
         Self {
             tolerance: 1e-10,
-            max_iterations: 25,
+            max_iterations: 50,
             divergence: 1e6,
             min_volume_ratio: 0.05,
+            renewal_cost: 8.0,
         }
     }
 }
@@ -45,8 +52,8 @@ impl Default for NewtonSettings {
 pub struct Converged {
     /// Relative residual before the first and after each iteration.
     pub history: Vec<Imbalance>,
-    /// Whether the last tangent was positive definite.
-    pub definiteness: Definiteness,
+    /// Signs of the pivots of the last tangent used.
+    pub inertia: Inertia,
 }
 
 /// No equilibrium was found.
@@ -82,23 +89,14 @@ pub enum Cause {
 pub struct Effort {
     /// Newton iterations: linear systems solved.
     pub iterations: usize,
+    /// Tangents assembled and factorised.
+    pub factorisations: usize,
     /// Time in assembly.
     pub assembly: Duration,
     /// Time in numeric factorisation.
     pub factorisation: Duration,
-    /// Time in triangular solves.
+    /// Time in triangular solves and in the contact between them.
     pub substitution: Duration,
-}
-
-/// Setting up a problem failed.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum SetupError {
-    /// The mesh is invalid.
-    #[error(transparent)]
-    Mesh(#[from] InvalidReference),
-    /// The linear solver can't be set up.
-    #[error(transparent)]
-    Linear(#[from] LinearError),
 }
 
 /// Newton's method for one problem, with all its memory.
@@ -110,15 +108,29 @@ pub struct Newton<'p> {
     /// Time and iterations since the last reset by the caller.
     pub effort: Effort,
     assembler: Assembler<'p>,
-    symbolic: Symbolic,
-    system: System,
-    factor: Factor,
+    setup: Arc<Setup>,
+    tangent: Option<Arc<Tangent>>,
+    entries: Option<Entries>,
+    workspace: Workspace,
+    residuals: Residuals,
+    rhs: Vec<f64>,
     increments: Vec<Vector>,
+    pressure_increments: Vec<f64>,
     pending: Vec<Vector>,
+    previous: State,
+    acceleration: Acceleration,
+    flat: Vec<f64>,
+    indefinite: bool,
 }
 
 /// Halvings of a step that would invert an element, before the iteration is given up.
 const MAX_HALVINGS: usize = 8;
+/// Residual of the condensed contact relative to the imbalance before the step, which no step reduces as much.
+const CONTACT_SHARE: f64 = 1e-4;
+/// Steps over which the rate of convergence is taken.
+const RATE_STEPS: usize = 2;
+/// Growth of the residual at which a step with a kept tangent is taken back.
+const SETBACK: f64 = 10.0;
 
 impl<'p> Newton<'p> {
     /// Sets the problem up: scatter, elimination order, symbolic factorisation.
@@ -126,32 +138,56 @@ impl<'p> Newton<'p> {
     /// # Errors
     /// [`SetupError`] when the mesh is inverted or the factor doesn't fit in memory.
     pub fn new(problem: &'p Problem) -> Result<Self, SetupError> {
-        let (assembler, pattern) = Assembler::new(problem)?;
-        let symbolic = Symbolic::new(Arc::new(pattern))?;
-        let system = assembler.system(symbolic.pattern());
-        let factor = Factor::new(symbolic.clone())?;
+        Self::with_setup(problem, Arc::new(Setup::new(problem)?))
+    }
+
+    /// Newton's method on a problem that has been set up.
+    ///
+    /// # Errors
+    /// [`SetupError::Linear`] when the factor doesn't fit in memory.
+    pub fn with_setup(problem: &'p Problem, setup: Arc<Setup>) -> Result<Self, SetupError> {
+        let assembler = Assembler::new(problem, setup.clone());
         let nodes = problem.mesh.nodes.len();
+        let previous = State::reference(problem);
         Ok(Self {
             problem,
             settings: NewtonSettings::default(),
             effort: Effort::default(),
+            residuals: assembler.residuals(),
             assembler,
-            symbolic,
-            system,
-            factor,
+            tangent: None,
+            entries: None,
+            workspace: Workspace::new(&setup.symbolic)?,
+            rhs: vec![0.0; setup.equations.count],
+            setup,
             increments: vec![[0.0; 3]; nodes],
+            pressure_increments: vec![0.0; previous.pressure.len()],
             pending: vec![[0.0; 3]; nodes],
+            previous,
+            acceleration: Acceleration::default(),
+            flat: Vec::new(),
+            indefinite: false,
         })
+    }
+
+    /// Starts with a tangent made for the same problem at another state.
+    ///
+    /// # Errors
+    /// [`SetupError::Linear`] when the factor doesn't fit in memory.
+    pub fn with_tangent(problem: &'p Problem, tangent: Arc<Tangent>) -> Result<Self, SetupError> {
+        let mut newton = Self::with_setup(problem, tangent.setup.clone())?;
+        newton.tangent = Some(tangent);
+        Ok(newton)
     }
 
     /// Free displacement unknowns.
     pub fn unknowns(&self) -> usize {
-        self.assembler.equations.count
+        self.setup.equations.count
     }
 
     /// Entries of the factor.
     pub fn factor_entries(&self) -> usize {
-        self.symbolic.factor_entries()
+        self.setup.symbolic.factor_entries()
     }
 
     /// Largest |J - 1| of a brick's mean.
@@ -170,69 +206,213 @@ impl<'p> Newton<'p> {
         stop: &AtomicBool,
     ) -> Result<Converged, NotConverged> {
         let mut history = Vec::new();
-        let mut definiteness = Definiteness::Positive;
-        let mut indefinite = false;
+        self.indefinite = false;
         self.set_pending(state, loads.support_factor);
-        loop {
-            let residual = self.residual(state, loads);
-            history.push(residual);
-            let fail = |history, cause| {
-                Err(NotConverged {
-                    history,
-                    cause,
-                    indefinite,
-                })
-            };
-            let moved = self.pending.iter().flatten().all(|du| *du == 0.0);
-            if moved && residual.worst() <= self.settings.tolerance {
-                return Ok(Converged {
-                    history,
-                    definiteness,
-                });
-            }
-            if !residual.worst().is_finite() || residual.worst() > self.settings.divergence {
-                return fail(history, Cause::Diverged);
-            }
-            if history.len() > self.settings.max_iterations {
-                return fail(history, Cause::Iterations);
-            }
-            if stop.load(Ordering::Relaxed) {
-                return fail(history, Cause::Stopped);
-            }
-            definiteness = match self.step(state, loads) {
-                Ok(definiteness) => definiteness,
-                Err(cause) => return fail(history, cause),
-            };
-            indefinite |= definiteness == Definiteness::Indefinite;
+        match self.iterate(state, loads, stop, &mut history) {
+            Ok(()) => Ok(Converged {
+                history,
+                inertia: self.inertia(state, loads),
+            }),
+            Err(cause) => Err(NotConverged {
+                history,
+                cause,
+                indefinite: self.indefinite,
+            }),
         }
     }
 
-    /// One iteration: tangent, factor, increments, update.
-    fn step(&mut self, state: &mut State, loads: &Loads) -> Result<Definiteness, Cause> {
+    fn iterate(
+        &mut self,
+        state: &mut State,
+        loads: &Loads,
+        stop: &AtomicBool,
+        history: &mut Vec<Imbalance>,
+    ) -> Result<(), Cause> {
+        self.cover_contact(state, loads)?;
+        let mut residual = self.residual(state, loads);
+        self.acceleration.reset();
+        let mut kept = 0;
+        loop {
+            history.push(residual);
+            let moved = self.pending.iter().flatten().all(|du| *du == 0.0);
+            if moved && residual.worst() <= self.settings.tolerance {
+                return Ok(());
+            }
+            if !residual.worst().is_finite() || residual.worst() > self.settings.divergence {
+                return Err(Cause::Diverged);
+            }
+            if history.len() > self.settings.max_iterations {
+                return Err(Cause::Iterations);
+            }
+            if stop.load(Ordering::Relaxed) {
+                return Err(Cause::Stopped);
+            }
+            if self.residuals.touches_outside {
+                self.cover_contact(state, loads)?;
+                residual = self.residual(state, loads);
+            }
+            if !moved || self.wants_renewal(history, kept) {
+                self.renew(state, loads)?;
+                kept = 0;
+            }
+            let before = residual.worst();
+            residual = self.step(state, loads)?;
+            kept += 1;
+            if kept > 1 && !(residual.worst() <= SETBACK * before) {
+                self.restore(state);
+                residual = self.residual(state, loads);
+                self.tangent = None;
+            }
+        }
+    }
+
+    /// Whether the steps that the tangent still needs cost more than a new one, at the mean rate of the last two of the
+    /// `kept` steps that it has made: a point that opens or closes can spoil a single one.
+    fn wants_renewal(&self, history: &[Imbalance], kept: usize) -> bool {
+        if self.tangent.is_none() || kept == 0 {
+            return self.tangent.is_none();
+        }
+        let steps = kept.min(RATE_STEPS);
+        let (before, now) = (history[history.len() - 1 - steps], history[history.len() - 1]);
+        let rate = (now.worst() / before.worst()).powf(1.0 / steps as f64);
+        let left = (self.settings.tolerance / now.worst()).ln() / rate.ln();
+        rate >= 1.0 || left > self.settings.renewal_cost
+    }
+
+    /// Assembles and factorises the tangent at a state.
+    ///
+    /// # Errors
+    /// [`Cause::Singular`].
+    fn renew(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
         let start = Instant::now();
-        self.assembler
-            .tangent(state, loads, &self.pending, &mut self.system);
+        let mut tangent = match self.tangent.take().and_then(Arc::into_inner) {
+            Some(own) => own,
+            None => Tangent::new(self.setup.clone(), self.assembler.coupling_len())
+                .map_err(Cause::Singular)?,
+        };
+        let entries = self
+            .entries
+            .get_or_insert_with(|| Entries::new(&self.setup));
+        self.assembler.tangent(
+            state,
+            loads,
+            &self.pending,
+            entries,
+            &mut tangent.coupling,
+        );
         let assembled = Instant::now();
-        let definiteness = self
-            .factor
-            .factorise(&self.system.entries)
+        tangent
+            .factorise(entries, &mut self.workspace)
             .map_err(Cause::Singular)?;
-        let factorised = Instant::now();
-        self.factor.solve(&mut self.system.condensed_residual);
-        self.effort.substitution += factorised.elapsed();
-        self.effort.factorisation += factorised - assembled;
+        self.effort.factorisation += assembled.elapsed();
         self.effort.assembly += assembled - start;
-        self.effort.iterations += 1;
-        self.collect_increments();
-        self.update(state)?;
-        Ok(definiteness)
+        self.effort.factorisations += 1;
+        self.acceleration.reset();
+        self.tangent = Some(Arc::new(tangent));
+        self.indefinite |= !self.inertia(state, loads).is_positive();
+        Ok(())
+    }
+
+    /// The tangent at a state, for solves of the same problem near it. Its border serves contact with the ground of
+    /// `loads` raised by `reach`, mm.
+    ///
+    /// # Errors
+    /// [`Cause`] when it is singular or doesn't fit in memory.
+    pub fn tangent_at(
+        &mut self,
+        state: &State,
+        loads: &Loads,
+        reach: f64,
+    ) -> Result<Arc<Tangent>, Cause> {
+        self.set_pending(state, loads.support_factor);
+        let mut raised = loads.clone();
+        if let Some(ground) = &mut raised.ground {
+            ground.base += reach;
+        }
+        self.cover_contact(state, &raised)?;
+        self.renew(state, loads)?;
+        self.tangent.clone().ok_or(Cause::Diverged)
+    }
+
+    /// Signs of the pivots of the present tangent, with the contact at `state`.
+    fn inertia(&self, state: &State, loads: &Loads) -> Inertia {
+        self.tangent.as_ref().map_or_else(Inertia::default, |tangent| {
+            tangent.inertia(self.problem, state, loads.ground.as_ref())
+        })
+    }
+
+    /// Makes the border serve all faces that may touch the ground from this state.
+    fn cover_contact(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
+        let (Some(contact), Some(ground)) = (&self.problem.contact, &loads.ground) else {
+            return Ok(());
+        };
+        let mesh = &self.problem.mesh;
+        let mut faces = contact.faces_near(ground, |node| state.position(mesh, node));
+        let served = &self.setup.border_faces;
+        if faces.iter().zip(served).all(|(needed, has)| !needed || *has) {
+            return Ok(());
+        }
+        for (face, has) in faces.iter_mut().zip(served) {
+            *face |= *has;
+        }
+        let singular = |error| match error {
+            SetupError::Linear(error) => Cause::Singular(error),
+            SetupError::Mesh(_) => Cause::Inverted,
+        };
+        let setup = self.setup.with_border(self.problem, faces);
+        let setup = Arc::new(setup.map_err(singular)?);
+        let settings = self.settings;
+        let mut fresh = Self::with_setup(self.problem, setup).map_err(singular)?;
+        fresh.settings = settings;
+        fresh.effort = self.effort;
+        fresh.pending.clone_from(&self.pending);
+        fresh.indefinite = self.indefinite;
+        *self = fresh;
+        Ok(())
     }
 
     fn residual(&mut self, state: &State, loads: &Loads) -> Imbalance {
         let start = Instant::now();
-        let imbalance = self.assembler.residual(state, loads, &mut self.system);
+        let imbalance = self.assembler.residual(state, loads, &mut self.residuals);
         self.effort.assembly += start.elapsed();
         imbalance
+    }
+
+    /// One iteration with the present tangent: increments and update. Returns the residual there.
+    fn step(&mut self, state: &mut State, loads: &Loads) -> Result<Imbalance, Cause> {
+        let tangent = self.tangent.clone().ok_or(Cause::Diverged)?;
+        let start = Instant::now();
+        let (forces, contact) = (&self.residuals.forces, &self.residuals.contact);
+        for ((target, force), contact) in self.rhs.iter_mut().zip(forces).zip(contact) {
+            *target = force - contact;
+        }
+        let volumes = &self.residuals.volumes;
+        self.assembler
+            .add_condensed_volumes(&tangent.coupling, volumes, &mut self.rhs);
+        if let Some(entries) = &self.entries {
+            for (target, force) in self.rhs.iter_mut().zip(&entries.pending_forces) {
+                *target += force;
+            }
+        }
+        for value in &mut self.rhs {
+            *value = -*value;
+        }
+        let ground = loads.ground.as_ref();
+        let imbalance: f64 = forces.iter().map(|f| f * f).sum::<f64>().sqrt();
+        let (rhs, workspace) = (&mut self.rhs, &mut self.workspace);
+        let tolerance = CONTACT_SHARE * imbalance;
+        tangent.solve(self.problem, state, ground, rhs, tolerance, workspace);
+        self.collect_increments();
+        self.assembler.pressure_increments(
+            &tangent.coupling,
+            &self.residuals.volumes,
+            &self.increments,
+            &mut self.pressure_increments,
+        );
+        self.accelerate();
+        self.effort.substitution += start.elapsed();
+        self.effort.iterations += 1;
+        self.update(state, loads)
     }
 
     /// What is left to move of the held displacements.
@@ -251,32 +431,51 @@ impl<'p> Newton<'p> {
         for ((increment, equations), pending) in self
             .increments
             .iter_mut()
-            .zip(&self.assembler.equations.of_node)
+            .zip(&self.setup.equations.of_node)
             .zip(&self.pending)
         {
             *increment = [0, 1, 2].map(|i| match equations[i] {
                 NONE => pending[i],
-                equation => -self.system.condensed_residual[equation as usize],
+                equation => self.rhs[equation as usize],
             });
         }
     }
 
-    /// Applies the step, or the largest of its halvings that inverts no element.
-    fn update(&mut self, state: &mut State) -> Result<(), Cause> {
+    fn accelerate(&mut self) {
+        let displacements = 3 * self.increments.len();
+        self.flat.clear();
+        self.flat.extend_from_slice(self.increments.as_flattened());
+        self.flat.extend_from_slice(&self.pressure_increments);
+        self.acceleration.correct(&mut self.flat, displacements);
+        let (displacement, pressure) = self.flat.split_at(displacements);
+        self.increments.as_flattened_mut().copy_from_slice(displacement);
+        self.pressure_increments.copy_from_slice(pressure);
+    }
+
+    /// Applies the step, or the largest of its halvings that inverts no element, and returns the residual there.
+    fn update(&mut self, state: &mut State, loads: &Loads) -> Result<Imbalance, Cause> {
+        self.previous.clone_from(state);
         let mut factor = 1.0;
         for _ in 0..MAX_HALVINGS {
-            let mut trial = state.clone();
-            self.assembler
-                .apply(&mut trial, &self.system, &self.increments, factor);
-            if self.assembler.min_volume_ratio(&trial) > self.settings.min_volume_ratio {
-                *state = trial;
+            state.add(factor, &self.increments, &self.pressure_increments);
+            let residual = self.residual(state, loads);
+            if self.residuals.min_volume_ratio > self.settings.min_volume_ratio {
                 for pending in self.pending.iter_mut().flatten() {
                     *pending *= 1.0 - factor;
                 }
-                return Ok(());
+                if let Some(entries) = &mut self.entries {
+                    entries.pending_forces.fill(0.0);
+                }
+                return Ok(residual);
             }
+            self.restore(state);
+            self.acceleration.reset();
             factor *= 0.5;
         }
         Err(Cause::Inverted)
+    }
+
+    fn restore(&self, state: &mut State) {
+        state.clone_from(&self.previous);
     }
 }

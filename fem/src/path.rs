@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use crate::linear::Definiteness;
+use crate::linear::Inertia;
 use crate::newton::{Cause, Converged, Newton, NotConverged};
 use crate::problem::{Loads, State};
 use crate::system::Imbalance;
@@ -69,7 +69,7 @@ pub fn follow(
         let next = f64::min(reached + step, 1.0);
         let mut trial = state.clone();
         match newton.solve(&mut trial, &start.towards(target, next), stop) {
-            Ok(converged) if stability.accepts(converged.definiteness) => {
+            Ok(converged) if stability.accepts(converged.inertia) => {
                 *state = trial;
                 reached = next;
                 step *= 2.0;
@@ -100,8 +100,8 @@ pub fn follow(
 }
 
 impl Stability {
-    fn accepts(self, definiteness: Definiteness) -> bool {
-        self == Self::Ignored || definiteness == Definiteness::Positive
+    fn accepts(self, inertia: Inertia) -> bool {
+        self == Self::Ignored || inertia.is_positive()
     }
 }
 

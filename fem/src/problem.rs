@@ -69,12 +69,27 @@ impl Loads {
 }
 
 /// Unknowns of a problem.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct State {
     /// Nodal displacements, mm.
     pub displacement: Vec<Vector>,
     /// Pressure unknowns of the bricks, one brick after the other, MPa.
     pub pressure: Vec<f64>,
+}
+
+impl Clone for State {
+    fn clone(&self) -> Self {
+        Self {
+            displacement: self.displacement.clone(),
+            pressure: self.pressure.clone(),
+        }
+    }
+
+    // Copies into the memory that is there: states are copied in every Newton iteration.
+    fn clone_from(&mut self, source: &Self) {
+        self.displacement.clone_from(&source.displacement);
+        self.pressure.clone_from(&source.pressure);
+    }
 }
 
 impl State {
@@ -93,6 +108,17 @@ impl State {
             &self.displacement[node as usize],
         );
         [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
+    }
+
+    /// Adds `factor` times these increments.
+    pub fn add(&mut self, factor: f64, displacement: &[Vector], pressure: &[f64]) {
+        let own = self.displacement.as_flattened_mut().iter_mut();
+        for (u, du) in own.zip(displacement.as_flattened()) {
+            *u += factor * du;
+        }
+        for (p, dp) in self.pressure.iter_mut().zip(pressure) {
+            *p += factor * dp;
+        }
     }
 
     /// All unknowns in one list: displacements, then pressures.

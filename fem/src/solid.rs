@@ -132,19 +132,18 @@ impl SolidGeometry {
         &self.weights[element * self.points..(element + 1) * self.points]
     }
 
-    /// Mean and smallest J of a brick's integration points; not a number when one isn't.
-    pub fn volume_ratios(&self, element: usize, displacement: &[[f64; 3]]) -> (f64, f64) {
+    /// Mean J of a brick.
+    pub fn mean_volume_ratio(&self, element: usize, displacement: &[[f64; 3]]) -> f64 {
         let nodes = displacement.len();
         let start = element * self.points * nodes;
         let gradients = self.gradients[start..start + self.points * nodes].chunks_exact(nodes);
-        let (mut volume, mut deformed, mut smallest) = (0.0, 0.0, f64::INFINITY);
-        for (gradients, weight) in gradients.zip(self.point_weights(element)) {
-            let j = determinant(&deformation_gradient(displacement, gradients));
-            volume += weight;
-            deformed += weight * j;
-            smallest = if j.is_nan() { j } else { smallest.min(j) };
-        }
-        (deformed / volume, smallest)
+        let deformed: f64 = gradients
+            .zip(self.point_weights(element))
+            .map(|(gradients, weight)| {
+                weight * determinant(&deformation_gradient(displacement, gradients))
+            })
+            .sum();
+        deformed / self.volume(element)
     }
 
     /// Reference volume of a brick.
@@ -198,6 +197,8 @@ pub struct SolidContribution {
     pub residual: Vec<f64>,
     /// r_p.
     pub pressure_residual: Vec<f64>,
+    /// Smallest J of an integration point; minus infinity when one isn't a number.
+    pub min_volume_ratio: f64,
     /// Derivative of r_p by the displacements: mode, unknown.
     pub coupling: Vec<f64>,
     /// Derivative of r_u by the displacements, condensed by [`SolidContribution::condense`]; row by row, only the upper
@@ -215,6 +216,7 @@ impl SolidContribution {
         Self {
             residual: vec![0.0; unknowns],
             pressure_residual: vec![0.0; modes],
+            min_volume_ratio: 1.0,
             coupling: vec![0.0; modes * unknowns],
             stiffness: vec![0.0; unknowns * unknowns],
             stress_rows: vec![0.0; 9 * unknowns],
@@ -225,6 +227,7 @@ impl SolidContribution {
     fn clear(&mut self, tangent: bool) {
         self.residual.fill(0.0);
         self.pressure_residual.fill(0.0);
+        self.min_volume_ratio = f64::INFINITY;
         if tangent {
             self.coupling.fill(0.0);
             self.stiffness.fill(0.0);
@@ -248,6 +251,11 @@ impl SolidContribution {
             let gradients = &geometry.gradients[offset..offset + nodes];
             let f = deformation_gradient(displacement, gradients);
             let (g, j) = (cofactor(&f), determinant(&f));
+            self.min_volume_ratio = if j.is_nan() {
+                f64::NEG_INFINITY
+            } else {
+                self.min_volume_ratio.min(j)
+            };
             let modes = &geometry.modes[point];
             let p: f64 = modes.iter().zip(pressure).map(|(q, value)| q * value).sum();
             for (residual, q) in self.pressure_residual.iter_mut().zip(modes) {
@@ -335,7 +343,7 @@ impl SolidContribution {
         }
     }
 
-    /// Eliminates the pressures: adds B^T M^-1 B / c to the stiffness and B^T M^-1 r_p / c to the residual.
+    /// Eliminates the pressures: adds B^T M^-1 B / c to the stiffness.
     pub fn condense(&mut self, model: &SolidModel, geometry: &SolidGeometry, element: usize) {
         let unknowns = self.residual.len();
         let m = self.pressure_residual.len();
@@ -357,9 +365,6 @@ impl SolidContribution {
         for mode in 0..m {
             let condensed = &self.condensed[mode * unknowns..(mode + 1) * unknowns];
             let coupling = &self.coupling[mode * unknowns..(mode + 1) * unknowns];
-            for (force, y) in self.residual.iter_mut().zip(condensed) {
-                *force += y * self.pressure_residual[mode];
-            }
             for (row, &b) in coupling.iter().enumerate() {
                 let target = &mut self.stiffness[row * unknowns + row..(row + 1) * unknowns];
                 for (value, y) in target.iter_mut().zip(&condensed[row..]) {
@@ -369,31 +374,19 @@ impl SolidContribution {
         }
     }
 
-    /// Pressure increments that belong to these displacement increments: M^-1 (B du + r_p) / c.
+    /// Pressure increments M^-1 (B du + r_p) / c, given the sum of the two terms.
     pub fn pressure_increment(
         model: &SolidModel,
         geometry: &SolidGeometry,
         element: usize,
-        coupling: &[f64],
-        pressure_residual: &[f64],
-        displacement_increment: &[f64],
+        volume_change: &[f64],
         increment: &mut [f64],
     ) {
-        let unknowns = displacement_increment.len();
-        let m = pressure_residual.len();
+        let m = volume_change.len();
         let inverse = &geometry.inverse_mass[element * m * m..(element + 1) * m * m];
         let scale = 1.0 / model.step_compliance();
-        increment.fill(0.0);
-        for c in 0..m {
-            let row = &coupling[c * unknowns..(c + 1) * unknowns];
-            let change: f64 = row
-                .iter()
-                .zip(displacement_increment)
-                .map(|(b, du)| b * du)
-                .sum();
-            for r in 0..m {
-                increment[r] += scale * inverse[r * m + c] * (change + pressure_residual[c]);
-            }
+        for (row, value) in inverse.chunks_exact(m).zip(increment) {
+            *value = scale * row.iter().zip(volume_change).map(|(w, v)| w * v).sum::<f64>();
         }
     }
 }

@@ -13,24 +13,38 @@ pub struct Equations {
     pub of_node: Vec<[u32; 3]>,
     /// Number of equations.
     pub count: usize,
+    /// Number of equations before the border's.
+    pub interior: usize,
 }
 
 impl Equations {
-    /// Numbers the free displacements by nested dissection.
-    pub fn new(mesh: &Mesh, layout: &[[f64; 3]], supports: &[[Option<f64>; 3]]) -> Self {
+    /// Numbers the free displacements by nested dissection; those that `border` marks come last.
+    pub fn new(
+        mesh: &Mesh,
+        layout: &[[f64; 3]],
+        supports: &[[Option<f64>; 3]],
+        border: &[[bool; 3]],
+    ) -> Self {
         let mut of_node = vec![[NONE; 3]; mesh.nodes.len()];
+        let order = nested_dissection(mesh, layout);
         let mut count = 0;
-        for node in nested_dissection(mesh, layout) {
-            for axis in 0..3 {
-                if supports[node as usize][axis].is_none() {
-                    of_node[node as usize][axis] = count;
-                    count += 1;
+        let mut number = |of_border: bool| {
+            for &node in &order {
+                for axis in 0..3 {
+                    let held = supports[node as usize][axis].is_some();
+                    if !held && border[node as usize][axis] == of_border {
+                        of_node[node as usize][axis] = count;
+                        count += 1;
+                    }
                 }
             }
-        }
+            count as usize
+        };
+        let (interior, count) = (number(false), number(true));
         Self {
             of_node,
-            count: count as usize,
+            count,
+            interior,
         }
     }
 

@@ -1,23 +1,24 @@
-//! The linear system of one Newton step, into which elements are summed.
+//! The residuals and the tangent entries into which elements are summed.
 
+use crate::setup::Setup;
 use crate::sparsity::{Equations, NONE};
 use crate::tensor::Vector;
 
-/// The linear system of one Newton step, in buffers that are reused.
+/// Residuals at one state, in buffers that are reused.
 #[derive(Debug)]
-pub struct System {
+pub struct Residuals {
     /// Out-of-balance forces of the free displacements, N.
-    pub residual: Vec<f64>,
-    /// The same after elimination of the pressures: minus the right-hand side.
-    pub condensed_residual: Vec<f64>,
-    /// Entries of the condensed tangent in the pattern's order.
-    pub entries: Vec<f64>,
-    /// Sum of the absolute forces that meet at each displacement, held ones included.
-    pub(crate) force_magnitude: Vec<f64>,
-    /// Derivative of each brick's volume residuals by its displacements: brick, mode, unknown.
-    pub(crate) coupling: Vec<f64>,
+    pub forces: Vec<f64>,
+    /// The part of them that contact causes, N.
+    pub contact: Vec<f64>,
     /// Volume residuals: brick, mode.
-    pub(crate) pressure_residual: Vec<f64>,
+    pub volumes: Vec<f64>,
+    /// Smallest J of an integration point; minus infinity when one isn't a number.
+    pub min_volume_ratio: f64,
+    /// Whether a face that the border doesn't serve touches the ground.
+    pub touches_outside: bool,
+    /// Sum of the absolute forces that meet at each displacement, held ones included.
+    pub(crate) magnitudes: Vec<f64>,
 }
 
 /// Size of the imbalance, relative to the problem's own forces and volumes.
@@ -36,47 +37,90 @@ impl Imbalance {
     }
 }
 
-impl System {
+impl Residuals {
+    /// Buffers for a problem of this many bricks, pressure modes and nodes.
+    pub(crate) fn new(setup: &Setup, pressures: usize, nodes: usize) -> Self {
+        Self {
+            forces: vec![0.0; setup.equations.count],
+            contact: vec![0.0; setup.equations.count],
+            volumes: vec![0.0; pressures],
+            min_volume_ratio: 1.0,
+            touches_outside: false,
+            magnitudes: vec![0.0; 3 * nodes],
+        }
+    }
+
+    pub(crate) fn clear(&mut self) {
+        self.forces.fill(0.0);
+        self.contact.fill(0.0);
+        self.magnitudes.fill(0.0);
+        self.min_volume_ratio = f64::INFINITY;
+        self.touches_outside = false;
+    }
+
     /// Adds nodal forces of an element.
-    pub(crate) fn add_forces(&mut self, equations: &Equations, nodes: &[u32], forces: &[f64]) {
+    pub(crate) fn add(&mut self, equations: &Equations, nodes: &[u32], forces: &[f64]) {
         for (&node, force) in nodes.iter().zip(forces.chunks_exact(3)) {
             for axis in 0..3 {
-                self.force_magnitude[3 * node as usize + axis] += force[axis].abs();
+                self.magnitudes[3 * node as usize + axis] += force[axis].abs();
                 let equation = equations.of_node[node as usize][axis];
                 if equation != NONE {
-                    self.residual[equation as usize] += force[axis];
+                    self.forces[equation as usize] += force[axis];
                 }
             }
         }
     }
 
-    /// Adds an element's condensed forces, its stiffness (upper triangle by rows, to the places in `scatter`), and what
-    /// pending increments of held displacements cause.
-    pub(crate) fn add_tangent(
+    /// Adds nodal forces of a touching face.
+    pub(crate) fn add_contact(&mut self, equations: &Equations, nodes: &[u32], forces: &[f64]) {
+        self.add(equations, nodes, forces);
+        for (equation, force) in equations.of(nodes).zip(forces) {
+            if equation != NONE {
+                self.contact[equation as usize] += force;
+            }
+        }
+    }
+}
+
+/// Entries of the condensed tangent of all but contact, and what held displacements on the move cause.
+#[derive(Debug)]
+pub struct Entries {
+    /// Upper triangle in the pattern's order.
+    pub values: Vec<f64>,
+    /// Forces that the pending increments of held displacements cause at the free ones, N.
+    pub pending_forces: Vec<f64>,
+}
+
+impl Entries {
+    pub(crate) fn new(setup: &Setup) -> Self {
+        Self {
+            values: vec![0.0; setup.symbolic.pattern().entries()],
+            pending_forces: vec![0.0; setup.equations.count],
+        }
+    }
+
+    pub(crate) fn clear(&mut self) {
+        self.values.fill(0.0);
+        self.pending_forces.fill(0.0);
+    }
+
+    /// Adds an element's stiffness (upper triangle by rows, to the places in `scatter`).
+    pub(crate) fn add(
         &mut self,
         equations: &Equations,
         nodes: &[u32],
-        forces: &[f64],
         stiffness: &[f64],
         scatter: &[u32],
         pending: &[Vector],
     ) {
-        for (&node, force) in nodes.iter().zip(forces.chunks_exact(3)) {
-            for axis in 0..3 {
-                let equation = equations.of_node[node as usize][axis];
-                if equation != NONE {
-                    self.condensed_residual[equation as usize] += force[axis];
-                }
-            }
-        }
-        let unknowns = forces.len();
+        let unknowns = 3 * nodes.len();
         let mut start = 0;
         for row in 0..unknowns {
             let count = unknowns - row;
             let values = &stiffness[row * unknowns + row..(row + 1) * unknowns];
             for (value, &position) in values.iter().zip(&scatter[start..start + count]) {
                 if position != NONE {
-                    self.entries[position as usize] += value;
+                    self.values[position as usize] += value;
                 }
             }
             start += count;
@@ -84,7 +128,6 @@ impl System {
         self.add_pending(equations, nodes, stiffness, pending);
     }
 
-    /// Forces that the pending increments of held displacements cause at the free ones.
     fn add_pending(
         &mut self,
         equations: &Equations,
@@ -95,15 +138,14 @@ impl System {
         let unknowns = 3 * nodes.len();
         for (local, &node) in nodes.iter().enumerate() {
             for axis in 0..3 {
-                let change = pending.get(node as usize).map_or(0.0, |du| du[axis]);
+                let change = pending[node as usize][axis];
                 if change == 0.0 {
                     continue;
                 }
                 let column = 3 * local + axis;
                 for (row, equation) in equations.of(nodes).enumerate().filter(|(_, e)| *e != NONE) {
                     let (a, b) = (row.min(column), row.max(column));
-                    self.condensed_residual[equation as usize] +=
-                        stiffness[a * unknowns + b] * change;
+                    self.pending_forces[equation as usize] += stiffness[a * unknowns + b] * change;
                 }
             }
         }

@@ -1,0 +1,221 @@
+//! Contact solved to the end on the condensed border.
+//!
+//! With the interior eliminated, a linear body answers forces on its border by the Schur complement `S` alone. For the
+//! border's increments `x` the equilibrium of body and ground is then
+//!
+//! > S x + f(u + x) = g,
+//!
+//! with the contact forces `f` in full and the condensed right-hand side `g`. `S` is dense but small, so that points
+//! which open and close cost no sparse factorisation. For a flat ground this is the minimum of a convex energy: Newton's
+//! method with a line search on its slope always gets there.
+
+use faer::linalg::solvers::{PartialPivLu, Solve};
+use faer::{Col, ColRef, Mat, Side};
+
+use crate::contact::ContactSurface;
+use crate::linear::Inertia;
+use crate::obstacle::HeightField;
+use crate::problem::{Problem, State};
+use crate::setup::Setup;
+use crate::tensor::Vector;
+
+/// Newton steps on the border; opening and closing settles in far fewer.
+const MAX_ITERATIONS: usize = 60;
+/// Residual relative to the forces of the border that is round-off.
+const ROUND_OFF: f64 = 1e-12;
+/// Slope after a step, relative to that before, above which the step is shortened.
+const SLOPE_SHARE: f64 = 0.5;
+/// Secant steps of a line search.
+const LINE_STEPS: usize = 6;
+
+/// Contact of the border's faces with the ground, around one state.
+pub(crate) struct CondensedContact<'a> {
+    contact: &'a ContactSurface,
+    ground: &'a HeightField,
+    /// Faces, each with its nodal positions and the places of its unknowns in the border.
+    faces: Vec<BorderFace>,
+    size: usize,
+}
+
+struct BorderFace {
+    index: usize,
+    positions: Vec<Vector>,
+    places: Vec<Option<usize>>,
+}
+
+impl<'a> CondensedContact<'a> {
+    pub(crate) fn new(
+        problem: &'a Problem,
+        setup: &Setup,
+        state: &State,
+        ground: &'a HeightField,
+    ) -> Option<Self> {
+        let contact = problem.contact.as_ref().filter(|_| setup.border() > 0)?;
+        let faces = (0..contact.surface.face_count())
+            .filter(|&index| setup.border_faces[index])
+            .map(|index| {
+                let nodes = contact.surface.face(index);
+                BorderFace {
+                    index,
+                    positions: nodes
+                        .iter()
+                        .map(|&n| state.position(&problem.mesh, n))
+                        .collect(),
+                    places: setup
+                        .equations
+                        .of(nodes)
+                        .map(|e| setup.in_border(e))
+                        .collect(),
+                }
+            })
+            .collect();
+        Some(Self {
+            contact,
+            ground,
+            faces,
+            size: setup.border(),
+        })
+    }
+
+    /// Increments `x` of the border with S x + f(u + x) = `rhs`, up to a residual of `tolerance`, N, or round-off. Where
+    /// the ground's curvature leaves several solutions or none, the last iterate.
+    pub(crate) fn solve(&self, schur: &Mat<f64>, rhs: &[f64], tolerance: f64) -> Col<f64> {
+        let rhs = ColRef::from_slice(rhs);
+        let mut x = Col::<f64>::zeros(self.size);
+        let mut tangent = Mat::zeros(self.size, self.size);
+        for _ in 0..MAX_ITERATIONS {
+            tangent.copy_from(schur);
+            let forces = self.forces(&x, Some(&mut tangent));
+            let residual = schur * &x + &forces - rhs;
+            let round_off = ROUND_OFF * (forces.norm_l2() + rhs.norm_l2());
+            if residual.norm_l2() <= tolerance.max(round_off) {
+                break;
+            }
+            let step = solve_symmetric(&tangent, &-&residual);
+            let slope = step.transpose() * &residual;
+            let length = self.line_search(schur, rhs, &x, &step, slope);
+            x += faer::Scale(length) * &step;
+        }
+        x
+    }
+
+    /// Fraction of the step at which the energy's slope along it has fallen enough.
+    fn line_search(
+        &self,
+        schur: &Mat<f64>,
+        rhs: ColRef<'_, f64>,
+        x: &Col<f64>,
+        step: &Col<f64>,
+        start: f64,
+    ) -> f64 {
+        let slope_at = |t: f64| {
+            let trial = x + faer::Scale(t) * step;
+            let residual = schur * &trial + self.forces(&trial, None) - rhs;
+            step.transpose() * &residual
+        };
+        let (mut low, mut slope_low) = (0.0, start);
+        let (mut high, mut slope_high) = (1.0, slope_at(1.0));
+        let mut length = 1.0;
+        for _ in 0..LINE_STEPS {
+            if start >= 0.0 || slope_high <= SLOPE_SHARE * start.abs() {
+                break;
+            }
+            length = low + (high - low) * slope_low / (slope_low - slope_high);
+            let slope = slope_at(length);
+            if slope.abs() <= SLOPE_SHARE * start.abs() {
+                break;
+            }
+            if slope < 0.0 {
+                (low, slope_low) = (length, slope);
+            } else {
+                (high, slope_high) = (length, slope);
+            }
+        }
+        length
+    }
+
+    /// Contact forces at the increments `x`; their derivative is added to `stiffness`.
+    fn forces(&self, x: &Col<f64>, mut stiffness: Option<&mut Mat<f64>>) -> Col<f64> {
+        let mut forces = Col::<f64>::zeros(self.size);
+        let unknowns = self.faces.first().map_or(0, |face| face.places.len());
+        let mut residual = vec![0.0; unknowns];
+        let mut block = vec![0.0; unknowns * unknowns];
+        let mut positions = vec![[0.0; 3]; unknowns / 3];
+        for face in &self.faces {
+            residual.fill(0.0);
+            positions.copy_from_slice(&face.positions);
+            for (position, place) in positions.as_flattened_mut().iter_mut().zip(&face.places) {
+                *position += place.map_or(0.0, |place| x[place]);
+            }
+            let tangent = stiffness.is_some();
+            if tangent {
+                block.fill(0.0);
+            }
+            let block_target = tangent.then_some(block.as_mut_slice());
+            let touches = self.contact.integrate(
+                self.ground,
+                face.index,
+                &positions,
+                &mut residual,
+                block_target,
+            );
+            if !touches {
+                continue;
+            }
+            for (place, force) in face.places.iter().zip(&residual) {
+                if let Some(place) = place {
+                    forces[*place] += force;
+                }
+            }
+            if let Some(stiffness) = stiffness.as_deref_mut() {
+                add_block(&face.places, &block, stiffness);
+            }
+        }
+        forces
+    }
+
+    /// Signs of the eigenvalues of S plus the contact's stiffness.
+    pub(crate) fn inertia(&self, schur: &Mat<f64>) -> Inertia {
+        let mut tangent = schur.clone();
+        self.forces(&Col::zeros(self.size), Some(&mut tangent));
+        inertia(&tangent)
+    }
+}
+
+/// Adds a face's stiffness, upper triangle by rows, to both halves of a dense matrix.
+fn add_block(places: &[Option<usize>], block: &[f64], stiffness: &mut Mat<f64>) {
+    let n = places.len();
+    for (r, row) in places.iter().enumerate() {
+        for (c, column) in places.iter().enumerate().skip(r) {
+            if let (Some(row), Some(column)) = (*row, *column) {
+                stiffness[(row, column)] += block[r * n + c];
+                if r != c {
+                    stiffness[(column, row)] += block[r * n + c];
+                }
+            }
+        }
+    }
+}
+
+fn solve_symmetric(matrix: &Mat<f64>, rhs: &Col<f64>) -> Col<f64> {
+    match matrix.llt(Side::Lower) {
+        Ok(factor) => factor.solve(rhs),
+        Err(_) => PartialPivLu::new(matrix.as_ref()).solve(rhs),
+    }
+}
+
+/// Border increments without any ground: S x = rhs.
+pub(crate) fn solve_free(schur: &Mat<f64>, rhs: &[f64]) -> Col<f64> {
+    solve_symmetric(schur, &ColRef::from_slice(rhs).to_owned())
+}
+
+/// Signs of the eigenvalues of a dense symmetric matrix.
+pub(crate) fn inertia(matrix: &Mat<f64>) -> Inertia {
+    if matrix.llt(Side::Lower).is_ok() {
+        return Inertia::default();
+    }
+    let negative = matrix
+        .self_adjoint_eigenvalues(Side::Lower)
+        .map_or(1, |values| values.iter().filter(|v| **v < 0.0).count());
+    Inertia { negative }
+}

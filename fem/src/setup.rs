@@ -1,0 +1,126 @@
+//! What assembly and factorisation need to know before any state: geometry, equation numbers, scatter lists, and the
+//! symbolic factorisation. Made once per mesh and contact border, shared by all solves.
+
+use std::sync::Arc;
+
+use crate::linear::{LinearError, Symbolic};
+use crate::membrane::Membrane;
+use crate::mesh::Surface;
+use crate::problem::Problem;
+use crate::solid::{InvalidReference, SolidGeometry};
+use crate::sparsity::{Equations, NONE, Pattern};
+
+/// Setting up a problem failed.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum SetupError {
+    /// The mesh is invalid.
+    #[error(transparent)]
+    Mesh(#[from] InvalidReference),
+    /// The linear solver can't be set up.
+    #[error(transparent)]
+    Linear(#[from] LinearError),
+}
+
+/// The part of a discretised problem that no state changes.
+#[derive(Debug)]
+pub struct Setup {
+    /// Equation numbers; the border holds the displacements that contact acts on.
+    pub equations: Equations,
+    /// Symbolic factorisation.
+    pub symbolic: Arc<Symbolic>,
+    pub(crate) geometry: Arc<SolidGeometry>,
+    pub(crate) brick_scatter: Vec<u32>,
+    pub(crate) membrane_scatter: Vec<Vec<u32>>,
+    pub(crate) pressure_scatter: Vec<u32>,
+    /// Shear modulus times volume^(2/3), and fibre stiffnesses times the root of their area, N.
+    pub(crate) natural_force: f64,
+    /// Which contact faces the border serves.
+    pub(crate) border_faces: Vec<bool>,
+}
+
+impl Setup {
+    /// Sets a problem up without a border: for loads that don't touch the ground.
+    ///
+    /// # Errors
+    /// [`SetupError`] when a brick is inverted or the factor doesn't fit in memory.
+    pub fn new(problem: &Problem) -> Result<Self, SetupError> {
+        let faces = problem.contact.as_ref().map_or(0, |c| c.surface.face_count());
+        let geometry = Arc::new(SolidGeometry::new(&problem.mesh)?);
+        Self::with_geometry(problem, geometry, vec![false; faces])
+    }
+
+    /// The same problem with another border.
+    ///
+    /// # Errors
+    /// As [`Setup::new`].
+    pub fn with_border(&self, problem: &Problem, faces: Vec<bool>) -> Result<Self, SetupError> {
+        Self::with_geometry(problem, self.geometry.clone(), faces)
+    }
+
+    fn with_geometry(
+        problem: &Problem,
+        geometry: Arc<SolidGeometry>,
+        border_faces: Vec<bool>,
+    ) -> Result<Self, SetupError> {
+        let mesh = &problem.mesh;
+        let border = border_axes(problem, &border_faces);
+        let equations = Equations::new(mesh, &problem.layout, &problem.supports, &border);
+        let pattern = Pattern::new(mesh, &equations);
+        let scatter = |nodes: &[u32]| pattern.scatter(&equations.of(nodes).collect::<Vec<_>>());
+        let of_surface = |surface: &Surface| surface.iter().flat_map(scatter).collect::<Vec<_>>();
+        let brick_scatter = (0..mesh.brick_count())
+            .flat_map(|e| scatter(mesh.brick(e)))
+            .collect();
+        let membranes = problem.membranes.iter();
+        let membrane_scatter = membranes.map(|m| of_surface(&m.surface)).collect();
+        let pressure = problem.pressure.as_ref();
+        let pressure_scatter = pressure.map_or_else(Vec::new, |p| of_surface(&p.surface));
+        let symbolic = Symbolic::new(pattern, equations.interior)?;
+        Ok(Self {
+            equations,
+            symbolic: Arc::new(symbolic),
+            natural_force: natural_force(problem, &geometry),
+            geometry,
+            brick_scatter,
+            membrane_scatter,
+            pressure_scatter,
+            border_faces,
+        })
+    }
+
+    /// Size of the border.
+    pub fn border(&self) -> usize {
+        self.equations.count - self.equations.interior
+    }
+
+    /// Place of an equation in the border; `None` outside it.
+    pub(crate) fn in_border(&self, equation: u32) -> Option<usize> {
+        if equation == NONE {
+            None
+        } else {
+            (equation as usize).checked_sub(self.equations.interior)
+        }
+    }
+}
+
+/// Displacements that contact on these faces can push: the ground has no slope across the wheel, so y is free of it.
+fn border_axes(problem: &Problem, faces: &[bool]) -> Vec<[bool; 3]> {
+    let mut border = vec![[false; 3]; problem.mesh.nodes.len()];
+    let Some(contact) = &problem.contact else {
+        return border;
+    };
+    for (nodes, _) in contact.surface.iter().zip(faces).filter(|(_, of)| **of) {
+        for &node in nodes {
+            border[node as usize] = [true, false, true];
+        }
+    }
+    border
+}
+
+fn natural_force(problem: &Problem, geometry: &SolidGeometry) -> f64 {
+    let volume: f64 = (0..problem.mesh.brick_count())
+        .map(|e| geometry.volume(e))
+        .sum();
+    let fibres: f64 = problem.membranes.iter().map(Membrane::natural_force).sum();
+    problem.solid.material.shear_modulus() * volume.powf(2.0 / 3.0) + fibres
+}
