@@ -114,8 +114,10 @@ impl Solver for ClosedFormSolver {
         let cost = Cost {
             wall_s,
             factorisation_s: 0.5 * wall_s,
+            substitution_s: 0.125 * wall_s,
             assembly_s: 0.25 * wall_s,
             newton_iterations,
+            factorisations: newton_iterations,
         };
         Ok(Solved {
             response,

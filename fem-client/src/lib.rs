@@ -15,6 +15,8 @@
 //! - [`tire_mesh`]: the structured mesh of a tire
 //! - [`tire`]: a scene as a boundary value problem: what is modelled, and what is left out
 //! - [`readout`]: strains of an equilibrium
+//! - `session`: one solve on its way: inflate, press
+//! - `neighbourhood`: what solves from the same equilibrium share
 //! - [`embedded`]: the solver built on `fem`
 //! - [`closed_form`]: the stand-in solver for tests of what stands above
 
@@ -24,10 +26,12 @@ pub mod embedded;
 pub mod fault;
 pub mod fields;
 mod grid_lines;
+mod neighbourhood;
 pub mod readout;
 pub mod scene;
 pub mod scene_edit;
 pub mod scene_reader;
+mod session;
 pub mod solver;
 pub mod start_state;
 pub mod tire;

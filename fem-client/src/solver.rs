@@ -238,10 +238,16 @@ pub struct Cost {
     pub wall_s: f64,
     /// Time in numeric factorisation, s.
     pub factorisation_s: f64,
+    /// Time in substitutions with the factor, and in the contact solved between them, s.
+    #[serde(default)]
+    pub substitution_s: f64,
     /// Time in assembly of residual and tangent, s.
     pub assembly_s: f64,
     /// Newton iterations.
     pub newton_iterations: usize,
+    /// Numeric factorisations; the tangent shared by the solves of a study isn't counted.
+    #[serde(default)]
+    pub factorisations: usize,
 }
 
 /// An equilibrium from which a neighbour may start: opaque, but it survives storage bit for bit.

@@ -72,6 +72,11 @@ impl TireModel {
         }
     }
 
+    /// Radius of the crown's outer surface in a state that is alike around the wheel, mm.
+    pub fn crown_radius(&self, state: &State) -> f64 {
+        -state.position(&self.problem.mesh, self.grid.lowest_node())[2]
+    }
+
     /// A flat state fitted to this mesh: its own, or a quarter's, mirrored to the half. `None` for any other length.
     pub fn fit(&self, flat: &[f64]) -> Option<State> {
         State::from_flat(&self.problem, flat)

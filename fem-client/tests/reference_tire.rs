@@ -5,11 +5,16 @@
 
 use std::sync::atomic::AtomicBool;
 
+use fem::newton::Newton;
+use fem::path::{Stability, follow};
+use fem::problem::{Loads, State};
 use fem_client::embedded::EmbeddedSolver;
 use fem_client::scene::{Law, Level, Scene};
 use fem_client::solver::{
     NoEquilibrium, Readout, SolveError, SolveRequest, Solved, Solver, StartState,
 };
+use fem_client::tire::{TireModel, ground, mesh_plan};
+use fem_client::tire_mesh::Extent;
 
 /// Depth, reaction, strains at the centre (x, y), 5.5 mm and 11 mm beside it (x, then y).
 struct Figures {
@@ -74,7 +79,7 @@ fn reference(level: Level, depth: f64) -> Scene {
 
 fn solve(scene: &Scene, start: Option<&StartState>) -> Result<Solved, SolveError> {
     let readout = Readout::default();
-    EmbeddedSolver.solve(&SolveRequest {
+    EmbeddedSolver::default().solve(&SolveRequest {
         scene,
         readout: &readout,
         start,
@@ -134,34 +139,58 @@ fn the_standard_mesh_reproduces_the_reference_figures() {
     }
 }
 
+/// Contact is solved in full inside each iteration, so that with a new tangent every time the pressed tire converges as
+/// quadratically as any smooth problem, however many contact points open and close.
 #[test]
-fn an_incompressible_tire_keeps_its_volume_and_newton_ends_quadratically() {
-    let mut compressible = reference(Level::Standard, 1.0);
-    compressible.contact.penalty_n_per_mm3 = None;
-    let solved = solve(&compressible, None).expect("an equilibrium");
-    let history = solved
-        .response
-        .residual_history
-        .last()
-        .expect("one load step");
-    println!("relative residuals of the last load step: {history:?}");
-    // The last iterations obey r_next <= C r^2. C is an empirical bound, not a derived one: it grows as the contact law's
-    // ramp of 3e-4 mm shrinks, and the length of 10 mm was chosen after seeing ratios of 333 and 9 488. Contact points
-    // that open or close late can exceed it on another mesh.
-    const QUADRATIC_CONSTANT: f64 = 10.0 / 3e-4;
-    let last: Vec<f64> = history.iter().rev().take(3).map(|r| r.max(1e-13)).collect();
-    println!(
-        "residual over squared residual before it: {:.0} {:.0}",
-        last[0] / last[1].powi(2),
-        last[1] / last[2].powi(2)
-    );
-    for pair in last.windows(2) {
-        assert!(
-            pair[0] < QUADRATIC_CONSTANT * pair[1] * pair[1],
-            "{history:?}"
+fn newton_is_quadratic_on_the_pressed_tire() {
+    let scene = reference(Level::Draft, 1.0);
+    let model = TireModel::new(&scene, &mesh_plan(&scene, Level::Draft), Extent::Quarter);
+    let mut newton = Newton::new(&model.problem).expect("a valid mesh");
+    newton.settings.tolerance = 1e-12;
+    newton.settings.renewal_cost = 0.0;
+    let mut state = State::reference(&model.problem);
+    let inflated = Loads {
+        pressure: scene.pressure.internal_mpa,
+        ..Loads::default()
+    };
+    let unloaded = Loads::default();
+    let required = Stability::Required;
+    follow(
+        &mut newton,
+        &mut state,
+        &unloaded,
+        &inflated,
+        required,
+        &RUNNING,
+    )
+    .expect("it holds");
+    let pressed = Loads {
+        ground: Some(ground(&scene.ground, model.crown_radius(&state))),
+        ..inflated
+    };
+    let solved = newton
+        .solve(&mut state, &pressed, &RUNNING)
+        .expect("an equilibrium");
+    let history: Vec<f64> = solved.history.iter().map(|r| r.worst()).collect();
+    println!("relative residuals: {history:?}");
+    let tail: Vec<f64> = history
+        .into_iter()
+        .filter(|r| (1e-13..1e-3).contains(r))
+        .collect();
+    assert!(tail.len() >= 2, "{tail:?}");
+    for pair in tail.windows(2) {
+        println!(
+            "residual over squared residual before it: {:.0}",
+            pair[1] / pair[0].powi(2)
         );
+        // The constant is the problem's own; the bound of 1e4 was set after seeing 419 and 5. Penalty contact left in
+        // the iteration gave 1e5 and more.
+        assert!(pair[1] < 1e4 * pair[0].powi(2) + 1e-13, "{tail:?}");
     }
-    assert!(last[0] < 1e-3 * last[1], "{history:?}");
+}
+
+#[test]
+fn an_incompressible_tire_keeps_its_volume() {
     let solved = solve(&scene(Level::Standard, [1.0; 5]), None).expect("an equilibrium");
     assert!(
         solved.response.max_volume_change < 1e-8,

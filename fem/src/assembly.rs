@@ -31,7 +31,6 @@ struct FaceBuffers {
     positions: Vec<Vector>,
 }
 
-
 impl<'p> Assembler<'p> {
     /// Allocates the buffers.
     pub fn new(problem: &'p Problem, setup: Arc<Setup>) -> Self {

@@ -113,11 +113,7 @@ impl ContactSurface {
     }
 
     /// Faces with a node on or below the ground, and their neighbours.
-    pub fn faces_near(
-        &self,
-        ground: &HeightField,
-        positions: impl Fn(u32) -> Vector,
-    ) -> Vec<bool> {
+    pub fn faces_near(&self, ground: &HeightField, positions: impl Fn(u32) -> Vector) -> Vec<bool> {
         let below = |face: &[u32]| {
             face.iter().any(|&n| {
                 let [x, _, z] = positions(n);

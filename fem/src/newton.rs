@@ -8,11 +8,11 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use crate::acceleration::Acceleration;
 use crate::assembly::Assembler;
-use crate::linear::{Inertia, LinearError, Workspace};
+use crate::linear::{Inertia, Workspace};
 use crate::problem::{Loads, Problem, State};
 use crate::setup::{Setup, SetupError};
 use crate::sparsity::NONE;
@@ -20,84 +20,9 @@ use crate::system::{Entries, Imbalance, Residuals};
 use crate::tangent::Tangent;
 use crate::tensor::Vector;
 
-/// When to stop.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NewtonSettings {
-    /// Largest relative residual of an equilibrium.
-    pub tolerance: f64,
-    /// Iterations after which a load step is given up.
-    pub max_iterations: usize,
-    /// Relative residual above which the iteration is given up.
-    pub divergence: f64,
-    /// Smallest volume ratio that a step may reach at an integration point.
-    pub min_volume_ratio: f64,
-    /// Steps with a kept tangent that cost as much as a new one and the step with it.
-    pub renewal_cost: f64,
-}
+mod report;
 
-impl Default for NewtonSettings {
-    fn default() -> Self {
-        Self {
-            tolerance: 1e-10,
-            max_iterations: 50,
-            divergence: 1e6,
-            min_volume_ratio: 0.05,
-            renewal_cost: 8.0,
-        }
-    }
-}
-
-/// An equilibrium was found.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Converged {
-    /// Relative residual before the first and after each iteration.
-    pub history: Vec<Imbalance>,
-    /// Signs of the pivots of the last tangent used.
-    pub inertia: Inertia,
-}
-
-/// No equilibrium was found.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NotConverged {
-    /// Relative residual before the first and after each iteration.
-    pub history: Vec<Imbalance>,
-    /// What ended the iteration.
-    pub cause: Cause,
-    /// Whether a tangent on the way had negative pivots: a sign of lost stability.
-    pub indefinite: bool,
-}
-
-/// What ended an iteration without an equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Cause {
-    /// Too many iterations.
-    Iterations,
-    /// The residual grew beyond bounds or isn't a number.
-    Diverged,
-    /// Every fraction of the step turns an element inside out.
-    Inverted,
-    /// The tangent is singular.
-    Singular(LinearError),
-    /// An equilibrium was found, but it is unstable.
-    Unstable,
-    /// The caller asked to stop.
-    Stopped,
-}
-
-/// Time spent, and iterations made.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Effort {
-    /// Newton iterations: linear systems solved.
-    pub iterations: usize,
-    /// Tangents assembled and factorised.
-    pub factorisations: usize,
-    /// Time in assembly.
-    pub assembly: Duration,
-    /// Time in numeric factorisation.
-    pub factorisation: Duration,
-    /// Time in triangular solves and in the contact between them.
-    pub substitution: Duration,
-}
+pub use report::{Cause, Converged, Effort, NewtonSettings, NotConverged};
 
 /// Newton's method for one problem, with all its memory.
 #[derive(Debug)]
@@ -258,7 +183,8 @@ impl<'p> Newton<'p> {
             let before = residual.worst();
             residual = self.step(state, loads)?;
             kept += 1;
-            if kept > 1 && !(residual.worst() <= SETBACK * before) {
+            let grown = residual.worst().is_nan() || residual.worst() > SETBACK * before;
+            if kept > 1 && grown {
                 self.restore(state);
                 residual = self.residual(state, loads);
                 self.tangent = None;
@@ -273,7 +199,10 @@ impl<'p> Newton<'p> {
             return self.tangent.is_none();
         }
         let steps = kept.min(RATE_STEPS);
-        let (before, now) = (history[history.len() - 1 - steps], history[history.len() - 1]);
+        let (before, now) = (
+            history[history.len() - 1 - steps],
+            history[history.len() - 1],
+        );
         let rate = (now.worst() / before.worst()).powf(1.0 / steps as f64);
         let left = (self.settings.tolerance / now.worst()).ln() / rate.ln();
         rate >= 1.0 || left > self.settings.renewal_cost
@@ -293,13 +222,8 @@ impl<'p> Newton<'p> {
         let entries = self
             .entries
             .get_or_insert_with(|| Entries::new(&self.setup));
-        self.assembler.tangent(
-            state,
-            loads,
-            &self.pending,
-            entries,
-            &mut tangent.coupling,
-        );
+        self.assembler
+            .tangent(state, loads, &self.pending, entries, &mut tangent.coupling);
         let assembled = Instant::now();
         tangent
             .factorise(entries, &mut self.workspace)
@@ -336,9 +260,11 @@ impl<'p> Newton<'p> {
 
     /// Signs of the pivots of the present tangent, with the contact at `state`.
     fn inertia(&self, state: &State, loads: &Loads) -> Inertia {
-        self.tangent.as_ref().map_or_else(Inertia::default, |tangent| {
-            tangent.inertia(self.problem, state, loads.ground.as_ref())
-        })
+        self.tangent
+            .as_ref()
+            .map_or_else(Inertia::default, |tangent| {
+                tangent.inertia(self.problem, state, loads.ground.as_ref())
+            })
     }
 
     /// Makes the border serve all faces that may touch the ground from this state.
@@ -349,7 +275,11 @@ impl<'p> Newton<'p> {
         let mesh = &self.problem.mesh;
         let mut faces = contact.faces_near(ground, |node| state.position(mesh, node));
         let served = &self.setup.border_faces;
-        if faces.iter().zip(served).all(|(needed, has)| !needed || *has) {
+        if faces
+            .iter()
+            .zip(served)
+            .all(|(needed, has)| !needed || *has)
+        {
             return Ok(());
         }
         for (face, has) in faces.iter_mut().zip(served) {
@@ -448,7 +378,9 @@ impl<'p> Newton<'p> {
         self.flat.extend_from_slice(&self.pressure_increments);
         self.acceleration.correct(&mut self.flat, displacements);
         let (displacement, pressure) = self.flat.split_at(displacements);
-        self.increments.as_flattened_mut().copy_from_slice(displacement);
+        self.increments
+            .as_flattened_mut()
+            .copy_from_slice(displacement);
         self.pressure_increments.copy_from_slice(pressure);
     }
 

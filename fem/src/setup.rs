@@ -44,7 +44,10 @@ impl Setup {
     /// # Errors
     /// [`SetupError`] when a brick is inverted or the factor doesn't fit in memory.
     pub fn new(problem: &Problem) -> Result<Self, SetupError> {
-        let faces = problem.contact.as_ref().map_or(0, |c| c.surface.face_count());
+        let faces = problem
+            .contact
+            .as_ref()
+            .map_or(0, |c| c.surface.face_count());
         let geometry = Arc::new(SolidGeometry::new(&problem.mesh)?);
         Self::with_geometry(problem, geometry, vec![false; faces])
     }

@@ -386,7 +386,12 @@ impl SolidContribution {
         let inverse = &geometry.inverse_mass[element * m * m..(element + 1) * m * m];
         let scale = 1.0 / model.step_compliance();
         for (row, value) in inverse.chunks_exact(m).zip(increment) {
-            *value = scale * row.iter().zip(volume_change).map(|(w, v)| w * v).sum::<f64>();
+            *value = scale
+                * row
+                    .iter()
+                    .zip(volume_change)
+                    .map(|(w, v)| w * v)
+                    .sum::<f64>();
         }
     }
 }

@@ -230,6 +230,9 @@ pub struct StudyCost {
     pub reused: usize,
     /// Newton iterations of all solves.
     pub newton_iterations: usize,
+    /// Factorisations of all solves, without the tangent that the solves from one equilibrium share.
+    #[serde(default)]
+    pub factorisations: usize,
     /// Wall-clock time of this run, s.
     pub wall_s: f64,
     /// Processor time of this run, s.
@@ -238,6 +241,9 @@ pub struct StudyCost {
     pub peak_memory_bytes: u64,
     /// Share of the solves' time in numeric factorisation.
     pub factorisation_share: f64,
+    /// Share in substitutions with the factor, and in the contact solved between them.
+    #[serde(default)]
+    pub substitution_share: f64,
     /// Share in assembly.
     pub assembly_share: f64,
     /// Share in all the rest.

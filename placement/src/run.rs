@@ -162,15 +162,18 @@ fn solve_cost(costs: &[Cost], reused: usize) -> StudyCost {
         }
     };
     let factorisation = share(sum(|cost| cost.factorisation_s));
+    let substitution = share(sum(|cost| cost.substitution_s));
     let assembly = share(sum(|cost| cost.assembly_s));
     StudyCost {
         solves: costs.len(),
         reused,
         newton_iterations: costs.iter().map(|cost| cost.newton_iterations).sum(),
+        factorisations: costs.iter().map(|cost| cost.factorisations).sum(),
         factorisation_share: factorisation,
+        substitution_share: substitution,
         assembly_share: assembly,
         other_share: if wall > 0.0 {
-            (1.0 - factorisation - assembly).max(0.0)
+            (1.0 - factorisation - substitution - assembly).max(0.0)
         } else {
             0.0
         },

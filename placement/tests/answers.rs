@@ -242,6 +242,7 @@ fn the_result_reads_back_from_its_document() {
     assert_eq!((cost.solves, cost.reused), (26, 0));
     // 12 iterations from scratch, 4 for each of the 25 others.
     assert_eq!(cost.newton_iterations, 112);
-    let shares = cost.factorisation_share + cost.assembly_share + cost.other_share;
+    let shares =
+        cost.factorisation_share + cost.substitution_share + cost.assembly_share + cost.other_share;
     assert!((shares - 1.0).abs() < 1e-12, "{shares}");
 }

@@ -7,5 +7,5 @@ use fem_client::solver::Solver;
 
 /// The solver of the program.
 pub fn solver() -> Arc<dyn Solver> {
-    Arc::new(EmbeddedSolver)
+    Arc::new(EmbeddedSolver::default())
 }

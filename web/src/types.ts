@@ -176,10 +176,12 @@ export interface StudyCost {
   solves: number;
   reused: number;
   newton_iterations: number;
+  factorisations: number;
   wall_s: number;
   cpu_s: number;
   peak_memory_bytes: number;
   factorisation_share: number;
+  substitution_share: number;
   assembly_share: number;
   other_share: number;
 }

@@ -111,13 +111,16 @@ fn notes(result: &StudyResult) -> String {
 fn cost(result: &StudyResult) -> String {
     let cost = &result.cost;
     format!(
-        "\nwhole study {:.2} s; {} solves, {} of them known before; {} Newton iterations\n\
-         of the solves' time: factorisation {:.0} %, assembly {:.0} %, the rest {:.0} %\n",
+        "\nwhole study {:.2} s; {} solves, {} of them known before; {} Newton iterations, {} factorisations\n\
+         of the solves' time: factorisation {:.0} %, substitution and contact {:.0} %, assembly {:.0} %, the rest \
+         {:.0} %\n",
         cost.wall_s,
         cost.solves,
         cost.reused,
         cost.newton_iterations,
+        cost.factorisations,
         100.0 * cost.factorisation_share,
+        100.0 * cost.substitution_share,
         100.0 * cost.assembly_share,
         100.0 * cost.other_share,
     )

@@ -30,6 +30,7 @@ export function CostView({ cost }: { cost: StudyCost }) {
 function Shares({ cost }: { cost: StudyCost }) {
   const shares: [string, number, string][] = [
     ["factorisation", cost.factorisation_share, "share-a"],
+    ["substitution and contact", cost.substitution_share, "share-d"],
     ["assembly", cost.assembly_share, "share-b"],
     ["the rest", cost.other_share, "share-c"],
   ];

@@ -1,0 +1,121 @@
+//! What solves that start from the same equilibrium share: the model, the fitted states and the factorised tangent there.
+//!
+//! The points of a study all start from its cut point, so this is made twice, for the symmetric and the full ground, and
+//! every other point is solved without a factorisation of its own. It is a function of scene, mesh and start, never of
+//! which solve came first, so that results don't depend on it to the bit.
+
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use fem::newton::Newton;
+use fem::problem::{Loads, State};
+use fem::tangent::Tangent;
+use sha2::{Digest, Sha256};
+
+use crate::scene::{Ground, Scene};
+use crate::solver::StartState;
+use crate::tire::{TireModel, ground};
+use crate::tire_mesh::{Extent, MeshPlan};
+
+/// Neighbourhoods that are kept; the oldest goes first. Each holds a factor: about 100 MB for a standard half model.
+const KEPT: usize = 4;
+/// Rise of the ground that the border is ready for, as a share of the start's largest depth, and of the wall.
+const REACH: [f64; 2] = [0.5, 0.1];
+
+/// One equilibrium, ready to be left in any direction.
+#[derive(Debug)]
+pub(crate) struct Neighbourhood {
+    pub(crate) inflated_key: String,
+    pub(crate) model: TireModel,
+    pub(crate) inflated: State,
+    pub(crate) equilibrium: State,
+    pub(crate) loads: Loads,
+    pub(crate) tangent: Arc<Tangent>,
+}
+
+impl Neighbourhood {
+    /// `None` when the state belongs to another mesh or inflation, or its tangent can't be had.
+    fn new(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> Option<Self> {
+        let model = TireModel::new(scene, plan, extent);
+        let inflated = model.fit(&start.inflated)?;
+        let equilibrium = model.fit(&start.equilibrium)?;
+        let radius = model.crown_radius(&inflated);
+        let depths = Ground {
+            depths_mm: start.depths_mm.clone(),
+            ..scene.ground.clone()
+        };
+        let loads = Loads {
+            pressure: start.pressure_mpa,
+            ground: Some(ground(&depths, radius)),
+            support_factor: 0.0,
+        };
+        let deepest = start.depths_mm.iter().copied().fold(0.0, f64::max);
+        let reach = REACH[0] * deepest + REACH[1] * scene.geometry.wall_mm;
+        let mut newton = Newton::new(&model.problem).ok()?;
+        let tangent = newton.tangent_at(&equilibrium, &loads, reach).ok()?;
+        Some(Self {
+            inflated_key: start.inflated_key.clone(),
+            model,
+            inflated,
+            equilibrium,
+            loads,
+            tangent,
+        })
+    }
+}
+
+type Slot = Arc<OnceLock<Option<Arc<Neighbourhood>>>>;
+
+/// The last few neighbourhoods.
+#[derive(Debug, Default)]
+pub(crate) struct Neighbourhoods {
+    slots: Mutex<Vec<(String, Slot)>>,
+}
+
+impl Neighbourhoods {
+    /// The neighbourhood of a start state, made at most once however many threads ask.
+    pub(crate) fn of(
+        &self,
+        scene: &Scene,
+        plan: &MeshPlan,
+        extent: Extent,
+        start: &StartState,
+    ) -> Option<Arc<Neighbourhood>> {
+        let slot = self.slot(key(scene, plan, extent, start));
+        slot.get_or_init(|| Neighbourhood::new(scene, plan, extent, start).map(Arc::new))
+            .clone()
+    }
+
+    fn slot(&self, key: String) -> Slot {
+        let mut slots = self.slots.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, slot)) = slots.iter().find(|(known, _)| *known == key) {
+            return slot.clone();
+        }
+        if slots.len() == KEPT {
+            slots.remove(0);
+        }
+        let slot = Slot::default();
+        slots.push((key, slot.clone()));
+        slot
+    }
+}
+
+/// Hash of all that a neighbourhood is made of.
+fn key(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> String {
+    let ground = Ground {
+        depths_mm: start.depths_mm.clone(),
+        ..scene.ground.clone()
+    };
+    let scene = Scene {
+        ground,
+        ..scene.clone()
+    };
+    let mut hash = Sha256::new();
+    hash.update(format!(
+        "{scene:?} {plan:?} {extent:?} {}",
+        start.inflated_key
+    ));
+    for value in start.inflated.iter().chain(&start.equilibrium) {
+        hash.update(value.to_le_bytes());
+    }
+    hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
+}
