@@ -12,12 +12,15 @@ use crate::readout::Reader;
 use crate::scene::Scene;
 use crate::session::Session;
 use crate::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
-use crate::tire::{TireModel, is_symmetric, mesh_plan};
+use crate::tire::{TireModel, ground, is_symmetric, mesh_plan};
 use crate::tire_mesh::{Extent, MeshPlan};
 
 /// Largest relative residual of an equilibrium. On the reference tire it leaves 1e-8 in a strain and 1e-7 of the
 /// reaction (measured against 1e-12), five orders below the mesh's share.
 const TOLERANCE: f64 = 1e-8;
+
+/// Rise of the ground for which contact is prepared, relative to the wall.
+const CONTACT_MARGIN: f64 = 0.1;
 
 /// Solves scenes with the `fem` crate, one equilibrium per call, on the calling thread.
 #[derive(Debug, Default)]
@@ -112,7 +115,12 @@ fn solve_afresh(
     begin: Instant,
 ) -> Result<Solved, SolveError> {
     let model = TireModel::new(request.scene, plan, extent(request.scene));
-    let newton = Newton::new(&model.problem).map_err(broken)?;
+    let newton = Newton::for_contact(
+        &model.problem,
+        &State::reference(&model.problem),
+        &expected_contact(request.scene),
+    );
+    let newton = newton.map_err(broken)?;
     let start = request.start;
     let near_inflated = start.and_then(|start| model.fit(&start.inflated));
     let near_equilibrium = start.and_then(|start| model.fit(&start.equilibrium));
@@ -131,6 +139,15 @@ fn solve_afresh(
         &target,
         &report,
     ))
+}
+
+/// The scene's ground below the undeformed tire, raised a little: inflation moves wall and ground alike.
+fn expected_contact(scene: &Scene) -> Loads {
+    let radius = scene.geometry.outer_radius_mm - CONTACT_MARGIN * scene.geometry.wall_mm;
+    Loads {
+        ground: Some(ground(&scene.ground, radius)),
+        ..Loads::default()
+    }
 }
 
 fn session<'m>(

@@ -50,8 +50,12 @@ impl Neighbourhood {
         };
         let deepest = start.depths_mm.iter().copied().fold(0.0, f64::max);
         let reach = REACH[0] * deepest + REACH[1] * scene.geometry.wall_mm;
-        let mut newton = Newton::new(&model.problem).ok()?;
-        let tangent = newton.tangent_at(&equilibrium, &loads, reach).ok()?;
+        let raised = Loads {
+            ground: Some(ground(&depths, radius - reach)),
+            ..loads
+        };
+        let mut newton = Newton::for_contact(&model.problem, &equilibrium, &raised).ok()?;
+        let tangent = newton.tangent_at(&equilibrium, &loads).ok()?;
         Some(Self {
             inflated_key: start.inflated_key.clone(),
             model,

@@ -73,8 +73,14 @@ impl<'p> Assembler<'p> {
         self.problem.mesh.brick_count() * modes * unknowns
     }
 
-    /// Residuals at a state.
-    pub fn residual(&mut self, state: &State, loads: &Loads, target: &mut Residuals) -> Imbalance {
+    /// Residuals at a state. `served` says which contact faces the solver is ready for.
+    pub fn residual(
+        &mut self,
+        state: &State,
+        loads: &Loads,
+        served: &[bool],
+        target: &mut Residuals,
+    ) -> Imbalance {
         target.clear();
         self.add_solid_residuals(state, target);
         let problem = self.problem;
@@ -100,7 +106,7 @@ impl<'p> Assembler<'p> {
                 target.add(&setup.equations, nodes, &self.face.residual);
             }
         }
-        self.add_contact(state, loads, target);
+        self.add_contact(state, loads, served, target);
         self.imbalance(target)
     }
 
@@ -131,7 +137,13 @@ impl<'p> Assembler<'p> {
         );
     }
 
-    fn add_contact(&mut self, state: &State, loads: &Loads, target: &mut Residuals) {
+    fn add_contact(
+        &mut self,
+        state: &State,
+        loads: &Loads,
+        served: &[bool],
+        target: &mut Residuals,
+    ) {
         let (Some(surface), Some(ground)) = (&self.problem.contact, &loads.ground) else {
             return;
         };
@@ -145,7 +157,7 @@ impl<'p> Assembler<'p> {
             } = &mut self.face;
             if surface.integrate(ground, index, positions, residual, None) {
                 target.add_contact(&self.setup.equations, nodes, residual);
-                target.touches_outside |= !self.setup.border_faces[index];
+                target.touches_outside |= !served[index];
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Contact solved to the end on the condensed border.
 //!
-//! With the interior eliminated, a linear body answers forces on its border by the Schur complement `S` alone. For the
-//! border's increments `x` the equilibrium of body and ground is then
+//! With all else eliminated, a linear body answers forces on the focused part of its border by the Schur complement `S`
+//! alone. For the border's increments `x` the equilibrium of body and ground is then
 //!
 //! > S x + f(u + x) = g,
 //!
@@ -13,6 +13,7 @@ use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Col, ColRef, Mat, Side};
 
 use crate::contact::ContactSurface;
+use crate::focus::Focus;
 use crate::linear::Inertia;
 use crate::obstacle::HeightField;
 use crate::problem::{Problem, State};
@@ -34,7 +35,7 @@ pub(crate) struct CondensedContact<'a> {
     ground: &'a HeightField,
     /// Faces, each with its nodal positions and the places of its unknowns in the border.
     faces: Vec<BorderFace>,
-    size: usize,
+    schur: &'a Mat<f64>,
 }
 
 struct BorderFace {
@@ -47,12 +48,13 @@ impl<'a> CondensedContact<'a> {
     pub(crate) fn new(
         problem: &'a Problem,
         setup: &Setup,
+        focus: &'a Focus,
         state: &State,
         ground: &'a HeightField,
     ) -> Option<Self> {
-        let contact = problem.contact.as_ref().filter(|_| setup.border() > 0)?;
+        let contact = problem.contact.as_ref()?;
         let faces = (0..contact.surface.face_count())
-            .filter(|&index| setup.border_faces[index])
+            .filter(|&index| focus.faces[index])
             .map(|index| {
                 let nodes = contact.surface.face(index);
                 BorderFace {
@@ -64,7 +66,7 @@ impl<'a> CondensedContact<'a> {
                     places: setup
                         .equations
                         .of(nodes)
-                        .map(|e| setup.in_border(e))
+                        .map(|e| focus.place(setup.in_border(e)?))
                         .collect(),
                 }
             })
@@ -73,44 +75,36 @@ impl<'a> CondensedContact<'a> {
             contact,
             ground,
             faces,
-            size: setup.border(),
+            schur: &focus.schur,
         })
     }
 
     /// Increments `x` of the border with S x + f(u + x) = `rhs`, up to a residual of `tolerance`, N, or round-off. Where
     /// the ground's curvature leaves several solutions or none, the last iterate.
-    pub(crate) fn solve(&self, schur: &Mat<f64>, rhs: &[f64], tolerance: f64) -> Col<f64> {
-        let rhs = ColRef::from_slice(rhs);
-        let mut x = Col::<f64>::zeros(self.size);
-        let mut tangent = Mat::zeros(self.size, self.size);
+    pub(crate) fn solve(&self, rhs: &Col<f64>, tolerance: f64) -> Col<f64> {
+        let mut x = Col::<f64>::zeros(rhs.nrows());
+        let mut tangent = Mat::zeros(rhs.nrows(), rhs.nrows());
         for _ in 0..MAX_ITERATIONS {
-            tangent.copy_from(schur);
+            tangent.copy_from(self.schur);
             let forces = self.forces(&x, Some(&mut tangent));
-            let residual = schur * &x + &forces - rhs;
+            let residual = self.schur * &x + &forces - rhs;
             let round_off = ROUND_OFF * (forces.norm_l2() + rhs.norm_l2());
             if residual.norm_l2() <= tolerance.max(round_off) {
                 break;
             }
             let step = solve_symmetric(&tangent, &-&residual);
             let slope = step.transpose() * &residual;
-            let length = self.line_search(schur, rhs, &x, &step, slope);
+            let length = self.line_search(rhs, &x, &step, slope);
             x += faer::Scale(length) * &step;
         }
         x
     }
 
     /// Fraction of the step at which the energy's slope along it has fallen enough.
-    fn line_search(
-        &self,
-        schur: &Mat<f64>,
-        rhs: ColRef<'_, f64>,
-        x: &Col<f64>,
-        step: &Col<f64>,
-        start: f64,
-    ) -> f64 {
+    fn line_search(&self, rhs: &Col<f64>, x: &Col<f64>, step: &Col<f64>, start: f64) -> f64 {
         let slope_at = |t: f64| {
             let trial = x + faer::Scale(t) * step;
-            let residual = schur * &trial + self.forces(&trial, None) - rhs;
+            let residual = self.schur * &trial + self.forces(&trial, None) - rhs;
             step.transpose() * &residual
         };
         let (mut low, mut slope_low) = (0.0, start);
@@ -136,7 +130,7 @@ impl<'a> CondensedContact<'a> {
 
     /// Contact forces at the increments `x`; their derivative is added to `stiffness`.
     fn forces(&self, x: &Col<f64>, mut stiffness: Option<&mut Mat<f64>>) -> Col<f64> {
-        let mut forces = Col::<f64>::zeros(self.size);
+        let mut forces = Col::<f64>::zeros(x.nrows());
         let unknowns = self.faces.first().map_or(0, |face| face.places.len());
         let mut residual = vec![0.0; unknowns];
         let mut block = vec![0.0; unknowns * unknowns];
@@ -175,9 +169,9 @@ impl<'a> CondensedContact<'a> {
     }
 
     /// Signs of the eigenvalues of S plus the contact's stiffness.
-    pub(crate) fn inertia(&self, schur: &Mat<f64>) -> Inertia {
-        let mut tangent = schur.clone();
-        self.forces(&Col::zeros(self.size), Some(&mut tangent));
+    pub(crate) fn inertia(&self) -> Inertia {
+        let mut tangent = self.schur.clone();
+        self.forces(&Col::zeros(tangent.nrows()), Some(&mut tangent));
         inertia(&tangent)
     }
 }
@@ -204,9 +198,12 @@ fn solve_symmetric(matrix: &Mat<f64>, rhs: &Col<f64>) -> Col<f64> {
     }
 }
 
-/// Border increments without any ground: S x = rhs.
-pub(crate) fn solve_free(schur: &Mat<f64>, rhs: &[f64]) -> Col<f64> {
-    solve_symmetric(schur, &ColRef::from_slice(rhs).to_owned())
+/// Border increments without any ground, in place of the right-hand side: S x = rhs.
+pub(crate) fn solve_free(schur: &Mat<f64>, rhs: &mut [f64]) {
+    let solution = solve_symmetric(schur, &ColRef::from_slice(rhs).to_owned());
+    for (target, value) in rhs.iter_mut().zip(solution.iter()) {
+        *target = *value;
+    }
 }
 
 /// Signs of the eigenvalues of a dense symmetric matrix.

@@ -26,7 +26,7 @@
 //! - [`ordering`], [`sparsity`], `substitution`, [`linear`]: the sparse linear system
 //! - [`setup`]: what all states of a problem share
 //! - [`system`], [`assembly`]: residual and tangent of the whole problem
-//! - `condensed_contact`, [`tangent`]: linear body, nonlinear contact
+//! - `focus`, `condensed_contact`, [`tangent`]: linear body, nonlinear contact
 //! - [`newton`]: equilibrium under given loads
 //! - [`path`]: load stepping with automatic cut-back
 //! - [`patch`], [`surface`]: strains of a surface
@@ -36,6 +36,7 @@ pub mod assembly;
 mod condensed_contact;
 pub mod contact;
 pub mod element;
+mod focus;
 pub mod linear;
 pub mod material;
 pub mod membrane;

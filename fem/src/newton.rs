@@ -12,9 +12,10 @@ use std::time::Instant;
 
 use crate::acceleration::Acceleration;
 use crate::assembly::Assembler;
+use crate::focus::Focus;
 use crate::linear::{Inertia, Workspace};
 use crate::problem::{Loads, Problem, State};
-use crate::setup::{Setup, SetupError};
+use crate::setup::{Setup, SetupError, contact_faces};
 use crate::sparsity::NONE;
 use crate::system::{Entries, Imbalance, Residuals};
 use crate::tangent::Tangent;
@@ -43,6 +44,9 @@ pub struct Newton<'p> {
     pressure_increments: Vec<f64>,
     pending: Vec<Vector>,
     previous: State,
+    /// Contact faces that the present solve may touch, and their part of the tangent's border.
+    focused_faces: Vec<bool>,
+    focus: Option<Focus>,
     acceleration: Acceleration,
     flat: Vec<f64>,
     indefinite: bool,
@@ -63,7 +67,20 @@ impl<'p> Newton<'p> {
     /// # Errors
     /// [`SetupError`] when the mesh is inverted or the factor doesn't fit in memory.
     pub fn new(problem: &'p Problem) -> Result<Self, SetupError> {
-        Self::with_setup(problem, Arc::new(Setup::new(problem)?))
+        Self::for_contact(problem, &State::reference(problem), &Loads::default())
+    }
+
+    /// The same, ready for contact from `state` with the ground of `loads`: else the first solve that touches the ground
+    /// sets up anew.
+    ///
+    /// # Errors
+    /// As [`Newton::new`].
+    pub fn for_contact(
+        problem: &'p Problem,
+        state: &State,
+        loads: &Loads,
+    ) -> Result<Self, SetupError> {
+        Self::with_setup(problem, Arc::new(Setup::new(problem, state, loads)?))
     }
 
     /// Newton's method on a problem that has been set up.
@@ -89,6 +106,8 @@ impl<'p> Newton<'p> {
             pressure_increments: vec![0.0; previous.pressure.len()],
             pending: vec![[0.0; 3]; nodes],
             previous,
+            focused_faces: Vec::new(),
+            focus: None,
             acceleration: Acceleration::default(),
             flat: Vec::new(),
             indefinite: false,
@@ -134,10 +153,7 @@ impl<'p> Newton<'p> {
         self.indefinite = false;
         self.set_pending(state, loads.support_factor);
         match self.iterate(state, loads, stop, &mut history) {
-            Ok(()) => Ok(Converged {
-                history,
-                inertia: self.inertia(state, loads),
-            }),
+            Ok(()) => Ok(Converged { history }),
             Err(cause) => Err(NotConverged {
                 history,
                 cause,
@@ -172,16 +188,16 @@ impl<'p> Newton<'p> {
             if stop.load(Ordering::Relaxed) {
                 return Err(Cause::Stopped);
             }
-            if self.residuals.touches_outside {
-                self.cover_contact(state, loads)?;
-                residual = self.residual(state, loads);
-            }
             if !moved || self.wants_renewal(history, kept) {
                 self.renew(state, loads)?;
                 kept = 0;
             }
             let before = residual.worst();
             residual = self.step(state, loads)?;
+            while self.residuals.touches_outside {
+                self.widen_focus(state, loads)?;
+                residual = self.step(state, loads)?;
+            }
             kept += 1;
             let grown = residual.worst().is_nan() || residual.worst() > SETBACK * before;
             if kept > 1 && grown {
@@ -190,6 +206,30 @@ impl<'p> Newton<'p> {
                 self.tangent = None;
             }
         }
+    }
+
+    /// Takes back a step that touched the ground outside the focus, and brings that into focus.
+    fn widen_focus(&mut self, state: &mut State, loads: &Loads) -> Result<(), Cause> {
+        let touching = state.clone();
+        self.restore(state);
+        self.cover_contact(&touching, loads)?;
+        if self.tangent.is_none() {
+            self.renew(state, loads)?;
+        }
+        self.set_pending(state, loads.support_factor);
+        self.acceleration.reset();
+        self.residual(state, loads);
+        Ok(())
+    }
+
+    /// Focuses on the contact with the ground of `loads` alone, at which `state` is in equilibrium: a path that starts
+    /// there touches at least this.
+    ///
+    /// # Errors
+    /// [`Cause`] when a new border doesn't fit in memory.
+    pub fn start_from(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
+        self.focused_faces.clear();
+        self.cover_contact(state, loads)
     }
 
     /// Whether the steps that the tangent still needs cost more than a new one, at the mean rate of the last two of the
@@ -231,31 +271,31 @@ impl<'p> Newton<'p> {
         self.effort.factorisation += assembled.elapsed();
         self.effort.assembly += assembled - start;
         self.effort.factorisations += 1;
+        self.focus = None;
         self.acceleration.reset();
         self.tangent = Some(Arc::new(tangent));
         self.indefinite |= !self.inertia(state, loads).is_positive();
         Ok(())
     }
 
-    /// The tangent at a state, for solves of the same problem near it. Its border serves contact with the ground of
-    /// `loads` raised by `reach`, mm.
+    /// The tangent at a state, for solves of the same problem near it.
     ///
     /// # Errors
     /// [`Cause`] when it is singular or doesn't fit in memory.
-    pub fn tangent_at(
-        &mut self,
-        state: &State,
-        loads: &Loads,
-        reach: f64,
-    ) -> Result<Arc<Tangent>, Cause> {
+    pub fn tangent_at(&mut self, state: &State, loads: &Loads) -> Result<Arc<Tangent>, Cause> {
         self.set_pending(state, loads.support_factor);
-        let mut raised = loads.clone();
-        if let Some(ground) = &mut raised.ground {
-            ground.base += reach;
-        }
-        self.cover_contact(state, &raised)?;
+        self.cover_contact(state, loads)?;
         self.renew(state, loads)?;
         self.tangent.clone().ok_or(Cause::Diverged)
+    }
+
+    /// Signs of the pivots at an equilibrium. The tangent made for it serves the next solve.
+    ///
+    /// # Errors
+    /// As [`Newton::tangent_at`].
+    pub fn inertia_at(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
+        self.tangent_at(state, loads)?;
+        Ok(self.inertia(state, loads))
     }
 
     /// Signs of the pivots of the present tangent, with the contact at `state`.
@@ -267,43 +307,40 @@ impl<'p> Newton<'p> {
             })
     }
 
-    /// Makes the border serve all faces that may touch the ground from this state.
+    /// Brings all faces into focus that may touch the ground from this state, beside those that are, and makes the
+    /// border serve them.
     fn cover_contact(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
-        let (Some(contact), Some(ground)) = (&self.problem.contact, &loads.ground) else {
-            return Ok(());
-        };
-        let mesh = &self.problem.mesh;
-        let mut faces = contact.faces_near(ground, |node| state.position(mesh, node));
-        let served = &self.setup.border_faces;
-        if faces
-            .iter()
-            .zip(served)
-            .all(|(needed, has)| !needed || *has)
-        {
-            return Ok(());
+        self.focus = None;
+        let faces = contact_faces(self.problem, state, loads);
+        self.focused_faces.resize(faces.len(), false);
+        for (focused, needed) in self.focused_faces.iter_mut().zip(&faces) {
+            *focused |= needed;
         }
-        for (face, has) in faces.iter_mut().zip(served) {
-            *face |= *has;
-        }
-        let singular = |error| match error {
+        let refused = |error| match error {
             SetupError::Linear(error) => Cause::Singular(error),
             SetupError::Mesh(_) => Cause::Inverted,
         };
-        let setup = self.setup.with_border(self.problem, faces);
-        let setup = Arc::new(setup.map_err(singular)?);
+        let widened = self.setup.widened(self.problem, &self.focused_faces);
+        let Some(setup) = widened.map_err(refused)? else {
+            return Ok(());
+        };
         let settings = self.settings;
-        let mut fresh = Self::with_setup(self.problem, setup).map_err(singular)?;
+        let mut fresh = Self::with_setup(self.problem, Arc::new(setup)).map_err(refused)?;
         fresh.settings = settings;
         fresh.effort = self.effort;
         fresh.pending.clone_from(&self.pending);
         fresh.indefinite = self.indefinite;
+        fresh.focused_faces = std::mem::take(&mut self.focused_faces);
         *self = fresh;
         Ok(())
     }
 
     fn residual(&mut self, state: &State, loads: &Loads) -> Imbalance {
         let start = Instant::now();
-        let imbalance = self.assembler.residual(state, loads, &mut self.residuals);
+        let served = &self.focused_faces;
+        let imbalance = self
+            .assembler
+            .residual(state, loads, served, &mut self.residuals);
         self.effort.assembly += start.elapsed();
         imbalance
     }
@@ -327,11 +364,15 @@ impl<'p> Newton<'p> {
         for value in &mut self.rhs {
             *value = -*value;
         }
-        let ground = loads.ground.as_ref();
         let imbalance: f64 = forces.iter().map(|f| f * f).sum::<f64>().sqrt();
         let (rhs, workspace) = (&mut self.rhs, &mut self.workspace);
         let tolerance = CONTACT_SHARE * imbalance;
-        tangent.solve(self.problem, state, ground, rhs, tolerance, workspace);
+        let contact = loads.ground.as_ref().map(|ground| {
+            let faces = &self.focused_faces;
+            let focus = || tangent.focus(self.problem, faces.clone());
+            (ground, &*self.focus.get_or_insert_with(focus))
+        });
+        tangent.solve(self.problem, state, contact, rhs, tolerance, workspace);
         self.collect_increments();
         self.assembler.pressure_increments(
             &tangent.coupling,

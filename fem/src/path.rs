@@ -65,11 +65,21 @@ pub fn follow(
         cut_backs: 0,
     };
     let (mut reached, mut step) = (0.0, 1.0);
+    if let Err(cause) = newton.start_from(state, start) {
+        return Err(Box::new(PathFailure {
+            reached,
+            loads: start.clone(),
+            cause,
+            history: Vec::new(),
+            indefinite: false,
+        }));
+    }
     while reached < 1.0 {
         let next = f64::min(reached + step, 1.0);
         let mut trial = state.clone();
-        match newton.solve(&mut trial, &start.towards(target, next), stop) {
-            Ok(converged) if stability.accepts(converged.inertia) => {
+        let loads = start.towards(target, next);
+        match newton.solve(&mut trial, &loads, stop) {
+            Ok(converged) if stability.accepts(newton, &trial, &loads) => {
                 *state = trial;
                 reached = next;
                 step *= 2.0;
@@ -100,8 +110,9 @@ pub fn follow(
 }
 
 impl Stability {
-    fn accepts(self, inertia: Inertia) -> bool {
-        self == Self::Ignored || inertia.is_positive()
+    fn accepts(self, newton: &mut Newton<'_>, state: &State, loads: &Loads) -> bool {
+        let is_stable = |inertia: Inertia| inertia.is_positive();
+        self == Self::Ignored || newton.inertia_at(state, loads).is_ok_and(is_stable)
     }
 }
 

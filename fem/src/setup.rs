@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::linear::{LinearError, Symbolic};
 use crate::membrane::Membrane;
 use crate::mesh::Surface;
-use crate::problem::Problem;
+use crate::problem::{Loads, Problem, State};
 use crate::solid::{InvalidReference, SolidGeometry};
 use crate::sparsity::{Equations, NONE, Pattern};
 
@@ -39,25 +39,35 @@ pub struct Setup {
 }
 
 impl Setup {
-    /// Sets a problem up without a border: for loads that don't touch the ground.
+    /// Sets a problem up with a border that serves contact from `state` with the ground of `loads`. Without a ground
+    /// there is no border.
     ///
     /// # Errors
     /// [`SetupError`] when a brick is inverted or the factor doesn't fit in memory.
-    pub fn new(problem: &Problem) -> Result<Self, SetupError> {
-        let faces = problem
-            .contact
-            .as_ref()
-            .map_or(0, |c| c.surface.face_count());
+    pub fn new(problem: &Problem, state: &State, loads: &Loads) -> Result<Self, SetupError> {
         let geometry = Arc::new(SolidGeometry::new(&problem.mesh)?);
-        Self::with_geometry(problem, geometry, vec![false; faces])
+        Self::with_geometry(problem, geometry, contact_faces(problem, state, loads))
     }
 
-    /// The same problem with another border.
+    /// The same problem with a border that serves these contact faces too; `None` when the present one does.
     ///
     /// # Errors
     /// As [`Setup::new`].
-    pub fn with_border(&self, problem: &Problem, faces: Vec<bool>) -> Result<Self, SetupError> {
-        Self::with_geometry(problem, self.geometry.clone(), faces)
+    pub(crate) fn widened(
+        &self,
+        problem: &Problem,
+        faces: &[bool],
+    ) -> Result<Option<Self>, SetupError> {
+        let served = &self.border_faces;
+        if faces
+            .iter()
+            .zip(served)
+            .all(|(needed, has)| !needed || *has)
+        {
+            return Ok(None);
+        }
+        let both = faces.iter().zip(served).map(|(a, b)| *a || *b).collect();
+        Self::with_geometry(problem, self.geometry.clone(), both).map(Some)
     }
 
     fn with_geometry(
@@ -103,6 +113,17 @@ impl Setup {
         } else {
             (equation as usize).checked_sub(self.equations.interior)
         }
+    }
+}
+
+/// Contact faces that may touch the ground from a state.
+pub(crate) fn contact_faces(problem: &Problem, state: &State, loads: &Loads) -> Vec<bool> {
+    match (&problem.contact, &loads.ground) {
+        (Some(contact), Some(ground)) => {
+            contact.faces_near(ground, |node| state.position(&problem.mesh, node))
+        }
+        (Some(contact), None) => vec![false; contact.surface.face_count()],
+        _ => Vec::new(),
     }
 }
 

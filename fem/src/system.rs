@@ -15,7 +15,7 @@ pub struct Residuals {
     pub volumes: Vec<f64>,
     /// Smallest J of an integration point; minus infinity when one isn't a number.
     pub min_volume_ratio: f64,
-    /// Whether a face that the border doesn't serve touches the ground.
+    /// Whether a face that the solver isn't ready for touches the ground.
     pub touches_outside: bool,
     /// Sum of the absolute forces that meet at each displacement, held ones included.
     pub(crate) magnitudes: Vec<f64>,

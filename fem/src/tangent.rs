@@ -9,6 +9,7 @@ use std::sync::Arc;
 use faer::Mat;
 
 use crate::condensed_contact::{CondensedContact, inertia, solve_free};
+use crate::focus::Focus;
 use crate::linear::{Factor, Inertia, LinearError, Workspace};
 use crate::obstacle::HeightField;
 use crate::problem::{Problem, State};
@@ -73,7 +74,7 @@ impl Tangent {
         &self,
         problem: &Problem,
         state: &State,
-        ground: Option<&HeightField>,
+        contact: Option<(&HeightField, &Focus)>,
         rhs: &mut [f64],
         tolerance: f64,
         workspace: &mut Workspace,
@@ -81,25 +82,23 @@ impl Tangent {
         self.factor.eliminate(rhs, workspace);
         let border = &mut rhs[self.setup.equations.interior..];
         if !border.is_empty() {
-            let contact = self.contact(problem, state, ground);
-            let increments = match contact {
-                Some(contact) => contact.solve(&self.schur, border, tolerance),
+            let focused = contact.and_then(|(ground, focus)| {
+                CondensedContact::new(problem, &self.setup, focus, state, ground).zip(Some(focus))
+            });
+            match focused {
+                Some((contact, focus)) => {
+                    let increments = contact.solve(&focus.reduce(border), tolerance);
+                    focus.expand(&increments, border);
+                }
                 None => solve_free(&self.schur, border),
-            };
-            for (target, value) in border.iter_mut().zip(increments.iter()) {
-                *target = *value;
             }
         }
         self.factor.complete(rhs, workspace);
     }
 
-    fn contact<'a>(
-        &self,
-        problem: &'a Problem,
-        state: &State,
-        ground: Option<&'a HeightField>,
-    ) -> Option<CondensedContact<'a>> {
-        CondensedContact::new(problem, &self.setup, state, ground?)
+    /// The part of the border that serves these contact faces.
+    pub(crate) fn focus(&self, problem: &Problem, faces: Vec<bool>) -> Focus {
+        Focus::new(problem, &self.setup, &self.schur, faces)
     }
 
     /// Signs of the pivots, those of the contact at `state` included.
@@ -109,8 +108,11 @@ impl Tangent {
         state: &State,
         ground: Option<&HeightField>,
     ) -> Inertia {
-        let border = match self.contact(problem, state, ground) {
-            Some(contact) => contact.inertia(&self.schur),
+        let focus = self.focus(problem, self.setup.border_faces.clone());
+        let contact = ground
+            .and_then(|ground| CondensedContact::new(problem, &self.setup, &focus, state, ground));
+        let border = match contact {
+            Some(contact) => contact.inertia(),
             None if self.schur.nrows() > 0 => inertia(&self.schur),
             None => Inertia::default(),
         };

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::linear::{Inertia, LinearError};
+use crate::linear::LinearError;
 use crate::system::Imbalance;
 
 /// When to stop.
@@ -37,8 +37,6 @@ impl Default for NewtonSettings {
 pub struct Converged {
     /// Relative residual before the first and after each iteration.
     pub history: Vec<Imbalance>,
-    /// Signs of the pivots of the last tangent used.
-    pub inertia: Inertia,
 }
 
 /// No equilibrium was found.
