@@ -1,5 +1,6 @@
 //! The embedded finite element solver.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use fem::newton::{Effort, Newton};
@@ -94,18 +95,34 @@ fn solve_near(
     let newton = Newton::with_tangent(&near.model.problem, near.tangent.clone());
     let mut session = session(request, &near.model, newton.map_err(broken)?);
     let target = session.target(&near.inflated);
-    let neighbour = (&near.equilibrium, &near.loads);
-    let (equilibrium, report) = session.press(&near.inflated, &target, Some(neighbour))?;
-    let inflated = near.inflated.clone();
+    let (depths, mirrored) = near.canonical(&request.scene.ground.depths_mm);
+    let pressed = match near.recall(&depths) {
+        Some(pressed) => pressed,
+        None => {
+            let canonical = target.with_depths(&depths);
+            let neighbour = (&near.equilibrium, &near.loads);
+            let pressed = session.press(&near.inflated, &canonical, Some(neighbour));
+            let pressed = Arc::new(pressed.map_err(|error| error.mirrored(mirrored))?);
+            near.remember(depths, pressed.clone());
+            pressed
+        }
+    };
+    let state = if mirrored {
+        let image = near.model.grid.mirror_half(&pressed.state.to_flat());
+        let image = image.and_then(|flat| State::from_flat(&near.model.problem, &flat));
+        image.ok_or_else(|| broken("the mirrored state doesn't fit its mesh"))?
+    } else {
+        pressed.state.clone()
+    };
     let key = near.inflated_key.clone();
-    Ok(session.answer(
-        request,
-        begin,
-        key,
-        (inflated, equilibrium),
-        &target,
-        &report,
-    ))
+    let answer = Answer {
+        inflated_key: key,
+        inflated: near.inflated.clone(),
+        equilibrium: state,
+        report: &pressed.report,
+        iterations: pressed.iterations,
+    };
+    Ok(session.answer(request, begin, answer, &target))
 }
 
 /// From nothing, or from the equilibrium of a similar tire on the same mesh.
@@ -129,16 +146,15 @@ fn solve_afresh(
     let target = session.target(&inflated);
     let near_loads = start.map(|start| start_loads(start, &target));
     let near = near_equilibrium.as_ref().zip(near_loads.as_ref());
-    let (equilibrium, report) = session.press(&inflated, &target, near)?;
-    let key = inflated_key(request.scene, plan);
-    Ok(session.answer(
-        request,
-        begin,
-        key,
-        (inflated, equilibrium),
-        &target,
-        &report,
-    ))
+    let pressed = session.press(&inflated, &target, near)?;
+    let answer = Answer {
+        inflated_key: inflated_key(request.scene, plan),
+        inflated,
+        equilibrium: pressed.state,
+        report: &pressed.report,
+        iterations: session.newton.effort.iterations,
+    };
+    Ok(session.answer(request, begin, answer, &target))
 }
 
 /// The scene's ground below the undeformed tire, raised a little: inflation moves wall and ground alike.
@@ -166,15 +182,19 @@ fn session<'m>(
 
 /// The loads at which a start state is in equilibrium, but for the inflated radius.
 fn start_loads(start: &StartState, target: &Loads) -> Loads {
-    let ground = target.ground.as_ref();
     Loads {
         pressure: start.pressure_mpa,
-        ground: ground.map(|ground| fem::obstacle::HeightField {
-            depths: start.depths_mm.clone(),
-            ..ground.clone()
-        }),
-        support_factor: 0.0,
+        ..target.with_depths(&start.depths_mm)
     }
+}
+
+/// What a solve found.
+struct Answer<'a> {
+    inflated_key: String,
+    inflated: State,
+    equilibrium: State,
+    report: &'a PathReport,
+    iterations: usize,
 }
 
 impl Session<'_> {
@@ -182,23 +202,22 @@ impl Session<'_> {
         mut self,
         request: &SolveRequest<'_>,
         begin: Instant,
-        inflated_key: String,
-        (inflated, equilibrium): (State, State),
+        answer: Answer<'_>,
         loads: &Loads,
-        report: &PathReport,
     ) -> Solved {
         let scene = request.scene;
-        let reader = Reader::new(scene, self.model, &inflated, &equilibrium, loads);
+        let (inflated, equilibrium) = (&answer.inflated, &answer.equilibrium);
+        let reader = Reader::new(scene, self.model, inflated, equilibrium, loads);
         let mut response = reader.response(request.readout);
-        response.max_volume_change = self.newton.max_volume_change(&equilibrium);
-        response.newton_iterations = self.newton.effort.iterations;
-        let steps = report.steps.iter();
+        response.max_volume_change = self.newton.max_volume_change(equilibrium);
+        response.newton_iterations = answer.iterations;
+        let steps = answer.report.steps.iter();
         response.residual_history = steps
             .map(|step| step.iter().map(|r| r.worst()).collect())
             .collect();
         response.model = self.model.summary(scene, self.newton.unknowns());
         let state = StartState {
-            inflated_key,
+            inflated_key: answer.inflated_key,
             inflated: inflated.to_flat(),
             pressure_mpa: scene.pressure.internal_mpa,
             depths_mm: scene.ground.depths_mm.clone(),

@@ -13,6 +13,7 @@
 //! - [`start_state`]: start states as bytes
 //! - `grid_lines`: where the bricks of a mesh begin and end
 //! - [`tire_mesh`]: the structured mesh of a tire
+//! - `tire_mirror`: its states, left and right exchanged
 //! - [`tire`]: a scene as a boundary value problem: what is modelled, and what is left out
 //! - [`readout`]: strains of an equilibrium
 //! - `session`: one solve on its way: inflate, press
@@ -36,3 +37,4 @@ pub mod solver;
 pub mod start_state;
 pub mod tire;
 pub mod tire_mesh;
+mod tire_mirror;

@@ -4,20 +4,25 @@
 //! every other point is solved without a factorisation of its own. It is a function of scene, mesh and start, never of
 //! which solve came first, so that results don't depend on it to the bit.
 
+use std::cmp::Ordering;
+use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use fem::newton::Newton;
+use fem::path::PathReport;
 use fem::problem::{Loads, State};
 use fem::tangent::Tangent;
 use sha2::{Digest, Sha256};
 
 use crate::scene::{Ground, Scene};
 use crate::solver::StartState;
-use crate::tire::{TireModel, ground};
+use crate::tire::{TireModel, ground, is_symmetric};
 use crate::tire_mesh::{Extent, MeshPlan};
 
 /// Neighbourhoods that are kept; the oldest goes first. Each holds a factor: about 100 MB for a standard half model.
 const KEPT: usize = 4;
+/// Equilibria that a neighbourhood keeps for their mirror images.
+const PRESSED: usize = 64;
 /// Rise of the ground that the border is ready for, as a share of the start's largest depth, and of the wall.
 const REACH: [f64; 2] = [0.5, 0.1];
 
@@ -30,6 +35,17 @@ pub(crate) struct Neighbourhood {
     pub(crate) equilibrium: State,
     pub(crate) loads: Loads,
     pub(crate) tangent: Arc<Tangent>,
+    /// Whether left and right are alike here, so that mirrored depths have mirrored equilibria.
+    symmetric: bool,
+    pressed: Mutex<VecDeque<(Vec<f64>, Arc<Pressed>)>>,
+}
+
+/// An equilibrium on the ground, and how it was found.
+#[derive(Debug)]
+pub(crate) struct Pressed {
+    pub(crate) state: State,
+    pub(crate) report: PathReport,
+    pub(crate) iterations: usize,
 }
 
 impl Neighbourhood {
@@ -63,7 +79,38 @@ impl Neighbourhood {
             equilibrium,
             loads,
             tangent,
+            symmetric: extent == Extent::Half && is_symmetric(&depths),
+            pressed: Mutex::default(),
         })
+    }
+
+    /// Depths in the order in which they are solved, and whether that exchanges left and right: of two mirrored grounds
+    /// only one is ever solved.
+    pub(crate) fn canonical(&self, depths: &[f64]) -> (Vec<f64>, bool) {
+        let mirrored: Vec<f64> = depths.iter().rev().copied().collect();
+        let ahead = mirrored.iter().zip(depths).map(|(a, b)| a.total_cmp(b));
+        let is_less = ahead.fold(Ordering::Equal, Ordering::then) == Ordering::Less;
+        if self.symmetric && is_less {
+            (mirrored, true)
+        } else {
+            (depths.to_vec(), false)
+        }
+    }
+
+    /// The equilibrium at these depths if it was found lately.
+    pub(crate) fn recall(&self, depths: &[f64]) -> Option<Arc<Pressed>> {
+        let pressed = self.pressed.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = pressed.iter().find(|(known, _)| known == depths);
+        known.map(|(_, pressed)| pressed.clone())
+    }
+
+    /// Keeps an equilibrium for its mirror image.
+    pub(crate) fn remember(&self, depths: Vec<f64>, found: Arc<Pressed>) {
+        let mut pressed = self.pressed.lock().unwrap_or_else(PoisonError::into_inner);
+        if pressed.len() == PRESSED {
+            pressed.pop_front();
+        }
+        pressed.push_back((depths, found));
     }
 }
 

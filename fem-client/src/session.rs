@@ -6,6 +6,7 @@ use fem::newton::{Cause, Newton};
 use fem::path::{PathFailure, PathReport, Stability, follow};
 use fem::problem::{Loads, State};
 
+use crate::neighbourhood::Pressed;
 use crate::scene::Scene;
 use crate::solver::{NoEquilibrium, Reached, SolveError};
 use crate::tire::{TireModel, ground};
@@ -72,6 +73,21 @@ impl Session<'_> {
 
     /// The equilibrium on the ground: from a neighbouring one, with its loads, else by pressing the inflated tire.
     pub(crate) fn press(
+        &mut self,
+        inflated: &State,
+        target: &Loads,
+        near: Option<(&State, &Loads)>,
+    ) -> Result<Pressed, SolveError> {
+        let before = self.newton.effort.iterations;
+        let (state, report) = self.follow_depths(inflated, target, near)?;
+        Ok(Pressed {
+            state,
+            report,
+            iterations: self.newton.effort.iterations - before,
+        })
+    }
+
+    fn follow_depths(
         &mut self,
         inflated: &State,
         target: &Loads,

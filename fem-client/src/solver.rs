@@ -295,6 +295,16 @@ pub enum SolveError {
     },
 }
 
+impl SolveError {
+    /// The same error of the mirrored ground, when asked to exchange left and right.
+    pub(crate) fn mirrored(mut self, exchange: bool) -> Self {
+        if let (true, Self::NoEquilibrium { reached, .. }) = (exchange, &mut self) {
+            reached.depths_mm.reverse();
+        }
+        self
+    }
+}
+
 /// Kinds of missing equilibria.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]

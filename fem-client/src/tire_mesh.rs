@@ -97,7 +97,7 @@ impl TireGrid {
         }
     }
 
-    fn bricks(&self) -> [usize; 3] {
+    pub(crate) fn bricks(&self) -> [usize; 3] {
         [self.phi.len() - 1, self.theta.len() - 1, self.rho.len() - 1]
     }
 
@@ -107,7 +107,7 @@ impl TireGrid {
     }
 
     /// Distinct nodes along the wheel: all around, the last line is the first.
-    fn theta_nodes(&self) -> usize {
+    pub(crate) fn theta_nodes(&self) -> usize {
         let lines = (self.order.edge_nodes() - 1) * self.bricks()[1];
         match self.extent {
             Extent::Half => lines,
@@ -115,11 +115,11 @@ impl TireGrid {
         }
     }
 
-    fn phi_nodes(&self) -> usize {
+    pub(crate) fn phi_nodes(&self) -> usize {
         (self.order.edge_nodes() - 1) * self.bricks()[0] + 1
     }
 
-    fn rho_nodes(&self) -> usize {
+    pub(crate) fn rho_nodes(&self) -> usize {
         (self.order.edge_nodes() - 1) * self.bricks()[2] + 1
     }
 
@@ -274,47 +274,6 @@ impl TireGrid {
         let e = self.order.edge_nodes() - 1;
         let centre = self.theta.iter().position(|&t| t == 0.0).unwrap_or(0);
         self.node([0, centre * e, self.rho_nodes() - 1])
-    }
-
-    /// Unknowns of the quarter mesh with this one's grid lines, mirrored to this half mesh: x changes sign with theta, and
-    /// so does the pressure mode along theta. `None` when this is no half mesh or the length doesn't fit.
-    pub fn mirror_quarter(&self, quarter: &[f64]) -> Option<Vec<f64>> {
-        if self.extent != Extent::Half {
-            return None;
-        }
-        let e = self.order.edge_nodes() - 1;
-        let [nphi, ntheta, nrho] = self.bricks();
-        let modes = self.order.pressure_modes();
-        let (line, half) = (self.phi_nodes() * self.rho_nodes(), ntheta / 2);
-        let displacements = 3 * line * (e * half + 1);
-        if quarter.len() != displacements + modes * nphi * nrho * half {
-            return None;
-        }
-        let (displacement, pressure) = quarter.split_at(displacements);
-        let mut flat = Vec::with_capacity(2 * quarter.len());
-        for theta in 0..self.theta_nodes() {
-            let offset = theta.abs_diff(e * half);
-            for u in displacement[3 * line * offset..3 * line * (offset + 1)].chunks_exact(3) {
-                flat.extend([if theta < e * half { -u[0] } else { u[0] }, u[1], u[2]]);
-            }
-        }
-        let row = modes * nphi * nrho;
-        for theta in 0..ntheta {
-            let source = if theta < half {
-                half - 1 - theta
-            } else {
-                theta - half
-            };
-            for p in pressure[row * source..row * (source + 1)].chunks_exact(modes) {
-                // Modes are 1, phi, theta, rho along the brick's own axes.
-                flat.extend(
-                    p.iter()
-                        .enumerate()
-                        .map(|(mode, &p)| if mode == 2 && theta < half { -p } else { p }),
-                );
-            }
-        }
-        Some(flat)
     }
 
     /// Nodes on the bead, on the plane y = 0, and (quarter mesh) on the plane x = 0.

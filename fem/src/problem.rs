@@ -68,6 +68,20 @@ impl Loads {
     }
 }
 
+impl Loads {
+    /// The same loads with other depths of the ground, where there is one.
+    pub fn with_depths(&self, depths: &[f64]) -> Self {
+        let ground = self.ground.as_ref().map(|ground| HeightField {
+            depths: depths.to_vec(),
+            ..ground.clone()
+        });
+        Self {
+            ground,
+            ..self.clone()
+        }
+    }
+}
+
 /// Unknowns of a problem.
 #[derive(Debug, PartialEq)]
 pub struct State {
