@@ -264,7 +264,7 @@ fn twice_the_stiffness_gives_twice_the_reaction() {
     assert!((stiff.locations[2].strain_y - base.locations[2].strain_y).abs() < 1e-9);
 }
 
-/// Newton stops at a relative residual of 1e-10; the strains follow the forces with a factor of order 100 at most.
+/// Newton stops at a relative residual of 1e-8; the strains follow the forces with a factor of order 10 at most.
 const SOLVER_TOLERANCE: f64 = 1e-7;
 
 fn assert_same(a: &Solved, b: &Solved) {
