@@ -2,7 +2,7 @@
 
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
-.PHONY: run build test lint test-rust test-web test-browser setup-build setup-test help
+.PHONY: run build test lint test-rust test-web test-browser setup-build setup-calculix setup-test help
 
 STRAINSITE := $(or $(CARGO_TARGET_DIR),target)/release/strainsite
 export STRAINSITE_BIN := $(abspath $(STRAINSITE))
@@ -27,7 +27,7 @@ lint: setup-build
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
 
-test-rust: setup-build
+test-rust: setup-build setup-calculix
 	cargo test --release --workspace --locked
 
 test-web: setup-test
@@ -41,6 +41,10 @@ setup-build:
 	@command -v cargo >/dev/null || { echo "Rust is missing: install rustup's stable toolchain (1.95 or newer)"; exit 1; }
 	@command -v cc >/dev/null || { $(APT_GET) update -q && $(APT_GET) install -y -q gcc libc6-dev; }
 
-setup-test:
+# The second opinion of --solver calculix; its tests are skipped without it.
+setup-calculix:
+	@command -v ccx >/dev/null || { $(APT_GET) update -q && $(APT_GET) install -y -q --no-install-recommends calculix-ccx; }
+
+setup-test: setup-calculix
 	@command -v npm >/dev/null || { echo "Node.js is missing: install version 20.19 or newer with npm"; exit 1; }
 	@test -x /usr/bin/chromium || { $(APT_GET) update -q && $(APT_GET) install -y -q --no-install-recommends chromium; }

@@ -19,8 +19,10 @@
 //! - `session`: one solve on its way: inflate, press
 //! - `neighbourhood`: what solves from the same equilibrium share
 //! - [`embedded`]: the solver built on `fem`
+//! - [`calculix`]: CalculiX as an external solver
 //! - [`closed_form`]: the stand-in solver for tests of what stands above
 
+pub mod calculix;
 pub mod closed_form;
 pub mod document;
 pub mod embedded;

@@ -73,6 +73,40 @@ fn a_study_runs_and_leaves_its_result_in_every_form_that_was_asked_for() {
 }
 
 #[test]
+fn calculix_answers_where_it_is_installed_and_says_so_where_it_cannot() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let scene = "[geometry]\nouter_radius_mm = 70\nsection_radius_mm = 20\nwall_mm = 8\n[pressure]\ninternal_mpa = 0.04\n\
+                 [model]\nlevel = \"draft\"\n";
+    std::fs::write(folder.path().join("plain.toml"), scene).expect("writes");
+    let calculix = ["solve", "plain.toml", "--solver", "calculix", "--json", "-"];
+
+    let lacking = strainsite(
+        folder.path(),
+        &[&calculix[..], &["--ccx", "./ccx"]].concat(),
+    );
+    assert_eq!(lacking.status.code(), Some(1));
+    assert!(text(&lacking.stderr).contains("apt-get install calculix-ccx"));
+
+    if let Err(error) = Command::new("ccx").arg("-v").output() {
+        println!("skipped: ccx: {error}");
+        return;
+    }
+    let solved = strainsite(folder.path(), &calculix);
+    assert_eq!(solved.status.code(), Some(0), "{}", text(&solved.stderr));
+    let answer: Value = serde_json::from_slice(&solved.stdout).expect("JSON");
+    assert_eq!(answer["status"], "converged");
+    assert!(answer["reaction_n"].as_f64() > Some(0.0));
+    let changes = answer["model"]["left_out"].to_string();
+    assert!(changes.contains("incompressibility"), "{changes}");
+
+    let scene = format!("{scene}[carcass]\n");
+    std::fs::write(folder.path().join("plain.toml"), scene).expect("writes");
+    let refused = strainsite(folder.path(), &calculix);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).starts_with("/carcass: "));
+}
+
+#[test]
 fn one_equilibrium_is_solved_and_changed_by_its_keys() {
     let folder = tempfile::tempdir().expect("temp dir");
     let scene = format!("{REPOSITORY}/scenes/foot-tire.toml");

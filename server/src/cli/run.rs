@@ -19,7 +19,7 @@ use super::table::{locations_csv, report};
 use crate::config::Config;
 use crate::engine::{End, Engine};
 use crate::queue::recover;
-use crate::solver::solver;
+use crate::solver::SolverChoice;
 use crate::store::studies::{self, StudyRow};
 use crate::store::{Store, StoreError, events};
 use crate::study_document::{read_file, read_study};
@@ -31,6 +31,8 @@ pub struct Run {
     study: PathBuf,
     #[command(flatten)]
     config: Config,
+    #[command(flatten)]
+    solver: SolverChoice,
     /// Write result.json and locations.csv into this folder
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -50,7 +52,7 @@ impl Run {
             .map_err(Failure::other)?;
         let engine = Engine {
             store: Arc::new(store),
-            solver: solver(),
+            solver: self.solver.solver().map_err(Failure::other)?,
             threads: self.config.threads(),
         };
         let end = self.solve(&runtime, &engine, &study);

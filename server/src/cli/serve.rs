@@ -9,7 +9,7 @@ use super::output::print;
 use super::signals::Signals;
 use crate::config::{Config, loopback_address};
 use crate::service::{Service, ServiceParts};
-use crate::solver::solver;
+use crate::solver::SolverChoice;
 
 /// Start the service and the dashboard
 #[derive(Debug, Args)]
@@ -20,6 +20,8 @@ pub struct Serve {
     addr: SocketAddr,
     #[command(flatten)]
     config: Config,
+    #[command(flatten)]
+    solver: SolverChoice,
 }
 
 impl Serve {
@@ -33,7 +35,7 @@ impl Serve {
         let parts = ServiceParts {
             address: self.addr,
             database: self.config.db.clone(),
-            solver: solver(),
+            solver: self.solver.solver().map_err(Failure::other)?,
             threads: self.config.threads(),
         };
         let mut signals = Signals::listen()?;

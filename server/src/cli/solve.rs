@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use super::Failure;
 use super::output::{JsonTarget, tell};
 use super::signals::Signals;
-use crate::solver::solver;
+use crate::solver::SolverChoice;
 use crate::study_document::{format_of, read_file};
 
 /// Solve one equilibrium of a scene
@@ -24,6 +24,8 @@ pub struct Solve {
     /// Change one field of the scene, as in ground.depths_mm=[1,1,1,1,1] or pressure.internal_mpa=0.15
     #[arg(long, value_name = "KEY=VALUE")]
     set: Vec<String>,
+    #[command(flatten)]
+    solver: SolverChoice,
     /// Write the answer as JSON to a file, or to standard output with -
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<JsonTarget>,
@@ -33,6 +35,7 @@ impl Solve {
     /// Solves and prints.
     pub fn execute(&self) -> Result<(), Failure> {
         let scene = self.scene()?;
+        let solver = self.solver.solver().map_err(Failure::other)?;
         let stop = Arc::new(AtomicBool::new(false));
         let runtime = tokio::runtime::Runtime::new().map_err(Failure::other)?;
         let mut signals = runtime.block_on(async { Signals::listen() })?;
@@ -47,7 +50,7 @@ impl Solve {
             start: None,
             stop: &stop,
         };
-        let solved = solver().solve(&request).map_err(failure)?;
+        let solved = solver.solve(&request).map_err(failure)?;
         if let Some(target) = &self.json {
             target.write(&document(&solved)?)?;
         }

@@ -1,0 +1,113 @@
+//! CalculiX as an external solver: a second opinion on the scenes that it can model.
+//!
+//! It gets the embedded solver's mesh with 8-node bricks between the nodes, and its displacements are read by the same
+//! [`crate::readout::Reader`], so that only the solvers differ. A scene takes two runs: the first inflates the tire alone, because the
+//! ground's height is measured from the inflated tire; the second inflates and presses. The modules, in reading order:
+//!
+//! - [`ground`]: the rigid ground as bricks
+//! - [`deck`]: the input deck
+//! - `program`: one run of the program
+//! - `results`: what it printed
+//! - `limits`: what is refused, and what is changed
+//! - `case`: the runs of one scene
+
+mod case;
+pub mod deck;
+pub mod ground;
+mod limits;
+mod program;
+mod results;
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use fem::element::Order;
+
+use self::case::Case;
+use self::program::Program;
+use crate::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
+use crate::tire::mesh_plan;
+use crate::tire_mesh::MeshPlan;
+
+pub use self::program::NotInstalled;
+
+/// Solves scenes with an installed CalculiX, one process per run. It always starts from nothing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CalculixSolver {
+    program: Program,
+}
+
+impl CalculixSolver {
+    /// Uses the program at `path`, or of that name in the search path; a run may take `time_limit`.
+    ///
+    /// # Errors
+    /// [`NotInstalled`] says what to install.
+    pub fn new(path: &Path, time_limit: Duration) -> Result<Self, NotInstalled> {
+        Program::new(path, time_limit).map(|program| Self { program })
+    }
+
+    /// Solves a scene on a mesh of the caller's choice, of 8-node bricks.
+    ///
+    /// # Errors
+    /// As [`Solver::solve`].
+    ///
+    /// # Panics
+    /// When the plan's order isn't linear.
+    pub fn solve_on(
+        &self,
+        request: &SolveRequest<'_>,
+        plan: &MeshPlan,
+    ) -> Result<Solved, SolveError> {
+        let begin = Instant::now();
+        let faults = limits::faults(request.scene);
+        if !faults.is_empty() {
+            return Err(SolveError::Refused { faults });
+        }
+        let response = Case::new(request, plan, &self.program).response()?;
+        Ok(Solved {
+            cost: Cost {
+                wall_s: begin.elapsed().as_secs_f64(),
+                newton_iterations: response.newton_iterations,
+                // CalculiX doesn't say how it spends its time.
+                ..Cost::default()
+            },
+            response,
+            state: StartState {
+                inflated_key: String::new(),
+                inflated: Vec::new(),
+                pressure_mpa: request.scene.pressure.internal_mpa,
+                depths_mm: request.scene.ground.depths_mm.clone(),
+                equilibrium: Vec::new(),
+            },
+        })
+    }
+}
+
+impl Solver for CalculixSolver {
+    fn version(&self) -> String {
+        format!(
+            "calculix {} by strainsite {}+{}",
+            self.program.version(),
+            env!("CARGO_PKG_VERSION"),
+            env!("SOLVER_SOURCES")
+        )
+    }
+
+    fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        let plan = mesh_plan(request.scene, request.scene.model.level);
+        self.solve_on(request, &linear(&plan))
+    }
+}
+
+/// The plan with 8-node bricks: a quadratic brick becomes two along each direction, so that the nodes are as many.
+fn linear(plan: &MeshPlan) -> MeshPlan {
+    let per_brick = plan.order.edge_nodes() - 1;
+    MeshPlan {
+        order: Order::Linear,
+        fine: per_brick * plan.fine,
+        coarse: per_brick * plan.coarse,
+        meridional: per_brick * plan.meridional,
+        layers: per_brick * plan.layers,
+        ..*plan
+    }
+}
