@@ -23,7 +23,7 @@ pub const INFLATED_TIME: f64 = 1.0;
 /// Step time at which the ground has arrived.
 pub const PRESSED_TIME: f64 = 2.0;
 /// First, least and largest increment of the step time.
-const INCREMENTS: [f64; 3] = [0.1, 1e-4, 0.25];
+const INCREMENTS: [f64; 3] = [0.25, 1e-4, 0.25];
 /// Largest residual force over the mean force, and largest correction over the increment's displacement, of an equilibrium.
 const RESIDUAL: f64 = 1e-6;
 const CORRECTION: f64 = 1e-3;
