@@ -155,7 +155,7 @@ impl<'p> Assembler<'p> {
                 positions,
                 ..
             } = &mut self.face;
-            if surface.integrate(ground, index, positions, residual, None) {
+            if surface.integrate(ground, index, positions, &state.anchors, residual, None) {
                 target.add_contact(&self.setup.equations, nodes, residual);
                 target.touches_outside |= !served[index];
             }

@@ -35,6 +35,7 @@ pub(crate) struct CondensedContact<'a> {
     ground: &'a HeightField,
     /// Faces, each with its nodal positions and the places of its unknowns in the border.
     faces: Vec<BorderFace>,
+    anchors: &'a [[f64; 2]],
     schur: &'a Mat<f64>,
 }
 
@@ -49,7 +50,7 @@ impl<'a> CondensedContact<'a> {
         problem: &'a Problem,
         setup: &Setup,
         focus: &'a Focus,
-        state: &State,
+        state: &'a State,
         ground: &'a HeightField,
     ) -> Option<Self> {
         let contact = problem.contact.as_ref()?;
@@ -75,6 +76,7 @@ impl<'a> CondensedContact<'a> {
             contact,
             ground,
             faces,
+            anchors: &state.anchors,
             schur: &focus.schur,
         })
     }
@@ -92,12 +94,37 @@ impl<'a> CondensedContact<'a> {
             if residual.norm_l2() <= tolerance.max(round_off) {
                 break;
             }
-            let step = solve_symmetric(&tangent, &-&residual);
-            let slope = step.transpose() * &residual;
-            let length = self.line_search(rhs, &x, &step, slope);
+            let (step, length);
+            if self.has_friction() {
+                step = PartialPivLu::new(tangent.as_ref()).solve(-&residual);
+                length = self.damping(rhs, &x, &step, residual.norm_l2());
+            } else {
+                step = solve_symmetric(&tangent, &-&residual);
+                let slope = step.transpose() * &residual;
+                length = self.line_search(rhs, &x, &step, slope);
+            }
             x += faer::Scale(length) * &step;
         }
         x
+    }
+
+    /// With friction the tangent isn't symmetric, and there is no energy.
+    fn has_friction(&self) -> bool {
+        !self.anchors.is_empty()
+    }
+
+    /// Largest halving of the step that reduces the residual, or the last one tried.
+    fn damping(&self, rhs: &Col<f64>, x: &Col<f64>, step: &Col<f64>, start: f64) -> f64 {
+        let mut length = 1.0;
+        for _ in 0..LINE_STEPS {
+            let trial = x + faer::Scale(length) * step;
+            let residual = self.schur * &trial + self.forces(&trial, None) - rhs;
+            if residual.norm_l2() < start {
+                break;
+            }
+            length *= 0.5;
+        }
+        length
     }
 
     /// Fraction of the step at which the energy's slope along it has fallen enough.
@@ -150,6 +177,7 @@ impl<'a> CondensedContact<'a> {
                 self.ground,
                 face.index,
                 &positions,
+                self.anchors,
                 &mut residual,
                 block_target,
             );
@@ -176,16 +204,13 @@ impl<'a> CondensedContact<'a> {
     }
 }
 
-/// Adds a face's stiffness, upper triangle by rows, to both halves of a dense matrix.
+/// Adds a face's stiffness, by rows, to a dense matrix.
 fn add_block(places: &[Option<usize>], block: &[f64], stiffness: &mut Mat<f64>) {
     let n = places.len();
     for (r, row) in places.iter().enumerate() {
-        for (c, column) in places.iter().enumerate().skip(r) {
+        for (c, column) in places.iter().enumerate() {
             if let (Some(row), Some(column)) = (*row, *column) {
                 stiffness[(row, column)] += block[r * n + c];
-                if r != c {
-                    stiffness[(column, row)] += block[r * n + c];
-                }
             }
         }
     }

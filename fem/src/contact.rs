@@ -1,4 +1,4 @@
-//! Frictionless contact of a surface with the rigid ground, by a penalty on the vertical gap.
+//! Contact of a surface with the rigid ground, by a penalty on the vertical gap, with or without friction.
 //!
 //! The ground stores phi(g) per reference area of the surface at each integration point, with the gap
 //! g = z - z_g(x). A point that penetrates by s = -g > 0 is pushed with phi' = -eps s, whose slope grows from zero over a
@@ -8,6 +8,7 @@
 use std::collections::HashSet;
 
 use crate::element::{FacePoint, face_points};
+use crate::friction::{Friction, Traction};
 use crate::mesh::{Mesh, Surface};
 use crate::obstacle::HeightField;
 use crate::tensor::{Vector, cross, norm};
@@ -45,6 +46,8 @@ pub struct ContactSurface {
     pub surface: Surface,
     /// Stiffness of the contact.
     pub penalty: Penalty,
+    /// Friction on the ground.
+    pub friction: Friction,
     rule: Vec<FacePoint>,
     /// Reference area of each point: face, point.
     areas: Vec<f64>,
@@ -76,29 +79,38 @@ impl ContactSurface {
         Self {
             surface,
             penalty,
+            friction: Friction::NONE,
             rule,
             areas,
         }
     }
 
-    /// Adds a face's nodal forces and, when asked for, its stiffness (upper triangle by rows). Returns whether any point
-    /// touches; without touch the buffers are left alone.
+    /// Adds a face's nodal forces and, when asked for, its stiffness (by rows; symmetric without friction). Returns
+    /// whether any point touches; without touch the buffers are left alone. `anchors` are those of all faces' points;
+    /// none: no friction yet.
     pub fn integrate(
         &self,
         ground: &HeightField,
         face: usize,
         current: &[Vector],
+        anchors: &[[f64; 2]],
         residual: &mut [f64],
         stiffness: Option<&mut [f64]>,
     ) -> bool {
         let mut stiffness = stiffness;
         let mut touches = false;
-        self.for_each_touch(ground, face, current, |point, area, touch| {
+        self.for_each_touch(ground, face, current, |index, area, touch| {
             touches = true;
+            let point = &self.rule[index];
             let gradient = [-touch.slope, 0.0, 1.0];
+            let anchor = anchors.get(face * self.rule.len() + index);
+            let traction =
+                anchor.map(|anchor| self.friction.traction(touch.slip(anchor), touch.pressure));
+            let [tx, ty] = traction.map_or([0.0; 2], |traction| traction.value);
+            let force_on_body = [0, 1, 2].map(|i| touch.pressure * gradient[i] + [tx, ty, 0.0][i]);
             for (force, n) in residual.chunks_exact_mut(3).zip(&point.values) {
                 for i in 0..3 {
-                    force[i] -= area * touch.pressure * n * gradient[i];
+                    force[i] -= area * n * force_on_body[i];
                 }
             }
             if let Some(stiffness) = stiffness.as_deref_mut() {
@@ -106,7 +118,10 @@ impl ContactSurface {
                     gradient.map(|gi| gradient.map(|gj| area * touch.pressure_slope * gi * gj));
                 // Second derivative of the gap: -z_g'' on the x x component, times phi' = -pressure.
                 block[0][0] += area * touch.pressure * touch.curvature;
-                crate::membrane::add_outer(&point.values, &block, stiffness);
+                if let Some(traction) = traction {
+                    add_friction(&mut block, &traction, area, touch.pressure_slope, &gradient);
+                }
+                add_outer(&point.values, &block, stiffness);
             }
         });
         touches
@@ -133,7 +148,38 @@ impl ContactSurface {
             .collect()
     }
 
-    /// Resultant over all faces at these current positions.
+    /// Where the anchors of friction stand once the body rests at these positions: of a point in contact where its law
+    /// puts it, of any other below the point itself. Without friction there are none.
+    pub fn settled_anchors(
+        &self,
+        ground: Option<&HeightField>,
+        positions: impl Fn(u32) -> Vector,
+        anchors: &[[f64; 2]],
+    ) -> Vec<[f64; 2]> {
+        let mut settled = Vec::new();
+        if self.friction.coefficient == 0.0 {
+            return settled;
+        }
+        for (face, nodes) in self.surface.iter().enumerate() {
+            let current: Vec<Vector> = nodes.iter().map(|&n| positions(n)).collect();
+            let first = settled.len();
+            settled.extend(self.rule.iter().map(|point| {
+                let [x, y, _] = interpolate(point, &current);
+                [x, y]
+            }));
+            let Some(ground) = ground else { continue };
+            self.for_each_touch(ground, face, &current, |index, _, touch| {
+                if let Some(anchor) = anchors.get(first + index) {
+                    let slip = touch.slip(anchor);
+                    settled[first + index] =
+                        self.friction.anchor(touch.position, slip, touch.pressure);
+                }
+            });
+        }
+        settled
+    }
+
+    /// Resultant over all faces at these current positions, without friction's part.
     pub fn resultant(
         &self,
         ground: &HeightField,
@@ -163,14 +209,10 @@ impl ContactSurface {
         ground: &HeightField,
         face: usize,
         current: &[Vector],
-        mut visit: impl FnMut(&FacePoint, f64, &Touch),
+        mut visit: impl FnMut(usize, f64, &Touch),
     ) {
         for (index, point) in self.rule.iter().enumerate() {
-            let (mut x, mut z) = (0.0, 0.0);
-            for (position, n) in current.iter().zip(&point.values) {
-                x += n * position[0];
-                z += n * position[2];
-            }
+            let [x, y, z] = interpolate(point, current);
             let [height, slope, curvature] = ground.height(x);
             let penetration = height - z;
             if penetration > 0.0 {
@@ -181,8 +223,9 @@ impl ContactSurface {
                     pressure_slope,
                     slope,
                     curvature,
+                    position: [x, y],
                 };
-                visit(point, self.areas[face * self.rule.len() + index], &touch);
+                visit(index, self.areas[face * self.rule.len() + index], &touch);
             }
         }
     }
@@ -195,6 +238,56 @@ struct Touch {
     pressure_slope: f64,
     slope: f64,
     curvature: f64,
+    /// Along x and y.
+    position: [f64; 2],
+}
+
+impl Touch {
+    fn slip(&self, anchor: &[f64; 2]) -> [f64; 2] {
+        [0, 1].map(|i| self.position[i] - anchor[i])
+    }
+}
+
+fn interpolate(point: &FacePoint, current: &[Vector]) -> Vector {
+    let mut at = [0.0; 3];
+    for (position, n) in current.iter().zip(&point.values) {
+        for i in 0..3 {
+            at[i] += n * position[i];
+        }
+    }
+    at
+}
+
+/// Takes the derivative of friction's traction by the position off a point's stiffness. The pressure grows with the
+/// penetration: by minus the gradient of the gap.
+fn add_friction(
+    block: &mut [[f64; 3]; 3],
+    traction: &Traction,
+    area: f64,
+    pressure_slope: f64,
+    gradient: &Vector,
+) {
+    for i in 0..2 {
+        for j in 0..2 {
+            block[i][j] -= area * traction.by_slip[i][j];
+        }
+        for j in 0..3 {
+            block[i][j] += area * traction.by_pressure[i] * pressure_slope * gradient[j];
+        }
+    }
+}
+
+/// Adds b_a b_b `block` to a whole matrix stored by rows.
+fn add_outer(b: &[f64], block: &[[f64; 3]; 3], stiffness: &mut [f64]) {
+    let unknowns = 3 * b.len();
+    for (row, target) in stiffness.chunks_exact_mut(unknowns).enumerate() {
+        let (ba, block) = (b[row / 3], &block[row % 3]);
+        for (values, bb) in target.chunks_exact_mut(3).zip(b) {
+            for j in 0..3 {
+                values[j] += ba * bb * block[j];
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -239,7 +332,7 @@ mod tests {
             functions: StationFunctions::BSpline,
             depths: vec![0.0],
         };
-        assert!(!contact.integrate(&ground, 0, &nodes, &mut [0.0; 27], None));
+        assert!(!contact.integrate(&ground, 0, &nodes, &[], &mut [0.0; 27], None));
     }
 
     #[test]
@@ -257,7 +350,7 @@ mod tests {
         assert!(resultant.force[0].abs() < 1e-13);
         // Consistent nodal forces of a constant pressure on a 9-node face: corner 1/36, edge 1/9, middle 4/9.
         let mut residual = [0.0; 27];
-        contact.integrate(&ground, 0, &nodes, &mut residual, None);
+        contact.integrate(&ground, 0, &nodes, &[], &mut residual, None);
         for (node, share) in [(0, 1.0 / 36.0), (1, 1.0 / 9.0), (4, 4.0 / 9.0)] {
             assert!((residual[3 * node + 2] + share * expected).abs() < 1e-13 * expected);
         }
@@ -273,14 +366,21 @@ mod tests {
             depths: vec![0.3, 0.6, 0.4, 0.5, 0.7],
         };
         let mut stiffness = vec![0.0; 27 * 27];
-        contact.integrate(&ground, 0, &nodes, &mut [0.0; 27], Some(&mut stiffness));
+        contact.integrate(
+            &ground,
+            0,
+            &nodes,
+            &[],
+            &mut [0.0; 27],
+            Some(&mut stiffness),
+        );
         let h = 1e-5;
         for column in 0..27 {
             let forces = |sign: f64| {
                 let mut moved = nodes.clone();
                 moved[column / 3][column % 3] += sign * h;
                 let mut residual = [0.0; 27];
-                contact.integrate(&ground, 0, &moved, &mut residual, None);
+                contact.integrate(&ground, 0, &moved, &[], &mut residual, None);
                 residual
             };
             let (plus, minus) = (forces(1.0), forces(-1.0));
@@ -293,5 +393,55 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn the_stiffness_with_friction_is_the_derivative_of_the_forces() {
+        let (nodes, mut contact) = patch();
+        contact.friction = Friction {
+            coefficient: 0.3,
+            stiffness: 80.0,
+        };
+        let ground = HeightField {
+            base: 0.1,
+            spacing: 1.3,
+            functions: StationFunctions::BSpline,
+            depths: vec![0.3, 0.6, 0.4, 0.5, 0.7],
+        };
+        // Slips from 0 to 0.75 mm under pressures of 40 to 60 MPa: some points stick, some slip.
+        let anchors: Vec<[f64; 2]> = contact
+            .settled_anchors(None, |n| nodes[n as usize], &[])
+            .iter()
+            .map(|[x, y]| [x - 0.2 * x, *y])
+            .collect();
+        let mut stiffness = vec![0.0; 27 * 27];
+        contact.integrate(
+            &ground,
+            0,
+            &nodes,
+            &anchors,
+            &mut [0.0; 27],
+            Some(&mut stiffness),
+        );
+        let h = 1e-6;
+        let mut largest = 0.0f64;
+        for column in 0..27 {
+            let forces = |sign: f64| {
+                let mut moved = nodes.clone();
+                moved[column / 3][column % 3] += sign * h;
+                let mut residual = [0.0; 27];
+                contact.integrate(&ground, 0, &moved, &anchors, &mut residual, None);
+                residual
+            };
+            let (plus, minus) = (forces(1.0), forces(-1.0));
+            for row in 0..27 {
+                let difference = (plus[row] - minus[row]) / (2.0 * h);
+                let value = stiffness[row * 27 + column];
+                // Forces of order 100 N: round-off eps 100 / h = 2e-8.
+                assert!((difference - value).abs() < 1e-6, "{row} {column}");
+                largest = largest.max((value - stiffness[column * 27 + row]).abs());
+            }
+        }
+        assert!(largest > 1.0, "slipping makes the stiffness unsymmetric");
     }
 }

@@ -21,7 +21,7 @@
 //! - [`surface_law`], [`membrane`]: fibre families and films embedded in the mesh
 //! - [`solid`]: the mixed displacement-pressure element
 //! - [`pressure`]: live pressure on a surface
-//! - [`obstacle`], [`contact`]: rigid ground and contact with it
+//! - [`obstacle`], [`friction`], [`contact`]: rigid ground and contact with it
 //! - [`problem`]: a boundary value problem, its loads and its state
 //! - [`ordering`], [`sparsity`], `substitution`, [`linear`]: the sparse linear system
 //! - [`setup`]: what all states of a problem share
@@ -37,6 +37,7 @@ mod condensed_contact;
 pub mod contact;
 pub mod element;
 mod focus;
+pub mod friction;
 pub mod linear;
 pub mod material;
 pub mod membrane;

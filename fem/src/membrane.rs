@@ -245,22 +245,6 @@ fn add_stiffness(gradients: &[[f64; 2]], blocks: &[[Tensor; 2]; 2], stiffness: &
     }
 }
 
-/// Adds b_a b_b `block` to the upper triangle of a matrix stored by rows.
-pub(crate) fn add_outer(b: &[f64], block: &[[f64; 3]; 3], stiffness: &mut [f64]) {
-    let unknowns = 3 * b.len();
-    for (row_node, ba) in b.iter().enumerate() {
-        for i in 0..3 {
-            let row = 3 * row_node + i;
-            let target = &mut stiffness[row * unknowns..(row + 1) * unknowns];
-            for (column_node, bb) in b.iter().enumerate().skip(row_node) {
-                for j in 0..3 {
-                    target[3 * column_node + j] += ba * bb * block[i][j];
-                }
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -124,6 +124,17 @@ impl<'p> Newton<'p> {
         Ok(newton)
     }
 
+    /// The problem that is solved.
+    pub fn problem(&self) -> &'p Problem {
+        self.problem
+    }
+
+    /// Forces of the supports on the body at each node, N; 0 at free displacements.
+    pub fn reactions(&mut self, state: &State, loads: &Loads) -> Vec<Vector> {
+        self.residual(state, loads);
+        self.residuals.held_forces()
+    }
+
     /// Free displacement unknowns.
     pub fn unknowns(&self) -> usize {
         self.setup.equations.count

@@ -47,8 +47,9 @@ pub struct PathFailure {
     pub indefinite: bool,
 }
 
-/// Follows the loads from `start`, at which `state` is in equilibrium, to `target`. The first step is the whole way; a
-/// step that fails is halved, one that succeeds doubles the next. On failure `state` is the last equilibrium.
+/// Follows the loads from `start`, at which `state` is in equilibrium, to `target`. The first step is the whole way, or
+/// the largest that the settings allow: with friction the path matters, and so do its steps. A step that fails is
+/// halved, one that succeeds doubles the next. On failure `state` is the last equilibrium.
 ///
 /// # Errors
 /// [`PathFailure`] says how far it got and why.
@@ -64,7 +65,10 @@ pub fn follow(
         steps: Vec::new(),
         cut_backs: 0,
     };
-    let (mut reached, mut step) = (0.0, 1.0);
+    let (mut reached, mut step) = (0.0, newton.settings.largest_load_step);
+    if state.anchors.is_empty() {
+        state.settle(newton.problem(), start.ground.as_ref());
+    }
     if let Err(cause) = newton.start_from(state, start) {
         return Err(Box::new(PathFailure {
             reached,
@@ -81,8 +85,9 @@ pub fn follow(
         match newton.solve(&mut trial, &loads, stop) {
             Ok(converged) if stability.accepts(newton, &trial, &loads) => {
                 *state = trial;
+                state.settle(newton.problem(), loads.ground.as_ref());
                 reached = next;
-                step *= 2.0;
+                step = f64::min(2.0 * step, newton.settings.largest_load_step);
                 report.steps.push(converged.history);
             }
             attempt => {

@@ -89,6 +89,8 @@ pub struct State {
     pub displacement: Vec<Vector>,
     /// Pressure unknowns of the bricks, one brick after the other, MPa.
     pub pressure: Vec<f64>,
+    /// Anchors of friction on the ground, mm: contact face, point; none before a path with friction begins.
+    pub anchors: Vec<[f64; 2]>,
 }
 
 impl Clone for State {
@@ -96,6 +98,7 @@ impl Clone for State {
         Self {
             displacement: self.displacement.clone(),
             pressure: self.pressure.clone(),
+            anchors: self.anchors.clone(),
         }
     }
 
@@ -103,6 +106,7 @@ impl Clone for State {
     fn clone_from(&mut self, source: &Self) {
         self.displacement.clone_from(&source.displacement);
         self.pressure.clone_from(&source.pressure);
+        self.anchors.clone_from(&source.anchors);
     }
 }
 
@@ -112,6 +116,7 @@ impl State {
         Self {
             displacement: vec![[0.0; 3]; problem.mesh.nodes.len()],
             pressure: vec![0.0; problem.mesh.brick_count() * problem.mesh.order.pressure_modes()],
+            anchors: Vec::new(),
         }
     }
 
@@ -122,6 +127,14 @@ impl State {
             &self.displacement[node as usize],
         );
         [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
+    }
+
+    /// Lets friction's anchors follow to where they stand in this equilibrium.
+    pub fn settle(&mut self, problem: &Problem, ground: Option<&HeightField>) {
+        if let Some(contact) = &problem.contact {
+            let position = |node| self.position(&problem.mesh, node);
+            self.anchors = contact.settled_anchors(ground, position, &self.anchors);
+        }
     }
 
     /// Adds `factor` times these increments.
@@ -135,7 +148,7 @@ impl State {
         }
     }
 
-    /// All unknowns in one list: displacements, then pressures.
+    /// All unknowns in one list: displacements, then pressures. Friction's anchors are no unknowns.
     pub fn to_flat(&self) -> Vec<f64> {
         self.displacement
             .iter()

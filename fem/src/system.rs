@@ -17,6 +17,8 @@ pub struct Residuals {
     pub min_volume_ratio: f64,
     /// Whether a face that the solver isn't ready for touches the ground.
     pub touches_outside: bool,
+    /// Forces that meet at held displacements, N: node, axis; 0 at free ones.
+    held: Vec<Vector>,
     /// Sum of the absolute forces that meet at each displacement, held ones included.
     pub(crate) magnitudes: Vec<f64>,
 }
@@ -46,6 +48,7 @@ impl Residuals {
             volumes: vec![0.0; pressures],
             min_volume_ratio: 1.0,
             touches_outside: false,
+            held: vec![[0.0; 3]; nodes],
             magnitudes: vec![0.0; 3 * nodes],
         }
     }
@@ -53,6 +56,7 @@ impl Residuals {
     pub(crate) fn clear(&mut self) {
         self.forces.fill(0.0);
         self.contact.fill(0.0);
+        self.held.fill([0.0; 3]);
         self.magnitudes.fill(0.0);
         self.min_volume_ratio = f64::INFINITY;
         self.touches_outside = false;
@@ -64,11 +68,18 @@ impl Residuals {
             for axis in 0..3 {
                 self.magnitudes[3 * node as usize + axis] += force[axis].abs();
                 let equation = equations.of_node[node as usize][axis];
-                if equation != NONE {
+                if equation == NONE {
+                    self.held[node as usize][axis] += force[axis];
+                } else {
                     self.forces[equation as usize] += force[axis];
                 }
             }
         }
+    }
+
+    /// What the supports must bear: the internal forces at held displacements.
+    pub(crate) fn held_forces(&self) -> Vec<Vector> {
+        self.held.clone()
     }
 
     /// Adds nodal forces of a touching face.

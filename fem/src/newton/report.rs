@@ -16,6 +16,8 @@ pub struct NewtonSettings {
     pub divergence: f64,
     /// Smallest volume ratio that a step may reach at an integration point.
     pub min_volume_ratio: f64,
+    /// Largest fraction of a path that one load step may take.
+    pub largest_load_step: f64,
     /// Steps with a kept tangent that cost as much as a new one and the step with it.
     pub renewal_cost: f64,
 }
@@ -27,6 +29,7 @@ impl Default for NewtonSettings {
             max_iterations: 50,
             divergence: 1e6,
             min_volume_ratio: 0.05,
+            largest_load_step: 1.0,
             renewal_cost: 8.0,
         }
     }
