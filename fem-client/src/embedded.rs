@@ -100,8 +100,10 @@ fn solve_near(
         Some(pressed) => pressed,
         None => {
             let canonical = target.with_depths(&depths);
+            // With friction the equilibrium depends on the path: always the one from the inflated state.
             let neighbour = (&near.equilibrium, &near.loads);
-            let pressed = session.press(&near.inflated, &canonical, Some(neighbour));
+            let neighbour = (request.scene.contact.friction == 0.0).then_some(neighbour);
+            let pressed = session.press(&near.inflated, &canonical, neighbour);
             let pressed = Arc::new(pressed.map_err(|error| error.mirrored(mirrored))?);
             near.remember(depths, pressed.clone());
             pressed
@@ -146,6 +148,7 @@ fn solve_afresh(
     let target = session.target(&inflated);
     let near_loads = start.map(|start| start_loads(start, &target));
     let near = near_equilibrium.as_ref().zip(near_loads.as_ref());
+    let near = near.filter(|_| request.scene.contact.friction == 0.0);
     let pressed = session.press(&inflated, &target, near)?;
     let answer = Answer {
         inflated_key: inflated_key(request.scene, plan),

@@ -99,7 +99,7 @@ pub enum StationFunctions {
 /// How tire and ground touch.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Contact {
-    /// Coulomb friction coefficient; only 0 so far.
+    /// Coulomb friction coefficient.
     pub friction: f64,
     /// Contact stiffness, N/mm^3; absent: scaled from the rubber's stiffness and the wall.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -14,7 +14,7 @@ use self::ground::{check_ground_under, ground};
 use self::material::material;
 use crate::document::{Format, parse};
 use crate::fault::Fault;
-use crate::fields::{Fields, Range, number, plain};
+use crate::fields::{Fields, Range, number};
 use crate::scene::{Carcass, Contact, Level, Model, Pressure, Scene};
 
 const LENGTH: Range = Range::new(1e-3, 1e4, "mm");
@@ -147,13 +147,6 @@ fn pressure(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Pre
 fn contact(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Contact> {
     let fields = Fields::open(value, pointer, &["friction", "penalty_n_per_mm3"], faults)?;
     let friction = fields.number("friction", FRICTION, 0.0, faults);
-    if let Some(friction) = friction.filter(|friction| *friction != 0.0) {
-        let detail = format!(
-            "must be 0: this version models contact without friction; it is {}",
-            plain(friction)
-        );
-        Fault::add(faults, &fields.at("friction"), detail);
-    }
     let penalty = match fields.get("penalty_n_per_mm3") {
         None => Some(None),
         Some((value, pointer)) => number(value, &pointer, PENALTY, faults).map(Some),
@@ -202,7 +195,7 @@ mod tests {
     fn all_faults_are_found_at_once() {
         let text = "colour = 1\n[geometry]\nwall_mm = -3\nbead_angle_deg = \"wide\"\n[material]\nc10_mpa = 0\n\
                     [carcass]\nangle_deg = 91\nposition = 1.5\n[pressure]\ninternal_mpa = -0.1\n\
-                    [ground]\ndepths_mm = [1, -1, true]\nstation_functions = \"spline\"\n[contact]\nfriction = 0.5\n\
+                    [ground]\ndepths_mm = [1, -1, true]\nstation_functions = \"spline\"\n[contact]\nfriction = -0.5\n\
                     penalty_n_per_mm3 = 0\n[model]\nlevel = \"fine\"\n";
         assert_eq!(
             pointers(text),

@@ -9,7 +9,7 @@ use fem::problem::{Loads, State};
 use crate::neighbourhood::Pressed;
 use crate::scene::Scene;
 use crate::solver::{NoEquilibrium, Reached, SolveError};
-use crate::tire::{TireModel, ground};
+use crate::tire::{FRICTION_STEPS, TireModel, ground};
 
 /// A scene's model with its Newton method.
 pub(crate) struct Session<'m> {
@@ -110,6 +110,9 @@ impl Session<'_> {
         }
         let mut state = inflated.clone();
         let unpressed = self.inflation();
+        if self.scene.contact.friction > 0.0 {
+            self.newton.settings.largest_load_step = 1.0 / FRICTION_STEPS as f64;
+        }
         match follow(
             &mut self.newton,
             &mut state,

