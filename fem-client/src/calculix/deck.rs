@@ -25,8 +25,10 @@ pub const PRESSED_TIME: f64 = 2.0;
 /// First, least and largest increment of the step time.
 const INCREMENTS: [f64; 3] = [0.25, 1e-4, 0.25];
 /// Largest residual force over the mean force, and largest correction over the increment's displacement, of an equilibrium.
-const RESIDUAL: f64 = 1e-6;
-const CORRECTION: f64 = 1e-3;
+const TOLERANCES: [f64; 2] = [1e-6, 1e-3];
+/// The same on a ground of facets: where a node lies on an edge its normal changes from one iteration to the next, and some
+/// 1e-4 of the force remains. CalculiX's own choice is five times as much.
+const TOLERANCES_ON_FACETS: [f64; 2] = [1e-3, 1e-2];
 /// D of a term (J - 1)^4 or (J - 1)^6 over D that isn't there, 1/MPa: for a D of 0 CalculiX takes one of its own.
 const NO_VOLUMETRIC_TERM: f64 = 1e12;
 /// Increments after which CalculiX gives up.
@@ -159,8 +161,14 @@ impl Deck<'_> {
             &format!("*STEP, NLGEOM, INC={MAX_INCREMENTS}\n*STATIC"),
         );
         line(text, &format!("{first}, {end}, {least}, {largest}"));
+        let flat = self.ground.is_none_or(|ground| ground.bricks.len() == 1);
+        let [residual, correction] = if flat {
+            TOLERANCES
+        } else {
+            TOLERANCES_ON_FACETS
+        };
         line(text, "*CONTROLS, PARAMETERS=FIELD");
-        line(text, &format!("{RESIDUAL}, {CORRECTION}"));
+        line(text, &format!("{residual}, {correction}"));
         if let Some(ground) = self.ground {
             line(text, "*BOUNDARY, AMPLITUDE=RISE");
             line(text, &format!("{GROUND}, 3, 3, {}", real(ground.rise)));

@@ -126,7 +126,11 @@ impl Program {
         std::fs::write(file("inp"), deck).map_err(|error| system("the deck", &error))?;
         let log = File::create(file("log")).map_err(|error| system("the log", &error))?;
         let errors = log.try_clone().map_err(|error| system("the log", &error))?;
-        let mut child = Command::new(&self.path)
+        let mut command = Command::new(&self.path);
+        // Ctrl-C on the terminal is for the caller, who then asks to stop; CalculiX would die of it as if it had crashed.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let mut child = command
             .arg(JOB)
             .current_dir(folder)
             .env("OMP_NUM_THREADS", "1")
