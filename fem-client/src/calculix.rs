@@ -25,6 +25,7 @@ use fem::element::Order;
 
 use self::case::Case;
 use self::program::Program;
+use crate::gauge;
 use crate::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
 use crate::tire::mesh_plan;
 use crate::tire_mesh::MeshPlan;
@@ -59,7 +60,8 @@ impl CalculixSolver {
         plan: &MeshPlan,
     ) -> Result<Solved, SolveError> {
         let begin = Instant::now();
-        let faults = limits::faults(request.scene);
+        let mut faults = limits::faults(request.scene);
+        faults.extend(gauge::faults(&request.readout.gauges, request.scene));
         if !faults.is_empty() {
             return Err(SolveError::Refused { faults });
         }

@@ -18,6 +18,7 @@ use std::f64::consts::PI;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
+use crate::gauge::{Gauge, GaugeReading};
 use crate::scene::Scene;
 use crate::solver::{
     Choice, Cost, Grid, Inflated, LocationStrain, ModelSummary, NoEquilibrium, Position, Reached,
@@ -225,6 +226,28 @@ impl Field {
                 .iter()
                 .map(|position| self.ring(*position))
                 .collect(),
+            gauges: request
+                .readout
+                .gauges
+                .iter()
+                .map(|gauge| self.gauge(*gauge))
+                .collect(),
+            carcass: None,
+        }
+    }
+
+    /// The strain tensor turned to the gauge's direction, on a tire that inflation doesn't stretch.
+    fn gauge(&self, gauge: Gauge) -> GaugeReading {
+        let pair = self.strain(gauge.theta_deg, gauge.phi_deg);
+        let (sin, cos) = gauge.angle_deg.to_radians().sin_cos();
+        let strain = cos * cos * pair.strain_x + sin * sin * pair.strain_y;
+        GaugeReading {
+            gauge,
+            strain,
+            stretch: 1.0 + strain,
+            green_lagrange: strain + 0.5 * strain * strain,
+            von_mises_mpa: 1.08 * strain.abs(),
+            error: None,
         }
     }
 
@@ -240,6 +263,7 @@ impl Field {
                 strain_x,
                 strain_y,
                 von_mises_mpa: 1.08 * energy.sqrt(),
+                error: None,
             }
         });
         locations.collect()
@@ -347,6 +371,7 @@ mod tests {
         let readout = Readout {
             grid: Some(grid),
             rings: vec![Position::Crown, Position::Sidewall],
+            gauges: Vec::new(),
         };
         solver.solve(&SolveRequest {
             scene,

@@ -8,6 +8,7 @@ use fem::path::PathReport;
 use fem::problem::{Loads, State};
 use sha2::{Digest, Sha256};
 
+use crate::gauge;
 use crate::neighbourhood::{Neighbourhood, Neighbourhoods};
 use crate::readout::Reader;
 use crate::scene::Scene;
@@ -56,6 +57,10 @@ impl EmbeddedSolver {
         plan: &MeshPlan,
     ) -> Result<Solved, SolveError> {
         let begin = Instant::now();
+        let faults = gauge::faults(&request.readout.gauges, request.scene);
+        if !faults.is_empty() {
+            return Err(SolveError::Refused { faults });
+        }
         let key = inflated_key(request.scene, plan);
         let near = request
             .start

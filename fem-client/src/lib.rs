@@ -9,13 +9,14 @@
 //! - [`scene`]: the scene document and its defaults
 //! - [`scene_reader`]: reads a scene, with the ranges and the rules that tie fields together
 //! - [`scene_edit`]: changes single fields of a scene by their path
+//! - [`gauge`]: single points with a direction, where strain is read
 //! - [`solver`]: the one trait between the product and any solver, with its request, response and errors
 //! - [`start_state`]: start states as bytes
 //! - `grid_lines`: where the bricks of a mesh begin and end
 //! - [`tire_mesh`]: the structured mesh of a tire
 //! - `tire_mirror`: its states, left and right exchanged
 //! - [`tire`]: a scene as a boundary value problem: what is modelled, and what is left out
-//! - [`readout`]: strains of an equilibrium
+//! - [`probe`], [`readout`]: strains of an equilibrium with their errors
 //! - `session`: one solve on its way: inflate, press
 //! - `neighbourhood`: what solves from the same equilibrium share
 //! - [`embedded`]: the solver built on `fem`
@@ -28,8 +29,10 @@ pub mod document;
 pub mod embedded;
 pub mod fault;
 pub mod fields;
+pub mod gauge;
 mod grid_lines;
 mod neighbourhood;
+pub mod probe;
 pub mod readout;
 pub mod scene;
 pub mod scene_edit;

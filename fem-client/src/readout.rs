@@ -1,15 +1,16 @@
 //! Strains of an equilibrium, read off the inner surface.
 
-use fem::mesh::SurfacePoint;
 use fem::problem::{Loads, State};
-use fem::surface::{Recovery, Stretch};
+use fem::surface::Recovery;
 
+use crate::gauge::{Gauge, GaugeError, GaugeReading};
+use crate::probe::{Probe, States};
 use crate::scene::Scene;
 use crate::solver::{
-    Grid, Inflated, LocationStrain, ModelSummary, Position, Readout, Response, ResponseError, Ring,
-    Section, StrainMap, StrainPair,
+    CarcassState, Extremes, Grid, Inflated, LocationError, LocationStrain, ModelSummary, Position,
+    Readout, Response, ResponseError, Ring, Section, StrainMap, StrainPair,
 };
-use crate::tire::TireModel;
+use crate::tire::{TireModel, cord_families};
 
 /// Bound of the exponent n in "reaction proportional to depth^n": 1 for a membrane under pressure, 1.5 for a Hertz sphere.
 const DEPTH_EXPONENT: f64 = 1.5;
@@ -72,6 +73,12 @@ impl<'m> Reader<'m> {
                 .iter()
                 .map(|&position| self.ring(position))
                 .collect(),
+            gauges: readout
+                .gauges
+                .iter()
+                .map(|&gauge| self.gauge(gauge))
+                .collect(),
+            carcass: self.carcass(),
         }
     }
 
@@ -95,22 +102,74 @@ impl<'m> Reader<'m> {
         (0..ground.stations)
             .map(|k| {
                 let theta = (k as f64 - centre) * ground.station_spacing_mm / self.inflated_radius;
-                let pair = self.pair(theta, 0.0);
+                let probe = self.probe(theta, 0.0);
+                let (x, y) = (
+                    probe.estimate(States::signal_x),
+                    probe.estimate(States::signal_y),
+                );
+                let von_mises = probe.estimate(|states| self.von_mises(states));
                 LocationStrain {
                     name: format!("P{}", k + 1),
                     theta_deg: theta.to_degrees(),
-                    strain_x: pair.strain_x,
-                    strain_y: pair.strain_y,
-                    von_mises_mpa: self.von_mises(self.model.grid.inner_point(theta, 0.0)),
+                    strain_x: x.value,
+                    strain_y: y.value,
+                    von_mises_mpa: von_mises.value,
+                    error: Some(LocationError {
+                        strain_x: x.error,
+                        strain_y: y.error,
+                        von_mises_mpa: von_mises.error,
+                    }),
                 }
             })
             .collect()
     }
 
+    fn gauge(&self, gauge: Gauge) -> GaugeReading {
+        let probe = self.probe(gauge.theta_deg.to_radians(), gauge.phi_deg.to_radians());
+        // Only y >= 0 (and x >= 0 on a quarter) is meshed: beyond a symmetry plane directions are mirrored.
+        let angle = self.mirrored_angle(&gauge);
+        let strain = probe.estimate(|states| states.signal(angle));
+        let stretch = probe.estimate(|states| states.current.along(angle));
+        let green_lagrange = probe.estimate(|states| states.current.green_lagrange_along(angle));
+        let von_mises = probe.estimate(|states| self.von_mises(states));
+        GaugeReading {
+            gauge,
+            strain: strain.value,
+            stretch: stretch.value,
+            green_lagrange: green_lagrange.value,
+            von_mises_mpa: von_mises.value,
+            error: Some(GaugeError {
+                strain: strain.error,
+                stretch: stretch.error,
+                green_lagrange: green_lagrange.error,
+                von_mises_mpa: von_mises.error,
+            }),
+        }
+    }
+
+    /// The gauge's angle in the meshed part, rad.
+    fn mirrored_angle(&self, gauge: &Gauge) -> f64 {
+        let angle = gauge.angle_deg.to_radians();
+        let theta = gauge.theta_deg.to_radians();
+        if (gauge.phi_deg < 0.0) != self.model.grid.is_mirrored(theta) {
+            -angle
+        } else {
+            angle
+        }
+    }
+
+    fn probe(&self, theta: f64, phi: f64) -> Probe {
+        Probe::new(
+            &self.current,
+            &self.inflated,
+            self.model.grid.inner_point(theta, phi),
+        )
+    }
+
     /// The inner surface carries only pressure, so the wall's normal is a principal direction there and the in-plane
     /// stretches with det F = 1 give all of the isochoric deformation.
-    fn von_mises(&self, point: SurfacePoint) -> f64 {
-        let (l1, l2) = self.current.at(point).principal();
+    fn von_mises(&self, states: &States) -> f64 {
+        let (l1, l2) = states.current.principal();
         self.model
             .problem
             .solid
@@ -119,13 +178,10 @@ impl<'m> Reader<'m> {
     }
 
     fn error(&self, locations: &[LocationStrain]) -> ResponseError {
-        let raw = |theta_deg: f64| {
-            let point = self.model.grid.inner_point(theta_deg.to_radians(), 0.0);
-            relative(self.current.raw_at(point), self.inflated.raw_at(point))
-        };
-        let largest = |difference: &dyn Fn(&LocationStrain) -> f64| {
-            locations.iter().map(difference).fold(0.0, f64::max)
-        };
+        let errors = locations.iter().filter_map(|location| location.error);
+        let (strain_x, strain_y) = errors.fold((0.0, 0.0), |(x, y): (f64, f64), error| {
+            (x.max(error.strain_x), y.max(error.strain_y))
+        });
         let (reaction, penetration) = self.reaction();
         let depth = self
             .scene
@@ -140,9 +196,36 @@ impl<'m> Reader<'m> {
             } else {
                 0.0
             },
-            strain_x: largest(&|l| (l.strain_x - raw(l.theta_deg).strain_x).abs()),
-            strain_y: largest(&|l| (l.strain_y - raw(l.theta_deg).strain_y).abs()),
+            strain_x,
+            strain_y,
         }
+    }
+
+    /// Extremes over all integration points of the textile layer and both families.
+    fn carcass(&self) -> Option<CarcassState> {
+        let families = cord_families(self.scene.carcass.as_ref()?);
+        let membrane = self.model.carcass()?;
+        let nowhere = Extremes {
+            min: f64::INFINITY,
+            max: f64::NEG_INFINITY,
+        };
+        let (mut stretch, mut tension) = (nowhere, nowhere);
+        for (face, nodes) in membrane.surface.iter().enumerate() {
+            let displacement: Vec<[f64; 3]> = nodes
+                .iter()
+                .map(|&node| self.equilibrium.displacement[node as usize])
+                .collect();
+            for strain in membrane.strains(face, &displacement) {
+                for family in &families {
+                    stretch.include(family.stretch(&strain));
+                    tension.include(family.tension(&strain));
+                }
+            }
+        }
+        Some(CarcassState {
+            fibre_stretch: stretch,
+            tension_n_per_mm: tension,
+        })
     }
 
     fn inflated_summary(&self) -> Inflated {
@@ -157,7 +240,14 @@ impl<'m> Reader<'m> {
     /// Strains at wheel and section angles, rad.
     fn pair(&self, theta: f64, phi: f64) -> StrainPair {
         let point = self.model.grid.inner_point(theta, phi);
-        relative(self.current.at(point), self.inflated.at(point))
+        let states = States {
+            current: self.current.at(point),
+            inflated: self.inflated.at(point),
+        };
+        StrainPair {
+            strain_x: states.signal_x(),
+            strain_y: states.signal_y(),
+        }
     }
 
     fn map(&self, grid: &Grid) -> StrainMap {
@@ -193,14 +283,6 @@ impl<'m> Reader<'m> {
             strain_x: pairs.iter().map(|pair| pair.strain_x).collect(),
             strain_y: pairs.iter().map(|pair| pair.strain_y).collect(),
         }
-    }
-}
-
-/// What a film glued on in the inflated state feels.
-fn relative(current: Stretch, inflated: Stretch) -> StrainPair {
-    StrainPair {
-        strain_x: current.s1 / inflated.s1 - 1.0,
-        strain_y: current.s2 / inflated.s2 - 1.0,
     }
 }
 

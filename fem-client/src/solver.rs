@@ -5,6 +5,7 @@ use std::sync::atomic::AtomicBool;
 use serde::{Deserialize, Serialize};
 
 use crate::fault::Fault;
+use crate::gauge::{Gauge, GaugeReading};
 use crate::scene::Scene;
 
 /// Answers for one equilibrium of a scene.
@@ -42,6 +43,9 @@ pub struct Readout {
     pub grid: Option<Grid>,
     /// Lines around the wheel at these meridional positions.
     pub rings: Vec<Position>,
+    /// Single points, each with a direction.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub gauges: Vec<Gauge>,
 }
 
 /// A regular grid on the inner surface, centred on the contact, both ends included.
@@ -117,6 +121,12 @@ pub struct Response {
     pub map: Option<StrainMap>,
     /// One ring per position asked for, in the order asked.
     pub rings: Vec<Ring>,
+    /// One reading per gauge asked for, in the order asked.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub gauges: Vec<GaugeReading>,
+    /// State of the textile layer; absent without one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub carcass: Option<CarcassState>,
 }
 
 /// Strain at a named location.
@@ -132,6 +142,46 @@ pub struct LocationStrain {
     pub strain_y: f64,
     /// Von Mises stress of the rubber at the inner surface, MPa.
     pub von_mises_mpa: f64,
+    /// Estimated discretisation errors; absent when the solver has no estimate.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub error: Option<LocationError>,
+}
+
+/// Estimated discretisation errors at a location, absolute: see [`crate::gauge::GaugeError`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct LocationError {
+    /// Of the circumferential strain.
+    pub strain_x: f64,
+    /// Of the meridional strain.
+    pub strain_y: f64,
+    /// Of the von Mises stress, MPa.
+    pub von_mises_mpa: f64,
+}
+
+/// Least and greatest values over the whole textile layer.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CarcassState {
+    /// Stretch of the fibres.
+    pub fibre_stretch: Extremes,
+    /// Tension along the fibres: force per reference length across a family, N/mm; negative in compression.
+    pub tension_n_per_mm: Extremes,
+}
+
+/// Least and greatest value of a field.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Extremes {
+    /// Least value.
+    pub min: f64,
+    /// Greatest value.
+    pub max: f64,
+}
+
+impl Extremes {
+    /// Widens the range to a value.
+    pub fn include(&mut self, value: f64) {
+        self.min = self.min.min(value);
+        self.max = self.max.max(value);
+    }
 }
 
 /// Strains over the section above the contact centre.
@@ -170,9 +220,9 @@ pub struct Inflated {
 pub struct ResponseError {
     /// Contact penetration's share of the reaction, N.
     pub reaction_n: f64,
-    /// Recovered against raw circumferential strain at P1-P5, largest difference.
+    /// Largest error of the circumferential strain at P1-P5.
     pub strain_x: f64,
-    /// Recovered against raw meridional strain at P1-P5, largest difference.
+    /// Largest error of the meridional strain at P1-P5.
     pub strain_y: f64,
 }
 

@@ -89,6 +89,11 @@ impl TireModel {
             .or_else(|| State::from_flat(&self.problem, &self.grid.mirror_quarter(flat)?))
     }
 
+    /// The textile layer, when the scene has one.
+    pub fn carcass(&self) -> Option<&Membrane> {
+        self.grid.shape.carcass.and(self.problem.membranes.first())
+    }
+
     /// What is modelled and what is left out, with reasons.
     pub fn summary(&self, scene: &Scene, dofs: usize) -> ModelSummary {
         let dimension = match self.grid.extent {

@@ -252,14 +252,17 @@ impl TireGrid {
         self.shape.centre_radius + self.shape.inner
     }
 
+    /// Whether the wheel angle (rad) lies beyond the plane x = 0 of a quarter mesh.
+    pub fn is_mirrored(&self, theta: f64) -> bool {
+        self.extent == Extent::Quarter && wrapped(theta) < 0.0
+    }
+
     /// The point of the inner surface at these angles (rad); mirrored into the meshed part.
     pub fn inner_point(&self, theta: f64, phi: f64) -> SurfacePoint {
-        let turn = std::f64::consts::TAU;
-        let wrapped = theta - turn * (theta / turn).round();
         let theta = if self.extent == Extent::Quarter {
-            wrapped.abs()
+            wrapped(theta).abs()
         } else {
-            wrapped
+            wrapped(theta)
         };
         let (row, local_theta) = locate(&self.theta, theta);
         let (column, local_phi) = locate(&self.phi, phi.abs());
@@ -296,6 +299,12 @@ impl TireGrid {
         }
         held
     }
+}
+
+/// The same wheel angle between minus and plus half a turn, rad.
+fn wrapped(theta: f64) -> f64 {
+    let turn = std::f64::consts::TAU;
+    theta - turn * (theta / turn).round()
 }
 
 /// Nodes with supports.

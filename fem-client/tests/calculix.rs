@@ -16,6 +16,7 @@ static RUNNING: AtomicBool = AtomicBool::new(false);
 static NO_READOUT: Readout = Readout {
     grid: None,
     rings: Vec::new(),
+    gauges: Vec::new(),
 };
 
 /// One integration point against mean dilatation, the same mesh of some 2 000 nodes, in programs of others: 1.2 % of the

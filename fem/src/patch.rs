@@ -8,17 +8,21 @@ pub type Sample = ([f64; 2], [f64; 3]);
 /// A polynomial around a corner in coordinates scaled by the patch's size.
 #[derive(Debug, Clone)]
 pub struct Patch {
-    order: Order,
     scale: [f64; 2],
     coefficients: Vec<[f64; 3]>,
 }
 
-/// Complete polynomials: degree 1 for 4-node faces, degree 2 for 9-node faces.
-fn monomials(order: Order, [a, b]: [f64; 2]) -> Vec<f64> {
-    match order {
-        Order::Linear | Order::PlaneLinear => vec![1.0, a, b],
-        Order::Quadratic | Order::PlaneQuadratic => vec![1.0, a, b, a * a, a * b, b * b],
+/// Number of monomials of complete polynomials: degree 1 for 4-node faces, degree 2 for 9-node faces.
+fn monomial_count(order: Order) -> usize {
+    match order.edge_nodes() {
+        2 => 3,
+        _ => 6,
     }
+}
+
+/// The monomials, of which the first [`monomial_count`] are used.
+fn monomials([a, b]: [f64; 2]) -> [f64; 6] {
+    [1.0, a, b, a * a, a * b, b * b]
 }
 
 impl Patch {
@@ -36,18 +40,14 @@ impl Patch {
                 .fold(f64::MIN_POSITIVE, f64::max)
         });
         let mut patch = Self {
-            order,
             scale,
             coefficients: Vec::new(),
         };
-        let rows: Vec<Vec<f64>> = samples
-            .iter()
-            .map(|(s, _)| monomials(order, patch.scaled(*s)))
-            .collect();
-        let n = rows[0].len();
+        let rows = samples.iter().map(|(s, _)| monomials(patch.scaled(*s)));
+        let n = monomial_count(order);
         let mut normal = vec![vec![0.0; n]; n];
         let mut rhs = vec![[0.0; 3]; n];
-        for (row, (_, value)) in rows.iter().zip(samples) {
+        for (row, (_, value)) in rows.zip(samples) {
             for i in 0..n {
                 for j in 0..n {
                     normal[i][j] += row[i] * row[j];
@@ -68,7 +68,7 @@ impl Patch {
         for (c, b) in self
             .coefficients
             .iter()
-            .zip(monomials(self.order, self.scaled(position)))
+            .zip(monomials(self.scaled(position)))
         {
             for k in 0..3 {
                 value[k] += b * c[k];

@@ -7,7 +7,7 @@
 //! Meth. Engng 33 (1992) 1331); within a face the polynomials of its corners are blended bilinearly. Faces beyond a
 //! symmetry line take part as mirror images.
 
-use crate::element::{Order, face_shape};
+use crate::element::{Order, face_rule, face_shape};
 use crate::mesh::{Mesh, Surface, SurfacePoint};
 use crate::patch::{Patch, Sample};
 use crate::quadrature;
@@ -38,6 +38,22 @@ pub struct Stretch {
 }
 
 impl Stretch {
+    /// Stretch of the material line at this angle (rad) to s1 in the reference state.
+    pub fn along(&self, angle: f64) -> f64 {
+        self.squared_along(angle).sqrt()
+    }
+
+    /// Green-Lagrange strain (lambda^2 - 1) / 2 of that line.
+    pub fn green_lagrange_along(&self, angle: f64) -> f64 {
+        0.5 * (self.squared_along(angle) - 1.0)
+    }
+
+    fn squared_along(&self, angle: f64) -> f64 {
+        let (sin, cos) = angle.sin_cos();
+        let (a, b) = (cos * self.s1, sin * self.s2);
+        (a * a + b * b + 2.0 * cos * sin * self.shear).max(0.0)
+    }
+
     /// Principal stretches within the surface, larger first.
     pub fn principal(&self) -> (f64, f64) {
         let (a, b) = (self.s1 * self.s1, self.s2 * self.s2);
@@ -51,8 +67,8 @@ impl Stretch {
 #[derive(Debug)]
 pub struct Recovery<'c> {
     chart: &'c Chart,
-    /// Fits of each face's corners: face, corner.
-    fits: Vec<[usize; 4]>,
+    /// Which patch belongs to which corner of a face.
+    corners: Corners,
     patches: Vec<Patch>,
     positions: Vec<Vector>,
     reference: Vec<Vector>,
@@ -77,7 +93,7 @@ impl<'c> Recovery<'c> {
             .collect();
         let mut recovery = Self {
             chart,
-            fits: Vec::new(),
+            corners: Corners::new(&chart.surface),
             patches: Vec::new(),
             positions,
             reference,
@@ -92,7 +108,7 @@ impl<'c> Recovery<'c> {
         let here = self.chart.position(point);
         let mut value = [0.0; 3];
         for (corner, weight) in weights.iter().enumerate() {
-            let patch = &self.patches[self.fits[point.face][corner]];
+            let patch = &self.patches[self.corners.of_face[point.face][corner]];
             let origin = self.chart.corner(point.face, corner);
             let fitted = patch.at([here[0] - origin[0], here[1] - origin[1]]);
             for k in 0..3 {
@@ -132,17 +148,31 @@ impl<'c> Recovery<'c> {
         }
     }
 
+    /// Gauss points of the point's face and of all that share a corner with it, with their chart areas: where recovered
+    /// and raw values are compared. Their difference at a single point may vanish by chance.
+    pub fn surroundings(&self, point: SurfacePoint) -> Vec<(SurfacePoint, f64)> {
+        let order = self.chart.surface.order;
+        let rule = face_rule(order, order.edge_nodes());
+        let faces = self.corners.ring(&[point.face]);
+        let points = faces.into_iter().flat_map(|face| {
+            rule.iter().map(move |&(local, weight)| {
+                let point = SurfacePoint { face, local };
+                (point, weight * self.chart.area_ratio(point))
+            })
+        });
+        points.collect()
+    }
+
     fn fit(&mut self) {
         let samples: Vec<Vec<Sample>> = (0..self.chart.surface.face_count())
             .map(|f| self.face_samples(f))
             .collect();
-        let corners = Corners::new(&self.chart.surface);
-        self.patches = corners
+        self.patches = self
+            .corners
             .uses
             .iter()
-            .map(|uses| self.patch(uses, &corners, &samples))
+            .map(|uses| self.patch(uses, &samples))
             .collect();
-        self.fits = corners.of_face;
     }
 
     /// Samples of one face in the chart's coordinates.
@@ -160,13 +190,13 @@ impl<'c> Recovery<'c> {
             .collect()
     }
 
-    fn patch(&self, uses: &[(usize, usize)], corners: &Corners, samples: &[Vec<Sample>]) -> Patch {
+    fn patch(&self, uses: &[(usize, usize)], samples: &[Vec<Sample>]) -> Patch {
         let (face, corner) = uses[0];
         let origin = self.chart.corner(face, corner);
         let mut faces: Vec<usize> = uses.iter().map(|u| u.0).collect();
         let mirrors: Vec<(usize, f64)> = self.chart.mirrors_through(origin);
         if faces.len() << mirrors.len() < 4 {
-            faces = corners.ring(&faces);
+            faces = self.corners.ring(&faces);
         }
         let mut points: Vec<Sample> = Vec::new();
         for &face in &faces {
@@ -197,6 +227,15 @@ impl Chart {
         [0, 1].map(|k| nodes.iter().zip(&values).map(|(s, v)| s[k] * v).sum())
     }
 
+    /// Area in the chart over area on the reference square.
+    fn area_ratio(&self, point: SurfacePoint) -> f64 {
+        let n = self.surface.order.face_nodes();
+        let (_, gradients) = face_shape(self.surface.order, point.local);
+        let nodes = &self.coordinates[point.face * n..(point.face + 1) * n];
+        let j = chart_jacobian(nodes, &gradients);
+        (j[0][0] * j[1][1] - j[0][1] * j[1][0]).abs()
+    }
+
     fn corner(&self, face: usize, corner: usize) -> [f64; 2] {
         self.coordinates
             [face * self.surface.order.face_nodes() + corner_node(self.surface.order, corner)]
@@ -220,6 +259,7 @@ impl Chart {
 }
 
 /// Which faces meet at which corner.
+#[derive(Debug)]
 struct Corners {
     /// Corner numbers of each face.
     of_face: Vec<[usize; 4]>,
@@ -262,8 +302,8 @@ fn corner_node(order: Order, corner: usize) -> usize {
     [0, n - 1, n * (n - 1), n * n - 1][corner]
 }
 
-/// Derivatives of the shape functions by the chart's coordinates.
-fn chart_gradients(coordinates: &[[f64; 2]], gradients: &[[f64; 2]]) -> Vec<[f64; 2]> {
+/// Derivatives of the chart's coordinates by the face's.
+fn chart_jacobian(coordinates: &[[f64; 2]], gradients: &[[f64; 2]]) -> [[f64; 2]; 2] {
     let mut j = [[0.0; 2]; 2];
     for (s, g) in coordinates.iter().zip(gradients) {
         for (k, row) in j.iter_mut().enumerate() {
@@ -272,6 +312,12 @@ fn chart_gradients(coordinates: &[[f64; 2]], gradients: &[[f64; 2]]) -> Vec<[f64
             }
         }
     }
+    j
+}
+
+/// Derivatives of the shape functions by the chart's coordinates.
+fn chart_gradients(coordinates: &[[f64; 2]], gradients: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let j = chart_jacobian(coordinates, gradients);
     let determinant = j[0][0] * j[1][1] - j[0][1] * j[1][0];
     gradients
         .iter()
@@ -348,6 +394,20 @@ mod tests {
     }
 
     #[test]
+    fn surroundings_cover_the_faces_around() {
+        let (mesh, chart) = sheet(Order::Quadratic, 4);
+        let recovery = Recovery::new(&chart, &mesh, |node| mesh.nodes[node as usize]);
+        let area = |face| {
+            let local = [0.3, -0.2];
+            let points = recovery.surroundings(SurfacePoint { face, local });
+            points.iter().map(|(_, weight)| weight).sum::<f64>()
+        };
+        // Of 16 faces with an area of 1/16 each, 4 lie around a corner face and 9 around an inner one.
+        assert!((area(0) - 4.0 / 16.0).abs() < 1e-14);
+        assert!((area(5) - 9.0 / 16.0).abs() < 1e-14);
+    }
+
+    #[test]
     fn recovery_on_a_symmetry_line_converges_at_least_as_fast_as_at_gauss_points() {
         for (order, slope) in [(Order::Linear, 2.0), (Order::Quadratic, 3.0)] {
             let (coarse, fine) = (error_at_origin(order, 8), error_at_origin(order, 16));
@@ -356,6 +416,24 @@ mod tests {
                 observed > slope - 0.1,
                 "{order:?}: slope {observed}, errors {coarse:e} {fine:e}"
             );
+        }
+    }
+
+    /// x = (X + g Y, Y): the line at angle t becomes (cos t + g sin t, sin t).
+    #[test]
+    fn any_line_of_a_sheared_sheet_has_its_stretch() {
+        let g: f64 = 0.4;
+        let stretch = Stretch {
+            s1: 1.0,
+            s2: (1.0 + g * g).sqrt(),
+            shear: g,
+        };
+        for angle in [0.0, 0.3, 0.5 * std::f64::consts::PI, 2.2, -1.0] {
+            let (sin, cos) = f64::sin_cos(angle);
+            let exact = (cos + g * sin).hypot(sin);
+            assert!((stretch.along(angle) - exact).abs() < 1e-15, "{angle}");
+            let green_lagrange = 0.5 * (exact * exact - 1.0);
+            assert!((stretch.green_lagrange_along(angle) - green_lagrange).abs() < 1e-15);
         }
     }
 

@@ -113,6 +113,7 @@ impl Study {
         Readout {
             grid: self.grid,
             rings,
+            gauges: Vec::new(),
         }
     }
 

@@ -6,8 +6,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
+use fem_client::gauge::{Gauge, GaugeReading};
 use fem_client::scene::Scene;
-use fem_client::solver::{Readout, SolveError, SolveRequest, Solved};
+use fem_client::solver::{LocationStrain, Readout, SolveError, SolveRequest, Solved};
 use serde_json::{Value, json};
 
 use super::Failure;
@@ -26,6 +27,10 @@ pub struct Solve {
     set: Vec<String>,
     #[command(flatten)]
     solver: SolverChoice,
+    /// Read the strain at a point of the inner surface, along a direction: wheel angle from the contact centre, section angle
+    /// from the crown, and angle to the circumferential direction (0 when left out), all in degrees
+    #[arg(long, value_name = "THETA,PHI[,ANGLE]", allow_hyphen_values = true)]
+    at: Vec<Gauge>,
     /// Write the answer as JSON to a file, or to standard output with -
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<JsonTarget>,
@@ -44,9 +49,13 @@ impl Solve {
             signals.next().await;
             flag.store(true, Ordering::Relaxed);
         });
+        let readout = Readout {
+            gauges: self.at.clone(),
+            ..Readout::default()
+        };
         let request = SolveRequest {
             scene: &scene,
-            readout: &Readout::default(),
+            readout: &readout,
             start: None,
             stop: &stop,
         };
@@ -136,14 +145,26 @@ fn report(solved: &Solved) -> String {
     );
     let _ = writeln!(
         text,
-        "\nstrain since inflation, microstrain   x circumferential   y meridional   von Mises MPa"
+        "\nstrain since inflation, microstrain      x circumferential           y meridional      von Mises MPa"
     );
     for location in &response.locations {
-        let (x, y) = (1e6 * location.strain_x, 1e6 * location.strain_y);
+        let _ = writeln!(text, "{}", location_row(location));
+    }
+    if !response.gauges.is_empty() {
         let _ = writeln!(
             text,
-            "{:4} at {:8.3} deg  {x:35.1} {y:14.1} {:15.5}",
-            location.name, location.theta_deg, location.von_mises_mpa
+            "\ntheta, phi, angle deg       strain since inflation, microstrain    stretch and Green-Lagrange, undeformed"
+        );
+    }
+    for reading in &response.gauges {
+        let _ = writeln!(text, "{}", gauge_row(reading));
+    }
+    if let Some(carcass) = &response.carcass {
+        let (stretch, tension) = (carcass.fibre_stretch, carcass.tension_n_per_mm);
+        let _ = writeln!(
+            text,
+            "\ncarcass: fibre stretch {:.4} to {:.4}, tension {:.3} to {:.3} N/mm",
+            stretch.min, stretch.max, tension.min, tension.max
         );
     }
     let _ = writeln!(
@@ -169,6 +190,51 @@ fn report(solved: &Solved) -> String {
         solved.cost.wall_s
     );
     text
+}
+
+/// A value with its error, both in units of `unit`; the error is left out where there is no estimate.
+fn with_error(value: f64, error: Option<f64>, unit: f64, decimals: usize) -> String {
+    let error = error.map_or_else(String::new, |error| {
+        format!(" +-{:.decimals$}", error / unit)
+    });
+    format!("{:.decimals$}{error}", value / unit)
+}
+
+const MICROSTRAIN: f64 = 1e-6;
+
+fn location_row(location: &LocationStrain) -> String {
+    let error = location.error;
+    format!(
+        "{:4} at {:8.3} deg {:>35} {:>22} {:>18}",
+        location.name,
+        location.theta_deg,
+        with_error(location.strain_x, error.map(|e| e.strain_x), MICROSTRAIN, 1),
+        with_error(location.strain_y, error.map(|e| e.strain_y), MICROSTRAIN, 1),
+        with_error(
+            location.von_mises_mpa,
+            error.map(|e| e.von_mises_mpa),
+            1.0,
+            5
+        ),
+    )
+}
+
+fn gauge_row(reading: &GaugeReading) -> String {
+    let (gauge, error) = (reading.gauge, reading.error);
+    format!(
+        "{:8.3} {:8.3} {:8.3} {:>36} {:>21} {:>21}",
+        gauge.theta_deg,
+        gauge.phi_deg,
+        gauge.angle_deg,
+        with_error(reading.strain, error.map(|e| e.strain), MICROSTRAIN, 1),
+        with_error(reading.stretch, error.map(|e| e.stretch), 1.0, 5),
+        with_error(
+            reading.green_lagrange,
+            error.map(|e| e.green_lagrange),
+            1.0,
+            5
+        ),
+    )
 }
 
 #[cfg(test)]
