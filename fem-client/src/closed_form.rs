@@ -233,6 +233,7 @@ impl Field {
                 .map(|gauge| self.gauge(*gauge))
                 .collect(),
             carcass: None,
+            film: None,
         }
     }
 

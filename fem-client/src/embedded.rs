@@ -256,6 +256,7 @@ fn inflated_key(scene: &Scene, plan: &MeshPlan) -> String {
         &scene.geometry,
         &scene.material,
         &scene.carcass,
+        &scene.film,
         &scene.pressure,
     );
     let text = format!("{parts:?} {plan:?}");

@@ -1,16 +1,18 @@
 //! Strains of an equilibrium, read off the inner surface.
 
+use fem::membrane::Membrane;
 use fem::problem::{Loads, State};
 use fem::surface::Recovery;
+use fem::surface_law::{InPlane, SurfaceLaw};
 
 use crate::gauge::{Gauge, GaugeError, GaugeReading};
 use crate::probe::{Probe, States};
 use crate::scene::Scene;
 use crate::solver::{
-    CarcassState, Extremes, Grid, Inflated, LocationError, LocationStrain, ModelSummary, Position,
-    Readout, Response, ResponseError, Ring, Section, StrainMap, StrainPair,
+    CarcassState, Extremes, FilmState, Grid, Inflated, LocationError, LocationStrain, ModelSummary,
+    Position, Readout, Response, ResponseError, Ring, Section, StrainMap, StrainPair,
 };
-use crate::tire::{TireModel, cord_families};
+use crate::tire::{TireModel, cord_families, film_law};
 
 /// Bound of the exponent n in "reaction proportional to depth^n": 1 for a membrane under pressure, 1.5 for a Hertz sphere.
 const DEPTH_EXPONENT: f64 = 1.5;
@@ -79,6 +81,7 @@ impl<'m> Reader<'m> {
                 .map(|&gauge| self.gauge(gauge))
                 .collect(),
             carcass: self.carcass(),
+            film: self.film(),
         }
     }
 
@@ -205,26 +208,49 @@ impl<'m> Reader<'m> {
     fn carcass(&self) -> Option<CarcassState> {
         let families = cord_families(self.scene.carcass.as_ref()?);
         let membrane = self.model.carcass()?;
-        let nowhere = Extremes {
-            min: f64::INFINITY,
-            max: f64::NEG_INFINITY,
-        };
-        let (mut stretch, mut tension) = (nowhere, nowhere);
-        for (face, nodes) in membrane.surface.iter().enumerate() {
-            let displacement: Vec<[f64; 3]> = nodes
-                .iter()
-                .map(|&node| self.equilibrium.displacement[node as usize])
-                .collect();
-            for strain in membrane.strains(face, &displacement) {
-                for family in &families {
-                    stretch.include(family.stretch(&strain));
-                    tension.include(family.tension(&strain));
-                }
+        let (mut stretch, mut tension) = (Extremes::NONE, Extremes::NONE);
+        for strain in self.layer_strains(membrane) {
+            for family in &families {
+                stretch.include(family.stretch(&strain));
+                tension.include(family.tension(&strain));
             }
         }
         Some(CarcassState {
             fibre_stretch: stretch,
             tension_n_per_mm: tension,
+        })
+    }
+
+    /// Extremes over all integration points of the film.
+    fn film(&self) -> Option<FilmState> {
+        let law = film_law(self.scene.film.as_ref()?);
+        let membrane = self.model.film()?;
+        let (mut stretches, mut tensions) = ([Extremes::NONE; 2], [Extremes::NONE; 2]);
+        for strain in self.layer_strains(membrane) {
+            let (tension, _) = law.tensions(&strain);
+            for k in 0..2 {
+                stretches[k].include((1.0 + 2.0 * strain[k]).sqrt());
+                tensions[k].include(tension[k]);
+            }
+        }
+        let ([stretch_x, stretch_y], [tension_x, tension_y]) = (stretches, tensions);
+        Some(FilmState {
+            stretch_x,
+            stretch_y,
+            tension_x_n_per_mm: tension_x,
+            tension_y_n_per_mm: tension_y,
+        })
+    }
+
+    /// Strains at all integration points of a layer.
+    fn layer_strains(&self, membrane: &'m Membrane) -> impl Iterator<Item = InPlane> {
+        let faces = membrane.surface.iter().enumerate();
+        faces.flat_map(|(face, nodes)| {
+            let displacement: Vec<[f64; 3]> = nodes
+                .iter()
+                .map(|&node| self.equilibrium.displacement[node as usize])
+                .collect();
+            membrane.strains(face, &displacement).collect::<Vec<_>>()
         })
     }
 

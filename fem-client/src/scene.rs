@@ -20,6 +20,9 @@ pub struct Scene {
     /// Textile layer; absent when the scene has none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub carcass: Option<Carcass>,
+    /// Sensor film glued to the inner surface; absent when it isn't modelled.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub film: Option<Film>,
     /// Internal pressure.
     pub pressure: Pressure,
     /// Rigid ground.
@@ -64,6 +67,21 @@ pub struct Carcass {
     pub position: f64,
     /// Stiffness in compression over that in tension.
     pub compression_ratio: f64,
+}
+
+/// A rectangular film glued to the inner surface of the uninflated tire, centred on the crown at the contact centre (P3).
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Film {
+    /// Young's modulus, MPa.
+    pub modulus_mpa: f64,
+    /// Poisson's ratio.
+    pub poisson_ratio: f64,
+    /// Thickness, mm.
+    pub thickness_mm: f64,
+    /// Extent along the circumference, mm at the crown; it covers the same wheel angles on its whole width.
+    pub length_mm: f64,
+    /// Extent along the meridian, mm.
+    pub width_mm: f64,
 }
 
 /// Loads of the cavity.
@@ -132,6 +150,7 @@ impl Default for Scene {
             geometry: Geometry::default(),
             material: Material::default(),
             carcass: None,
+            film: None,
             pressure: Pressure { internal_mpa: 0.2 },
             ground: Ground::default(),
             contact: Contact {
@@ -164,6 +183,19 @@ impl Default for Carcass {
             stiffness_n_per_mm: 100.0,
             position: 0.5,
             compression_ratio: 0.01,
+        }
+    }
+}
+
+impl Default for Film {
+    /// PVDF, as piezoelectric films are made of.
+    fn default() -> Self {
+        Self {
+            modulus_mpa: 2500.0,
+            poisson_ratio: 0.34,
+            thickness_mm: 0.05,
+            length_mm: 5.0,
+            width_mm: 5.0,
         }
     }
 }

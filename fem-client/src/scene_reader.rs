@@ -3,12 +3,14 @@
 //! The ranges are wide enough for tires from micrometres to ten metres, and narrow enough that no product of a few of
 //! them overflows.
 
+mod film;
 mod geometry;
 mod ground;
 mod material;
 
 use serde_json::Value;
 
+use self::film::{check_film_on, film};
 use self::geometry::geometry;
 use self::ground::{check_ground_under, ground};
 use self::material::material;
@@ -59,22 +61,22 @@ impl Scene {
     pub fn from_value(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Self> {
         let before = faults.len();
         let known = [
-            "geometry", "material", "carcass", "pressure", "ground", "contact", "model",
+            "geometry", "material", "carcass", "film", "pressure", "ground", "contact", "model",
         ];
         let fields = Fields::open(value, pointer, &known, faults)?;
         let geometry = section(&fields, "geometry", faults, geometry);
         let material = section(&fields, "material", faults, material);
-        // `null` is how an override takes the carcass away.
-        let carcass = match fields.get("carcass") {
-            None | Some((Value::Null, _)) => Some(None),
-            Some((value, pointer)) => carcass(value, &pointer, faults).map(Some),
-        };
+        let carcass = optional(&fields, "carcass", faults, carcass);
+        let film = optional(&fields, "film", faults, film);
         let pressure = section(&fields, "pressure", faults, pressure);
         let ground = section(&fields, "ground", faults, ground);
         let contact = section(&fields, "contact", faults, contact);
         let model = section(&fields, "model", faults, model);
         if let (Some(geometry), Some(ground)) = (&geometry, &ground) {
             check_ground_under(geometry, ground, &fields.at("ground"), faults);
+        }
+        if let (Some(geometry), Some(Some(film))) = (&geometry, &film) {
+            check_film_on(geometry, film, &fields.at("film"), faults);
         }
         if faults.len() > before {
             return None;
@@ -83,6 +85,7 @@ impl Scene {
             geometry: geometry?,
             material: material?,
             carcass: carcass?,
+            film: film?,
             pressure: pressure?,
             ground: ground?,
             contact: contact?,
@@ -102,6 +105,19 @@ fn section<T>(
     match fields.get(name) {
         Some((value, pointer)) => read(value, &pointer, faults),
         None => read(&empty, &fields.at(name), faults),
+    }
+}
+
+/// Reads a part that a scene may lack. `null` is how an override takes it away.
+fn optional<T>(
+    fields: &Fields<'_>,
+    name: &str,
+    faults: &mut Vec<Fault>,
+    read: fn(&Value, &str, &mut Vec<Fault>) -> Option<T>,
+) -> Option<Option<T>> {
+    match fields.get(name) {
+        None | Some((Value::Null, _)) => Some(None),
+        Some((value, pointer)) => read(value, &pointer, faults).map(Some),
     }
 }
 
@@ -279,7 +295,7 @@ mod tests {
     #[test]
     fn wrong_types_never_pass() {
         let names = [
-            "geometry", "material", "carcass", "pressure", "ground", "contact", "model",
+            "geometry", "material", "carcass", "film", "pressure", "ground", "contact", "model",
         ];
         for (name, bad) in names
             .iter()

@@ -127,6 +127,9 @@ pub struct Response {
     /// State of the textile layer; absent without one.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub carcass: Option<CarcassState>,
+    /// State of the film; absent without one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub film: Option<FilmState>,
 }
 
 /// Strain at a named location.
@@ -167,6 +170,19 @@ pub struct CarcassState {
     pub tension_n_per_mm: Extremes,
 }
 
+/// Least and greatest values over the whole film, relative to its unstressed state in the undeformed tire.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FilmState {
+    /// Circumferential stretch.
+    pub stretch_x: Extremes,
+    /// Meridional stretch.
+    pub stretch_y: Extremes,
+    /// Circumferential tension (second Piola-Kirchhoff), N/mm.
+    pub tension_x_n_per_mm: Extremes,
+    /// Meridional tension (second Piola-Kirchhoff), N/mm.
+    pub tension_y_n_per_mm: Extremes,
+}
+
 /// Least and greatest value of a field.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Extremes {
@@ -177,6 +193,12 @@ pub struct Extremes {
 }
 
 impl Extremes {
+    /// The range without values.
+    pub const NONE: Self = Self {
+        min: f64::INFINITY,
+        max: f64::NEG_INFINITY,
+    };
+
     /// Widens the range to a value.
     pub fn include(&mut self, value: f64) {
         self.min = self.min.min(value);

@@ -10,10 +10,10 @@ use fem::pressure::PressureSurface;
 use fem::problem::{Problem, State};
 use fem::solid::SolidModel;
 use fem::surface::Chart;
-use fem::surface_law::{FibreFamily, SurfaceLaw};
+use fem::surface_law::{FibreFamily, Film, SurfaceLaw};
 use fem::tensor::Vector;
 
-use crate::scene::{Carcass, Ground, Level, Scene, StationFunctions};
+use crate::scene::{self, Carcass, Ground, Level, Scene, StationFunctions};
 use crate::solver::{Choice, ModelSummary};
 use crate::tire_mesh::{Extent, MeshPlan, TireGrid, TireShape};
 
@@ -45,11 +45,11 @@ impl TireModel {
         let grid = TireGrid::new(shape(scene), plan, extent);
         let (mesh, layout) = grid.mesh();
         let supports = supports(&grid, mesh.nodes.len());
-        let membranes = scene
-            .carcass
-            .iter()
-            .filter_map(|carcass| membrane(carcass, &grid, &mesh))
-            .collect();
+        let carcass = scene.carcass.iter();
+        let carcass = carcass.filter_map(|carcass| membrane(carcass, &grid, &mesh));
+        let film = scene.film.iter();
+        let film = film.map(|film| film_membrane(film, &grid, &mesh));
+        let membranes = carcass.chain(film).collect();
         let mut contact = ContactSurface::new(&mesh, grid.tread_surface(), penalty(scene));
         contact.friction = friction(scene);
         let pressure = PressureSurface::new(grid.inner_surface());
@@ -78,7 +78,7 @@ impl TireModel {
         }
     }
 
-    /// Radius of the crown's outer surface in a state that is alike around the wheel, mm.
+    /// Radius of the crown's outer surface at the contact centre in a state without contact, mm.
     pub fn crown_radius(&self, state: &State) -> f64 {
         -state.position(&self.problem.mesh, self.grid.lowest_node())[2]
     }
@@ -92,6 +92,12 @@ impl TireModel {
     /// The textile layer, when the scene has one.
     pub fn carcass(&self) -> Option<&Membrane> {
         self.grid.shape.carcass.and(self.problem.membranes.first())
+    }
+
+    /// The film, when the scene has one.
+    pub fn film(&self) -> Option<&Membrane> {
+        let layers = usize::from(self.grid.shape.carcass.is_some());
+        self.problem.membranes.get(layers)
     }
 
     /// What is modelled and what is left out, with reasons.
@@ -223,6 +229,23 @@ fn membrane(carcass: &Carcass, grid: &TireGrid, mesh: &Mesh) -> Option<Membrane>
     ))
 }
 
+/// The film's law.
+pub fn film_law(film: &scene::Film) -> Film {
+    Film {
+        modulus: film.modulus_mpa,
+        poisson_ratio: film.poisson_ratio,
+        thickness: film.thickness_mm,
+    }
+}
+
+fn film_membrane(film: &scene::Film, grid: &TireGrid, mesh: &Mesh) -> Membrane {
+    let theta = 0.5 * film.length_mm / grid.crown_radius();
+    let phi = 0.5 * film.width_mm / grid.shape.inner;
+    let (surface, windows) = grid.inner_windows(theta, phi);
+    let law: Box<dyn SurfaceLaw> = Box::new(film_law(film));
+    Membrane::on_windows(mesh, surface, &windows, &circumferential, vec![law])
+}
+
 fn chart(grid: &TireGrid) -> Chart {
     let circumference = std::f64::consts::TAU * grid.crown_radius();
     let mut mirrors = vec![(1, 0.0)];
@@ -302,6 +325,15 @@ fn modelled(scene: &Scene, order: Order) -> Vec<Choice> {
         );
         list.push(choice("friction", why));
     }
+    if let Some(film) = &scene.film {
+        list.push(choice(
+            "film",
+            format!(
+                "isotropic membrane in plane stress, {} x {} mm at P3, glued on before inflation",
+                film.length_mm, film.width_mm
+            ),
+        ));
+    }
     if scene.carcass.is_some() {
         list.push(choice(
             "carcass",
@@ -330,10 +362,18 @@ fn left_out(scene: &Scene, extent: Extent) -> Vec<Choice> {
     if scene.contact.friction == 0.0 {
         list.push(choice("friction", "contact.friction is 0".into()));
     }
-    list.push(choice(
-        "film stiffness",
-        "the film follows the inner surface without stiffening it".into(),
-    ));
+    list.push(match &scene.film {
+        None => choice(
+            "film stiffness",
+            "the film follows the inner surface without stiffening it: right only where its modulus times its thickness is far \
+             below the wall's; a [film] table models one at P3"
+                .into(),
+        ),
+        Some(_) => choice(
+            "film bending and wrinkling",
+            "a film much thinner than the wall hardly bends it; glued to rubber it stays flat in compression".into(),
+        ),
+    });
     if scene.carcass.is_none() {
         list.push(choice("carcass", "the scene has none".into()));
     }

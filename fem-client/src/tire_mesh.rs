@@ -6,6 +6,7 @@
 //! along (phi, theta, rho), which is right-handed; brick numbers run fastest along rho, then phi, then theta.
 
 use fem::element::Order;
+use fem::membrane::Window;
 use fem::mesh::{Mesh, Surface, SurfacePoint};
 
 use crate::grid_lines::{graded, half_circle, layers, locate};
@@ -209,6 +210,25 @@ impl TireGrid {
         self.layer(0, |_| true)
     }
 
+    /// Faces of the inner surface that reach into the wheel angles within `theta` of the contact centre and the section
+    /// angles within `phi` of the crown (rad), each with the part of it that lies inside.
+    pub fn inner_windows(&self, theta: f64, phi: f64) -> (Surface, Vec<Window>) {
+        let inner = self.inner_surface();
+        let (mut faces, mut windows) = (Vec::new(), Vec::new());
+        for row in 0..self.theta.len() - 1 {
+            for column in 0..self.phi.len() - 1 {
+                let along_phi = window(self.phi[column], self.phi[column + 1], phi);
+                let along_theta = window(self.theta[row], self.theta[row + 1], theta);
+                if let (Some(along_phi), Some(along_theta)) = (along_phi, along_theta) {
+                    faces.extend(inner.face(row * (self.phi.len() - 1) + column));
+                    windows.push([along_phi, along_theta]);
+                }
+            }
+        }
+        let order = self.order;
+        (Surface { order, faces }, windows)
+    }
+
     /// The layer boundary that carries the carcass.
     pub fn carcass_surface(&self) -> Option<Surface> {
         let carcass = self.shape.carcass?;
@@ -301,6 +321,13 @@ impl TireGrid {
     }
 }
 
+/// The part of a brick's angles that lies between -half and half, in the brick's own coordinate; `None` without one.
+fn window(low: f64, high: f64, half: f64) -> Option<[f64; 2]> {
+    let local = |angle: f64| (2.0 * (angle - low) / (high - low) - 1.0).clamp(-1.0, 1.0);
+    let window = [local(-half), local(half)];
+    (window[0] < window[1]).then_some(window)
+}
+
 /// The same wheel angle between minus and plus half a turn, rad.
 fn wrapped(theta: f64) -> f64 {
     let turn = std::f64::consts::TAU;
@@ -329,6 +356,7 @@ impl TireShape {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use fem::membrane::Membrane;
 
     const SHAPE: TireShape = TireShape {
         centre_radius: 37.5,
@@ -378,6 +406,27 @@ mod tests {
             assert!(
                 coarse < 2e-3 && coarse / fine > 11.5,
                 "{extent:?}: {coarse:e}, {fine:e}"
+            );
+        }
+    }
+
+    #[test]
+    fn windows_cover_the_angles_asked_for() {
+        let (theta, phi): (f64, f64) = (0.11, 0.3);
+        // Both signs of y: twice the meshed half, four times the quarter.
+        let exact = 2.0 * phi * 2.0 * theta * 9.5 * (37.5 + 9.5 * phi.sin() / phi);
+        for (extent, copies) in [(Extent::Half, 2.0), (Extent::Quarter, 4.0)] {
+            let grid = TireGrid::new(SHAPE, &plan(Order::Quadratic), extent);
+            let (mesh, _) = grid.mesh();
+            let (surface, windows) = grid.inner_windows(theta, phi);
+            let along_y = |_: &[f64; 3], _: &[f64; 3]| [0.0, 1.0, 0.0];
+            let membrane = Membrane::on_windows(&mesh, surface, &windows, &along_y, vec![]);
+            // Within a brick of the angle a, 0.24 rad, a quadratic face runs along its arc at a speed that varies by a^2 / 24, so a
+            // window that ends within it is off by up to that much.
+            let area = copies * membrane.area();
+            assert!(
+                (area / exact - 1.0).abs() < 2e-3,
+                "{extent:?}: {area} {exact}"
             );
         }
     }

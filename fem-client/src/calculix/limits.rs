@@ -18,6 +18,11 @@ pub fn faults(scene: &Scene) -> Vec<Fault> {
                       the table out, or use the embedded solver";
         Fault::add(&mut faults, "/carcass", detail);
     }
+    if scene.film.is_some() {
+        let detail =
+            "isn't modelled with CalculiX; leave the table out, or use the embedded solver";
+        Fault::add(&mut faults, "/film", detail);
+    }
     if let Law::Ogden { terms } = &scene.material.law
         && terms.len() > MAX_OGDEN_TERMS
     {
@@ -104,13 +109,14 @@ pub fn summary(scene: &Scene, summary: ModelSummary, version: &str) -> ModelSumm
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Carcass, OgdenTerm};
+    use crate::scene::{Carcass, Film, OgdenTerm};
 
     #[test]
     fn a_faulty_scene_gets_every_fault_at_its_place() {
         assert_eq!(faults(&Scene::default()), []);
         let mut scene = Scene {
             carcass: Some(Carcass::default()),
+            film: Some(Film::default()),
             ..Scene::default()
         };
         scene.contact.friction = 0.3;
@@ -124,7 +130,7 @@ mod tests {
         let pointers: Vec<String> = faults(&scene).into_iter().map(|f| f.pointer).collect();
         assert_eq!(
             pointers,
-            ["/carcass", "/material/terms", "/contact/friction"]
+            ["/carcass", "/film", "/material/terms", "/contact/friction"]
         );
     }
 

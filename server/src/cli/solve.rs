@@ -159,6 +159,14 @@ fn report(solved: &Solved) -> String {
     for reading in &response.gauges {
         let _ = writeln!(text, "{}", gauge_row(reading));
     }
+    if let Some(film) = &response.film {
+        let (x, y) = (film.stretch_x, film.stretch_y);
+        let _ = writeln!(
+            text,
+            "\nfilm: stretch x {:.4} to {:.4}, y {:.4} to {:.4}",
+            x.min, x.max, y.min, y.max
+        );
+    }
     if let Some(carcass) = &response.carcass {
         let (stretch, tension) = (carcass.fibre_stretch, carcass.tension_n_per_mm);
         let _ = writeln!(
