@@ -6,7 +6,8 @@
 //! such as the stiffness of coarse linear elements, changes both alike and isn't seen: `tests/strain_error.rs` measures it.
 
 use fem::mesh::SurfacePoint;
-use fem::surface::{Recovery, Stretch};
+use fem::stretch::Stretch;
+use fem::surface::Recovery;
 
 /// Stretches of the equilibrium and of the inflated state.
 #[derive(Debug, Clone, Copy)]

@@ -29,7 +29,7 @@
 //! - `focus`, `condensed_contact`, [`tangent`]: linear body, nonlinear contact
 //! - [`newton`]: equilibrium under given loads
 //! - [`path`]: load stepping with automatic cut-back
-//! - [`patch`], [`surface`]: strains of a surface
+//! - [`patch`], [`stretch`], [`surface`]: strains of a surface
 
 mod acceleration;
 pub mod assembly;
@@ -53,6 +53,7 @@ pub mod quadrature;
 pub mod setup;
 pub mod solid;
 pub mod sparsity;
+pub mod stretch;
 mod substitution;
 pub mod surface;
 pub mod surface_law;
