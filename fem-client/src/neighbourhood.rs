@@ -62,7 +62,7 @@ impl Neighbourhood {
         let loads = Loads {
             pressure: start.pressure_mpa,
             ground: Some(ground(&depths, radius)),
-            support_factor: 0.0,
+            ..Loads::default()
         };
         let deepest = start.depths_mm.iter().copied().fold(0.0, f64::max);
         let reach = REACH[0] * deepest + REACH[1] * scene.geometry.wall_mm;

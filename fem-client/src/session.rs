@@ -24,8 +24,7 @@ impl Session<'_> {
     fn inflation(&self) -> Loads {
         Loads {
             pressure: self.scene.pressure.internal_mpa,
-            ground: None,
-            support_factor: 0.0,
+            ..Loads::default()
         }
     }
 

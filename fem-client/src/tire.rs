@@ -62,6 +62,7 @@ impl TireModel {
             supports,
             pressure: Some(pressure),
             contact: Some(contact),
+            dead_forces: vec![],
         };
         Self {
             problem,

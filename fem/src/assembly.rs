@@ -106,6 +106,12 @@ impl<'p> Assembler<'p> {
                 target.add(&setup.equations, nodes, &self.face.residual);
             }
         }
+        if loads.traction_factor != 0.0 {
+            for (node, force) in &problem.dead_forces {
+                let force = force.map(|component| -loads.traction_factor * component);
+                target.add(&setup.equations, &[*node], &force);
+            }
+        }
         self.add_contact(state, loads, served, target);
         self.imbalance(target)
     }

@@ -17,10 +17,12 @@
 //! - [`tensor`]: 3 x 3 algebra
 //! - [`quadrature`], [`element`]: reference cells
 //! - [`mesh`]: nodes, elements, surfaces
+//! - [`block`]: structured meshes
 //! - [`material`]: hyperelastic laws: neo-Hookean, Mooney-Rivlin, Yeoh, Ogden
 //! - [`surface_law`], [`membrane`]: fibre families and films embedded in the mesh
 //! - [`solid`]: the mixed displacement-pressure element
 //! - [`pressure`]: live pressure on a surface
+//! - [`traction`]: dead forces on a surface
 //! - [`obstacle`], [`friction`], [`contact`]: rigid ground and contact with it
 //! - [`problem`]: a boundary value problem, its loads and its state
 //! - [`ordering`], [`sparsity`], `substitution`, [`linear`]: the sparse linear system
@@ -28,11 +30,13 @@
 //! - [`system`], [`assembly`]: residual and tangent of the whole problem
 //! - `focus`, `condensed_contact`, [`tangent`]: linear body, nonlinear contact
 //! - [`newton`]: equilibrium under given loads
+//! - [`volume_control`]: equilibrium at a given volume of a cavity, and limit points
 //! - [`path`]: load stepping with automatic cut-back
 //! - [`patch`], [`stretch`], [`surface`]: strains of a surface
 
 mod acceleration;
 pub mod assembly;
+pub mod block;
 mod condensed_contact;
 pub mod contact;
 pub mod element;
@@ -60,3 +64,5 @@ pub mod surface_law;
 pub mod system;
 pub mod tangent;
 pub mod tensor;
+pub mod traction;
+pub mod volume_control;

@@ -48,6 +48,24 @@ impl Surface {
         &self.faces[index * n..(index + 1) * n]
     }
 
+    /// The same faces with opposite normals.
+    pub fn flipped(&self) -> Self {
+        let along = self.order.edge_nodes();
+        let across = self.order.face_nodes() / along;
+        let mut faces = Vec::with_capacity(self.faces.len());
+        for face in self.iter() {
+            if across == 1 {
+                faces.extend(face.iter().rev());
+            } else {
+                faces.extend((0..face.len()).map(|a| face[a % across * along + a / across]));
+            }
+        }
+        Self {
+            order: self.order,
+            faces,
+        }
+    }
+
     /// All faces in order.
     pub fn iter(&self) -> impl Iterator<Item = &[u32]> {
         self.faces.chunks_exact(self.order.face_nodes())

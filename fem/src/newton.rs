@@ -22,6 +22,7 @@ use crate::tangent::Tangent;
 use crate::tensor::Vector;
 
 mod report;
+mod steps;
 
 pub use report::{Cause, Converged, Effort, NewtonSettings, NotConverged};
 
@@ -358,6 +359,16 @@ impl<'p> Newton<'p> {
 
     /// One iteration with the present tangent: increments and update. Returns the residual there.
     fn step(&mut self, state: &mut State, loads: &Loads) -> Result<Imbalance, Cause> {
+        self.solve_displacements(state, loads)?;
+        let start = Instant::now();
+        self.collect_increments()?;
+        self.accelerate();
+        self.effort.substitution += start.elapsed();
+        self.update(state, loads).map(|(_, residual)| residual)
+    }
+
+    /// Increments of the free displacements by the present tangent.
+    fn solve_displacements(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
         let tangent = self.tangent.clone().ok_or(Cause::Diverged)?;
         let start = Instant::now();
         let (forces, contact) = (&self.residuals.forces, &self.residuals.contact);
@@ -384,17 +395,9 @@ impl<'p> Newton<'p> {
             (ground, &*self.focus.get_or_insert_with(focus))
         });
         tangent.solve(self.problem, state, contact, rhs, tolerance, workspace);
-        self.collect_increments();
-        self.assembler.pressure_increments(
-            &tangent.coupling,
-            &self.residuals.volumes,
-            &self.increments,
-            &mut self.pressure_increments,
-        );
-        self.accelerate();
         self.effort.substitution += start.elapsed();
         self.effort.iterations += 1;
-        self.update(state, loads)
+        Ok(())
     }
 
     /// What is left to move of the held displacements.
@@ -409,7 +412,9 @@ impl<'p> Newton<'p> {
         }
     }
 
-    fn collect_increments(&mut self) {
+    /// Increments of all displacements, and of the element pressures that belong to them.
+    fn collect_increments(&mut self) -> Result<(), Cause> {
+        let tangent = self.tangent.clone().ok_or(Cause::Diverged)?;
         for ((increment, equations), pending) in self
             .increments
             .iter_mut()
@@ -421,6 +426,13 @@ impl<'p> Newton<'p> {
                 equation => self.rhs[equation as usize],
             });
         }
+        self.assembler.pressure_increments(
+            &tangent.coupling,
+            &self.residuals.volumes,
+            &self.increments,
+            &mut self.pressure_increments,
+        );
+        Ok(())
     }
 
     fn accelerate(&mut self) {
@@ -436,8 +448,9 @@ impl<'p> Newton<'p> {
         self.pressure_increments.copy_from_slice(pressure);
     }
 
-    /// Applies the step, or the largest of its halvings that inverts no element, and returns the residual there.
-    fn update(&mut self, state: &mut State, loads: &Loads) -> Result<Imbalance, Cause> {
+    /// Applies the step, or the largest of its halvings that inverts no element, and returns the fraction and the residual
+    /// there.
+    fn update(&mut self, state: &mut State, loads: &Loads) -> Result<(f64, Imbalance), Cause> {
         self.previous.clone_from(state);
         let mut factor = 1.0;
         for _ in 0..MAX_HALVINGS {
@@ -450,7 +463,7 @@ impl<'p> Newton<'p> {
                 if let Some(entries) = &mut self.entries {
                     entries.pending_forces.fill(0.0);
                 }
-                return Ok(residual);
+                return Ok((factor, residual));
             }
             self.restore(state);
             self.acceleration.reset();

@@ -25,6 +25,8 @@ pub struct Problem {
     pub pressure: Option<PressureSurface>,
     /// Surface that may touch the ground.
     pub contact: Option<ContactSurface>,
+    /// Dead forces on nodes at traction factor 1, N: they keep their direction as the body moves.
+    pub dead_forces: Vec<(u32, Vector)>,
 }
 
 /// Loads of a problem.
@@ -36,6 +38,8 @@ pub struct Loads {
     pub ground: Option<HeightField>,
     /// Factor of the held displacements.
     pub support_factor: f64,
+    /// Factor of the dead forces.
+    pub traction_factor: f64,
 }
 
 impl Loads {
@@ -64,6 +68,7 @@ impl Loads {
             pressure: mix(self.pressure, target.pressure),
             ground,
             support_factor: mix(self.support_factor, target.support_factor),
+            traction_factor: mix(self.traction_factor, target.traction_factor),
         }
     }
 }

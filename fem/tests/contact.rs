@@ -71,9 +71,9 @@ fn solve(problem: &Problem, steps: f64) -> (State, Vector, Vector) {
     newton.settings.largest_load_step = 1.0 / steps;
     let mut state = State::reference(problem);
     let at = |support_factor| Loads {
-        pressure: 0.0,
         ground: Some(flat(0.0)),
         support_factor,
+        ..Loads::default()
     };
     let (start, target) = (at(0.0), at(1.0));
     follow(

@@ -2,10 +2,11 @@
 
 use std::sync::atomic::AtomicBool;
 
+use fem::block::Block;
 use fem::contact::{ContactSurface, Penalty};
 use fem::element::Order;
 use fem::material::MooneyRivlin;
-use fem::mesh::{Mesh, Surface};
+use fem::mesh::Surface;
 use fem::newton::Newton;
 use fem::obstacle::{HeightField, StationFunctions};
 use fem::path::{Stability, follow};
@@ -23,53 +24,16 @@ const PAIRS: [(Order, Order); 2] = [
 ];
 
 /// n x n cells, one across in space, on the image of the unit square under `map` in the plane (x, z), y from 0 to 1.
-fn block(order: Order, n: usize, map: impl Fn(f64, f64) -> [f64; 2]) -> (Mesh, Vec<[f64; 3]>) {
-    let e = order.edge_nodes() - 1;
-    let line = n * e + 1;
-    let across = if order.is_plane() { 1 } else { e + 1 };
-    let index = |i: usize, j: usize, k: usize| ((k * across + j) * line + i) as u32;
-    let mut nodes = Vec::new();
-    for k in 0..line {
-        for j in 0..across {
-            for i in 0..line {
-                let [x, z] = map(i as f64 / (line - 1) as f64, k as f64 / (line - 1) as f64);
-                nodes.push([x, j as f64 / e as f64, z]);
-            }
-        }
-    }
-    let (mut bricks, mut layout) = (Vec::new(), Vec::new());
-    for b in 0..n * n {
-        let (i0, k0) = (b % n, b / n);
-        layout.push([i0 as f64, 0.0, k0 as f64]);
-        for k in 0..=e {
-            for j in 0..across {
-                bricks.extend((0..=e).map(|i| index(i0 * e + i, j, k0 * e + k)));
-            }
-        }
-    }
-    let mesh = Mesh {
-        order,
-        nodes,
-        bricks,
-    };
-    (mesh, layout)
-}
-
-/// Faces on z = constant: the lowest row of cells' lower faces, or the highest one's upper ones, with normal +z.
-fn row(mesh: &Mesh, n: usize, upper: bool) -> Surface {
-    let order = mesh.order;
-    let face = order.face_nodes();
-    let cells = if upper { n * (n - 1)..n * n } else { 0..n };
-    let skip = if upper { order.brick_nodes() - face } else { 0 };
-    let faces = cells.flat_map(|c| mesh.brick(c)[skip..skip + face].to_vec());
-    Surface {
-        order,
-        faces: faces.collect(),
-    }
+fn block(order: Order, n: usize, map: impl Fn(f64, f64) -> [f64; 2]) -> Block {
+    Block::new(order, [n, 1, n], |s| {
+        let [x, z] = map(s[0], s[2]);
+        [x, s[1], z]
+    })
 }
 
 /// A body whose lateral displacements are held.
-fn problem(mesh: Mesh, layout: Vec<[f64; 3]>, compliance: f64) -> Problem {
+fn problem(block: Block, compliance: f64) -> Problem {
+    let Block { mesh, layout, .. } = block;
     let supports = vec![[None, Some(0.0), None]; mesh.nodes.len()];
     let material = Box::new(MooneyRivlin {
         c10: 0.144,
@@ -86,6 +50,7 @@ fn problem(mesh: Mesh, layout: Vec<[f64; 3]>, compliance: f64) -> Problem {
         supports,
         pressure: None,
         contact: None,
+        dead_forces: vec![],
     }
 }
 
@@ -124,8 +89,7 @@ fn patch_test_reproduces_a_homogeneous_deformation() {
     let dilating = [[1.2, 0.1], [-0.05, 0.9]];
     for (order, _) in PAIRS {
         for (compliance, f) in [(0.0, isochoric), (1.0 / 360.0, dilating), (0.5, dilating)] {
-            let (mesh, layout) = block(order, 3, bent);
-            let mut problem = problem(mesh, layout, compliance);
+            let mut problem = problem(block(order, 3, bent), compliance);
             let exact = |x: &Vector| {
                 let image = f.map(|row| row[0] * x[0] + row[1] * x[2]);
                 [image[0] - x[0], 0.0, image[1] - x[2]]
@@ -152,9 +116,9 @@ fn patch_test_reproduces_a_homogeneous_deformation() {
 
 /// A trapezoid hung from its upper side, its lower one sucked on to an uneven ground: all that a plane body can meet.
 fn loaded_block(order: Order) -> (Problem, Loads, f64) {
-    let n = 4;
-    let (mesh, layout) = block(order, n, |s, t| [2.0 * (s - 0.5) * (1.0 - 0.2 * t), t]);
-    let mut problem = problem(mesh, layout, 0.1);
+    let block = block(order, 4, |s, t| [2.0 * (s - 0.5) * (1.0 - 0.2 * t), t]);
+    let lower = block.side(2, false);
+    let mut problem = problem(block, 0.1);
     for (support, x) in problem.supports.iter_mut().zip(&problem.mesh.nodes) {
         if x[2] == 1.0 {
             support[0] = Some(0.05);
@@ -165,9 +129,8 @@ fn loaded_block(order: Order) -> (Problem, Loads, f64) {
         stiffness: 20.0,
         ramp: 1e-3,
     };
-    let lower = row(&problem.mesh, n, false);
-    problem.contact = Some(ContactSurface::new(&problem.mesh, lower, penalty));
-    problem.pressure = Some(PressureSurface::new(row(&problem.mesh, n, false)));
+    problem.contact = Some(ContactSurface::new(&problem.mesh, lower.clone(), penalty));
+    problem.pressure = Some(PressureSurface::new(lower));
     let ground = HeightField {
         base: 0.0,
         spacing: 0.5,
@@ -178,6 +141,7 @@ fn loaded_block(order: Order) -> (Problem, Loads, f64) {
         pressure: -0.02,
         ground: Some(ground.clone()),
         support_factor: 1.0,
+        traction_factor: 0.0,
     };
     let state = solve(&problem, &loads);
     let contact = problem.contact.as_ref().expect("set above");

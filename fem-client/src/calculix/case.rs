@@ -133,7 +133,7 @@ impl<'s> Case<'s> {
         let loads = Loads {
             pressure: scene.pressure.internal_mpa,
             ground: Some(field),
-            support_factor: 0.0,
+            ..Loads::default()
         };
         let reader = Reader::new(scene, model, &inflated, &pressed, &loads);
         let mut response = reader.response(self.readout);

@@ -66,5 +66,6 @@ pub fn problem(order: Order, n: usize, distorted: bool, compliance: f64) -> Prob
         supports,
         pressure: None,
         contact: None,
+        dead_forces: vec![],
     }
 }
