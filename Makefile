@@ -2,7 +2,7 @@
 
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
-.PHONY: run build test lint test-rust test-web test-browser setup-build setup-calculix setup-test help
+.PHONY: run build test lint test-rust test-web test-browser verify setup-build setup-calculix setup-test help
 
 STRAINSITE := $(or $(CARGO_TARGET_DIR),target)/release/strainsite
 export STRAINSITE_BIN := $(abspath $(STRAINSITE))
@@ -20,7 +20,7 @@ run: build
 build: setup-build
 	cargo build --release --locked --bin strainsite
 
-test: lint test-rust test-web test-browser
+test: lint test-rust test-web test-browser verify
 
 lint: setup-build
 	cargo fmt --all --check
@@ -36,6 +36,10 @@ test-web: setup-test
 # The binary that the Rust tests drive: building it apart from them would build its dependencies once more.
 test-browser: setup-test test-rust
 	cd tests/browser && npm ci && npm test
+
+# Every case whose answer is known, on the binary that the Rust tests drove.
+verify: test-rust
+	$(STRAINSITE) verify
 
 setup-build:
 	@command -v cargo >/dev/null || { echo "Rust is missing: install rustup's stable toolchain (1.95 or newer)"; exit 1; }

@@ -21,6 +21,7 @@
 //! - `neighbourhood`: what solves from the same equilibrium share
 //! - [`embedded`]: the solver built on `fem`
 //! - [`calculix`]: CalculiX as an external solver
+//! - [`verify`]: problems whose answer is known
 //! - [`closed_form`]: the stand-in solver for tests of what stands above
 
 pub mod calculix;
@@ -43,3 +44,4 @@ pub mod start_state;
 pub mod tire;
 pub mod tire_mesh;
 mod tire_mirror;
+pub mod verify;

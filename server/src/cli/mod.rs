@@ -11,6 +11,7 @@ mod signals;
 mod solve;
 mod table;
 mod validate;
+mod verify;
 
 use std::process::ExitCode;
 
@@ -37,6 +38,8 @@ enum Command {
     Solve(solve::Solve),
     /// Check a study or scene file without running it
     Validate(validate::Validate),
+    /// Solve problems whose answer is known, and compare
+    Verify(verify::Verify),
 }
 
 /// Runs the program: the one place that prints failures and chooses the exit code.
@@ -52,6 +55,8 @@ pub fn main() -> ExitCode {
         Command::Run(command) => (command.execute(), command.json),
         Command::Solve(command) => (command.execute(), command.json),
         Command::Validate(command) => (command.execute(), None),
+        // Its document holds the failed cases already.
+        Command::Verify(command) => (command.execute(), None),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,0 +1,144 @@
+//! `strainsite verify`: problems whose answer is known, solved and compared.
+
+use std::fmt::Write;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::Instant;
+
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use fem_client::verify::{Case, FAMILIES, Family, Verdict};
+use serde_json::json;
+
+use super::Failure;
+use super::output::{JsonTarget, tell};
+use super::signals::Signals;
+
+/// Solve problems whose answer is known, and compare
+#[derive(Debug, Args)]
+pub struct Verify {
+    /// Only these families of cases; repeat for several
+    #[arg(long, value_name = "FAMILY", value_parser = PossibleValuesParser::new(FAMILIES.map(|family| family.name)))]
+    only: Vec<String>,
+    /// Write the cases as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-")]
+    json: Option<JsonTarget>,
+}
+
+impl Verify {
+    /// Solves all cases and prints them as a Markdown table. Fails when one of them does.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let chosen = |family: &Family| {
+            self.only.is_empty() || self.only.iter().any(|name| name == family.name)
+        };
+        let families: Vec<Family> = FAMILIES.into_iter().filter(chosen).collect();
+        let stop = Arc::new(AtomicBool::new(false));
+        let runtime = tokio::runtime::Runtime::new().map_err(Failure::other)?;
+        let mut signals = runtime.block_on(async { Signals::listen() })?;
+        let flag = stop.clone();
+        runtime.spawn(async move {
+            signals.next().await;
+            flag.store(true, Ordering::Relaxed);
+        });
+        let begun = Instant::now();
+        let cases = solve(&families, &stop);
+        if stop.load(Ordering::Relaxed) {
+            return Err(Failure::Other("stopped on request".to_owned()));
+        }
+        if let Some(target) = &self.json {
+            target.write(&json!({"cases": cases}))?;
+        }
+        tell(&table(&cases), self.json.as_ref())?;
+        let failed = cases
+            .iter()
+            .filter(|case| case.verdict == Verdict::Fail)
+            .count();
+        let (count, wall) = (cases.len(), begun.elapsed().as_secs_f64());
+        eprintln!("{count} cases, {failed} failed, {wall:.1} s");
+        if failed > 0 {
+            return Err(Failure::Other(format!("{failed} of {count} cases failed")));
+        }
+        Ok(())
+    }
+}
+
+/// Solves the families on all cores, the last and slowest first, and returns their cases in order.
+fn solve(families: &[Family], stop: &AtomicBool) -> Vec<Case> {
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let taken = AtomicUsize::new(0);
+    let work = || {
+        let mut solved = Vec::new();
+        loop {
+            let number = taken.fetch_add(1, Ordering::Relaxed);
+            let Some(index) = families.len().checked_sub(number + 1) else {
+                return solved;
+            };
+            solved.push((index, families[index].cases(stop)));
+        }
+    };
+    let mut solved: Vec<(usize, Vec<Case>)> = std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        let joined = workers.into_iter().map(|worker| worker.join());
+        joined
+            .flat_map(|done| done.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+            .collect()
+    });
+    solved.sort_by_key(|(index, _)| *index);
+    solved.into_iter().flat_map(|(_, cases)| cases).collect()
+}
+
+fn table(cases: &[Case]) -> String {
+    let header = ["case", "computed", "expected", "error", "tolerance"];
+    let more = ["slope (theory)", "verdict", "expected value from"];
+    let mut rows: Vec<Vec<String>> =
+        vec![header.into_iter().chain(more).map(str::to_owned).collect()];
+    rows.extend(cases.iter().map(row));
+    let widths: Vec<usize> = (0..rows[0].len())
+        .map(|column| {
+            rows.iter()
+                .map(|row| row[column].chars().count())
+                .max()
+                .unwrap_or(0)
+        })
+        .collect();
+    let mut text = String::new();
+    for (index, row) in rows.iter().enumerate() {
+        for (cell, width) in row.iter().zip(&widths) {
+            // Writing to a string cannot fail.
+            let _ = write!(text, "| {cell:width$} ");
+        }
+        text.push_str("|\n");
+        if index == 0 {
+            for width in &widths {
+                let _ = write!(text, "| {:-<width$} ", "");
+            }
+            text.push_str("|\n");
+        }
+    }
+    text
+}
+
+fn row(case: &Case) -> Vec<String> {
+    let value = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), |v| format!("{v:.8}"));
+    let small =
+        |value: Option<f64>| value.map_or_else(|| "none".to_owned(), |v| format!("{v:.1e}"));
+    let slope = case
+        .slope
+        .map(|slope| format!("{:.2} ({})", slope.observed, slope.theoretical));
+    let verdict = match case.verdict {
+        Verdict::Pass => "pass",
+        Verdict::Fail => "FAIL",
+    };
+    vec![
+        case.name.clone(),
+        value(case.computed),
+        value(Some(case.expected)),
+        small(case.error),
+        small(Some(case.tolerance)),
+        slope.unwrap_or_default(),
+        verdict.to_owned(),
+        case.detail
+            .clone()
+            .unwrap_or_else(|| case.source.to_owned()),
+    ]
+}
