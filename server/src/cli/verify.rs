@@ -142,3 +142,32 @@ fn row(case: &Case) -> Vec<String> {
             .unwrap_or_else(|| case.source.to_owned()),
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fem_client::verify::Measure;
+
+    #[test]
+    fn a_case_without_an_answer_fails_and_says_why() {
+        let case = Case {
+            name: "sphere".to_owned(),
+            computed: None,
+            expected: 1.5,
+            error: None,
+            tolerance: 0.0,
+            measure: Measure::Relative,
+            slope: None,
+            source: "",
+            verdict: Verdict::Fail,
+            detail: Some("no limit point".to_owned()),
+        };
+        let text = table(&[case]);
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines.len(), 3, "{text}");
+        assert!(lines[2].contains("| none ") && lines[2].contains("| FAIL "));
+        assert!(lines[2].contains("no limit point"));
+        let lengths: Vec<usize> = lines.iter().map(|line| line.len()).collect();
+        assert_eq!(lengths, [lengths[0]; 3], "columns line up");
+    }
+}
