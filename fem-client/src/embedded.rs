@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use fem::newton::{Effort, Newton};
+use fem::newton::{Effort, Newton, NewtonSettings};
 use fem::path::PathReport;
 use fem::problem::{Loads, State};
 use sha2::{Digest, Sha256};
@@ -25,9 +25,19 @@ const TOLERANCE: f64 = 1e-8;
 const CONTACT_MARGIN: f64 = 0.1;
 
 /// Solves scenes with the `fem` crate, one equilibrium per call, on the calling thread.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct EmbeddedSolver {
+    settings: NewtonSettings,
     neighbourhoods: Neighbourhoods,
+}
+
+impl Default for EmbeddedSolver {
+    fn default() -> Self {
+        Self::with_settings(NewtonSettings {
+            tolerance: TOLERANCE,
+            ..NewtonSettings::default()
+        })
+    }
 }
 
 impl Solver for EmbeddedSolver {
@@ -47,6 +57,14 @@ impl Solver for EmbeddedSolver {
 }
 
 impl EmbeddedSolver {
+    /// A solver whose equilibria are found otherwise. Its version says nothing of that: for measurements, not for storage.
+    pub fn with_settings(settings: NewtonSettings) -> Self {
+        Self {
+            settings,
+            neighbourhoods: Neighbourhoods::default(),
+        }
+    }
+
     /// Solves a scene on a mesh of the caller's choice.
     ///
     /// # Errors
@@ -70,8 +88,8 @@ impl EmbeddedSolver {
                 self.neighbourhoods.of(request.scene, plan, extent, start)
             });
         match near {
-            Some(near) => solve_near(request, &near, begin),
-            None => solve_afresh(request, plan, begin),
+            Some(near) => solve_near(request, &near, self.settings, begin),
+            None => solve_afresh(request, plan, self.settings, begin),
         }
     }
 }
@@ -95,10 +113,13 @@ fn broken(error: impl std::fmt::Display) -> SolveError {
 fn solve_near(
     request: &SolveRequest<'_>,
     near: &Neighbourhood,
+    settings: NewtonSettings,
     begin: Instant,
 ) -> Result<Solved, SolveError> {
     let newton = Newton::with_tangent(&near.model.problem, near.tangent.clone());
-    let mut session = session(request, &near.model, newton.map_err(broken)?);
+    let mut newton = newton.map_err(broken)?;
+    newton.settings = settings;
+    let mut session = session(request, &near.model, newton);
     let target = session.target(&near.inflated);
     let (depths, mirrored) = near.canonical(&request.scene.ground.depths_mm);
     let pressed = match near.recall(&depths) {
@@ -136,6 +157,7 @@ fn solve_near(
 fn solve_afresh(
     request: &SolveRequest<'_>,
     plan: &MeshPlan,
+    settings: NewtonSettings,
     begin: Instant,
 ) -> Result<Solved, SolveError> {
     let model = TireModel::new(request.scene, plan, extent(request.scene));
@@ -144,7 +166,8 @@ fn solve_afresh(
         &State::reference(&model.problem),
         &expected_contact(request.scene),
     );
-    let newton = newton.map_err(broken)?;
+    let mut newton = newton.map_err(broken)?;
+    newton.settings = settings;
     let start = request.start;
     let near_inflated = start.and_then(|start| model.fit(&start.inflated));
     let near_equilibrium = start.and_then(|start| model.fit(&start.equilibrium));
@@ -177,9 +200,8 @@ fn expected_contact(scene: &Scene) -> Loads {
 fn session<'m>(
     request: &SolveRequest<'m>,
     model: &'m TireModel,
-    mut newton: Newton<'m>,
+    newton: Newton<'m>,
 ) -> Session<'m> {
-    newton.settings.tolerance = TOLERANCE;
     Session {
         scene: request.scene,
         model,

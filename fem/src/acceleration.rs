@@ -3,8 +3,6 @@
 //! Steps made with a kept tangent shrink by some factor a step. From the changes of the last few steps the next is
 //! corrected such that, were the iteration linear, the smallest residual step in their span would remain.
 
-/// Steps that are remembered.
-const DEPTH: usize = 3;
 /// Smallest pivot of the normal equations relative to its diagonal; a more dependent change is dropped.
 const DEPENDENT: f64 = 1e-10;
 
@@ -32,10 +30,14 @@ impl Acceleration {
         self.started = false;
     }
 
-    /// Corrects a raw step in place. Only the first `measured` components are minimised; all are corrected.
-    pub(crate) fn correct(&mut self, step: &mut [f64], measured: usize) {
+    /// Corrects a raw step in place, from the changes over the last `depth` steps. Only the first `measured` components are
+    /// minimised; all are corrected.
+    pub(crate) fn correct(&mut self, step: &mut [f64], measured: usize, depth: usize) {
+        if depth == 0 {
+            return;
+        }
         if self.started {
-            self.remember(step);
+            self.remember(step, depth);
         }
         self.raw.clear();
         self.raw.extend_from_slice(step);
@@ -50,8 +52,8 @@ impl Acceleration {
         self.started = true;
     }
 
-    fn remember(&mut self, step: &[f64]) {
-        let mut change = if self.changes.len() == DEPTH {
+    fn remember(&mut self, step: &[f64], depth: usize) {
+        let mut change = if self.changes.len() >= depth {
             self.changes.remove(0)
         } else {
             self.spare.pop().unwrap_or_default()
@@ -141,7 +143,7 @@ mod tests {
         let mut acceleration = Acceleration::default();
         for _ in 0..=3 {
             let mut step = [0, 1, 2].map(|i| dot(&matrix[i], &x) - x[i]);
-            acceleration.correct(&mut step, 3);
+            acceleration.correct(&mut step, 3, 3);
             x = [0, 1, 2].map(|i| x[i] + step[i]);
         }
         // Three projections of numbers of order one, each rounded, over a determinant of 0.1.
@@ -149,11 +151,21 @@ mod tests {
     }
 
     #[test]
+    fn without_depth_a_step_stays_as_it_is() {
+        let mut acceleration = Acceleration::default();
+        for size in [1.0, 0.5, 0.25] {
+            let mut step = [size, 2.0 * size];
+            acceleration.correct(&mut step, 2, 0);
+            assert_eq!(step, [size, 2.0 * size]);
+        }
+    }
+
+    #[test]
     fn repeated_changes_are_dropped() {
         let mut acceleration = Acceleration::default();
         for size in [1.0, 0.5, 0.25, 0.125] {
             let mut step = [size, 2.0 * size];
-            acceleration.correct(&mut step, 2);
+            acceleration.correct(&mut step, 2, 3);
             assert!(step.iter().all(|s| s.is_finite()));
         }
     }

@@ -440,7 +440,9 @@ impl<'p> Newton<'p> {
         self.flat.clear();
         self.flat.extend_from_slice(self.increments.as_flattened());
         self.flat.extend_from_slice(&self.pressure_increments);
-        self.acceleration.correct(&mut self.flat, displacements);
+        let depth = self.settings.acceleration_depth;
+        self.acceleration
+            .correct(&mut self.flat, displacements, depth);
         let (displacement, pressure) = self.flat.split_at(displacements);
         self.increments
             .as_flattened_mut()

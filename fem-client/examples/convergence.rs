@@ -1,0 +1,159 @@
+//! The reference tire on ever finer meshes, and against an independent code on that code's meshes; prints Markdown.
+//!
+//! `cargo run --release -p fem-client --example convergence`, three minutes and 4 GB.
+
+use fem::element::Order;
+use fem::surface::Recovery;
+use fem_client::embedded::EmbeddedSolver;
+use fem_client::solver::Solved;
+use fem_client::tire::TireModel;
+use fem_client::tire_mesh::{Extent, MeshPlan};
+
+#[path = "../tests/independent/mod.rs"]
+mod independent;
+#[path = "support/limit.rs"]
+mod limit;
+#[path = "support/meshes.rs"]
+mod meshes;
+#[path = "support/tire.rs"]
+mod tire;
+
+use limit::limit;
+use meshes::{ORDERS, REFINEMENTS, plan};
+use tire::{reference, solve};
+
+const DEPTHS: [f64; 3] = [0.5, 1.0, 2.0];
+/// Columns of values.
+const QUANTITIES: [&str; 5] = ["reaction N", "x", "y", "x, raw", "y, raw"];
+
+/// Values at the centre on one mesh, one set a depth.
+struct Mesh {
+    unknowns: usize,
+    values: Vec<[f64; QUANTITIES.len()]>,
+}
+
+fn main() {
+    for (name, order) in ORDERS {
+        let meshes: Vec<Mesh> = REFINEMENTS.map(|r| measure(order, r)).into();
+        for (k, depth) in DEPTHS.into_iter().enumerate() {
+            println!("### {name}, {depth} mm\n");
+            table(&meshes, k);
+        }
+    }
+    println!("### Against the independent code, on its meshes\n");
+    comparison();
+}
+
+fn measure(order: Order, refinement: usize) -> Mesh {
+    let plan = plan(order, refinement);
+    let solver = EmbeddedSolver::default();
+    let middle = solve(&solver, &reference(1.0), &plan, None);
+    let unknowns = middle.response.model.dofs;
+    let solved = DEPTHS.map(|depth| match depth {
+        1.0 => values(&middle, &plan),
+        _ => {
+            let start = Some(&middle.state);
+            values(&solve(&solver, &reference(depth), &plan, start), &plan)
+        }
+    });
+    Mesh {
+        unknowns,
+        values: solved.into(),
+    }
+}
+
+/// Reaction, recovered strains and the elements' own at the centre.
+fn values(solved: &Solved, plan: &MeshPlan) -> [f64; QUANTITIES.len()] {
+    let model = TireModel::new(&reference(1.0), plan, Extent::Quarter);
+    let mesh = &model.problem.mesh;
+    let centre = model.grid.inner_point(0.0, 0.0);
+    let [before, after] = [&solved.state.inflated, &solved.state.equilibrium].map(|flat| {
+        let state = model.fit(flat).expect("it was solved on this mesh");
+        Recovery::new(&model.chart, mesh, |node| state.position(mesh, node)).raw_at(centre)
+    });
+    let response = &solved.response;
+    let recovered = &response.locations[response.locations.len() / 2];
+    [
+        response.reaction_n,
+        recovered.strain_x,
+        recovered.strain_y,
+        after.s1 / before.s1 - 1.0,
+        after.s2 / before.s2 - 1.0,
+    ]
+}
+
+fn table(meshes: &[Mesh], depth: usize) {
+    let columns = QUANTITIES.map(|name| format!("{name} | to the finest"));
+    println!("| refinement | unknowns | {} |", columns.join(" | "));
+    println!("| ---{} |", " | ---".repeat(1 + 2 * QUANTITIES.len()));
+    let finest = &meshes[meshes.len() - 1].values[depth];
+    for (refinement, mesh) in REFINEMENTS.iter().zip(meshes) {
+        let cells: Vec<String> = (0..QUANTITIES.len())
+            .map(|k| {
+                let (value, end) = (mesh.values[depth][k], finest[k]);
+                let share = 100.0 * (value / end - 1.0);
+                format!("{} | {share:+.2} %", number(k, value))
+            })
+            .collect();
+        println!(
+            "| {refinement} | {} | {} |",
+            mesh.unknowns,
+            cells.join(" | ")
+        );
+    }
+    let sizes = REFINEMENTS.map(|r| 1.0 / r as f64);
+    let limits: Vec<String> = (0..QUANTITIES.len())
+        .map(|k| {
+            let values: Vec<f64> = meshes.iter().map(|mesh| mesh.values[depth][k]).collect();
+            let limit = limit(&sizes, &values);
+            let order = limit
+                .order
+                .map_or("no order".into(), |p| format!("order {p:.1}"));
+            let (value, error) = (number(k, limit.value), number(k, limit.error));
+            format!("**{value} +-{error}** | {order}")
+        })
+        .collect();
+    println!("| limit | | {} |\n", limits.join(" | "));
+}
+
+/// Newtons to 0.1 mN, strains to 1e-6.
+fn number(quantity: usize, value: f64) -> String {
+    match quantity {
+        0 => format!("{value:.4}"),
+        _ => format!("{value:.6}"),
+    }
+}
+
+fn comparison() {
+    println!(
+        "| case | displacements | depth mm | inflated radius mm, theirs | ours, difference | inflated stretch, largest difference | reaction N, theirs | ours, relative difference | x at P3, theirs | ours, difference | y at P3, theirs | ours, difference | least cord stretch |"
+    );
+    println!("| ---{} |", " | ---".repeat(12));
+    let figures = independent::figures();
+    for case in figures.chunk_by(|a, b| a.case == b.case) {
+        for (theirs, ours) in case.iter().zip(independent::solve(case)) {
+            let (a, b) = (&theirs.solution, &ours.solution);
+            let stretch = theirs.inflated_stretch.map_or(String::new(), |stretch| {
+                let pairs = stretch.iter().zip(ours.inflated_stretch);
+                let differences = pairs.map(|(a, b)| (a - b).abs());
+                format!("{:.0e}", differences.fold(0.0, f64::max))
+            });
+            println!(
+                "| {} | {} | {} | {:.5} | {:+.0e} | {} | {:.5} | {:+.0e} | {:.6} | {:+.0e} | {:.6} | {:+.0e} | {:.4} |",
+                theirs.case,
+                theirs.displacements(),
+                theirs.depth_mm,
+                a.inflated_radius_mm,
+                b.inflated_radius_mm - a.inflated_radius_mm,
+                stretch,
+                a.reaction_n,
+                b.reaction_n / a.reaction_n - 1.0,
+                a.x[0],
+                b.x[0] - a.x[0],
+                a.y[0],
+                b.y[0] - a.y[0],
+                ours.least_cord_stretch,
+            );
+        }
+    }
+}
