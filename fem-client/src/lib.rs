@@ -17,6 +17,7 @@
 //! - `tire_mirror`: its states, left and right exchanged
 //! - [`tire`]: a scene as a boundary value problem: what is modelled, and what is left out
 //! - [`probe`], [`readout`]: strains of an equilibrium with their errors
+//! - `self_contact`: whether a pressed tire touches itself
 //! - `session`: one solve on its way: inflate, press
 //! - `neighbourhood`: what solves from the same equilibrium share
 //! - [`embedded`]: the solver built on `fem`
@@ -38,6 +39,7 @@ pub mod readout;
 pub mod scene;
 pub mod scene_edit;
 pub mod scene_reader;
+mod self_contact;
 mod session;
 pub mod solver;
 pub mod start_state;

@@ -8,6 +8,7 @@ use fem::problem::{Loads, State};
 
 use crate::neighbourhood::Pressed;
 use crate::scene::Scene;
+use crate::self_contact::touches_itself;
 use crate::solver::{NoEquilibrium, Reached, SolveError};
 use crate::tire::{FRICTION_STEPS, TireModel, ground};
 
@@ -79,6 +80,9 @@ impl Session<'_> {
     ) -> Result<Pressed, SolveError> {
         let before = self.newton.effort.iterations;
         let (state, report) = self.follow_depths(inflated, target, near)?;
+        if touches_itself(self.model, &state) {
+            return Err(self.self_contact(inflated, target));
+        }
         Ok(Pressed {
             state,
             report,
@@ -122,6 +126,51 @@ impl Session<'_> {
         ) {
             Ok(report) => Ok((state, report)),
             Err(failure) => Err(pressing_error(self.scene, &failure)),
+        }
+    }
+}
+
+/// Halvings of the way to the depths in the search of the first self-contact.
+const SELF_CONTACT_STEPS: usize = 7;
+
+impl Session<'_> {
+    /// Finds how far the tire can be pressed before it touches itself.
+    fn self_contact(&mut self, inflated: &State, target: &Loads) -> SolveError {
+        let unpressed = self.inflation();
+        let (mut apart, mut touching) = (0.0, 1.0);
+        let mut state = inflated.clone();
+        for _ in 0..SELF_CONTACT_STEPS {
+            let middle = 0.5 * (apart + touching);
+            let mut trial = state.clone();
+            let (from, to) = (
+                unpressed.towards(target, apart),
+                unpressed.towards(target, middle),
+            );
+            let ignored = Stability::Ignored;
+            let path = follow(&mut self.newton, &mut trial, &from, &to, ignored, self.stop);
+            if path.is_ok() && !touches_itself(self.model, &trial) {
+                (apart, state) = (middle, trial);
+            } else {
+                touching = middle;
+            }
+        }
+        let reached = unpressed.towards(target, apart);
+        SolveError::NoEquilibrium {
+            status: NoEquilibrium::SelfContact,
+            detail: format!(
+                "the inner surface touches itself between {:.1} and {:.1} % of the way to the depths {:?} mm: press less, \
+                 or inflate more",
+                100.0 * apart,
+                100.0 * touching,
+                self.scene.ground.depths_mm
+            ),
+            reached: Reached {
+                pressure_mpa: reached.pressure,
+                depths_mm: reached
+                    .ground
+                    .map(|ground| ground.depths)
+                    .unwrap_or_default(),
+            },
         }
     }
 }

@@ -299,6 +299,11 @@ impl TireGrid {
         self.node([0, centre * e, self.rho_nodes() - 1])
     }
 
+    /// Node of the inner surface on these grid lines.
+    pub(crate) fn inner_node(&self, phi: usize, theta: usize) -> u32 {
+        self.node([phi, theta, 0])
+    }
+
     /// Nodes on the bead, on the plane y = 0, and (quarter mesh) on the plane x = 0.
     pub fn held_nodes(&self) -> HeldNodes {
         let (last_phi, last_theta) = (self.phi_nodes() - 1, self.theta_nodes() - 1);

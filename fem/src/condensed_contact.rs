@@ -20,8 +20,10 @@ use crate::problem::{Problem, State};
 use crate::setup::Setup;
 use crate::tensor::Vector;
 
-/// Newton steps on the border; opening and closing settles in far fewer.
-const MAX_ITERATIONS: usize = 60;
+/// Newton steps on the border; opening and closing settles in ten or less.
+const MAX_ITERATIONS: usize = 30;
+/// Steps without a new smallest residual after which the last iterate has to do.
+const PATIENCE: usize = 5;
 /// Residual relative to the forces of the border that is round-off.
 const ROUND_OFF: f64 = 1e-12;
 /// Slope after a step, relative to that before, above which the step is shortened.
@@ -86,12 +88,16 @@ impl<'a> CondensedContact<'a> {
     pub(crate) fn solve(&self, rhs: &Col<f64>, tolerance: f64) -> Col<f64> {
         let mut x = Col::<f64>::zeros(rhs.nrows());
         let mut tangent = Mat::zeros(rhs.nrows(), rhs.nrows());
+        let (mut smallest, mut in_vain) = (f64::INFINITY, 0);
         for _ in 0..MAX_ITERATIONS {
             tangent.copy_from(self.schur);
             let forces = self.forces(&x, Some(&mut tangent));
             let residual = self.schur * &x + &forces - rhs;
             let round_off = ROUND_OFF * (forces.norm_l2() + rhs.norm_l2());
-            if residual.norm_l2() <= tolerance.max(round_off) {
+            let size = residual.norm_l2();
+            in_vain = if size < smallest { 0 } else { in_vain + 1 };
+            smallest = smallest.min(size);
+            if size <= tolerance.max(round_off) || in_vain == PATIENCE {
                 break;
             }
             let (step, length);

@@ -9,6 +9,8 @@ use crate::system::Imbalance;
 
 /// Smallest fraction of the whole path that is tried before giving up.
 const SMALLEST_STEP: f64 = 1.0 / 1024.0;
+/// Newton iterations after which a path is given up that had to be cut back: each step needs some ten.
+const MOST_ITERATIONS: usize = 600;
 
 /// Whether a load step may end in an equilibrium whose tangent isn't positive definite.
 ///
@@ -66,6 +68,7 @@ pub fn follow(
         cut_backs: 0,
     };
     let (mut reached, mut step) = (0.0, newton.settings.largest_load_step);
+    let (mut cut, before) = (false, newton.effort.iterations);
     if state.anchors.is_empty() {
         state.settle(newton.problem(), start.ground.as_ref());
     }
@@ -87,7 +90,10 @@ pub fn follow(
                 *state = trial;
                 state.settle(newton.problem(), loads.ground.as_ref());
                 reached = next;
-                step = f64::min(2.0 * step, newton.settings.largest_load_step);
+                // A step that has just been cut back is kept once, or it would fail again at once.
+                if !std::mem::take(&mut cut) {
+                    step = f64::min(2.0 * step, newton.settings.largest_load_step);
+                }
                 report.steps.push(converged.history);
             }
             attempt => {
@@ -97,7 +103,9 @@ pub fn follow(
                     indefinite,
                 } = refused(attempt);
                 step *= 0.5;
-                if step < SMALLEST_STEP || cause == Cause::Stopped {
+                cut = true;
+                let spent = newton.effort.iterations - before > MOST_ITERATIONS;
+                if step < SMALLEST_STEP || spent || cause == Cause::Stopped {
                     let loads = start.towards(target, reached);
                     return Err(Box::new(PathFailure {
                         reached,

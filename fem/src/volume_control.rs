@@ -79,6 +79,20 @@ impl<'p> VolumeControl<'p> {
         self.solve_from(state, 0.0, volume, stop)
     }
 
+    /// The equilibrium whose volume is that of a state which is nearly in balance with this pressure, MPa.
+    ///
+    /// # Errors
+    /// [`NotConverged`] with the residual history and the cause.
+    pub fn at(
+        &mut self,
+        state: State,
+        pressure: f64,
+        stop: &AtomicBool,
+    ) -> Result<Inflated, NotConverged> {
+        let volume = self.volume(&state);
+        self.solve_from(state, pressure, volume, stop)
+    }
+
     /// The equilibrium at another volume (mm^3), found from a near one.
     ///
     /// # Errors
