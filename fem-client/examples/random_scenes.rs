@@ -58,7 +58,6 @@ impl Summary {
         let begin = Instant::now();
         let ending = ending(scene);
         let took = begin.elapsed();
-        eprintln!("{} {} {:.2} s", self.scenes, ending.name, took.as_secs_f64());
         self.scenes += 1;
         self.total += took;
         self.slowest = self.slowest.max(took);

@@ -18,6 +18,7 @@
 //! - [`tire`]: a scene as a boundary value problem: what is modelled, and what is left out
 //! - [`probe`], [`readout`]: strains of an equilibrium with their errors
 //! - `self_contact`: whether a pressed tire touches itself
+//! - `failure`: why a tire has no equilibrium
 //! - `session`: one solve on its way: inflate, press
 //! - `neighbourhood`: what solves from the same equilibrium share
 //! - [`embedded`]: the solver built on `fem`
@@ -29,6 +30,7 @@ pub mod calculix;
 pub mod closed_form;
 pub mod document;
 pub mod embedded;
+mod failure;
 pub mod fault;
 pub mod fields;
 pub mod gauge;

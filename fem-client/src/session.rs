@@ -2,15 +2,19 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::newton::{Cause, Newton};
+use fem::newton::{Newton, NewtonSettings};
 use fem::path::{PathFailure, PathReport, Stability, follow};
 use fem::problem::{Loads, State};
 
+use crate::failure::{beyond_limit, inflation_error, limit_point, pressing_failure, self_contact};
 use crate::neighbourhood::Pressed;
 use crate::scene::Scene;
 use crate::self_contact::touches_itself;
-use crate::solver::{NoEquilibrium, Reached, SolveError};
+use crate::solver::SolveError;
 use crate::tire::{FRICTION_STEPS, TireModel, ground};
+
+/// Smallest step of inflation before a limit point is looked for.
+const COARSEST_CUT_BACK: f64 = 1.0 / 32.0;
 
 /// A scene's model with its Newton method.
 pub(crate) struct Session<'m> {
@@ -49,12 +53,38 @@ impl Session<'_> {
             }
         }
         let mut state = State::reference(&self.model.problem);
+        self.newton.settings.smallest_load_step = COARSEST_CUT_BACK;
         match follow(
             &mut self.newton,
             &mut state,
             &Loads::default(),
             &target,
             Stability::Required,
+            self.stop,
+        ) {
+            Ok(_) => Ok(state),
+            Err(failure) => self.inflate_further(state, &failure),
+        }
+    }
+
+    /// Where inflation in large steps ended: at a limit point, or it goes on in small ones.
+    fn inflate_further(
+        &mut self,
+        mut state: State,
+        failure: &PathFailure,
+    ) -> Result<State, SolveError> {
+        if let Some(limit) = limit_point(self.scene, self.model, &state, failure, self.stop) {
+            return Err(beyond_limit(self.scene, &limit));
+        }
+        self.newton.settings.smallest_load_step = NewtonSettings::default().smallest_load_step;
+        let (start, target) = (failure.loads.clone(), self.inflation());
+        let required = Stability::Required;
+        match follow(
+            &mut self.newton,
+            &mut state,
+            &start,
+            &target,
+            required,
             self.stop,
         ) {
             Ok(_) => Ok(state),
@@ -78,10 +108,13 @@ impl Session<'_> {
         target: &Loads,
         near: Option<(&State, &Loads)>,
     ) -> Result<Pressed, SolveError> {
+        self.newton.settings.smallest_load_step = NewtonSettings::default().smallest_load_step;
         let before = self.newton.effort.iterations;
         let (state, report) = self.follow_depths(inflated, target, near)?;
         if touches_itself(self.model, &state) {
-            return Err(self.self_contact(inflated, target));
+            let path = [&self.inflation(), target];
+            let newton = &mut self.newton;
+            return Err(self_contact(self.model, newton, inflated, path, self.stop));
         }
         Ok(Pressed {
             state,
@@ -125,120 +158,12 @@ impl Session<'_> {
             self.stop,
         ) {
             Ok(report) => Ok((state, report)),
-            Err(failure) => Err(pressing_error(self.scene, &failure)),
+            Err(failure) => Err(pressing_failure(
+                self.scene,
+                &mut self.newton,
+                &state,
+                &failure,
+            )),
         }
-    }
-}
-
-/// Halvings of the way to the depths in the search of the first self-contact.
-const SELF_CONTACT_STEPS: usize = 7;
-
-impl Session<'_> {
-    /// Finds how far the tire can be pressed before it touches itself.
-    fn self_contact(&mut self, inflated: &State, target: &Loads) -> SolveError {
-        let unpressed = self.inflation();
-        let (mut apart, mut touching) = (0.0, 1.0);
-        let mut state = inflated.clone();
-        for _ in 0..SELF_CONTACT_STEPS {
-            let middle = 0.5 * (apart + touching);
-            let mut trial = state.clone();
-            let (from, to) = (
-                unpressed.towards(target, apart),
-                unpressed.towards(target, middle),
-            );
-            let ignored = Stability::Ignored;
-            let path = follow(&mut self.newton, &mut trial, &from, &to, ignored, self.stop);
-            if path.is_ok() && !touches_itself(self.model, &trial) {
-                (apart, state) = (middle, trial);
-            } else {
-                touching = middle;
-            }
-        }
-        let reached = unpressed.towards(target, apart);
-        SolveError::NoEquilibrium {
-            status: NoEquilibrium::SelfContact,
-            detail: format!(
-                "the inner surface touches itself between {:.1} and {:.1} % of the way to the depths {:?} mm: press less, \
-                 or inflate more",
-                100.0 * apart,
-                100.0 * touching,
-                self.scene.ground.depths_mm
-            ),
-            reached: Reached {
-                pressure_mpa: reached.pressure,
-                depths_mm: reached
-                    .ground
-                    .map(|ground| ground.depths)
-                    .unwrap_or_default(),
-            },
-        }
-    }
-}
-
-fn inflation_error(scene: &Scene, failure: &PathFailure) -> SolveError {
-    let reached = Reached {
-        pressure_mpa: failure.loads.pressure,
-        depths_mm: Vec::new(),
-    };
-    let asked = scene.pressure.internal_mpa;
-    let at = failure.loads.pressure;
-    if failure.indefinite {
-        let detail = format!(
-            "inflation lost its stability just above {at:.6} MPa of the {asked} MPa asked for: this wall cannot hold the \
-             pressure; use a thicker wall, a stiffer rubber, a carcass or less pressure"
-        );
-        return no_equilibrium(NoEquilibrium::LimitPoint, detail, reached, failure.cause);
-    }
-    let detail = format!(
-        "inflation stopped at {at:.6} MPa of the {asked} MPa asked for ({})",
-        cause(failure.cause)
-    );
-    no_equilibrium(NoEquilibrium::NotConverged, detail, reached, failure.cause)
-}
-
-fn pressing_error(scene: &Scene, failure: &PathFailure) -> SolveError {
-    let depths = failure
-        .loads
-        .ground
-        .as_ref()
-        .map(|ground| ground.depths.clone())
-        .unwrap_or_default();
-    let detail = format!(
-        "pressing stopped at {:.1} % of the way to the depths {:?} mm ({})",
-        100.0 * failure.reached,
-        scene.ground.depths_mm,
-        cause(failure.cause)
-    );
-    let reached = Reached {
-        pressure_mpa: failure.loads.pressure,
-        depths_mm: depths,
-    };
-    no_equilibrium(NoEquilibrium::NotConverged, detail, reached, failure.cause)
-}
-
-fn no_equilibrium(
-    status: NoEquilibrium,
-    detail: String,
-    reached: Reached,
-    cause: Cause,
-) -> SolveError {
-    match cause {
-        Cause::Stopped => SolveError::Stopped,
-        _ => SolveError::NoEquilibrium {
-            status,
-            detail,
-            reached,
-        },
-    }
-}
-
-fn cause(cause: Cause) -> &'static str {
-    match cause {
-        Cause::Iterations => "too many Newton iterations at the smallest load step",
-        Cause::Diverged => "the residual grew without bound at the smallest load step",
-        Cause::Inverted => "an element would turn inside out",
-        Cause::Singular(_) => "the tangent is singular",
-        Cause::Unstable => "the equilibrium found is unstable",
-        Cause::Stopped => "stopped on request",
     }
 }

@@ -7,10 +7,8 @@ use crate::newton::{Cause, Converged, Newton, NotConverged};
 use crate::problem::{Loads, State};
 use crate::system::Imbalance;
 
-/// Smallest fraction of the whole path that is tried before giving up.
-const SMALLEST_STEP: f64 = 1.0 / 1024.0;
 /// Newton iterations after which a path is given up that had to be cut back: each step needs some ten.
-const MOST_ITERATIONS: usize = 600;
+const MOST_ITERATIONS: usize = 200;
 
 /// Whether a load step may end in an equilibrium whose tangent isn't positive definite.
 ///
@@ -105,7 +103,7 @@ pub fn follow(
                 step *= 0.5;
                 cut = true;
                 let spent = newton.effort.iterations - before > MOST_ITERATIONS;
-                if step < SMALLEST_STEP || spent || cause == Cause::Stopped {
+                if step < newton.settings.smallest_load_step || spent || cause == Cause::Stopped {
                     let loads = start.towards(target, reached);
                     return Err(Box::new(PathFailure {
                         reached,

@@ -18,6 +18,8 @@ pub struct NewtonSettings {
     pub min_volume_ratio: f64,
     /// Largest fraction of a path that one load step may take.
     pub largest_load_step: f64,
+    /// Smallest fraction of a path that is tried before it is given up.
+    pub smallest_load_step: f64,
     /// Steps with a kept tangent that cost as much as a new one and the step with it; 0 makes a new one for every step.
     pub renewal_cost: f64,
     /// Earlier steps with a kept tangent from which the next one is corrected; 0 takes steps as they are.
@@ -32,6 +34,7 @@ impl Default for NewtonSettings {
             divergence: 1e6,
             min_volume_ratio: 0.05,
             largest_load_step: 1.0,
+            smallest_load_step: 1.0 / 256.0,
             renewal_cost: 8.0,
             acceleration_depth: 3,
         }
