@@ -2,7 +2,8 @@
 //!
 //! The other code's contact pressure is k (g + w)^2 / (4 w) from the gap g = -w to w = 0.004 mm and k g beyond: ours with a
 //! ramp of 2 w and the ground raised by w. Its strains are those of the elements' own displacements, not recovered ones:
-//! averaged over neighbouring bricks at each node of the crown line, linear between nodes.
+//! averaged over neighbouring bricks at each node of the crown line, linear between nodes. That readout, and the growth of its bricks towards the bead, aren't in its description: they were
+//! found by trying, see `docs/convergence.md`.
 
 use std::sync::atomic::AtomicBool;
 
