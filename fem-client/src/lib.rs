@@ -14,6 +14,7 @@
 //! - [`start_state`]: start states as bytes
 //! - `grid_lines`: where the bricks of a mesh begin and end
 //! - [`tire_mesh`]: the structured mesh of a tire
+//! - `tire_surfaces`: its surfaces, and points of them
 //! - `tire_mirror`: its states, left and right exchanged
 //! - [`tire`]: a scene as a boundary value problem: what is modelled, and what is left out
 //! - [`probe`], [`readout`]: strains of an equilibrium with their errors
@@ -48,4 +49,5 @@ pub mod start_state;
 pub mod tire;
 pub mod tire_mesh;
 mod tire_mirror;
+mod tire_surfaces;
 pub mod verify;

@@ -33,35 +33,29 @@ impl Session<'_> {
         }
     }
 
+    fn follow(
+        &mut self,
+        state: &mut State,
+        start: &Loads,
+        target: &Loads,
+        stability: Stability,
+    ) -> Result<PathReport, Box<PathFailure>> {
+        follow(&mut self.newton, state, start, target, stability, self.stop)
+    }
+
     /// The inflated state, from `near`, the inflated state of a similar scene, or from nothing.
     pub(crate) fn inflate(&mut self, near: Option<State>) -> Result<State, SolveError> {
         let target = self.inflation();
         if let Some(mut state) = near {
             let start = target.clone();
             let required = Stability::Required;
-            if follow(
-                &mut self.newton,
-                &mut state,
-                &start,
-                &target,
-                required,
-                self.stop,
-            )
-            .is_ok()
-            {
+            if self.follow(&mut state, &start, &target, required).is_ok() {
                 return Ok(state);
             }
         }
         let mut state = State::reference(&self.model.problem);
         self.newton.settings.smallest_load_step = COARSEST_CUT_BACK;
-        match follow(
-            &mut self.newton,
-            &mut state,
-            &Loads::default(),
-            &target,
-            Stability::Required,
-            self.stop,
-        ) {
+        match self.follow(&mut state, &Loads::default(), &target, Stability::Required) {
             Ok(_) => Ok(state),
             Err(failure) => self.inflate_further(state, &failure),
         }
@@ -79,14 +73,7 @@ impl Session<'_> {
         self.newton.settings.smallest_load_step = NewtonSettings::default().smallest_load_step;
         let (start, target) = (failure.loads.clone(), self.inflation());
         let required = Stability::Required;
-        match follow(
-            &mut self.newton,
-            &mut state,
-            &start,
-            &target,
-            required,
-            self.stop,
-        ) {
+        match self.follow(&mut state, &start, &target, required) {
             Ok(_) => Ok(state),
             Err(failure) => Err(inflation_error(self.scene, &failure)),
         }
@@ -132,14 +119,7 @@ impl Session<'_> {
         let ignored = Stability::Ignored;
         if let Some((equilibrium, loads)) = near {
             let mut state = equilibrium.clone();
-            let path = follow(
-                &mut self.newton,
-                &mut state,
-                loads,
-                target,
-                ignored,
-                self.stop,
-            );
+            let path = self.follow(&mut state, loads, target, ignored);
             if let Ok(report) = path {
                 return Ok((state, report));
             }
@@ -149,14 +129,7 @@ impl Session<'_> {
         if self.scene.contact.friction > 0.0 {
             self.newton.settings.largest_load_step = 1.0 / FRICTION_STEPS as f64;
         }
-        match follow(
-            &mut self.newton,
-            &mut state,
-            &unpressed,
-            target,
-            ignored,
-            self.stop,
-        ) {
+        match self.follow(&mut state, &unpressed, target, ignored) {
             Ok(report) => Ok((state, report)),
             Err(failure) => Err(pressing_failure(
                 self.scene,

@@ -15,12 +15,13 @@ use crate::assembly::Assembler;
 use crate::focus::Focus;
 use crate::linear::{Inertia, Workspace};
 use crate::problem::{Loads, Problem, State};
-use crate::setup::{Setup, SetupError, contact_faces};
+use crate::setup::{Setup, SetupError};
 use crate::sparsity::NONE;
 use crate::system::{Entries, Imbalance, Residuals};
 use crate::tangent::Tangent;
 use crate::tensor::Vector;
 
+mod ground;
 mod report;
 mod steps;
 
@@ -220,30 +221,6 @@ impl<'p> Newton<'p> {
         }
     }
 
-    /// Takes back a step that touched the ground outside the focus, and brings that into focus.
-    fn widen_focus(&mut self, state: &mut State, loads: &Loads) -> Result<(), Cause> {
-        let touching = state.clone();
-        self.restore(state);
-        self.cover_contact(&touching, loads)?;
-        if self.tangent.is_none() {
-            self.renew(state, loads)?;
-        }
-        self.set_pending(state, loads.support_factor);
-        self.acceleration.reset();
-        self.residual(state, loads);
-        Ok(())
-    }
-
-    /// Focuses on the contact with the ground of `loads` alone, at which `state` is in equilibrium: a path that starts
-    /// there touches at least this.
-    ///
-    /// # Errors
-    /// [`Cause`] when a new border doesn't fit in memory.
-    pub fn start_from(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
-        self.focused_faces.clear();
-        self.cover_contact(state, loads)
-    }
-
     /// Whether the steps that the tangent still needs cost more than a new one, at the mean rate of the last two of the
     /// `kept` steps that it has made: a point that opens or closes can spoil a single one.
     fn wants_renewal(&self, history: &[Imbalance], kept: usize) -> bool {
@@ -317,34 +294,6 @@ impl<'p> Newton<'p> {
             .map_or_else(Inertia::default, |tangent| {
                 tangent.inertia(self.problem, state, loads.ground.as_ref())
             })
-    }
-
-    /// Brings all faces into focus that may touch the ground from this state, beside those that are, and makes the
-    /// border serve them.
-    fn cover_contact(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
-        self.focus = None;
-        let faces = contact_faces(self.problem, state, loads);
-        self.focused_faces.resize(faces.len(), false);
-        for (focused, needed) in self.focused_faces.iter_mut().zip(&faces) {
-            *focused |= needed;
-        }
-        let refused = |error| match error {
-            SetupError::Linear(error) => Cause::Singular(error),
-            SetupError::Mesh(_) => Cause::Inverted,
-        };
-        let widened = self.setup.widened(self.problem, &self.focused_faces);
-        let Some(setup) = widened.map_err(refused)? else {
-            return Ok(());
-        };
-        let settings = self.settings;
-        let mut fresh = Self::with_setup(self.problem, Arc::new(setup)).map_err(refused)?;
-        fresh.settings = settings;
-        fresh.effort = self.effort;
-        fresh.pending.clone_from(&self.pending);
-        fresh.indefinite = self.indefinite;
-        fresh.focused_faces = std::mem::take(&mut self.focused_faces);
-        *self = fresh;
-        Ok(())
     }
 
     fn residual(&mut self, state: &State, loads: &Loads) -> Imbalance {

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -14,7 +13,7 @@ use tokio::runtime::Runtime;
 
 use super::Failure;
 use super::output::{JsonTarget, tell, write_whole};
-use super::signals::Signals;
+use super::signals::stop_flag;
 use super::table::{locations_csv, report};
 use crate::config::Config;
 use crate::engine::{End, Engine};
@@ -118,20 +117,6 @@ async fn claim(store: &Store, study: &Study) -> Result<StudyRow, StoreError> {
     let row = studies::claim(&mut transaction, &id).await?;
     store.commit(transaction, 0).await?;
     row.ok_or(StoreError::Database(sqlx::Error::RowNotFound))
-}
-
-/// A flag that Ctrl-C sets; a second one ends the program at once, which loses nothing that is solved.
-fn stop_flag(runtime: &Runtime) -> Result<Arc<AtomicBool>, Failure> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let mut signals = runtime.block_on(async { Signals::listen() })?;
-    let flag = stop.clone();
-    runtime.spawn(async move {
-        signals.next().await;
-        flag.store(true, Ordering::Relaxed);
-        signals.next().await;
-        std::process::exit(1);
-    });
-    Ok(stop)
 }
 
 /// A bar on standard error, on a terminal only.

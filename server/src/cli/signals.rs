@@ -1,5 +1,10 @@
 //! Ctrl-C, and SIGTERM where there is one.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use tokio::runtime::Runtime;
+
 use super::Failure;
 
 /// Signals that ask the program to end, taken over from the system as soon as this exists.
@@ -43,4 +48,21 @@ impl Signals {
         #[cfg(not(unix))]
         let _ = tokio::signal::ctrl_c().await;
     }
+}
+
+/// A flag that Ctrl-C sets; a second one ends the program at once, which loses nothing that is solved.
+///
+/// # Errors
+/// When the system refuses.
+pub fn stop_flag(runtime: &Runtime) -> Result<Arc<AtomicBool>, Failure> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let mut signals = runtime.block_on(async { Signals::listen() })?;
+    let flag = stop.clone();
+    runtime.spawn(async move {
+        signals.next().await;
+        flag.store(true, Ordering::Relaxed);
+        signals.next().await;
+        std::process::exit(1);
+    });
+    Ok(stop)
 }

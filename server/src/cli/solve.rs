@@ -2,8 +2,6 @@
 
 use std::fmt::Write;
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use fem_client::gauge::{Gauge, GaugeReading};
@@ -13,7 +11,7 @@ use serde_json::{Value, json};
 
 use super::Failure;
 use super::output::{JsonTarget, tell};
-use super::signals::Signals;
+use super::signals::stop_flag;
 use crate::solver::SolverChoice;
 use crate::study_document::{format_of, read_file};
 
@@ -41,14 +39,8 @@ impl Solve {
     pub fn execute(&self) -> Result<(), Failure> {
         let scene = self.scene()?;
         let solver = self.solver.solver().map_err(Failure::other)?;
-        let stop = Arc::new(AtomicBool::new(false));
         let runtime = tokio::runtime::Runtime::new().map_err(Failure::other)?;
-        let mut signals = runtime.block_on(async { Signals::listen() })?;
-        let flag = stop.clone();
-        runtime.spawn(async move {
-            signals.next().await;
-            flag.store(true, Ordering::Relaxed);
-        });
+        let stop = stop_flag(&runtime)?;
         let readout = Readout {
             gauges: self.at.clone(),
             ..Readout::default()
@@ -247,6 +239,8 @@ fn gauge_row(reading: &GaugeReading) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::AtomicBool;
+
     use super::*;
     use fem_client::closed_form::ClosedFormSolver;
     use fem_client::fault::Fault;

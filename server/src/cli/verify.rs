@@ -1,7 +1,6 @@
 //! `strainsite verify`: problems whose answer is known, solved and compared.
 
 use std::fmt::Write;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Instant;
 
@@ -12,7 +11,7 @@ use serde_json::json;
 
 use super::Failure;
 use super::output::{JsonTarget, tell};
-use super::signals::Signals;
+use super::signals::stop_flag;
 
 /// Solve problems whose answer is known, and compare
 #[derive(Debug, Args)]
@@ -32,14 +31,8 @@ impl Verify {
             self.only.is_empty() || self.only.iter().any(|name| name == family.name)
         };
         let families: Vec<Family> = FAMILIES.into_iter().filter(chosen).collect();
-        let stop = Arc::new(AtomicBool::new(false));
         let runtime = tokio::runtime::Runtime::new().map_err(Failure::other)?;
-        let mut signals = runtime.block_on(async { Signals::listen() })?;
-        let flag = stop.clone();
-        runtime.spawn(async move {
-            signals.next().await;
-            flag.store(true, Ordering::Relaxed);
-        });
+        let stop = stop_flag(&runtime)?;
         let begun = Instant::now();
         let cases = solve(&families, &stop);
         if stop.load(Ordering::Relaxed) {
