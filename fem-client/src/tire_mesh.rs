@@ -237,10 +237,10 @@ impl TireShape {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
 
-    const SHAPE: TireShape = TireShape {
+    pub(crate) const SHAPE: TireShape = TireShape {
         centre_radius: 37.5,
         inner: 9.5,
         outer: 12.5,
@@ -248,7 +248,7 @@ mod tests {
         carcass: Some(11.0),
     };
 
-    fn plan(order: Order) -> MeshPlan {
+    pub(crate) fn plan(order: Order) -> MeshPlan {
         MeshPlan {
             order,
             fine_angle: 0.4,

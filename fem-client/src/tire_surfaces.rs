@@ -135,27 +135,7 @@ mod tests {
     use fem::membrane::Membrane;
 
     use super::*;
-    use crate::tire_mesh::{MeshPlan, TireShape};
-
-    const SHAPE: TireShape = TireShape {
-        centre_radius: 37.5,
-        inner: 9.5,
-        outer: 12.5,
-        bead_angle: 2.0943951023931953,
-        carcass: Some(11.0),
-    };
-
-    fn plan(order: Order) -> MeshPlan {
-        MeshPlan {
-            order,
-            fine_angle: 0.4,
-            fine: 6,
-            coarse: 6,
-            meridional: 6,
-            meridional_growth: 2.0,
-            layers: 2,
-        }
-    }
+    use crate::tire_mesh::tests::{SHAPE, plan};
 
     #[test]
     fn windows_cover_the_angles_asked_for() {

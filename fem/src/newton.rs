@@ -237,11 +237,11 @@ impl<'p> Newton<'p> {
         rate >= 1.0 || left > self.settings.renewal_cost
     }
 
-    /// Assembles and factorises the tangent at a state.
+    /// Assembles and factorises the tangent at a state, and returns the signs of its pivots, contact included.
     ///
     /// # Errors
     /// [`Cause::Singular`].
-    fn renew(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
+    fn renew(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
         let start = Instant::now();
         let mut tangent = match self.tangent.take().and_then(Arc::into_inner) {
             Some(own) => own,
@@ -262,9 +262,10 @@ impl<'p> Newton<'p> {
         self.effort.factorisations += 1;
         self.focus = None;
         self.acceleration.reset();
+        let inertia = tangent.inertia(self.problem, state, loads.ground.as_ref());
         self.tangent = Some(Arc::new(tangent));
-        self.indefinite |= !self.inertia(state, loads).is_positive();
-        Ok(())
+        self.indefinite |= !inertia.is_positive();
+        Ok(inertia)
     }
 
     /// The tangent at a state, for solves of the same problem near it.
@@ -272,9 +273,7 @@ impl<'p> Newton<'p> {
     /// # Errors
     /// [`Cause`] when it is singular or doesn't fit in memory.
     pub fn tangent_at(&mut self, state: &State, loads: &Loads) -> Result<Arc<Tangent>, Cause> {
-        self.set_pending(state, loads.support_factor);
-        self.cover_contact(state, loads)?;
-        self.renew(state, loads)?;
+        self.inertia_at(state, loads)?;
         self.tangent.clone().ok_or(Cause::Diverged)
     }
 
@@ -283,17 +282,9 @@ impl<'p> Newton<'p> {
     /// # Errors
     /// As [`Newton::tangent_at`].
     pub fn inertia_at(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
-        self.tangent_at(state, loads)?;
-        Ok(self.inertia(state, loads))
-    }
-
-    /// Signs of the pivots of the present tangent, with the contact at `state`.
-    fn inertia(&self, state: &State, loads: &Loads) -> Inertia {
-        self.tangent
-            .as_ref()
-            .map_or_else(Inertia::default, |tangent| {
-                tangent.inertia(self.problem, state, loads.ground.as_ref())
-            })
+        self.set_pending(state, loads.support_factor);
+        self.cover_contact(state, loads)?;
+        self.renew(state, loads)
     }
 
     fn residual(&mut self, state: &State, loads: &Loads) -> Imbalance {

@@ -12,10 +12,12 @@ impl Newton<'_> {
         let touching = state.clone();
         self.restore(state);
         self.cover_contact(&touching, loads)?;
-        if self.tangent.is_none() {
+        self.set_pending(state, loads.support_factor);
+        // What moving supports cause at the free displacements is assembled with the tangent.
+        let moves = self.pending.iter().flatten().any(|du| *du != 0.0);
+        if self.tangent.is_none() || moves {
             self.renew(state, loads)?;
         }
-        self.set_pending(state, loads.support_factor);
         self.acceleration.reset();
         self.residual(state, loads);
         Ok(())

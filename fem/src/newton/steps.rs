@@ -25,9 +25,9 @@ impl Newton<'_> {
     /// Renews the tangent, and solves it for the increments of the free displacements that belong to the last residual:
     /// [`Newton::increments_mut`].
     pub(crate) fn linearise(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
-        self.renew(state, loads)?;
+        let inertia = self.renew(state, loads)?;
         self.solve_displacements(state, loads)?;
-        Ok(self.inertia(state, loads))
+        Ok(inertia)
     }
 
     /// Increments of the free displacements, by equations, that [`Newton::advance`] will apply.
