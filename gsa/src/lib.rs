@@ -20,8 +20,8 @@
 //! | rho_i, v_i | mean and variance of section i |
 //! | S_i, S_Ti | first-order and total index of input i |
 //!
-//! Read in this order, each module importing only those above it: `recurrence`, `golub_welsch`, [`rule`],
-//! [`distribution`]; `grid`, [`design`]; `scale`, `section`, `mdrm`, `additive`; `evidence`, [`error`], `verdict`,
+//! Read in this order, each module importing only those above it: `recurrence`, `golub_welsch`, `basis`, [`rule`];
+//! `density`, `panel`, `discretisation`, `probability`, [`distribution`]; `grid`, [`design`]; `scale`, `section`, `mdrm`, `additive`; `evidence`, [`error`], `verdict`,
 //! [`analysis`].
 //!
 //! ```
@@ -57,7 +57,17 @@ mod recurrence;
 
 mod golub_welsch;
 
+mod basis;
+
 pub mod rule;
+
+mod density;
+
+mod panel;
+
+mod discretisation;
+
+mod probability;
 
 pub mod distribution;
 

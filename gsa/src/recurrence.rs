@@ -33,10 +33,24 @@ impl Recurrence {
         Self::symmetric(size, |k| k)
     }
 
-    fn symmetric(size: usize, b: impl Fn(f64) -> f64) -> Self {
+    /// A law symmetric about zero, from b_k.
+    pub(crate) fn symmetric(size: usize, b: impl Fn(f64) -> f64) -> Self {
+        Self::general(size, |_| 0.0, b)
+    }
+
+    /// From a_k and b_k.
+    pub(crate) fn general(size: usize, a: impl Fn(f64) -> f64, b: impl Fn(f64) -> f64) -> Self {
         Self {
-            diagonal: vec![0.0; size],
+            diagonal: (0..size).map(|k| a(k as f64)).collect(),
             off_diagonal: (1..size).map(|k| b(k as f64).sqrt()).collect(),
+        }
+    }
+
+    /// From a_0 .. a_{N-1} and sqrt(b_1) .. sqrt(b_{N-1}).
+    pub(crate) fn from_coefficients(diagonal: Vec<f64>, off_diagonal: Vec<f64>) -> Self {
+        Self {
+            diagonal,
+            off_diagonal,
         }
     }
 

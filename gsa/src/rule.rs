@@ -1,13 +1,11 @@
 //! Gauss rules of a probability law: nodes x_j and probabilities w_j with E\[f(X)\] ~ sum_j w_j f(x_j).
 //!
-//! Exact for polynomials of degree 2N - 1 in the rule's own coordinate (x itself for uniform and normal inputs, ln x
-//! for lognormal ones). The weights are the Christoffel numbers w_j = 1 / sum_{k<N} p_k(t_j)^2, which keep full
+//! Exact for polynomials of degree 2N - 1 in the rule's own coordinate: ln x for lognormal inputs, x for all others. The weights are the Christoffel numbers w_j = 1 / sum_{k<N} p_k(t_j)^2, which keep full
 //! relative accuracy where the squared eigenvector component does not (weights of 1e-48 at N = 64).
 
 use thiserror::Error;
 
-use crate::golub_welsch;
-use crate::recurrence::Recurrence;
+use crate::basis::Basis;
 
 /// Largest rule built: beyond it the outer Hermite nodes sit 15 standard deviations out and add nothing.
 pub const MAX_NODES: usize = 64;
@@ -40,8 +38,20 @@ pub enum RuleError {
         /// nodes asked for
         nodes: usize,
     },
-    /// The eigenvalue iteration did not settle (not known to happen for the laws of this crate).
-    #[error("the nodes of the {nodes}-point rule did not converge")]
+    /// A weight falls below the range of double precision: the tail is too heavy for this many nodes.
+    #[error(
+        "the weight of node {index} of {nodes} is below the range of double precision: use fewer nodes"
+    )]
+    Vanishing {
+        /// position of the node, counted from 0
+        index: usize,
+        /// nodes asked for
+        nodes: usize,
+    },
+    /// The polynomials or their zeros cannot be resolved: the law is too heavy in a tail or too uneven.
+    #[error(
+        "the {nodes}-point rule of this law does not converge: use fewer nodes or cut the law's tails"
+    )]
     NotConverged {
         /// nodes asked for
         nodes: usize,
@@ -61,21 +71,24 @@ pub struct GaussRule {
 }
 
 impl GaussRule {
-    /// The rule of a standard law, its nodes placed in the input's units by `place`.
+    /// The rule of the law with this basis, `None` if it has none; `place` carries the law's coordinate to the input's.
     pub(crate) fn new(
         nodes: usize,
-        recurrence: impl Fn(usize) -> Recurrence,
+        basis: impl Fn(usize) -> Option<Basis>,
         place: impl Fn(f64) -> f64,
     ) -> Result<Self, RuleError> {
         if !(1..=MAX_NODES).contains(&nodes) {
             return Err(RuleError::Size { nodes });
         }
-        let recurrence = recurrence(nodes);
-        let t = golub_welsch::zeros(&recurrence).ok_or(RuleError::NotConverged { nodes })?;
-        let x: Vec<f64> = t.iter().map(|&t| place(t)).collect();
+        let basis = basis(nodes).ok_or(RuleError::NotConverged { nodes })?;
+        let t = basis.zeros().ok_or(RuleError::NotConverged { nodes })?;
+        let x: Vec<f64> = t.iter().map(|&t| place(basis.place(t))).collect();
         check(&x)?;
-        let p: Vec<Vec<f64>> = t.iter().map(|&t| recurrence.orthonormal(t)).collect();
+        let p: Vec<Vec<f64>> = t.iter().map(|&t| basis.orthonormal(t)).collect();
         let weights = christoffel(&p);
+        if let Some(index) = weights.iter().position(|w| !w.is_normal()) {
+            return Err(RuleError::Vanishing { index, nodes });
+        }
         let modes = (1..nodes)
             .flat_map(|k| p.iter().zip(&weights).map(move |(p, w)| w * p[k]))
             .collect();
@@ -129,13 +142,23 @@ fn check(x: &[f64]) -> Result<(), RuleError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::recurrence::Recurrence;
+
+    fn hermite_basis(n: usize) -> Option<Basis> {
+        Some(Basis::plain(Recurrence::hermite(n), 0.0, 1.0))
+    }
 
     fn legendre(n: usize) -> GaussRule {
-        GaussRule::new(n, Recurrence::legendre, |t| t).unwrap()
+        GaussRule::new(
+            n,
+            |n| Some(Basis::plain(Recurrence::legendre(n), 0.0, 1.0)),
+            |t| t,
+        )
+        .unwrap()
     }
 
     fn hermite(n: usize) -> GaussRule {
-        GaussRule::new(n, Recurrence::hermite, |t| t).unwrap()
+        GaussRule::new(n, hermite_basis, |t| t).unwrap()
     }
 
     fn assert_close(found: f64, expected: f64, relative: f64) {
@@ -246,7 +269,7 @@ mod tests {
 
     #[test]
     fn bad_rules_are_refused_by_name() {
-        let build = |n, place: fn(f64) -> f64| GaussRule::new(n, Recurrence::hermite, place);
+        let build = |n, place: fn(f64) -> f64| GaussRule::new(n, hermite_basis, place);
         assert_eq!(build(0, |t| t), Err(RuleError::Size { nodes: 0 }));
         assert_eq!(build(65, |t| t), Err(RuleError::Size { nodes: 65 }));
         assert_eq!(

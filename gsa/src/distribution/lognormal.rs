@@ -1,21 +1,28 @@
 //! Lognormal law, given by mean and standard deviation of ln x; rule: Gauss-Hermite in ln x.
 
-use super::normal::{standard_cdf, standard_inverse_cdf};
-use super::{DistributionError, Law, finite, positive};
-use crate::recurrence::Recurrence;
+use super::error::{DistributionError, finite, positive};
+use super::normal::Normal;
+use super::{Law, Scale};
+use crate::basis::Basis;
+use crate::density::Density;
 
 /// ln x is normal with mean mu and standard deviation sigma; x > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Lognormal {
+pub(super) struct Lognormal {
     mu: f64,
     sigma: f64,
+    logarithm: Normal,
 }
 
 impl Lognormal {
     pub(super) fn new(mu: f64, sigma: f64) -> Result<Self, DistributionError> {
         finite("mu", mu)?;
         positive("sigma", sigma)?;
-        let law = Self { mu, sigma };
+        let law = Self {
+            mu,
+            sigma,
+            logarithm: Normal::new(mu, sigma)?,
+        };
         if law.mean().is_normal() && law.std().is_normal() {
             Ok(law)
         } else {
@@ -43,23 +50,23 @@ impl Law for Lognormal {
         self.mean() * (self.sigma * self.sigma).exp_m1().sqrt()
     }
 
-    fn cdf(&self, x: f64) -> f64 {
-        if x > 0.0 {
-            standard_cdf((x.ln() - self.mu) / self.sigma)
-        } else {
-            0.0
-        }
+    fn probabilities(&self, y: f64) -> (f64, f64) {
+        self.logarithm.probabilities(y)
     }
 
-    fn inverse_cdf(&self, p: f64) -> f64 {
-        self.place(standard_inverse_cdf(p))
+    fn quantile(&self, p: f64, q: f64) -> f64 {
+        self.logarithm.quantile(p, q)
     }
 
-    fn recurrence(&self, size: usize) -> Recurrence {
-        Recurrence::hermite(size)
+    fn basis(&self, size: usize) -> Option<Basis> {
+        self.logarithm.basis(size)
     }
 
-    fn place(&self, t: f64) -> f64 {
-        (self.mu + t * self.sigma).exp()
+    fn density(&self) -> &dyn Density {
+        &self.logarithm
+    }
+
+    fn scale(&self) -> Scale {
+        Scale::Logarithmic
     }
 }

@@ -1,25 +1,21 @@
 //! Uniform law on \[min, max\]; rule: Gauss-Legendre.
 
-use super::{DistributionError, Law, finite};
+use super::Law;
+use super::error::{DistributionError, range};
+use crate::basis::Basis;
+use crate::density::{Density, Place};
 use crate::recurrence::Recurrence;
 
 /// Density 1 / (max - min) between the two bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Uniform {
+pub(super) struct Uniform {
     min: f64,
     max: f64,
 }
 
 impl Uniform {
     pub(super) fn new(min: f64, max: f64) -> Result<Self, DistributionError> {
-        finite("min", min)?;
-        finite("max", max)?;
-        if min >= max {
-            return Err(DistributionError::EmptyRange { min, max });
-        }
-        if !(max - min).is_finite() {
-            return Err(DistributionError::MomentOutOfRange { kind: "uniform" });
-        }
+        range("uniform", min, max)?;
         Ok(Self { min, max })
     }
 
@@ -47,25 +43,53 @@ impl Law for Uniform {
         self.half_width() / 3f64.sqrt()
     }
 
-    fn cdf(&self, x: f64) -> f64 {
-        ((x - self.min) / (self.max - self.min)).clamp(0.0, 1.0)
+    fn probabilities(&self, x: f64) -> (f64, f64) {
+        let width = self.max - self.min;
+        let share = |distance: f64| (distance / width).clamp(0.0, 1.0);
+        (share(x - self.min), share(self.max - x))
     }
 
-    fn inverse_cdf(&self, p: f64) -> f64 {
+    fn quantile(&self, p: f64, q: f64) -> f64 {
         // Measured from the nearer end, so that both ends come out exactly.
         let width = self.max - self.min;
         if p < 0.5 {
             self.min + p * width
         } else {
-            self.max - (1.0 - p) * width
+            self.max - q * width
         }
     }
 
-    fn recurrence(&self, size: usize) -> Recurrence {
-        Recurrence::legendre(size)
+    fn basis(&self, size: usize) -> Option<Basis> {
+        Some(Basis::plain(
+            Recurrence::legendre(size),
+            self.mean(),
+            self.half_width(),
+        ))
     }
 
-    fn place(&self, t: f64) -> f64 {
-        self.mean() + t * self.half_width()
+    fn density(&self) -> &dyn Density {
+        self
+    }
+}
+
+impl Density for Uniform {
+    fn support(&self) -> (f64, f64) {
+        (self.min, self.max)
+    }
+
+    fn width(&self) -> f64 {
+        self.max - self.min
+    }
+
+    fn anchor(&self, low: f64, high: f64) -> f64 {
+        low.midpoint(high)
+    }
+
+    fn ln_ratio(&self, _place: &Place) -> f64 {
+        0.0
+    }
+
+    fn symmetry(&self, low: f64, high: f64) -> Option<f64> {
+        Some(low.midpoint(high))
     }
 }
