@@ -5,8 +5,8 @@
 use ndarray::ArrayView2;
 
 use crate::additive;
-use crate::design::{Design, Line};
-use crate::error::{self, ErrorParts};
+use crate::design::Design;
+use crate::error::{self, ByInput, Effects, ErrorParts};
 use crate::evidence::Evidence;
 use crate::mdrm::Mdrm;
 use crate::scale::times_power_of_two;
@@ -22,9 +22,9 @@ pub enum Status {
     Ok,
     /// The output does not vary beyond its rounding: it has no indices.
     Constant,
-    /// The product form does not exist or does not hold; the additive form gave the indices.
+    /// The product form does not exist or does not hold; another form gave the indices.
     ProductFormBroken,
-    /// A run on the cut lines gave no number: there are no indices.
+    /// The cut point, or too many nodes of a line, gave no number: there are no indices.
     Unusable,
 }
 
@@ -51,6 +51,9 @@ pub struct Analysis {
     pub first_order: Option<Vec<f64>>,
     /// S_Ti = 1 - Var\[E\[Y|all but X_i\]\]/Var\[Y\], per input.
     pub total: Option<Vec<f64>>,
+    /// S_ij, the share of each pair of inputs alone, pairs in the order 12, 13, .., 23, ..; for up to
+    /// [`MOST_FOR_PAIRS`] inputs, and only by methods that have it.
+    pub second_order: Option<Vec<f64>>,
     /// The form behind the numbers above; `Mdrm`, as asked for, where there are none.
     pub method: Form,
     /// How the analysis ended.
@@ -66,8 +69,12 @@ pub struct Analysis {
     pub error: ErrorParts,
 }
 
+/// Most inputs whose pairs are listed.
+pub const MOST_FOR_PAIRS: usize = 50;
+
 /// Analyses every output: `values` has a row per point of the design, in its order, and a column per output. A run
-/// that failed is a row of NaN: on a cut line it makes the output unusable, at a check point it is left out.
+/// that failed is a row of NaN: on a cut line the section is refitted from its other nodes, at a check point it is left
+/// out.
 ///
 /// # Panics
 /// If the number of rows is not the number of points.
@@ -77,30 +84,38 @@ pub fn analyse(design: &Design, values: &ArrayView2<f64>) -> Vec<Analysis> {
         rows == points,
         "{rows} rows of values for the {points} points of the design"
     );
-    values
-        .columns()
+    let off_axis_probability = design.off_axis_probability();
+    // One output after the other, each contiguous.
+    let by_output = values.t().as_standard_layout().into_owned();
+    by_output
+        .rows()
         .into_iter()
-        .map(|column| analyse_output(design, &column.to_vec()))
+        .map(|values| {
+            let values = values.as_slice().expect("standard layout");
+            analyse_output(design, values, off_axis_probability)
+        })
         .collect()
 }
 
-fn analyse_output(design: &Design, values: &[f64]) -> Analysis {
-    let mut on_lines = [0]
-        .iter()
-        .chain(design.lines().iter().flat_map(Line::ordinals));
-    if let Some(ordinal) = on_lines.find(|&&k| !values[k].is_finite()) {
-        return unusable(*ordinal);
-    }
-    let sections = Sections::new(design, values);
+fn analyse_output(design: &Design, values: &[f64], off_axis_probability: f64) -> Analysis {
+    let sections = match Sections::new(design, values) {
+        Ok(sections) => sections,
+        Err(ordinal) => return unusable(ordinal),
+    };
     let mdrm = Mdrm::new(&sections);
     let evidence = Evidence::new(design, values, &sections, mdrm.as_ref().ok());
     let mut analysis = if sections.varies() {
         let verdict = Verdict::new(&sections, &mdrm, evidence.as_ref());
-        with_indices(&sections, mdrm.ok().as_ref(), evidence.as_ref(), verdict)
+        let forms = Forms {
+            mdrm: mdrm.ok(),
+            evidence,
+            off_axis_probability,
+        };
+        forms.with_indices(&sections, verdict)
     } else {
         without_spread(&sections, evidence.as_ref())
     };
-    note_missing_checks(&mut analysis, design, values);
+    note_missing(&mut analysis, design, values, &sections);
     analysis
 }
 
@@ -115,7 +130,7 @@ fn unusable(ordinal: usize) -> Analysis {
 }
 
 /// Nothing happens on the lines. That is a constant, unless a check point shows an interaction that vanishes on them.
-fn without_spread(sections: &Sections, evidence: Option<&Evidence>) -> Analysis {
+fn without_spread(sections: &Sections, evidence: Option<&Evidence<'_>>) -> Analysis {
     let (mean, _) = in_output_units(sections, additive::moments(sections));
     match evidence {
         Some(evidence) if evidence.departure > sections.noise() => Analysis {
@@ -138,50 +153,121 @@ fn without_spread(sections: &Sections, evidence: Option<&Evidence>) -> Analysis 
     }
 }
 
-fn with_indices(
-    sections: &Sections,
-    mdrm: Option<&Mdrm>,
-    evidence: Option<&Evidence>,
-    verdict: Verdict,
-) -> Analysis {
-    let product = mdrm.map(|mdrm| mdrm.moments(sections));
-    let product_variance = product.map(|(_, variance)| variance);
-    let mdrm_first_order = mdrm.map(Mdrm::first_order);
-    let mdrm_total = mdrm.map(Mdrm::total);
-    let chosen = mdrm.filter(|_| verdict.form == Form::Mdrm);
-    let quadrature = error::quadrature(sections, |variances| match chosen {
-        Some(mdrm) => mdrm.first_order_with(variances),
-        None => additive::first_order(variances),
-    });
-    let misfit = |evidence: &Evidence| match chosen {
-        Some(_) => evidence.product,
-        None => evidence.additive,
-    };
-    let decomposition = error::decomposition(sections, evidence, misfit, product_variance);
-    let moments = product
-        .filter(|_| chosen.is_some())
-        .unwrap_or_else(|| additive::moments(sections));
-    let (mean, variance) = in_output_units(sections, moments);
-    let additive_indices = || Some(additive::first_order(&sections.variances));
-    let mut analysis = Analysis {
-        mean,
-        variance,
-        first_order: chosen.map_or_else(additive_indices, |_| mdrm_first_order.clone()),
-        total: chosen.map_or_else(additive_indices, |_| mdrm_total.clone()),
-        method: verdict.form,
-        status: match verdict.form {
-            Form::Mdrm => Status::Ok,
-            Form::Additive => Status::ProductFormBroken,
-        },
-        reason: verdict.reason,
-        mdrm_first_order,
-        mdrm_total,
-        error: ErrorParts::new(quadrature, decomposition, sections.floor()),
-    };
-    if mean.is_none() || variance.is_none() {
-        analysis.note("the mean or the variance is beyond the range of double precision");
+/// What the forms need beside the sections.
+struct Forms<'a> {
+    mdrm: Option<Mdrm>,
+    evidence: Option<Evidence<'a>>,
+    off_axis_probability: f64,
+}
+
+impl Forms<'_> {
+    /// The product that was chosen; `None` for the sum.
+    fn chosen(&self, form: Form) -> Option<&Mdrm> {
+        let shifted = || self.evidence.as_ref()?.shifted.as_ref();
+        match form {
+            Form::Mdrm => self.mdrm.as_ref(),
+            Form::Additive => None,
+            Form::Shifted => shifted().map(|(product, _)| product),
+        }
     }
-    analysis
+
+    fn with_indices(self, sections: &Sections, verdict: Verdict) -> Analysis {
+        let chosen = self.chosen(verdict.form);
+        let (first_order, total, moments) = match chosen {
+            Some(product) => (
+                product.first_order(),
+                product.total(),
+                product.moments(sections),
+            ),
+            None => {
+                let shares = additive::first_order(&sections.variances);
+                (shares.clone(), shares, additive::moments(sections))
+            }
+        };
+        let errors = ByInput {
+            quadrature: error::quadrature(sections, &first_order, &total),
+            decomposition: self.decomposition(sections, verdict.form, &first_order, moments),
+            sampling: None,
+        };
+        let second_order = (sections.inputs() <= MOST_FOR_PAIRS).then(|| match chosen {
+            Some(product) => product.second_order(&first_order),
+            None => vec![0.0; first_order.len() * (first_order.len() - 1) / 2],
+        });
+        let (mean, variance) = in_output_units(sections, moments);
+        let mut analysis = Analysis {
+            mean,
+            variance,
+            first_order: Some(first_order),
+            total: Some(total),
+            second_order,
+            method: verdict.form,
+            status: match verdict.form {
+                Form::Mdrm => Status::Ok,
+                _ => Status::ProductFormBroken,
+            },
+            reason: verdict.reason,
+            mdrm_first_order: self.mdrm.as_ref().map(Mdrm::first_order),
+            mdrm_total: self.mdrm.as_ref().map(Mdrm::total),
+            error: ErrorParts::new(errors, sections.floor()),
+        };
+        if mean.is_none() || variance.is_none() {
+            analysis.note("the mean or the variance is beyond the range of double precision");
+        }
+        analysis
+    }
+
+    fn decomposition(
+        &self,
+        sections: &Sections,
+        form: Form,
+        first_order: &[f64],
+        (mean, variance): (f64, f64),
+    ) -> Option<Vec<f64>> {
+        if sections.inputs() == 1 {
+            // A single section is the output itself.
+            return Some(vec![0.0]);
+        }
+        let checks = &self.evidence.as_ref()?.checks;
+        let chosen = self.chosen(form);
+        let predictions: Vec<f64> = checks
+            .iter()
+            .map(|(check, _)| match chosen {
+                Some(product) => product.predict(sections, check),
+                None => additive::predict(sections, check),
+            })
+            .collect();
+        // g_i over the standard deviation of the output is d_i - dbar_i times sqrt(S_i/v_i), and a sign.
+        let signs = chosen.map(|product| product.main_effect_signs(sections));
+        let scale: Vec<f64> = (0..first_order.len())
+            .map(|i| {
+                let sign = signs.as_ref().map_or(1.0, |signs| signs[i]);
+                let variance = sections.variances[i];
+                if variance > 0.0 {
+                    sign * (first_order[i] / variance).sqrt()
+                } else {
+                    0.0
+                }
+            })
+            .collect();
+        let main = |input: usize, k: usize| {
+            let d = sections.difference_at(input, checks[k].0.nodes()[input]);
+            scale[input] * (d - sections.shifts[input])
+        };
+        let effects = Effects {
+            first_order,
+            mean,
+            variance,
+            main: &main,
+        };
+        let fitted = usize::from(form == Form::Shifted);
+        Some(error::decomposition(
+            checks,
+            &predictions,
+            &effects,
+            self.off_axis_probability,
+            fitted,
+        ))
+    }
 }
 
 /// (mean, variance) back from the units of the sections; `None` where double precision has no such number.
@@ -197,17 +283,27 @@ fn in_output_units(
     )
 }
 
-fn note_missing_checks(analysis: &mut Analysis, design: &Design, values: &[f64]) {
-    let missing: Vec<String> = design
+fn note_missing(analysis: &mut Analysis, design: &Design, values: &[f64], sections: &Sections) {
+    let listed = |ordinals: &[usize]| {
+        let names: Vec<String> = ordinals.iter().map(usize::to_string).collect();
+        names.join(", ")
+    };
+    if !sections.lost.is_empty() {
+        analysis.note(&format!(
+            "points without a finite value, taken from the other nodes of their lines: {}",
+            listed(&sections.lost)
+        ));
+    }
+    let missing: Vec<usize> = design
         .checks()
         .iter()
-        .filter(|check| !values[check.ordinal()].is_finite())
-        .map(|check| check.ordinal().to_string())
+        .map(|check| check.ordinal())
+        .filter(|&ordinal| !values[ordinal].is_finite())
         .collect();
     if !missing.is_empty() {
-        let points = missing.join(", ");
         analysis.note(&format!(
-            "left out check points without a finite value: {points}"
+            "left out check points without a finite value: {}",
+            listed(&missing)
         ));
     }
 }
@@ -219,6 +315,7 @@ impl Analysis {
             variance: None,
             first_order: None,
             total: None,
+            second_order: None,
             method: Form::Mdrm,
             status: Status::Unusable,
             reason: None,

@@ -14,6 +14,7 @@ use thiserror::Error;
 
 use crate::distribution::Distribution;
 use crate::grid::Grid;
+use crate::polynomials::Polynomials;
 use crate::rule::{GaussRule, RuleError};
 
 /// Most check points a design takes; far beyond what an error estimate gains from, and well within memory.
@@ -62,6 +63,7 @@ pub enum DesignError {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
     rule: GaussRule,
+    polynomials: Polynomials,
     ordinals: Vec<usize>,
 }
 
@@ -74,6 +76,11 @@ impl Line {
     /// For each node of the rule, which point of the design it is.
     pub fn ordinals(&self) -> &[usize] {
         &self.ordinals
+    }
+
+    /// The coordinate in which the rule is exact for polynomials.
+    pub(crate) fn coordinate(&self, x: f64) -> f64 {
+        self.polynomials.coordinate(x)
     }
 }
 
@@ -96,12 +103,14 @@ impl CheckPoint {
     }
 }
 
-/// A list of runs and what each of them is for. Immutable: the same arguments and the same generator state give the
-/// same design to the bit.
+/// A list of runs and what each of them is for. It only grows: a point keeps its ordinal, and the same calls with the
+/// same generator state give the same design to the bit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Design {
     inputs: Vec<Distribution>,
     lines: Vec<Line>,
+    /// By input, the line whose rule the check points were drawn from, where a finer one has taken its place.
+    coarse: Vec<Option<Line>>,
     checks: Vec<CheckPoint>,
     points: Vec<Vec<f64>>,
 }
@@ -133,43 +142,61 @@ impl Design {
         check_points: usize,
         rng: &mut impl Rng,
     ) -> Result<Self, DesignError> {
-        check_arguments(inputs, cut, check_points)?;
-        let rules = rules(inputs, nodes)?;
-        let mut points = vec![cut.to_vec()];
-        let checked = Grid::new(&rules, cut).off_axis(check_points, rng);
-        let ordinals: Vec<Vec<usize>> = rules
+        check_arguments(inputs, cut)?;
+        let mut design = Self {
+            inputs: inputs.to_vec(),
+            lines: Vec::with_capacity(inputs.len()),
+            coarse: vec![None; inputs.len()],
+            checks: Vec::new(),
+            points: vec![cut.to_vec()],
+        };
+        for input in 0..inputs.len() {
+            let line = design.add_line(input, nodes)?;
+            design.lines.push(line);
+        }
+        design.add_checks(check_points, rng)?;
+        Ok(design)
+    }
+
+    /// Adds check points, as many as asked or as the grid still has, and returns how many those were.
+    ///
+    /// # Errors
+    /// More check points than [`MAX_CHECK_POINTS`].
+    pub fn add_checks(&mut self, count: usize, rng: &mut impl Rng) -> Result<usize, DesignError> {
+        let asked = self.checks.len().saturating_add(count);
+        if asked > MAX_CHECK_POINTS {
+            return Err(DesignError::TooManyCheckPoints { asked });
+        }
+        let rules = self.grid_rules();
+        let known = self.checks.iter().map(|check| check.nodes.clone());
+        let drawn = Grid::new(&rules, &self.points[0]).off_axis(count, known.collect(), rng);
+        let points: Vec<Vec<f64>> = drawn
             .iter()
-            .enumerate()
-            .map(|(input, rule)| add_line(&mut points, input, rule))
-            .collect();
-        let checks = checked
-            .into_iter()
             .map(|nodes| {
-                // Off-axis points differ from all others in a coordinate, so none of them is a duplicate.
-                points.push(
-                    rules
-                        .iter()
-                        .zip(&nodes)
-                        .map(|(rule, &j)| rule.nodes[j])
-                        .collect(),
-                );
-                CheckPoint {
-                    ordinal: points.len() - 1,
-                    nodes,
-                }
+                let coordinates = rules.iter().zip(nodes);
+                coordinates.map(|(rule, &j)| rule.nodes[j]).collect()
             })
             .collect();
-        let lines = rules
-            .into_iter()
-            .zip(ordinals)
-            .map(|(rule, ordinals)| Line { rule, ordinals })
-            .collect();
-        Ok(Self {
-            inputs: inputs.to_vec(),
-            lines,
-            checks,
-            points,
-        })
+        let added = drawn.len();
+        // Off-axis points differ from all others in a coordinate, so none of them is a duplicate.
+        for (nodes, point) in drawn.into_iter().zip(points) {
+            let ordinal = self.points.len();
+            self.checks.push(CheckPoint { ordinal, nodes });
+            self.points.push(point);
+        }
+        Ok(added)
+    }
+
+    /// Replaces an input's line by one of more nodes. The check points stay where they are, and the old line's runs
+    /// still serve them.
+    ///
+    /// # Errors
+    /// A rule that does not exist.
+    pub fn refine(&mut self, input: usize, nodes: usize) -> Result<(), DesignError> {
+        let fine = self.add_line(input, nodes)?;
+        let before = std::mem::replace(&mut self.lines[input], fine);
+        self.coarse[input].get_or_insert(before);
+        Ok(())
     }
 
     /// The runs, one coordinate per input, in the inputs' units. Point 0 is the cut point.
@@ -191,13 +218,59 @@ impl Design {
     pub fn checks(&self) -> &[CheckPoint] {
         &self.checks
     }
+
+    /// The line whose rule the check points' coordinates of an input come from.
+    pub(crate) fn grid_line(&self, input: usize) -> &Line {
+        self.coarse[input].as_ref().unwrap_or(&self.lines[input])
+    }
+
+    /// By input, the line that a finer one has replaced.
+    pub(crate) fn coarse_lines(&self) -> impl Iterator<Item = Option<&Line>> {
+        self.coarse.iter().map(Option::as_ref)
+    }
+
+    /// Probability that a point of the check points' grid, drawn by weight, leaves the cut in two coordinates or more.
+    pub(crate) fn off_axis_probability(&self) -> f64 {
+        Grid::new(&self.grid_rules(), &self.points[0]).off_axis_probability()
+    }
+
+    fn grid_rules(&self) -> Vec<&GaussRule> {
+        let lines = 0..self.lines.len();
+        lines.map(|input| &self.grid_line(input).rule).collect()
+    }
+
+    /// Appends a run that is not a check point, and returns which point it is.
+    pub(crate) fn add_point(&mut self, point: Vec<f64>) -> usize {
+        self.points.push(point);
+        self.points.len() - 1
+    }
+
+    /// The runs of one line; a node that is the cut's own coordinate costs none.
+    fn add_line(&mut self, input: usize, nodes: usize) -> Result<Line, DesignError> {
+        let law = &self.inputs[input];
+        let rule = law
+            .gauss_rule(nodes)
+            .map_err(|source| DesignError::Rule { input, source })?;
+        let polynomials = Polynomials::new(law, &rule);
+        let mut ordinals = Vec::with_capacity(rule.len());
+        for &x in &rule.nodes {
+            if x == self.points[0][input] {
+                ordinals.push(0);
+            } else {
+                let mut point = self.points[0].clone();
+                point[input] = x;
+                ordinals.push(self.add_point(point));
+            }
+        }
+        Ok(Line {
+            rule,
+            polynomials,
+            ordinals,
+        })
+    }
 }
 
-fn check_arguments(
-    inputs: &[Distribution],
-    cut: &[f64],
-    check_points: usize,
-) -> Result<(), DesignError> {
+fn check_arguments(inputs: &[Distribution], cut: &[f64]) -> Result<(), DesignError> {
     if inputs.is_empty() {
         return Err(DesignError::NoInputs);
     }
@@ -207,42 +280,13 @@ fn check_arguments(
             found: cut.len(),
         });
     }
-    if let Some(input) = cut.iter().position(|c| !c.is_finite()) {
-        return Err(DesignError::CutNotFinite {
+    match cut.iter().position(|c| !c.is_finite()) {
+        Some(input) => Err(DesignError::CutNotFinite {
             input,
             value: cut[input],
-        });
+        }),
+        None => Ok(()),
     }
-    if check_points > MAX_CHECK_POINTS {
-        return Err(DesignError::TooManyCheckPoints {
-            asked: check_points,
-        });
-    }
-    Ok(())
-}
-
-fn rules(inputs: &[Distribution], nodes: usize) -> Result<Vec<GaussRule>, DesignError> {
-    let rule = |(input, law): (usize, &Distribution)| {
-        law.gauss_rule(nodes)
-            .map_err(|source| DesignError::Rule { input, source })
-    };
-    inputs.iter().enumerate().map(rule).collect()
-}
-
-/// Adds the runs of one line; a node that is the cut's own coordinate costs none.
-fn add_line(points: &mut Vec<Vec<f64>>, input: usize, rule: &GaussRule) -> Vec<usize> {
-    let mut ordinals = Vec::with_capacity(rule.len());
-    for &x in &rule.nodes {
-        if x == points[0][input] {
-            ordinals.push(0);
-        } else {
-            let mut point = points[0].clone();
-            point[input] = x;
-            points.push(point);
-            ordinals.push(points.len() - 1);
-        }
-    }
-    ordinals
 }
 
 #[cfg(test)]

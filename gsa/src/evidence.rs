@@ -7,59 +7,81 @@ use crate::design::{CheckPoint, Design};
 use crate::mdrm::Mdrm;
 use crate::scale::times_power_of_two;
 use crate::section::Sections;
+use crate::shift;
 
-/// Root mean squares over the check points, in the units of the sections; infinite where a form overflows.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Evidence {
-    /// check points with a finite value
-    pub(crate) count: usize,
+/// Check points with a finite value, and their values in the units of the sections.
+pub(crate) type Checks<'a> = Vec<(&'a CheckPoint, f64)>;
+
+/// A fit of one number to fewer points would prove nothing.
+const LEAST_FOR_SHIFT: usize = 3;
+/// The shifted form must lower the misfit this many times to be preferred: being fitted, it lowers it a little for any
+/// model, and near-products it makes worse.
+const SHIFT_GAIN: f64 = 10.0;
+
+/// How each form fares at the check points. Misfits are root mean squares in the units of the sections, infinite where a
+/// form overflows.
+#[derive(Debug, Clone)]
+pub(crate) struct Evidence<'a> {
+    pub(crate) checks: Checks<'a>,
     /// misfit of the product form; infinite where it does not exist
     pub(crate) product: f64,
     /// misfit of the additive form
     pub(crate) additive: f64,
+    /// the shifted product and its misfit, where it is a good deal better than both
+    pub(crate) shifted: Option<(Mdrm, f64)>,
     /// largest |h - h0|
     pub(crate) departure: f64,
     /// misfit that rounding alone explains
     rounding: f64,
 }
 
-impl Evidence {
+impl<'a> Evidence<'a> {
     /// `None` if there is no check point with a finite value.
     pub(crate) fn new(
-        design: &Design,
+        design: &'a Design,
         values: &[f64],
         sections: &Sections,
         mdrm: Option<&Mdrm>,
     ) -> Option<Self> {
-        let finite: Vec<(&CheckPoint, f64)> = design
+        let scaled = |ordinal: usize| times_power_of_two(values[ordinal], -sections.exponent);
+        let checks: Checks<'a> = design
             .checks()
             .iter()
             .filter(|check| values[check.ordinal()].is_finite())
-            .map(|check| {
-                (
-                    check,
-                    times_power_of_two(values[check.ordinal()], -sections.exponent),
-                )
-            })
+            .map(|check| (check, scaled(check.ordinal())))
             .collect();
-        if finite.is_empty() {
+        if checks.is_empty() {
             return None;
         }
-        let largest = finite
+        let largest = checks
             .iter()
             .fold(sections.largest, |max, (_, h)| max.max(h.abs()));
-        Some(Self {
-            count: finite.len(),
+        let mut evidence = Self {
             product: mdrm.map_or(f64::INFINITY, |mdrm| {
-                misfit(&finite, |check| mdrm.predict(sections, check))
+                misfit(&checks, |check| mdrm.predict(sections, check))
             }),
-            additive: misfit(&finite, |check| additive::predict(sections, check)),
-            departure: finite
+            additive: misfit(&checks, |check| additive::predict(sections, check)),
+            shifted: None,
+            departure: checks
                 .iter()
                 .fold(0.0, |max, (_, h)| max.max((h - sections.centre).abs())),
             // n ratios, each off by an eps, and the model's own few.
             rounding: (sections.inputs() as f64 + 4.0) * f64::EPSILON * largest,
-        })
+            checks,
+        };
+        evidence.shifted = evidence.shifted(sections);
+        Some(evidence)
+    }
+
+    fn shifted(&self, sections: &Sections) -> Option<(Mdrm, f64)> {
+        let others = self.product.min(self.additive);
+        if self.checks.len() < LEAST_FOR_SHIFT || others <= SHIFT_GAIN * self.rounding {
+            return None;
+        }
+        let t = shift::fit(sections, &self.checks);
+        let misfit = misfit(&self.checks, |check| shift::predict(sections, check, t));
+        let form = Mdrm::shifted(sections, 1.0 / t - sections.centre).ok()?;
+        (misfit * SHIFT_GAIN < others).then_some((form, misfit))
     }
 
     /// Whether the product misses the model by more than the additive form does, and by more than rounding; one that
@@ -88,30 +110,47 @@ mod tests {
     use super::*;
     use crate::distribution::Distribution;
 
-    fn evidence(model: impl Fn(&[f64]) -> f64) -> Evidence {
+    fn with_evidence(model: impl Fn(&[f64]) -> f64, check: impl Fn(&Evidence<'_>)) {
         let inputs = vec![Distribution::uniform(0.5, 1.5).unwrap(); 3];
         let design = Design::new(&inputs, 5, 8, &mut ChaCha8Rng::seed_from_u64(5)).unwrap();
         let values: Vec<f64> = design.points().iter().map(|x| model(x)).collect();
-        let sections = Sections::new(&design, &values);
+        let sections = Sections::new(&design, &values).unwrap();
         let mdrm = Mdrm::new(&sections).ok();
-        Evidence::new(&design, &values, &sections, mdrm.as_ref()).unwrap()
+        check(&Evidence::new(&design, &values, &sections, mdrm.as_ref()).unwrap());
     }
 
     #[test]
     fn each_form_fits_what_it_was_made_for() {
-        let product = evidence(|x| 2.0 * x[0] * x[1] * x[2]);
-        assert!(product.product <= product.rounding && product.additive > 0.01);
-        assert!(!product.refutes_product());
-        let sum = evidence(|x| 2.0 + x[0] + x[1] + x[2]);
-        assert!(sum.additive <= sum.rounding && sum.product > 1e-3);
-        assert!(sum.refutes_product());
+        with_evidence(
+            |x| 2.0 * x[0] * x[1] * x[2],
+            |product| {
+                assert!(product.product <= product.rounding && product.additive > 0.01);
+                assert!(!product.refutes_product() && product.shifted.is_none());
+            },
+        );
+        with_evidence(
+            |x| 2.0 + x[0] + x[1] + x[2],
+            |sum| {
+                assert!(sum.additive <= sum.rounding && sum.product > 1e-3);
+                assert!(sum.refutes_product() && sum.shifted.is_none());
+            },
+        );
+        with_evidence(
+            |x| 3.0 + x[0] * x[1] * x[2],
+            |shifted| {
+                let (_, misfit) = shifted.shifted.as_ref().unwrap();
+                assert!(*misfit < 1e-14 && shifted.product > 1e-3);
+            },
+        );
     }
 
     #[test]
     fn a_misfit_of_rounding_size_refutes_nothing() {
         // so flat that product and sum differ by 1e-20
-        let flat = evidence(|x| (1.0 + 1e-10 * x[0]) * (1.0 + 1e-10 * x[1]) + 1e-10 * x[2]);
-        assert!(!flat.refutes_product(), "{flat:?}");
+        with_evidence(
+            |x| (1.0 + 1e-10 * x[0]) * (1.0 + 1e-10 * x[1]) + 1e-10 * x[2],
+            |flat| assert!(!flat.refutes_product(), "{flat:?}"),
+        );
     }
 
     #[test]
@@ -127,7 +166,7 @@ mod tests {
         for check in design.checks() {
             values[check.ordinal()] = 1e300;
         }
-        let sections = Sections::new(&design, &values);
+        let sections = Sections::new(&design, &values).unwrap();
         let mdrm = Mdrm::new(&sections).ok();
         let evidence = Evidence::new(&design, &values, &sections, mdrm.as_ref()).unwrap();
         assert!(evidence.refutes_product());

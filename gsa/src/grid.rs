@@ -14,12 +14,12 @@ const DRAWS_BEFORE_WALK: usize = 256;
 
 /// The grid of all node combinations, and which node of each input (if any) coincides with the cut.
 pub(crate) struct Grid<'a> {
-    rules: &'a [GaussRule],
+    rules: &'a [&'a GaussRule],
     centre: Vec<Option<usize>>,
 }
 
 impl<'a> Grid<'a> {
-    pub(crate) fn new(rules: &'a [GaussRule], cut: &[f64]) -> Self {
+    pub(crate) fn new(rules: &'a [&'a GaussRule], cut: &[f64]) -> Self {
         let centre = rules
             .iter()
             .zip(cut)
@@ -28,11 +28,15 @@ impl<'a> Grid<'a> {
         Self { rules, centre }
     }
 
-    /// Distinct off-axis combinations of node indices, at most `wanted` and as many as there are. Each coordinate is
-    /// drawn with its rule's weights, so that a mean over the points estimates the mean over the law.
-    pub(crate) fn off_axis(&self, wanted: usize, rng: &mut impl Rng) -> Vec<Vec<usize>> {
-        let count = wanted.min(self.off_axis_len());
-        let mut seen = HashSet::with_capacity(count);
+    /// Distinct off-axis combinations of node indices, none of them `seen`, at most `wanted` and as many as there are.
+    /// Each coordinate is drawn with its rule's weights, so that a mean over the points estimates the mean over the law.
+    pub(crate) fn off_axis(
+        &self,
+        wanted: usize,
+        mut seen: HashSet<Vec<usize>>,
+        rng: &mut impl Rng,
+    ) -> Vec<Vec<usize>> {
+        let count = wanted.min(self.off_axis_len() - seen.len());
         let mut points = Vec::with_capacity(count);
         while points.len() < count {
             let mut point = self.draw(rng);
@@ -53,7 +57,7 @@ impl<'a> Grid<'a> {
 
     /// Number of off-axis combinations, saturating: all of them but the cut point and the lines, where those are on
     /// the grid.
-    fn off_axis_len(&self) -> usize {
+    pub(crate) fn off_axis_len(&self) -> usize {
         // ways to choose coordinates so far with none, or exactly one, of them off the cut
         let (mut none_off, mut one_off, mut all) = (1usize, 0usize, 1usize);
         for (rule, centre) in self.rules.iter().zip(&self.centre) {
@@ -63,6 +67,17 @@ impl<'a> Grid<'a> {
             all = all.saturating_mul(rule.len());
         }
         all - none_off - one_off
+    }
+
+    /// Probability that a point drawn by weight is off the axes.
+    pub(crate) fn off_axis_probability(&self) -> f64 {
+        let (mut none_off, mut one_off) = (1.0, 0.0);
+        for (rule, centre) in self.rules.iter().zip(&self.centre) {
+            let on = centre.map_or(0.0, |j| rule.weights[j]);
+            one_off = one_off * on + none_off * (1.0 - on);
+            none_off *= on;
+        }
+        1.0 - none_off - one_off
     }
 
     fn is_off_axis(&self, point: &[usize]) -> bool {
@@ -147,18 +162,26 @@ mod tests {
     #[test]
     fn a_used_up_grid_gives_every_point_once() {
         let rules = rules(&[3, 5, 3]);
+        let rules: Vec<&GaussRule> = rules.iter().collect();
         let grid = Grid::new(&rules, &[0.0; 3]);
         // 45 combinations less the cut point and 2 + 4 + 2 on the lines
         assert_eq!(grid.off_axis_len(), 36);
-        let points = grid.off_axis(1000, &mut ChaCha8Rng::seed_from_u64(7));
+        let weight = |point: &Vec<usize>| -> f64 {
+            let coordinates = rules.iter().zip(point);
+            coordinates.map(|(rule, &j)| rule.weights[j]).product()
+        };
+        let points = grid.off_axis(1000, HashSet::new(), &mut ChaCha8Rng::seed_from_u64(7));
         assert_eq!(points.len(), 36);
         assert_eq!(points.iter().collect::<HashSet<_>>().len(), 36);
         assert!(points.iter().all(|point| grid.is_off_axis(point)));
+        let probability: f64 = points.iter().map(weight).sum();
+        assert!((grid.off_axis_probability() - probability).abs() < 1e-14);
     }
 
     #[test]
     fn a_cut_off_the_grid_leaves_every_combination() {
         let rules = rules(&[3, 3]);
+        let rules: Vec<&GaussRule> = rules.iter().collect();
         assert_eq!(Grid::new(&rules, &[0.1, 0.1]).off_axis_len(), 9);
         assert_eq!(Grid::new(&rules, &[0.0, 0.1]).off_axis_len(), 6);
     }
@@ -166,11 +189,12 @@ mod tests {
     #[test]
     fn one_input_has_no_off_axis_points() {
         let rules = rules(&[5]);
+        let rules: Vec<&GaussRule> = rules.iter().collect();
         for cut in [0.0, 0.1] {
             assert_eq!(Grid::new(&rules, &[cut]).off_axis_len(), 0);
             assert!(
                 Grid::new(&rules, &[cut])
-                    .off_axis(4, &mut ChaCha8Rng::seed_from_u64(7))
+                    .off_axis(4, HashSet::new(), &mut ChaCha8Rng::seed_from_u64(7))
                     .is_empty()
             );
         }
@@ -179,7 +203,12 @@ mod tests {
     #[test]
     fn huge_grids_do_not_overflow() {
         let rules = rules(&[64; 50]);
-        let points = Grid::new(&rules, &[0.0; 50]).off_axis(10, &mut ChaCha8Rng::seed_from_u64(3));
+        let rules: Vec<&GaussRule> = rules.iter().collect();
+        let points = Grid::new(&rules, &[0.0; 50]).off_axis(
+            10,
+            HashSet::new(),
+            &mut ChaCha8Rng::seed_from_u64(3),
+        );
         assert_eq!(points.len(), 10);
     }
 }

@@ -21,8 +21,8 @@
 //! | S_i, S_Ti | first-order and total index of input i |
 //!
 //! Read in this order, each module importing only those above it: `recurrence`, `golub_welsch`, `basis`, [`rule`];
-//! `density`, `panel`, `discretisation`, `probability`, [`distribution`]; `grid`, [`design`]; `scale`, `section`, `mdrm`, `additive`; `evidence`, [`error`], `verdict`,
-//! [`analysis`].
+//! `density`, `panel`, `discretisation`, `probability`, [`distribution`]; `polynomials`, `grid`, [`design`]; `scale`,
+//! `spectrum`, `section`, `mdrm`, `shift`, `additive`; `evidence`, [`error`], `verdict`, [`analysis`].
 //!
 //! ```
 //! use gsa::analysis::{Status, analyse};
@@ -71,15 +71,21 @@ mod probability;
 
 pub mod distribution;
 
+mod polynomials;
+
 mod grid;
 
 pub mod design;
 
 mod scale;
 
+mod spectrum;
+
 mod section;
 
 mod mdrm;
+
+mod shift;
 
 mod additive;
 

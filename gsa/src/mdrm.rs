@@ -29,6 +29,15 @@
 //! | q_i | squared coefficient of variation of section i |
 //! | L | log of 1 + the squared coefficient of variation of the output |
 //!
+//! The same with h + s in place of h, for any constant s, is the shifted product
+//!
+//! ```text
+//! h(x) ~ (h0 + s) prod_i (1 + t d_i(x_i)) - s,   t = 1/(h0 + s),  d_i = h_i - h0                                    (7)
+//! ```
+//!
+//! whose indices are (4) and (5) with rho_i + s in place of rho_i. It tends to the additive form as t -> 0 and needs no
+//! h0 != 0. The same runs serve every s; which one is best, the check points say (`shift`).
+//!
 //! What it cannot do: with h0 = 0 or some rho_i = 0 equation (1) divides by zero, and a product says nothing about an
 //! output that is not one. Both are told apart by [`Undefined`] and by the check points.
 
@@ -52,7 +61,9 @@ pub(crate) enum Undefined {
 /// The product form of one output, where it exists.
 #[derive(Debug, Clone)]
 pub(crate) struct Mdrm {
-    /// rho_i, in the units of the sections
+    /// s, in the units of the sections; 0 for M-DRM proper
+    shift: f64,
+    /// rho_i + s, in the units of the sections
     means: Vec<f64>,
     /// q_i
     squared_variations: Vec<f64>,
@@ -60,19 +71,24 @@ pub(crate) struct Mdrm {
 
 impl Mdrm {
     pub(crate) fn new(sections: &Sections) -> Result<Self, Undefined> {
-        if sections.centre.abs() <= LEAST_REFERENCE * sections.largest {
+        Self::shifted(sections, 0.0)
+    }
+
+    /// The product form of h + s, equation (7).
+    pub(crate) fn shifted(sections: &Sections, shift: f64) -> Result<Self, Undefined> {
+        let reference = sections.centre + shift;
+        if reference.abs() <= LEAST_REFERENCE * sections.largest {
             return Err(Undefined::Reference);
         }
-        let means: Vec<f64> = (0..sections.inputs())
-            .map(|i| sections.section_mean(i))
-            .collect();
+        let means: Vec<f64> = sections.shifts.iter().map(|d| reference + d).collect();
         if let Some(input) = means.iter().position(|rho| rho.abs() <= sections.noise()) {
             return Err(Undefined::SectionMean(input));
         }
-        let squared_variations = squared_variations(&sections.variances, &means);
+        let variations = sections.variances.iter().zip(&means);
         Ok(Self {
+            shift,
+            squared_variations: variations.map(|(v, rho)| v / rho / rho).collect(),
             means,
-            squared_variations,
         })
     }
 
@@ -88,14 +104,25 @@ impl Mdrm {
         self.squared_variations.iter().map(total).collect()
     }
 
-    /// S_i if the sections had these variances and the same means.
-    pub(crate) fn first_order_with(&self, variances: &[f64]) -> Vec<f64> {
-        first_order(&squared_variations(variances, &self.means))
+    /// S_ij = S_i q_j, the share of the pair alone.
+    pub(crate) fn second_order(&self, first_order: &[f64]) -> Vec<f64> {
+        let n = first_order.len();
+        let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
+        pairs
+            .map(|(i, j)| (first_order[i] * self.squared_variations[j]).min(1.0))
+            .collect()
+    }
+
+    /// The sign of the main effect of each input beside its section: that of the product of the other means.
+    pub(crate) fn main_effect_signs(&self, sections: &Sections) -> Vec<f64> {
+        let relative = |rho: &f64| (rho / (sections.centre + self.shift)).signum();
+        let all: f64 = self.means.iter().map(relative).product();
+        self.means.iter().map(|rho| all * relative(rho)).collect()
     }
 
     /// E\[Y\] and Var\[Y\], equation (6), in the units of the sections; infinite or zero where out of range.
     pub(crate) fn moments(&self, sections: &Sections) -> (f64, f64) {
-        let h0 = sections.centre;
+        let h0 = sections.centre + self.shift;
         let ratios = || {
             self.means
                 .iter()
@@ -112,29 +139,31 @@ impl Mdrm {
         };
         let log_mean: f64 = ratios().map(log_ratio).sum();
         let sign: f64 = ratios().map(|(ratio, _)| ratio.signum()).product();
-        let mean = sign * h0 * log_mean.exp();
+        let mean = if self.shift == 0.0 {
+            sign * h0 * log_mean.exp()
+        } else {
+            sections.centre + departure(1.0 / h0, sections.shifts.iter().copied())
+        };
         let log_variation = log_variation(&self.squared_variations);
         let log_variance = 2.0 * (h0.abs().ln() + log_mean) + ln_exp_m1(log_variation);
         (mean, log_variance.exp())
     }
 
-    /// Equation (1) at a check point, in the units of the sections; NaN or infinite where the product overflows.
+    /// Equation (1) or (7) at a check point, in the units of the sections; NaN or infinite where the product overflows.
     pub(crate) fn predict(&self, sections: &Sections, check: &CheckPoint) -> f64 {
         let h0 = sections.centre;
-        h0 * sections
-            .differences_at(check)
-            .map(|d| (h0 + d) / h0)
-            .product::<f64>()
+        let differences = sections.differences_at(check);
+        if self.shift == 0.0 {
+            h0 * differences.map(|d| (h0 + d) / h0).product::<f64>()
+        } else {
+            h0 + departure(1.0 / (h0 + self.shift), differences)
+        }
     }
 }
 
-/// q_i, equation (4); never theta/rho^2 - 1, which cancels.
-fn squared_variations(variances: &[f64], means: &[f64]) -> Vec<f64> {
-    variances
-        .iter()
-        .zip(means)
-        .map(|(v, rho)| v / rho / rho)
-        .collect()
+/// (prod_i (1 + t d_i) - 1)/t without the division: f + d + t f d appends a factor to the product behind f.
+pub(crate) fn departure(t: f64, differences: impl Iterator<Item = f64>) -> f64 {
+    differences.fold(0.0, |f, d| f + d + t * f * d)
 }
 
 /// L, equation (4).

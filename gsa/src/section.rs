@@ -13,9 +13,12 @@
 
 use crate::design::{CheckPoint, Design, Line};
 use crate::scale::{exponent, times_power_of_two};
+use crate::spectrum::missing_share;
 
 /// A response rounded in its last bits has this many eps of spread without depending on anything.
 const NOISE_IN_EPS: f64 = 4.0;
+/// A section is refitted from what is left of its nodes if these are enough to judge it by.
+const LEAST_NODES: usize = 3;
 
 /// The sections of one output.
 #[derive(Debug, Clone)]
@@ -30,45 +33,89 @@ pub(crate) struct Sections {
     pub(crate) shifts: Vec<f64>,
     /// v_i
     pub(crate) variances: Vec<f64>,
-    /// The part of v_i in the highest modes (see [`modes_dropped`]); `None` if the rule is too small to tell.
-    pub(crate) tails: Option<Vec<f64>>,
+    /// What the rule misses of v_i, as a share of it; `None` if a rule is too small to tell.
+    pub(crate) missing: Option<Vec<f64>>,
+    /// Points on the lines that gave no number, whose values were taken from their lines' other nodes.
+    pub(crate) lost: Vec<usize>,
     /// d_ij by line and node
     differences: Vec<Vec<f64>>,
+    /// The same at the nodes of the check points, for lines refined since those were drawn; else empty.
+    at_checks: Vec<Vec<f64>>,
 }
 
 impl Sections {
-    /// From the values of one output at the points of the design, all finite on the lines.
-    pub(crate) fn new(design: &Design, values: &[f64]) -> Self {
-        let on_lines = || design.lines().iter().flat_map(Line::ordinals).chain([&0]);
-        let largest = on_lines().fold(0.0f64, |max, &k| max.max(values[k].abs()));
+    /// From the values of one output at the points of the design.
+    ///
+    /// # Errors
+    /// The point without whose value there is no analysis: the cut point, or a node of a line that has lost too many.
+    pub(crate) fn new(design: &Design, values: &[f64]) -> Result<Self, usize> {
+        if !values[0].is_finite() {
+            return Err(0);
+        }
+        let on_lines = || {
+            let all = design.lines().iter().chain(design.coarse_lines().flatten());
+            all.flat_map(Line::ordinals).chain([&0])
+        };
+        let largest = on_lines()
+            .map(|&k| values[k].abs())
+            .filter(|h| h.is_finite())
+            .fold(0.0f64, f64::max);
         let exponent = exponent(largest);
-        let scaled = |k: usize| times_power_of_two(values[k], -exponent);
-        let centre = scaled(0);
-        let differences: Vec<Vec<f64>> = design
-            .lines()
-            .iter()
-            .map(|line| {
-                line.ordinals()
-                    .iter()
-                    .map(|&k| scaled(k) - centre)
-                    .collect()
-            })
-            .collect();
-        let moments: Vec<(f64, f64)> = design
-            .lines()
-            .iter()
-            .zip(&differences)
-            .map(|(line, d)| moments(&line.rule().weights, d))
-            .collect();
-        Self {
+        let centre = times_power_of_two(values[0], -exponent);
+        let mut lost = Vec::new();
+        let mut read = |line: &Line| {
+            let mut d: Vec<f64> = line
+                .ordinals()
+                .iter()
+                .map(|&k| times_power_of_two(values[k], -exponent) - centre)
+                .collect();
+            restore(line, &mut d, &mut lost).map(|()| d)
+        };
+        let mut differences = Vec::with_capacity(design.lines().len());
+        for line in design.lines() {
+            differences.push(read(line)?);
+        }
+        let mut at_checks = Vec::new();
+        for line in design.coarse_lines() {
+            at_checks.push(line.map_or(Ok(Vec::new()), &mut read)?);
+        }
+        let mut sections = Self {
             exponent,
             centre,
             largest: times_power_of_two(largest, -exponent),
-            shifts: moments.iter().map(|&(shift, _)| shift).collect(),
-            variances: moments.iter().map(|&(_, variance)| variance).collect(),
-            tails: tails(design.lines(), &differences, &moments),
+            shifts: Vec::with_capacity(differences.len()),
+            variances: Vec::with_capacity(differences.len()),
+            missing: Some(Vec::with_capacity(differences.len())),
+            lost: Vec::new(),
             differences,
+            at_checks,
+        };
+        for (input, line) in design.lines().iter().enumerate() {
+            sections.add_moments(input, line, &lost);
         }
+        sections.lost = lost;
+        Ok(sections)
+    }
+
+    fn add_moments(&mut self, input: usize, line: &Line, lost: &[usize]) {
+        let d = &self.differences[input];
+        let (shift, variance) = moments(&line.rule().weights, d);
+        let restored = line.ordinals().iter().filter(|k| lost.contains(k)).count();
+        let resolved = line.rule().len() - restored;
+        let energies: Vec<f64> = (1..resolved)
+            .map(|k| line.rule().coefficient(k, d).powi(2))
+            .collect();
+        self.shifts.push(shift);
+        self.variances.push(variance);
+        self.missing = self.missing.take().and_then(|mut shares| {
+            let beyond = if restored == 0 {
+                2 * resolved
+            } else {
+                resolved
+            };
+            shares.push(missing_share(&energies, beyond)?);
+            Some(shares)
+        });
     }
 
     /// n
@@ -76,19 +123,16 @@ impl Sections {
         self.variances.len()
     }
 
-    /// rho_i
-    pub(crate) fn section_mean(&self, input: usize) -> f64 {
-        self.centre + self.shifts[input]
-    }
-
     /// sqrt(sum v): the standard deviation the lines show.
     pub(crate) fn spread(&self) -> f64 {
         self.variances.iter().sum::<f64>().sqrt()
     }
 
-    /// eps max|h| / sqrt(sum v): the error that the rounding of the model itself leaves in any index, at most 1.
+    /// eps max|h| / sqrt(sum v), the error that the rounding of the model itself leaves in any index, and an eps for each
+    /// term of the sums; at most 1.
     pub(crate) fn floor(&self) -> f64 {
-        let floor = f64::EPSILON * self.largest / self.spread();
+        let sums = (self.inputs() + 4) as f64;
+        let floor = f64::EPSILON * (self.largest / self.spread() + sums);
         if floor < 1.0 { floor } else { 1.0 }
     }
 
@@ -114,11 +158,41 @@ impl Sections {
         &'a self,
         check: &'a CheckPoint,
     ) -> impl Iterator<Item = f64> + 'a {
-        self.differences
+        check
+            .nodes()
             .iter()
-            .zip(check.nodes())
-            .map(|(d, &j)| d[j])
+            .enumerate()
+            .map(|(input, &j)| self.difference_at(input, j))
     }
+
+    /// d_i at a node of the rule that the check points were drawn from.
+    pub(crate) fn difference_at(&self, input: usize, node: usize) -> f64 {
+        match self.at_checks.get(input) {
+            Some(coarse) if !coarse.is_empty() => coarse[node],
+            _ => self.differences[input][node],
+        }
+    }
+}
+
+/// Puts in, for nodes without a number, the polynomial through the others, and names them in `lost`.
+fn restore(line: &Line, d: &mut [f64], lost: &mut Vec<usize>) -> Result<(), usize> {
+    if d.iter().all(|d| d.is_finite()) {
+        return Ok(());
+    }
+    let known: Vec<usize> = (0..d.len()).filter(|&j| d[j].is_finite()).collect();
+    for j in (0..d.len()).filter(|j| !known.contains(j)) {
+        if known.len() < LEAST_NODES {
+            return Err(line.ordinals()[j]);
+        }
+        let xi = |j: usize| line.coordinate(line.rule().nodes[j]);
+        let share = |&k: &usize| {
+            let others = known.iter().filter(|&&l| l != k);
+            others.fold(1.0, |share, &l| share * (xi(j) - xi(l)) / (xi(k) - xi(l)))
+        };
+        d[j] = known.iter().map(|k| share(k) * d[*k]).sum();
+        lost.push(line.ordinals()[j]);
+    }
+    Ok(())
 }
 
 /// (dbar, v) in two passes.
@@ -130,33 +204,6 @@ fn moments(weights: &[f64], d: &[f64]) -> (f64, f64) {
         .map(|(w, d)| w * (d - shift) * (d - shift))
         .sum();
     (shift, variance)
-}
-
-/// How many of the N - 1 modes that a rule resolves count as its unreliable end: two, because a section even or odd
-/// about the mean leaves every second mode empty and the last one alone would then report no error at all. A
-/// three-point rule has but two modes and gives up one; smaller rules cannot tell.
-fn modes_dropped(nodes: usize) -> Option<usize> {
-    match nodes {
-        0..=2 => None,
-        3 => Some(1),
-        _ => Some(2),
-    }
-}
-
-fn tails(lines: &[Line], differences: &[Vec<f64>], moments: &[(f64, f64)]) -> Option<Vec<f64>> {
-    let tail = |((line, d), &(_, variance)): ((&Line, &Vec<f64>), &(f64, f64))| {
-        let n = line.rule().len();
-        let dropped = modes_dropped(n)?;
-        let squares = (n - dropped..n).map(|k| line.rule().coefficient(k, d).powi(2));
-        // Rounding must not let the part exceed the whole.
-        Some(squares.sum::<f64>().min(variance))
-    };
-    lines
-        .iter()
-        .zip(differences)
-        .zip(moments)
-        .map(tail)
-        .collect()
 }
 
 #[cfg(test)]
@@ -174,15 +221,15 @@ mod tests {
         ];
         let design = Design::new(&inputs, nodes, 0, &mut ChaCha8Rng::seed_from_u64(1)).unwrap();
         let values: Vec<f64> = design.points().iter().map(|x| model(x)).collect();
-        Sections::new(&design, &values)
+        Sections::new(&design, &values).unwrap()
     }
 
     #[test]
     fn moments_of_a_polynomial_are_exact() {
         let s = sections(5, |x| 3.0 + x[0] * x[0] + 2.0 * x[1]);
         let unit = 2f64.powi(s.exponent);
-        assert!((s.section_mean(0) * unit - 4.0).abs() < 1e-14);
-        assert!((s.section_mean(1) * unit - 3.0).abs() < 1e-14);
+        assert!(((s.centre + s.shifts[0]) * unit - 4.0).abs() < 1e-14);
+        assert!(((s.centre + s.shifts[1]) * unit - 3.0).abs() < 1e-14);
         assert!((s.variances[0] * unit * unit - 2.0).abs() < 1e-13);
         assert!((s.variances[1] * unit * unit - 4.0 / 3.0).abs() < 1e-14);
     }
@@ -199,14 +246,24 @@ mod tests {
     }
 
     #[test]
-    fn tails_see_the_modes_a_rule_barely_resolves() {
-        // He_4 / sqrt(24) has unit variance, all of it in the fourth mode
-        let fourth = |x: &[f64]| (x[0].powi(4) - 6.0 * x[0] * x[0] + 3.0) / 24f64.sqrt();
-        let s = sections(5, fourth);
-        assert!((s.tails.as_ref().unwrap()[0] / s.variances[0] - 1.0).abs() < 1e-13);
-        let s = sections(7, fourth);
-        assert!(s.tails.as_ref().unwrap()[0] / s.variances[0] < 1e-26);
-        assert!(sections(2, fourth).tails.is_none());
+    fn a_lost_node_is_taken_from_the_others() {
+        let inputs = [Distribution::uniform(-1.0, 1.0).unwrap(); 2];
+        let design = Design::new(&inputs, 5, 0, &mut ChaCha8Rng::seed_from_u64(1)).unwrap();
+        let run = |x: &[f64]| 2.0 + x[0].powi(3) - x[1];
+        let mut values: Vec<f64> = design.points().iter().map(|x| run(x)).collect();
+        let whole = Sections::new(&design, &values).unwrap();
+        let ordinals = design.lines()[0].ordinals();
+        values[ordinals[4]] = f64::NAN;
+        // four nodes still hold a cubic
+        let less = Sections::new(&design, &values).unwrap();
+        assert!((less.variances[0] / whole.variances[0] - 1.0).abs() < 1e-13);
+        assert_eq!(less.lost, [ordinals[4]]);
+        assert!(less.missing.unwrap()[0] > whole.missing.unwrap()[0]);
+        values[ordinals[0]] = f64::INFINITY;
+        values[ordinals[1]] = f64::INFINITY;
+        assert_eq!(Sections::new(&design, &values).unwrap_err(), ordinals[0]);
+        values[0] = f64::NAN;
+        assert_eq!(Sections::new(&design, &values).unwrap_err(), 0);
     }
 
     #[test]

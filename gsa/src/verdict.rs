@@ -22,14 +22,17 @@ pub enum Form {
     Mdrm,
     /// sum of the sections
     Additive,
+    /// product of the sections after adding a constant
+    Shifted,
 }
 
 impl Form {
-    /// `mdrm` or `additive`.
+    /// `mdrm`, `additive` or `shifted`.
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Mdrm => "mdrm",
             Self::Additive => "additive",
+            Self::Shifted => "shifted",
         }
     }
 }
@@ -94,15 +97,22 @@ impl Verdict {
     pub(crate) fn new(
         sections: &Sections,
         mdrm: &Result<Mdrm, Undefined>,
-        evidence: Option<&Evidence>,
+        evidence: Option<&Evidence<'_>>,
     ) -> Self {
         let holds = |reason| Self {
             form: Form::Mdrm,
             reason,
         };
-        let broken = |reason| Self {
-            form: Form::Additive,
-            reason: Some(reason),
+        let shifted = evidence.and_then(|evidence| evidence.shifted.as_ref());
+        let broken = |reason: String| Self {
+            form: shifted.map_or(Form::Additive, |_| Form::Shifted),
+            reason: Some(match shifted {
+                Some((_, misfit)) => format!(
+                    "{reason}; the product form of the output plus a constant by {}",
+                    in_deviations(sections, *misfit)
+                ),
+                None => reason,
+            }),
         };
         if let Err(undefined) = mdrm {
             return broken(undefined.to_string());
@@ -112,12 +122,12 @@ impl Verdict {
             return holds(None);
         }
         match (evidence, Doubt::of(sections)) {
-            (Some(evidence), _) if evidence.refutes_product() => {
+            (Some(evidence), _) if evidence.refutes_product() || shifted.is_some() => {
                 broken(refutation(sections, evidence))
             }
             (Some(evidence), Some(doubt)) => holds(Some(format!(
                 "{doubt}, but the product form holds at {} check points better than the additive one",
-                evidence.count
+                evidence.checks.len()
             ))),
             (None, Some(doubt)) => broken(format!(
                 "{doubt}, and there is no check point to test the product form"
@@ -127,20 +137,21 @@ impl Verdict {
     }
 }
 
-fn refutation(sections: &Sections, evidence: &Evidence) -> String {
-    let in_deviations = |misfit: f64| {
-        let ratio = misfit / sections.spread();
-        // Beyond this the number tells nothing, and it may have overflowed.
-        if ratio < 1e3 {
-            format!("{ratio:.1e}")
-        } else {
-            "more than 1000".to_owned()
-        }
-    };
+fn in_deviations(sections: &Sections, misfit: f64) -> String {
+    let ratio = misfit / sections.spread();
+    // Beyond this the number tells nothing, and it may have overflowed.
+    if ratio < 1e3 {
+        format!("{ratio:.1e}")
+    } else {
+        "more than 1000".to_owned()
+    }
+}
+
+fn refutation(sections: &Sections, evidence: &Evidence<'_>) -> String {
     format!(
         "the product form misses the model by {} standard deviations at {} check points, the additive form by {}",
-        in_deviations(evidence.product),
-        evidence.count,
-        in_deviations(evidence.additive)
+        in_deviations(sections, evidence.product),
+        evidence.checks.len(),
+        in_deviations(sections, evidence.additive)
     )
 }

@@ -154,15 +154,47 @@ fn an_interaction_that_vanishes_on_the_lines_is_not_a_constant() {
 }
 
 #[test]
-fn a_failed_run_on_a_line_makes_the_output_unusable_and_names_the_point() {
+fn a_failed_run_on_a_line_is_named_and_costs_accuracy() {
     let design = design(3, 5, 4);
-    for (ordinal, bad) in [(0, f64::NAN), (7, f64::INFINITY), (12, f64::NEG_INFINITY)] {
-        let mut values = run(&design, |x| 5.0 + x[0]);
+    let model = |x: &[f64]| 5.0 + x[0] + (0.3 * x[1]).exp() + x[2];
+    let whole = analysis(&design, model);
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let mut values = run(&design, model);
+        let ordinal = design.lines()[1].ordinals()[4];
         values[[ordinal, 0]] = bad;
+        let found = analyse(&design, &values.view()).remove(0);
+        assert_eq!(found.status, whole.status);
+        assert!(
+            reason(&found).contains(&format!("their lines: {ordinal}")),
+            "{found:?}"
+        );
+        let pairs = [(&found.first_order, &whole.first_order)];
+        for (less, all) in pairs
+            .into_iter()
+            .flat_map(|(a, b)| a.iter().flatten().zip(b.iter().flatten()))
+        {
+            let claimed = found.error.total.unwrap();
+            assert!(
+                less != all && (less - all).abs() < claimed,
+                "{less} {all} {claimed}"
+            );
+        }
+        assert!(found.error.quadrature > whole.error.quadrature);
+    }
+}
+
+#[test]
+fn without_the_cut_point_or_half_a_line_an_output_is_unusable_and_the_point_named() {
+    let design = design(3, 5, 4);
+    let line = design.lines()[1].ordinals();
+    for (lost, named) in [(&[0][..], 0), (&[line[0], line[1], line[4]][..], line[0])] {
+        let mut values = run(&design, |x| 5.0 + x[0]);
+        lost.iter()
+            .for_each(|&ordinal| values[[ordinal, 0]] = f64::NAN);
         let found = analyse(&design, &values.view()).remove(0);
         assert_eq!(found.status, Status::Unusable);
         assert!(
-            reason(&found).contains(&format!("point {ordinal} ")),
+            reason(&found).contains(&format!("point {named} ")),
             "{found:?}"
         );
         assert_eq!(
