@@ -1,4 +1,4 @@
-//! The reference tire on ever finer meshes, and against an independent code on that code's meshes; prints Markdown.
+//! The reference tire on ever finer meshes; prints Markdown.
 //!
 //! `cargo run --release -p fem-client --example convergence`, three minutes and 4 GB.
 
@@ -9,8 +9,6 @@ use fem_client::solver::Solved;
 use fem_client::tire::TireModel;
 use fem_client::tire_mesh::{Extent, MeshPlan};
 
-#[path = "../tests/independent/mod.rs"]
-mod independent;
 #[path = "support/limit.rs"]
 mod limit;
 #[path = "support/meshes.rs"]
@@ -40,8 +38,6 @@ fn main() {
             table(&meshes, k);
         }
     }
-    println!("### Against the independent code, on its meshes\n");
-    comparison();
 }
 
 fn measure(order: Order, refinement: usize) -> Mesh {
@@ -121,39 +117,5 @@ fn number(quantity: usize, value: f64) -> String {
     match quantity {
         0 => format!("{value:.4}"),
         _ => format!("{value:.6}"),
-    }
-}
-
-fn comparison() {
-    println!(
-        "| case | displacements | depth mm | inflated radius mm, theirs | ours, difference | inflated stretch, largest difference | reaction N, theirs | ours, relative difference | x at P3, theirs | ours, difference | y at P3, theirs | ours, difference | least cord stretch |"
-    );
-    println!("| ---{} |", " | ---".repeat(12));
-    let figures = independent::figures();
-    for case in figures.chunk_by(|a, b| a.case == b.case) {
-        for (theirs, ours) in case.iter().zip(independent::solve(case)) {
-            let (a, b) = (&theirs.solution, &ours.solution);
-            let stretch = theirs.inflated_stretch.map_or(String::new(), |stretch| {
-                let pairs = stretch.iter().zip(ours.inflated_stretch);
-                let differences = pairs.map(|(a, b)| (a - b).abs());
-                format!("{:.0e}", differences.fold(0.0, f64::max))
-            });
-            println!(
-                "| {} | {} | {} | {:.5} | {:+.0e} | {} | {:.5} | {:+.0e} | {:.6} | {:+.0e} | {:.6} | {:+.0e} | {:.4} |",
-                theirs.case,
-                theirs.displacements(),
-                theirs.depth_mm,
-                a.inflated_radius_mm,
-                b.inflated_radius_mm - a.inflated_radius_mm,
-                stretch,
-                a.reaction_n,
-                b.reaction_n / a.reaction_n - 1.0,
-                a.x[0],
-                b.x[0] - a.x[0],
-                a.y[0],
-                b.y[0] - a.y[0],
-                ours.least_cord_stretch,
-            );
-        }
     }
 }
