@@ -151,17 +151,10 @@ mod tests {
     use crate::pressure::PressureSurface;
     use crate::solid::SolidGeometry;
 
-    const ORDERS: [Order; 4] = [
-        Order::Linear,
-        Order::Quadratic,
-        Order::PlaneLinear,
-        Order::PlaneQuadratic,
-    ];
-
     #[test]
     fn a_mapped_block_has_its_volume_and_sides_that_enclose_it() {
         let size = [2.0, 1.0, 5.0];
-        for order in ORDERS {
+        for order in Order::ALL {
             let block = Block::new(order, [2, 3, 4], |s| [0, 1, 2].map(|i| size[i] * s[i]));
             let geometry = SolidGeometry::new(&block.mesh).expect("right-handed");
             let bricks = block.mesh.brick_count();
@@ -189,7 +182,7 @@ mod tests {
 
     #[test]
     fn joined_blocks_share_the_nodes_between_them() {
-        for order in ORDERS {
+        for order in Order::ALL {
             let at = |start: f64| Block::new(order, [2, 2, 2], move |s| [start + s[0], s[1], s[2]]);
             let blocks = [at(0.0), at(1.0)];
             let (mesh, layout, numbers) = join(&blocks);

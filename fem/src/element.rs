@@ -26,6 +26,14 @@ pub enum Order {
 const HALF_THICKNESS: f64 = 0.5;
 
 impl Order {
+    /// Every order, in space and in the plane.
+    pub const ALL: [Self; 4] = [
+        Self::Linear,
+        Self::Quadratic,
+        Self::PlaneLinear,
+        Self::PlaneQuadratic,
+    ];
+
     /// Whether cells are in plane strain.
     pub fn is_plane(self) -> bool {
         matches!(self, Self::PlaneLinear | Self::PlaneQuadratic)
@@ -202,16 +210,9 @@ pub fn face_points(order: Order, n: usize) -> Vec<FacePoint> {
 mod tests {
     use super::*;
 
-    const ORDERS: [Order; 4] = [
-        Order::Linear,
-        Order::Quadratic,
-        Order::PlaneLinear,
-        Order::PlaneQuadratic,
-    ];
-
     #[test]
     fn shape_functions_are_a_partition_of_unity() {
-        for order in ORDERS {
+        for order in Order::ALL {
             let (values, gradients) = face_shape(order, [0.3, -0.7]);
             assert!((values.iter().sum::<f64>() - 1.0).abs() < 1e-15);
             for axis in 0..2 {
@@ -229,7 +230,7 @@ mod tests {
 
     #[test]
     fn gradients_reproduce_the_coordinates() {
-        for order in ORDERS {
+        for order in Order::ALL {
             let (n, across) = (order.edge_nodes(), order.nodes_across());
             let step = 2.0 / (n as f64 - 1.0);
             let gradients = brick_gradients(order, [0.2, 0.5, -0.4]);
@@ -257,7 +258,7 @@ mod tests {
 
     #[test]
     fn rules_integrate_one_over_the_cell_and_its_face() {
-        for order in ORDERS {
+        for order in Order::ALL {
             let volume: f64 = brick_points(order).iter().map(|p| p.1).sum();
             let area: f64 = face_points(order, 3).iter().map(|p| p.weight).sum();
             assert!(
