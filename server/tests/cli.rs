@@ -249,6 +249,20 @@ fn a_load_that_the_tire_can_not_hold_ends_with_3_and_how_far_it_got() {
 }
 
 #[test]
+fn a_tire_pressed_onto_itself_ends_with_3_and_the_depth_it_got_to() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let scene = "[carcass]\n[ground]\ndepths_mm = [12.5, 12.5, 12.5, 12.5, 12.5]\n[model]\nlevel = \"draft\"\n";
+    std::fs::write(folder.path().join("deep.toml"), scene).expect("writes");
+    let output = strainsite(folder.path(), &["solve", "deep.toml", "--json", "-"]);
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+    let answer: Value =
+        serde_json::from_slice(&output.stdout).expect("one JSON document and nothing else");
+    assert_eq!(answer["status"], "self-contact");
+    let reached = answer["reached"]["depths_mm"][2].as_f64().expect("a depth");
+    assert!(12.0 < reached && reached < 12.5, "{reached} mm");
+}
+
+#[test]
 fn verification_compares_with_known_answers_and_shows_its_convergence() {
     let folder = tempfile::tempdir().expect("temp dir");
     let families = [
