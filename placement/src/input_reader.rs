@@ -1,30 +1,18 @@
 //! Reads the uncertain inputs of a study: their names, paths and distributions.
 
 use fem_client::fault::{Fault, entry};
-use fem_client::fields::{Fields, Range, shown};
+use fem_client::fields::{Fields, shown};
 use fem_client::scene::Scene;
-use gsa::distribution::{Distribution, DistributionError};
+use gsa::distribution::Distribution;
 use serde_json::Value;
 
+use crate::distribution_reader::read_distribution;
 use crate::study::Input;
 
 /// Most inputs of a study.
 const MOST_INPUTS: usize = 50;
 /// Longest name of an input, characters.
 const LONGEST_NAME: usize = 50;
-/// Parameters of any law; no field of a scene goes beyond 1e9.
-const PARAMETER: Range = Range::new(-1e12, 1e12, "");
-
-/// Builds a law from its two parameters.
-type Law = fn(f64, f64) -> Result<Distribution, DistributionError>;
-
-/// Laws by name, with their parameters in the order of the constructor.
-const LAWS: [(&str, [&str; 2], Law); 3] = [
-    ("uniform", ["min", "max"], Distribution::uniform),
-    ("normal", ["mean", "std"], Distribution::normal),
-    ("lognormal", ["mu", "sigma"], Distribution::lognormal),
-];
-
 /// Reads `inputs`. None after a fault.
 pub(crate) fn read_inputs(
     fields: &Fields<'_>,
@@ -110,7 +98,7 @@ fn read_input(
             "a table such as { kind = \"uniform\", min = 0.7, max = 1.3 }",
             faults,
         )
-        .and_then(|(value, pointer)| distribution(value, &pointer, faults));
+        .and_then(|(value, pointer)| read_distribution(value, &pointer, faults));
     let input = Input {
         name: name?,
         vary: vary?,
@@ -165,44 +153,7 @@ fn first_entry(path: &str) -> String {
     }
 }
 
-fn distribution(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Distribution> {
-    let names = LAWS.map(|(kind, ..)| kind).join(", ");
-    let Value::Object(object) = value else {
-        let detail = format!(
-            "must be a table with a kind ({names}); it is {}",
-            shown(value)
-        );
-        Fault::add(faults, pointer, detail);
-        return None;
-    };
-    let kind = object.get("kind");
-    let Some((_, parameters, law)) = LAWS
-        .iter()
-        .find(|(name, ..)| kind.and_then(Value::as_str) == Some(name))
-    else {
-        let found = kind.map_or_else(
-            || "is missing".to_owned(),
-            |kind| format!("is {}", shown(kind)),
-        );
-        let detail = format!("the kind {found}; this version has {names}");
-        Fault::add(faults, &format!("{pointer}/kind"), detail);
-        return None;
-    };
-    let known = ["kind", parameters[0], parameters[1]];
-    let fields = Fields::open(value, pointer, &known, faults)?;
-    let first = parameter(&fields, parameters[0], faults);
-    let second = parameter(&fields, parameters[1], faults);
-    law(first?, second?)
-        .map_err(|error| Fault::add(faults, pointer, error.to_string()))
-        .ok()
-}
-
-fn parameter(fields: &Fields<'_>, name: &str, faults: &mut Vec<Fault>) -> Option<f64> {
-    fields.required(name, "a number", faults)?;
-    fields.number(name, PARAMETER, 0.0, faults)
-}
-
-/// The ends of what is put into the scene must be scenes. A law without ends is judged by its outermost nodes.
+/// The ends of what is put into the scene must be scenes. A law without stated ends is judged by its outermost nodes.
 fn check_support(
     input: &Input,
     pointer: &str,
@@ -217,19 +168,16 @@ fn check_support(
             return None;
         }
     };
+    let stated = stated_ends(&input.distribution);
+    let (low, high) = input.distribution.support();
     let mut good = Some(());
-    for (p, node) in [(0.0, rule.nodes.first()), (1.0, rule.nodes.last())] {
-        let bound = input.distribution.inverse_cdf(p);
-        // An infinite end is never reached; neither is the zero of a lognormal law.
-        let bounded = input.distribution.kind() == "uniform";
-        let end = if bounded { Some(bound) } else { node.copied() };
-        let Some(end) = end else { continue };
+    for (end, node) in [(low, rule.nodes.first()), (high, rule.nodes.last())] {
+        let (end, which) = match node {
+            _ if stated.contains(&end) => (end, "its end"),
+            Some(&node) => (node, "its outermost node"),
+            None => continue,
+        };
         if let Err(fault) = scene.clone().set(&input.vary, &Value::from(end)) {
-            let which = if bounded {
-                "its end"
-            } else {
-                "its outermost node"
-            };
             let detail = format!(
                 "{which} {end} is outside what {} takes: {}",
                 input.vary, fault.detail
@@ -239,4 +187,15 @@ fn check_support(
         }
     }
     good
+}
+
+/// Ends that the document gives a law. Others, infinite or the zero of a positive law, are never reached.
+fn stated_ends(law: &Distribution) -> Vec<f64> {
+    let bounds = law
+        .truncation()
+        .into_iter()
+        .flat_map(|(low, high)| [low, high]);
+    let parameters = law.parameters().into_iter();
+    let ends = parameters.filter(|(name, _)| ["min", "max"].contains(name));
+    ends.map(|(_, x)| x).chain(bounds).collect()
 }

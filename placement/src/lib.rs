@@ -4,7 +4,7 @@
 //!
 //! - [`study`]: the study document: what varies, what is asked
 //! - [`plan`]: the design points of a study, a pure function of the document
-//! - `candidate_reader`, `input_reader`, [`study_reader`]: read a study, with every fault at once
+//! - `candidate_reader`, [`distribution_reader`], `input_reader`, [`study_reader`]: read a study, with every fault at once
 //! - [`archive`]: where solved points are kept, so that none is solved twice
 //! - [`result`]: the answer, field by field
 //! - [`score`]: responses to indices per output
@@ -18,6 +18,7 @@
 pub mod archive;
 pub mod assemble;
 mod candidate_reader;
+pub mod distribution_reader;
 mod input_reader;
 pub mod layout;
 mod notes;

@@ -181,6 +181,9 @@ impl Input {
                 .into_iter()
                 .map(|(name, x)| (name.to_owned(), x.into())),
         );
+        if let Some((low, high)) = self.distribution.truncation() {
+            value.insert("truncate".to_owned(), json!([low, high]));
+        }
         Value::Object(value)
     }
 

@@ -69,7 +69,7 @@ fn every_fault_is_found_at_once() {
         "scene": {"preset": "foot-tire", "ground": {"depths_mm": [1, 1, 1, 1, -1]}},
         "inputs": [
             {"name": "a", "vary": "x", "distribution": {"kind": "uniform", "min": 1}},
-            {"name": "b\n", "distribution": {"kind": "gamma", "shape": 1, "scale": 1}},
+            {"name": "b\n", "distribution": {"kind": "cauchy", "shape": 1, "scale": 1}},
             {"name": "c", "vary": "ground.depths_mm[0]", "distribution": {"kind": "normal", "mean": 1, "std": 0}},
             {"name": "d", "vary": "ground.depths_mm[1]", "distribution": {"kind": "uniform", "min": 2, "max": 1}},
             7
@@ -104,7 +104,7 @@ fn every_fault_is_found_at_once() {
             "/inputs/1/name",
             "/inputs/1/vary",
             "/inputs/1/distribution/kind",
-            "/inputs/2/distribution",
+            "/inputs/2/distribution/std",
             "/inputs/3/distribution",
             "/inputs/4",
         ]
@@ -172,6 +172,75 @@ fn a_support_outside_the_scene_s_range_is_refused_at_its_ends() {
         json!({"kind": "normal", "mean": 1, "std": 0.3}),
     );
     assert!(Study::from_value(&narrow, &|_| Err(String::new())).is_ok());
+}
+
+#[test]
+fn every_law_reads_back_as_it_was_written() {
+    for law in [
+        json!({"kind": "uniform", "min": 0.7, "max": 1.3}),
+        json!({"kind": "normal", "mean": 1.0, "std": 0.1}),
+        json!({"kind": "lognormal", "mu": 0.0, "sigma": 0.1}),
+        json!({"kind": "exponential", "rate": 5.0, "truncate": [0.1, 2.0]}),
+        json!({"kind": "gamma", "shape": 9.0, "scale": 0.1}),
+        json!({"kind": "weibull", "shape": 3.0, "scale": 1.0}),
+        json!({"kind": "beta", "alpha": 2.0, "beta": 3.0, "min": 0.5, "max": 1.5}),
+        json!({"kind": "gumbel", "location": 1.0, "scale": 0.1}),
+        json!({"kind": "triangular", "min": 0.5, "mode": 1.0, "max": 1.2}),
+        json!({"kind": "normal", "mean": 1.0, "std": 2.0, "truncate": [0.5, 1.5]}),
+    ] {
+        let document = with("/inputs/0/distribution", law.clone());
+        let study = Study::from_value(&document, &|_| Err(String::new())).expect("no faults");
+        assert_eq!(study.inputs[0].distribution_value(), law);
+    }
+    // On [0, 1] unless said otherwise; zero is then a stated end, and a depth that a scene takes.
+    let document = with(
+        "/inputs/0/distribution",
+        json!({"kind": "beta", "alpha": 2, "beta": 3}),
+    );
+    let study = Study::from_value(&document, &|_| Err(String::new())).expect("no faults");
+    assert_eq!(study.inputs[0].distribution.support(), (0.0, 1.0));
+}
+
+#[test]
+fn every_fault_of_a_law_is_named_at_its_parameter() {
+    let law = |value| pointers(&with("/inputs/0/distribution", value));
+    let at = |names: &[&str]| -> Vec<String> {
+        names
+            .iter()
+            .map(|name| format!("/inputs/0/distribution{name}"))
+            .collect()
+    };
+    assert_eq!(
+        law(json!({"kind": "gamma", "shape": -1, "scale": 0, "rate": 1, "truncate": [3, 2]})),
+        at(&["/rate", "/shape", "/scale", "/truncate"])
+    );
+    assert_eq!(
+        law(json!({"kind": "weibull", "scale": "wide", "truncate": [1, "x", 2]})),
+        at(&["/shape", "/scale", "/truncate"])
+    );
+    assert_eq!(
+        law(json!({"kind": "gumbel", "location": 1, "scale": 0.1, "truncate": ["a", null]})),
+        at(&["/truncate/0", "/truncate/1"])
+    );
+    assert_eq!(
+        law(json!({"kind": "triangular", "min": 1, "mode": 3, "max": 2})),
+        at(&["/mode"])
+    );
+    assert_eq!(
+        law(json!({"kind": "beta", "alpha": 1, "beta": 1, "min": 2})),
+        at(&[""])
+    );
+    assert_eq!(
+        law(json!({"kind": "exponential", "rate": 1, "truncate": [-2, -1]})),
+        at(&["/truncate"])
+    );
+    assert_eq!(law(json!({"kind": ["normal"]})), at(&["/kind"]));
+    assert_eq!(law(json!("normal")), at(&[""]));
+    // The ends that a document states must be fit for the scene.
+    assert_eq!(
+        law(json!({"kind": "normal", "mean": 1, "std": 2, "truncate": [-0.5, 1.5]})),
+        at(&[""])
+    );
 }
 
 #[test]

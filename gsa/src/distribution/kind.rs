@@ -14,6 +14,14 @@ pub struct Parameter {
     pub default: Option<f64>,
 }
 
+impl Parameter {
+    /// What is wrong with a value by itself.
+    pub fn fault(&self, value: f64) -> Option<DistributionError> {
+        let check = if self.positive { positive } else { finite };
+        check(self.name, value).err()
+    }
+}
+
 /// A kind of law.
 #[derive(Debug, Clone, Copy)]
 pub struct Kind {
@@ -52,16 +60,8 @@ impl Kind {
             "one value for each parameter of a {} law",
             self.name
         );
-        let check = |(parameter, &value): (&Parameter, &f64)| {
-            let check = if parameter.positive { positive } else { finite };
-            check(parameter.name, value).err()
-        };
-        let faults: Vec<_> = self
-            .parameters
-            .iter()
-            .zip(values)
-            .filter_map(check)
-            .collect();
+        let pairs = self.parameters.iter().zip(values);
+        let faults: Vec<_> = pairs.filter_map(|(p, &value)| p.fault(value)).collect();
         if faults.is_empty() {
             (self.build)(values).map_err(|fault| vec![fault])
         } else {
