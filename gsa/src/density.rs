@@ -102,5 +102,5 @@ pub(crate) trait Density {
 /// Whether an interval is centred on a point as well as doubles can say.
 pub(crate) fn centred(low: f64, centre: f64, high: f64) -> bool {
     let rounding = 4.0 * f64::EPSILON * low.abs().max(high.abs());
-    ((high - centre) - (centre - low)).abs() <= rounding
+    rounding.is_finite() && ((high - centre) - (centre - low)).abs() <= rounding
 }

@@ -86,7 +86,8 @@ impl<'a> Panel<'a> {
     }
 
     fn find_scale(&self, whole: f64) -> f64 {
-        let mut distance = self.law.density.width().min(whole) * 2f64.powi(-60);
+        let smallest = self.law.density.width().min(whole) * 2f64.powi(-60);
+        let mut distance = smallest.max(f64::MIN_POSITIVE);
         while distance < whole && distance.is_finite() {
             if self.ln_ratio_at(distance) <= -1.0 {
                 return distance;

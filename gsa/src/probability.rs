@@ -154,8 +154,11 @@ impl Integrated<'_> {
 
     /// Probabilities below and above an inner x, given the whole integral.
     fn shares(&self, x: f64, whole: Mass) -> (f64, f64) {
-        let share =
-            |part: Mass| part.sum / whole.sum * self.ln_ratio(whole.anchor, part.anchor).exp();
+        let share = |part: Mass| {
+            let share = part.sum / whole.sum * self.ln_ratio(whole.anchor, part.anchor).exp();
+            // A part rounds to more than the whole where that is all of it.
+            share.min(1.0)
+        };
         let below = || share(self.mass(self.low, x));
         let above = || share(self.mass(x, self.high));
         // First the side of the nearer end: an infinite density there is integrated with its own exponent.

@@ -1,7 +1,7 @@
 //! Beta law on \[min, max\]; rule: Gauss-Jacobi.
 
 use super::Law;
-use super::error::{DistributionError, positive, range};
+use super::error::{DistributionError, in_range, range, shape};
 use crate::basis::{Basis, crowds};
 use crate::density::{Density, Place, centred, power};
 use crate::probability::Integrated;
@@ -23,18 +23,17 @@ impl Beta {
         min: f64,
         max: f64,
     ) -> Result<Self, DistributionError> {
-        positive("alpha", alpha)?;
-        positive("beta", beta)?;
+        shape("alpha", alpha)?;
+        shape("beta", beta)?;
         range("beta", min, max)?;
-        if !(alpha + beta).is_finite() {
-            return Err(DistributionError::MomentOutOfRange { kind: "beta" });
-        }
-        Ok(Self {
+        let law = Self {
             alpha,
             beta,
             min,
             max,
-        })
+        };
+        in_range("beta", law.mean(), law.std())?;
+        Ok(law)
     }
 
     fn width(&self) -> f64 {

@@ -2,6 +2,11 @@
 
 use thiserror::Error;
 
+/// Shapes that gamma, Weibull and beta laws take: at the least, one draw in two is below 1e-300000; at the largest, the
+/// law's relative spread is 1e-6 (gamma) or 1e-12 (Weibull).
+const LEAST_SHAPE: f64 = 1e-6;
+const LARGEST_SHAPE: f64 = 1e12;
+
 /// Why a law cannot be built.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -17,6 +22,14 @@ pub enum DistributionError {
     /// A scale, rate or shape is zero or negative.
     #[error("{parameter} must be greater than zero, not {value}")]
     NotPositive {
+        /// name as in [`Distribution::parameters`](super::Distribution::parameters)
+        parameter: &'static str,
+        /// what was given
+        value: f64,
+    },
+    /// A shape so small or large that the law is a point, or two, in double precision.
+    #[error("{parameter} must lie between {LEAST_SHAPE:e} and {LARGEST_SHAPE:e}, not at {value}")]
+    ShapeOutOfRange {
         /// name as in [`Distribution::parameters`](super::Distribution::parameters)
         parameter: &'static str,
         /// what was given
@@ -75,9 +88,9 @@ impl DistributionError {
     /// The parameter at fault (`truncate` for bounds), if it is one alone.
     pub fn parameter(&self) -> Option<&'static str> {
         match self {
-            Self::NotFinite { parameter, .. } | Self::NotPositive { parameter, .. } => {
-                Some(parameter)
-            }
+            Self::NotFinite { parameter, .. }
+            | Self::NotPositive { parameter, .. }
+            | Self::ShapeOutOfRange { parameter, .. } => Some(parameter),
             Self::ModeOutside { .. } => Some("mode"),
             Self::EmptyTruncation { .. } | Self::NothingLeft { .. } | Self::TruncatedTwice => {
                 Some("truncate")
@@ -104,6 +117,15 @@ pub(super) fn positive(parameter: &'static str, value: f64) -> Result<(), Distri
     }
 }
 
+pub(super) fn shape(parameter: &'static str, value: f64) -> Result<(), DistributionError> {
+    positive(parameter, value)?;
+    if (LEAST_SHAPE..=LARGEST_SHAPE).contains(&value) {
+        Ok(())
+    } else {
+        Err(DistributionError::ShapeOutOfRange { parameter, value })
+    }
+}
+
 /// Both bounds finite, in order, and a width that is a double too.
 pub(super) fn range(kind: &'static str, min: f64, max: f64) -> Result<(), DistributionError> {
     finite("min", min)?;
@@ -111,12 +133,12 @@ pub(super) fn range(kind: &'static str, min: f64, max: f64) -> Result<(), Distri
     if min >= max {
         return Err(DistributionError::EmptyRange { min, max });
     }
-    in_range(kind, &[max - min])
+    in_range(kind, min, max - min)
 }
 
-/// Moments that must neither over- nor underflow.
-pub(super) fn in_range(kind: &'static str, moments: &[f64]) -> Result<(), DistributionError> {
-    if moments.iter().all(|moment| moment.is_finite()) {
+/// A mean that is a number and a standard deviation that is above zero, neither over- nor underflown.
+pub(super) fn in_range(kind: &'static str, mean: f64, std: f64) -> Result<(), DistributionError> {
+    if mean.is_finite() && std.is_normal() {
         Ok(())
     } else {
         Err(DistributionError::MomentOutOfRange { kind })

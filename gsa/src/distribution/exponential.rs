@@ -15,7 +15,7 @@ pub(super) struct Exponential {
 impl Exponential {
     pub(super) fn new(rate: f64) -> Result<Self, DistributionError> {
         positive("rate", rate)?;
-        in_range("exponential", &[1.0 / rate])?;
+        in_range("exponential", 1.0 / rate, 1.0 / rate)?;
         Ok(Self { rate })
     }
 }

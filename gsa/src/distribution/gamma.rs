@@ -1,7 +1,7 @@
 //! Gamma law; rule: generalised Gauss-Laguerre.
 
 use super::Law;
-use super::error::{DistributionError, in_range, positive};
+use super::error::{DistributionError, in_range, positive, shape as check_shape};
 use crate::basis::{Basis, crowds};
 use crate::density::{Density, Place, power};
 use crate::probability::Integrated;
@@ -16,10 +16,10 @@ pub(super) struct Gamma {
 
 impl Gamma {
     pub(super) fn new(shape: f64, scale: f64) -> Result<Self, DistributionError> {
-        positive("shape", shape)?;
+        check_shape("shape", shape)?;
         positive("scale", scale)?;
         let law = Self { shape, scale };
-        in_range("gamma", &[law.mean(), law.std()])?;
+        in_range("gamma", law.mean(), law.std())?;
         Ok(law)
     }
 

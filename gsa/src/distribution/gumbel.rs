@@ -23,7 +23,7 @@ impl Gumbel {
         finite("location", location)?;
         positive("scale", scale)?;
         let law = Self { location, scale };
-        in_range("gumbel", &[law.mean(), law.std()])?;
+        in_range("gumbel", law.mean(), law.std())?;
         Ok(law)
     }
 }

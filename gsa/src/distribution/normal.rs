@@ -5,7 +5,7 @@ use std::f64::consts::{PI, SQRT_2};
 use statrs::function::erf::{erfc, erfc_inv};
 
 use super::Law;
-use super::error::{DistributionError, finite, positive};
+use super::error::{DistributionError, finite, in_range, positive};
 use crate::basis::Basis;
 use crate::density::{Density, Place, centred};
 use crate::recurrence::Recurrence;
@@ -21,6 +21,7 @@ impl Normal {
     pub(super) fn new(mean: f64, std: f64) -> Result<Self, DistributionError> {
         finite("mean", mean)?;
         positive("std", std)?;
+        in_range("normal", mean, std)?;
         Ok(Self { mean, std })
     }
 }

@@ -52,7 +52,7 @@ impl Truncation {
         }
         let mut cut = Self {
             given: (low, high),
-            low: scale.coordinate(start).max(support.0),
+            low: lower_end(scale, start).max(support.0),
             high: scale.coordinate(end).min(support.1),
             ends: (start, end),
             mean: f64::NAN,
@@ -150,6 +150,14 @@ impl Truncation {
             low: self.low,
             high: self.high,
         }
+    }
+}
+
+/// The coordinate of the lower end: finite, as zero and the first normal double above it are one to a lognormal law.
+fn lower_end(scale: Scale, start: f64) -> f64 {
+    match scale {
+        Scale::Linear => start,
+        Scale::Logarithmic => scale.coordinate(start.max(f64::MIN_POSITIVE)),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Weibull law; its polynomials have no closed recurrence and are computed from a discretisation.
 
 use super::Law;
-use super::error::{DistributionError, in_range, positive};
+use super::error::{DistributionError, in_range, positive, shape as check_shape};
 use crate::basis::Basis;
 use crate::density::{Density, Place, power};
 use crate::discretisation;
@@ -18,7 +18,7 @@ pub(super) struct Weibull {
 
 impl Weibull {
     pub(super) fn new(shape: f64, scale: f64) -> Result<Self, DistributionError> {
-        positive("shape", shape)?;
+        check_shape("shape", shape)?;
         positive("scale", scale)?;
         let mut law = Self {
             shape,
@@ -37,7 +37,7 @@ impl Weibull {
         let moments = discretisation::moments(whole, 2.0, |d| (anchor + d) / scale);
         let (mean, std) = moments.unwrap_or((f64::NAN, f64::NAN));
         (law.mean, law.std) = (mean * scale, std * scale);
-        in_range("weibull", &[law.mean, law.std])?;
+        in_range("weibull", law.mean, law.std)?;
         Ok(law)
     }
 }
