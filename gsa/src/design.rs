@@ -6,7 +6,7 @@
 //! | c | cut point, the means unless said otherwise |
 //! | line i | c with its i-th coordinate at each node of input i |
 //!
-//! Cost: n N + 1 runs, or n (N - 1) + 1 where a centre node is the mean itself (uniform and normal inputs, odd N), and
+//! Cost: n N + 1 runs, or n (N - 1) + 1 where a centre node is the mean itself (symmetric laws, odd N), and
 //! one run for each check point.
 
 use rand::Rng;

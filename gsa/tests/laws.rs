@@ -84,6 +84,16 @@ fn middle_node_is_the_mean_to_the_bit() {
         Distribution::uniform(0.7, 1.3).unwrap(),
         Distribution::uniform(0.1, 0.30000000000000004).unwrap(),
         Distribution::normal(0.1, 0.3).unwrap(),
+        Distribution::beta(0.4, 0.4, 0.7, 1.3).unwrap(),
+        Distribution::triangular(0.7, 1.0, 1.3).unwrap(),
+        Distribution::normal(1.0, 0.3)
+            .unwrap()
+            .truncated(0.7, 1.3)
+            .unwrap(),
+        Distribution::uniform(0.0, 9.0)
+            .unwrap()
+            .truncated(0.7, 1.3)
+            .unwrap(),
     ] {
         for nodes in (1..=63).step_by(2) {
             assert_eq!(
@@ -212,4 +222,72 @@ fn documents_read_names_and_parameters() {
     let law = Distribution::lognormal(0.0, 0.8).unwrap();
     assert_eq!(law.kind(), "lognormal");
     assert_eq!(law.parameters(), [("mu", 0.0), ("sigma", 0.8)]);
+}
+
+#[test]
+fn extremes_are_right_or_named() {
+    use DistributionError::*;
+    let shape = |parameter, value| Err(ShapeOutOfRange { parameter, value });
+    assert_eq!(Distribution::gamma(1e-7, 1.0), shape("shape", 1e-7));
+    assert_eq!(Distribution::beta(1.0, 1e13, 0.0, 1.0), shape("beta", 1e13));
+    // The second moment, Gamma(1 + 200), is beyond 1e308.
+    let out = |kind| Err(MomentOutOfRange { kind });
+    assert_eq!(Distribution::weibull(0.01, 1.0), out("weibull"));
+    assert_eq!(Distribution::exponential(1e-310), out("exponential"));
+    // Polynomials of degree 64 reach out to where no double holds the weight.
+    let heavy = Distribution::weibull(0.1, 1.0).unwrap();
+    assert!(heavy.gauss_rule(5).is_ok());
+    assert_eq!(
+        heavy.gauss_rule(64),
+        Err(RuleError::NotConverged { nodes: 64 })
+    );
+    let normal = Distribution::normal(0.0, 1.0).unwrap();
+    let cut = |low, high| normal.truncated(low, high);
+    assert_eq!(
+        cut(2.0, 1.0),
+        Err(EmptyTruncation {
+            low: 2.0,
+            high: 1.0
+        })
+    );
+    assert!(matches!(cut(0.0, f64::NAN), Err(NotFinite { .. })));
+    assert_eq!(
+        cut(0.0, 1.0).and_then(|law| law.truncated(0.0, 0.5)),
+        Err(TruncatedTwice)
+    );
+    let beta = Distribution::beta(2.0, 2.0, 0.0, 1.0).unwrap();
+    let nothing = NothingLeft {
+        low: 1.0,
+        high: 2.0,
+    };
+    assert_eq!(beta.truncated(1.0, 2.0), Err(nothing));
+    // Three doubles have no room for five nodes.
+    let narrow = cut(1.0, 1.0 + 2.0 * f64::EPSILON).unwrap();
+    assert!(matches!(
+        narrow.gauss_rule(5),
+        Err(RuleError::Coincident { .. })
+    ));
+}
+
+#[test]
+fn a_truncation_beyond_the_law_changes_nothing() {
+    // Between ends where no more than 1e-20 of the law is left, all but the outermost weights stay.
+    for (law, low, high) in [
+        (Distribution::lognormal(0.0, 0.5), -1.0, 1e4),
+        (Distribution::gamma(3.0, 1.0), -5.0, 1e4),
+        (Distribution::normal(0.0, 1.0), -30.0, 30.0),
+        (Distribution::beta(2.0, 5.0, 0.0, 1.0), -1.0, 2.0),
+    ] {
+        let law = law.unwrap();
+        let cut = law.truncated(low, high).unwrap();
+        assert!((cut.mean() / law.mean() - 1.0).abs() < 1e-14 || law.mean() == 0.0);
+        assert!((cut.std() / law.std() - 1.0).abs() < 1e-14, "{law:?}");
+        let (a, b) = (law.gauss_rule(9).unwrap(), cut.gauss_rule(9).unwrap());
+        for j in 0..9 {
+            // as in tests/rules.rs: (N^2 + 64) eps, from either rule
+            assert!((a.weights[j] / b.weights[j] - 1.0).abs() < 2.0 * 145.0 * f64::EPSILON);
+            let size = a.nodes[j].abs().max(law.std());
+            assert!((a.nodes[j] - b.nodes[j]).abs() < 1e-13 * size, "{law:?}");
+        }
+    }
 }
