@@ -2,6 +2,9 @@
 //!
 //! `cargo run --release -p fem-client --example random_scenes -- [COUNT] [SEED]`
 //!
+//! Scene k of a seed is the same in every run; scenes that end without equilibrium and without a physical reason are
+//! printed as documents that `strainsite solve` reads.
+//!
 //! Sizes are drawn so that all regimes occur: any scale, thin and thick walls, soft and stiff rubber, with and without
 //! a carcass, pressures from nothing to far beyond what a wall can hold, depths up to the whole section. Each scene
 //! must end in an equilibrium or with a named reason; a panic, a number that isn't finite or a solver that breaks is a
@@ -48,7 +51,7 @@ struct Summary {
     scenes: u64,
     refused: u64,
     faults: u64,
-    endings: BTreeMap<String, u64>,
+    endings: BTreeMap<String, (u64, Duration)>,
     slowest: Duration,
     total: Duration,
 }
@@ -65,9 +68,12 @@ impl Summary {
             self.faults += 1;
         }
         if ending.is_fault || ending.name == "not-converged" {
-            println!("{}: {}\n    {document}", ending.name, ending.detail);
+            let index = self.scenes;
+            println!("{index} {}: {}\n    {document}", ending.name, ending.detail);
         }
-        *self.endings.entry(ending.name).or_default() += 1;
+        let (count, time) = self.endings.entry(ending.name).or_default();
+        *count += 1;
+        *time += took;
     }
 
     fn print(&self) {
@@ -75,9 +81,10 @@ impl Summary {
             "\n{} scenes, {} draws refused before",
             self.scenes, self.refused
         );
-        for (name, count) in &self.endings {
+        for (name, (count, time)) in &self.endings {
             let share = 100.0 * *count as f64 / self.scenes as f64;
-            println!("{name:>16} {count:>6}  {share:5.2} %");
+            let mean = time.as_secs_f64() / *count as f64;
+            println!("{name:>16} {count:>6}  {share:5.2} %  {mean:.3} s each");
         }
         println!(
             "mean {:.3} s, slowest {:.2} s",

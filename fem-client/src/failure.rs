@@ -1,72 +1,54 @@
-//! Why a tire has no equilibrium: the limit pressure named, the loss of stability under the ground, the depth of
-//! self-contact.
+//! Why a tire can't be pressed further: the loss of stability under the ground, the depth of self-contact.
 
-use std::sync::atomic::AtomicBool;
-
-use fem::newton::{Cause, Newton};
-use fem::path::{PathFailure, Stability, follow};
+use fem::newton::Cause;
+use fem::path::{PathFailure, Stability};
 use fem::problem::{Loads, State};
-use fem::volume_control::{Inflated, VolumeControl};
 
 use crate::scene::Scene;
 use crate::self_contact::touches_itself;
+use crate::session::Session;
 use crate::solver::{NoEquilibrium, Reached, SolveError};
-use crate::tire::TireModel;
 
-/// Growth of the volume within which a limit point is looked for.
-const LARGEST_GROWTH: f64 = 4.0;
+/// Fraction of the way to the depths within which lost stability is where pressing ended.
+const NEARBY: f64 = 1.0 / 64.0;
+/// Principal stretch below which a missing equilibrium is put down to compression: mixed elements lose their stability at
+/// 0.68 on a distorted mesh.
+const CRUSHED: f64 = 0.6;
 /// Halvings of the way to the depths in the search of the first self-contact.
 const SELF_CONTACT_STEPS: usize = 7;
 
-/// The limit point beyond a state that inflation didn't get past, found with the volume prescribed.
-pub(crate) fn limit_point(
-    scene: &Scene,
-    model: &TireModel,
-    state: &State,
-    failure: &PathFailure,
-    stop: &AtomicBool,
-) -> Option<Inflated> {
-    if failure.cause == Cause::Stopped {
-        return None;
-    }
-    let mut control = VolumeControl::new(&model.problem).ok()?;
-    let start = control
-        .at(state.clone(), failure.loads.pressure, stop)
-        .ok()?;
-    let limit = control
-        .limit_point(&start, LARGEST_GROWTH * start.volume, stop)
-        .ok()??;
-    (limit.pressure < scene.pressure.internal_mpa).then_some(limit)
-}
-
-/// Why pressing ended at this state.
+/// Why pressing ended at this state, the last equilibrium.
 pub(crate) fn pressing_failure(
-    scene: &Scene,
-    newton: &mut Newton<'_>,
+    session: &mut Session<'_>,
+    inflated: &State,
+    target: &Loads,
     state: &State,
     failure: &PathFailure,
 ) -> SolveError {
-    let inertia = newton.inertia_at(state, &failure.loads);
+    if failure.cause != Cause::Stopped && touches_itself(session.model, state) {
+        return self_contact(session, inflated, target);
+    }
+    let inertia = session.newton.inertia_at(state, &failure.loads);
     let buckled = inertia.is_ok_and(|inertia| !inertia.is_positive());
-    pressing_error(scene, failure, buckled)
+    let squeezed = session.newton.stretch_range(state).smallest;
+    pressing_error(session.scene, failure, buckled, squeezed)
 }
 
 /// How far a tire can be pressed from its inflated state before it touches itself, which it does at the target.
 pub(crate) fn self_contact(
-    model: &TireModel,
-    newton: &mut Newton<'_>,
+    session: &mut Session<'_>,
     inflated: &State,
-    [unpressed, target]: [&Loads; 2],
-    stop: &AtomicBool,
+    target: &Loads,
 ) -> SolveError {
+    let unpressed = session.inflation();
     let (mut apart, mut touching) = (0.0, 1.0);
     let mut state = inflated.clone();
     for _ in 0..SELF_CONTACT_STEPS {
         let middle = 0.5 * (apart + touching);
         let mut trial = state.clone();
         let [from, to] = [apart, middle].map(|t| unpressed.towards(target, t));
-        let path = follow(newton, &mut trial, &from, &to, Stability::Ignored, stop);
-        if path.is_ok() && !touches_itself(model, &trial) {
+        let path = session.follow(&mut trial, &from, &to, Stability::Ignored);
+        if path.is_ok() && !touches_itself(session.model, &trial) {
             (apart, state) = (middle, trial);
         } else {
             touching = middle;
@@ -90,44 +72,12 @@ pub(crate) fn self_contact(
     }
 }
 
-/// Inflation beyond the limit point.
-pub(crate) fn beyond_limit(scene: &Scene, limit: &Inflated) -> SolveError {
-    let (pressure, asked) = (limit.pressure, scene.pressure.internal_mpa);
-    SolveError::NoEquilibrium {
-        status: NoEquilibrium::LimitPoint,
-        detail: format!(
-            "the limit pressure of this tire is {pressure:.6} MPa, below the {asked} MPa asked for: beyond it no equilibrium \
-             holds; use a thicker wall, a stiffer rubber, a carcass or less pressure"
-        ),
-        reached: Reached {
-            pressure_mpa: pressure,
-            depths_mm: Vec::new(),
-        },
-    }
-}
-
-pub(crate) fn inflation_error(scene: &Scene, failure: &PathFailure) -> SolveError {
-    let reached = Reached {
-        pressure_mpa: failure.loads.pressure,
-        depths_mm: Vec::new(),
-    };
-    let asked = scene.pressure.internal_mpa;
-    let at = failure.loads.pressure;
-    if failure.indefinite {
-        let detail = format!(
-            "inflation lost its stability just above {at:.6} MPa of the {asked} MPa asked for: this wall cannot hold the \
-             pressure; use a thicker wall, a stiffer rubber, a carcass or less pressure"
-        );
-        return no_equilibrium(NoEquilibrium::LimitPoint, detail, reached, failure.cause);
-    }
-    let detail = format!(
-        "inflation stopped at {at:.6} MPa of the {asked} MPa asked for ({})",
-        cause(failure.cause)
-    );
-    no_equilibrium(NoEquilibrium::NotConverged, detail, reached, failure.cause)
-}
-
-fn pressing_error(scene: &Scene, failure: &PathFailure, buckled: bool) -> SolveError {
+fn pressing_error(
+    scene: &Scene,
+    failure: &PathFailure,
+    buckled: bool,
+    squeezed: f64,
+) -> SolveError {
     let depths = failure
         .loads
         .ground
@@ -136,9 +86,18 @@ fn pressing_error(scene: &Scene, failure: &PathFailure, buckled: bool) -> SolveE
         .unwrap_or_default();
     let (status, why) = if buckled {
         let why = "the equilibrium there is unstable: the wall buckles";
-        (NoEquilibrium::LimitPoint, why)
+        (NoEquilibrium::LimitPoint, why.to_owned())
+    } else if failure.indefinite && failure.step <= NEARBY {
+        let why = "the next step leads through unstable states only: the wall buckles, snaps through or folds";
+        (NoEquilibrium::LimitPoint, why.to_owned())
+    } else if squeezed < CRUSHED {
+        let why = format!(
+            "some rubber is squeezed to {squeezed:.2} of its length there: the wall is crushed or folded beyond what this mesh \
+             can follow"
+        );
+        (NoEquilibrium::Crushed, why)
     } else {
-        (NoEquilibrium::NotConverged, cause(failure.cause))
+        (NoEquilibrium::NotConverged, cause(failure.cause).to_owned())
     };
     let detail = format!(
         "pressing stopped at {:.1} % of the way to the depths {:?} mm ({why})",
@@ -152,7 +111,7 @@ fn pressing_error(scene: &Scene, failure: &PathFailure, buckled: bool) -> SolveE
     no_equilibrium(status, detail, reached, failure.cause)
 }
 
-fn no_equilibrium(
+pub(crate) fn no_equilibrium(
     status: NoEquilibrium,
     detail: String,
     reached: Reached,
@@ -168,7 +127,7 @@ fn no_equilibrium(
     }
 }
 
-fn cause(cause: Cause) -> &'static str {
+pub(crate) fn cause(cause: Cause) -> &'static str {
     match cause {
         Cause::Iterations => "too many Newton iterations at the smallest load step",
         Cause::Diverged => "the residual grew without bound at the smallest load step",

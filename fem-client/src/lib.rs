@@ -19,9 +19,11 @@
 //! - [`tire`]: a scene as a boundary value problem: what is modelled, and what is left out
 //! - [`probe`], [`readout`]: strains of an equilibrium with their errors
 //! - `self_contact`: whether a pressed tire touches itself
-//! - `failure`: why a tire has no equilibrium
-//! - `session`: one solve on its way: inflate, press
+//! - `session`: one solve on its way: a scene's model, its Newton method, and the loads they meet
+//! - `failure`: why a tire can't be pressed further
+//! - `inflation`: the inflated state, or why there is none
 //! - `neighbourhood`: what solves from the same equilibrium share
+//! - `pressing`: the tire pressed on the ground
 //! - [`embedded`]: the solver built on `fem`
 //! - [`calculix`]: CalculiX as an external solver
 //! - [`verify`]: problems whose answer is known
@@ -36,7 +38,9 @@ pub mod fault;
 pub mod fields;
 pub mod gauge;
 mod grid_lines;
+mod inflation;
 mod neighbourhood;
+mod pressing;
 pub mod probe;
 pub mod readout;
 pub mod scene;

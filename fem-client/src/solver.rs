@@ -385,6 +385,10 @@ pub enum NoEquilibrium {
     LimitPoint,
     /// The tire touches itself.
     SelfContact,
+    /// The rubber would be stretched beyond what any rubber bears.
+    Overstretched,
+    /// The rubber would be squeezed or folded beyond what a mesh can follow.
+    Crushed,
     /// Newton's method didn't converge at the smallest step.
     NotConverged,
 }
@@ -395,6 +399,8 @@ impl NoEquilibrium {
         match self {
             Self::LimitPoint => "limit-point",
             Self::SelfContact => "self-contact",
+            Self::Overstretched => "overstretched",
+            Self::Crushed => "crushed",
             Self::NotConverged => "not-converged",
         }
     }

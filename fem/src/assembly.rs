@@ -5,8 +5,9 @@ use std::sync::Arc;
 use crate::element::Order;
 use crate::problem::{Loads, Problem, State};
 use crate::setup::Setup;
-use crate::solid::SolidContribution;
+use crate::solid::{SolidContribution, SolidGeometry};
 use crate::sparsity::NONE;
+use crate::stretch::StretchRange;
 use crate::system::{Entries, Imbalance, Residuals};
 use crate::tensor::Vector;
 
@@ -303,14 +304,33 @@ impl<'p> Assembler<'p> {
 
     /// Largest |J - 1| of a brick's mean.
     pub fn max_volume_change(&mut self, state: &State) -> f64 {
-        (0..self.problem.mesh.brick_count())
-            .map(|element| {
-                let nodes = self.problem.mesh.brick(element);
-                gather(&state.displacement, nodes, &mut self.displacement);
-                let geometry = &self.setup.geometry;
-                (geometry.mean_volume_ratio(element, &self.displacement) - 1.0).abs()
-            })
-            .fold(0.0, f64::max)
+        let change = |geometry: &SolidGeometry, element, displacement: &[Vector]| {
+            (geometry.mean_volume_ratio(element, displacement) - 1.0).abs()
+        };
+        self.over_bricks(state, change).fold(0.0, f64::max)
+    }
+
+    /// Extremes of the principal stretches at the integration points.
+    pub fn stretch_range(&mut self, state: &State) -> StretchRange {
+        self.over_bricks(state, SolidGeometry::stretch_range)
+            .fold(StretchRange::UNDEFORMED, StretchRange::with)
+    }
+
+    /// A figure of each brick from its displacements.
+    fn over_bricks<T>(
+        &mut self,
+        state: &State,
+        figure: impl Fn(&SolidGeometry, usize, &[Vector]) -> T,
+    ) -> impl Iterator<Item = T> {
+        let mesh = &self.problem.mesh;
+        (0..mesh.brick_count()).map(move |element| {
+            gather(
+                &state.displacement,
+                mesh.brick(element),
+                &mut self.displacement,
+            );
+            figure(&self.setup.geometry, element, &self.displacement)
+        })
     }
 }
 

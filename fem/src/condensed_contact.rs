@@ -7,7 +7,7 @@
 //!
 //! with the contact forces `f` in full and the condensed right-hand side `g`. `S` is dense but small, so that points
 //! which open and close cost no sparse factorisation. For a flat ground this is the minimum of a convex energy: Newton's
-//! method with a line search on its slope always gets there.
+//! method with a line search on its slope always gets there, and does so where whole steps didn't.
 
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Col, ColRef, Mat, Side};
@@ -26,6 +26,9 @@ const MAX_ITERATIONS: usize = 30;
 const PATIENCE: usize = 5;
 /// Residual relative to the forces of the border that is round-off.
 const ROUND_OFF: f64 = 1e-12;
+/// Steps that are taken whole while the tangent is positive definite. Each finds which points touch at its end, so that
+/// they settle in few; a line search lets only some points close at a time, and may take dozens of steps on a soft wall.
+const WHOLE_STEPS: usize = 6;
 /// Slope after a step, relative to that before, above which the step is shortened.
 const SLOPE_SHARE: f64 = 0.5;
 /// Secant steps of a line search.
@@ -89,7 +92,7 @@ impl<'a> CondensedContact<'a> {
         let mut x = Col::<f64>::zeros(rhs.nrows());
         let mut tangent = Mat::zeros(rhs.nrows(), rhs.nrows());
         let (mut smallest, mut in_vain) = (f64::INFINITY, 0);
-        for _ in 0..MAX_ITERATIONS {
+        for iteration in 0..MAX_ITERATIONS {
             tangent.copy_from(self.schur);
             let forces = self.forces(&x, Some(&mut tangent));
             let residual = self.schur * &x + &forces - rhs;
@@ -100,18 +103,36 @@ impl<'a> CondensedContact<'a> {
             if size <= tolerance.max(round_off) || in_vain == PATIENCE {
                 break;
             }
-            let (step, length);
             if self.has_friction() {
-                step = PartialPivLu::new(tangent.as_ref()).solve(-&residual);
-                length = self.damping(rhs, &x, &step, residual.norm_l2());
-            } else {
-                step = solve_symmetric(&tangent, &-&residual);
-                let slope = step.transpose() * &residual;
-                length = self.line_search(rhs, &x, &step, slope);
+                let step = PartialPivLu::new(tangent.as_ref()).solve(-&residual);
+                let length = self.damping(rhs, &x, &step, size);
+                x += faer::Scale(length) * &step;
+                continue;
             }
-            x += faer::Scale(length) * &step;
+            let whole = iteration < WHOLE_STEPS;
+            x += self.energy_step(&tangent, rhs, &x, &residual, whole);
         }
         x
+    }
+
+    /// Newton's step towards the minimum of the energy, whole where that is wanted and the tangent positive definite.
+    fn energy_step(
+        &self,
+        tangent: &Mat<f64>,
+        rhs: &Col<f64>,
+        x: &Col<f64>,
+        residual: &Col<f64>,
+        whole: bool,
+    ) -> Col<f64> {
+        let (step, is_definite) = match tangent.llt(Side::Lower) {
+            Ok(factor) => (factor.solve(-residual), true),
+            Err(_) => (tangent.lblt(Side::Lower).solve(-residual), false),
+        };
+        if whole && is_definite {
+            return step;
+        }
+        let slope = step.transpose() * residual;
+        faer::Scale(self.line_search(rhs, x, &step, slope)) * step
     }
 
     /// With friction the tangent isn't symmetric, and there is no energy.
@@ -225,7 +246,7 @@ fn add_block(places: &[Option<usize>], block: &[f64], stiffness: &mut Mat<f64>) 
 fn solve_symmetric(matrix: &Mat<f64>, rhs: &Col<f64>) -> Col<f64> {
     match matrix.llt(Side::Lower) {
         Ok(factor) => factor.solve(rhs),
-        Err(_) => PartialPivLu::new(matrix.as_ref()).solve(rhs),
+        Err(_) => matrix.lblt(Side::Lower).solve(rhs),
     }
 }
 
@@ -237,13 +258,64 @@ pub(crate) fn solve_free(schur: &Mat<f64>, rhs: &mut [f64]) {
     }
 }
 
-/// Signs of the eigenvalues of a dense symmetric matrix.
+/// Signs of the eigenvalues of a dense symmetric matrix: by Sylvester's law those of the blocks, of one or two rows, of its
+/// pivoted factorisation.
 pub(crate) fn inertia(matrix: &Mat<f64>) -> Inertia {
+    // A factorisation may not notice what isn't a number.
+    if !matrix.norm_l2().is_finite() {
+        return Inertia { negative: 1 };
+    }
     if matrix.llt(Side::Lower).is_ok() {
         return Inertia::default();
     }
-    let negative = matrix
-        .self_adjoint_eigenvalues(Side::Lower)
-        .map_or(1, |values| values.iter().filter(|v| **v < 0.0).count());
+    let factor = matrix.lblt(Side::Lower);
+    let (diagonal, below) = (
+        factor.B_diag().column_vector(),
+        factor.B_subdiag().column_vector(),
+    );
+    let (mut negative, mut k) = (0, 0);
+    while k < matrix.nrows() {
+        if below[k] == 0.0 {
+            negative += usize::from(diagonal[k] < 0.0);
+            k += 1;
+        } else {
+            let determinant = diagonal[k] * diagonal[k + 1] - below[k] * below[k];
+            negative += if determinant < 0.0 {
+                1
+            } else {
+                2 * usize::from(diagonal[k] < 0.0)
+            };
+            k += 2;
+        }
+    }
     Inertia { negative }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inertia_counts_negative_eigenvalues() {
+        // diag(3, -1, 2, -5) seen from a skew basis, and a zero diagonal that needs a block of two rows
+        let skew = Mat::from_fn(4, 4, |i, j| {
+            if i >= j {
+                1.0 + (i + 2 * j) as f64
+            } else {
+                0.0
+            }
+        });
+        let signs = Mat::from_fn(4, 4, |i, j| {
+            if i == j {
+                [3.0, -1.0, 2.0, -5.0][i]
+            } else {
+                0.0
+            }
+        });
+        assert_eq!(inertia(&(&skew * signs * skew.transpose())).negative, 2);
+        let exchange = Mat::from_fn(2, 2, |i, j| f64::from(u8::from(i != j)));
+        assert_eq!(inertia(&exchange).negative, 1);
+        assert_eq!(inertia(&Mat::<f64>::identity(3, 3)).negative, 0);
+        assert_eq!(inertia(&Mat::from_fn(2, 2, |_, _| f64::NAN)).negative, 1);
+    }
 }

@@ -17,6 +17,7 @@ use crate::linear::{Inertia, Workspace};
 use crate::problem::{Loads, Problem, State};
 use crate::setup::{Setup, SetupError};
 use crate::sparsity::NONE;
+use crate::stretch::StretchRange;
 use crate::system::{Entries, Imbalance, Residuals};
 use crate::tangent::Tangent;
 use crate::tensor::Vector;
@@ -60,6 +61,9 @@ const MAX_HALVINGS: usize = 8;
 const CONTACT_SHARE: f64 = 1e-4;
 /// Steps over which the rate of convergence is taken.
 const RATE_STEPS: usize = 2;
+/// Iterations without a new smallest residual after which the attempt is given up: those that found an equilibrium after
+/// that (1 in 300 of random scenes) found it sooner in smaller load steps.
+const PATIENCE: usize = 10;
 /// Growth of the residual at which a step with a kept tangent is taken back.
 const SETBACK: f64 = 10.0;
 
@@ -152,6 +156,11 @@ impl<'p> Newton<'p> {
         self.assembler.max_volume_change(state)
     }
 
+    /// Extremes of the principal stretches.
+    pub fn stretch_range(&mut self, state: &State) -> StretchRange {
+        self.assembler.stretch_range(state)
+    }
+
     /// Brings `state` into equilibrium with `loads`; on failure `state` is left somewhere on the way.
     ///
     /// # Errors
@@ -195,7 +204,7 @@ impl<'p> Newton<'p> {
             if !residual.worst().is_finite() || residual.worst() > self.settings.divergence {
                 return Err(Cause::Diverged);
             }
-            if history.len() > self.settings.max_iterations {
+            if history.len() > self.settings.max_iterations || is_lost(history) {
                 return Err(Cause::Iterations);
             }
             if stop.load(Ordering::Relaxed) {
@@ -417,4 +426,18 @@ impl<'p> Newton<'p> {
     fn restore(&self, state: &mut State) {
         state.clone_from(&self.previous);
     }
+}
+
+/// Whether the smallest residual is too long ago.
+pub(crate) fn is_lost(history: &[Imbalance]) -> bool {
+    let Some(recent) = history.len().checked_sub(PATIENCE) else {
+        return false;
+    };
+    let smallest = |part: &[Imbalance]| {
+        part.iter()
+            .map(Imbalance::worst)
+            .fold(f64::INFINITY, f64::min)
+    };
+    let (before, since) = history.split_at(recent);
+    !before.is_empty() && smallest(since) >= smallest(before)
 }

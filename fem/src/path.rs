@@ -10,6 +10,9 @@ use crate::system::Imbalance;
 /// Newton iterations after which a path is given up that had to be cut back: each step needs some ten.
 const MOST_ITERATIONS: usize = 200;
 
+/// Share of a load step that is tried next when it failed.
+const CUT_BACK: f64 = 0.25;
+
 /// Whether a load step may end in an equilibrium whose tangent isn't positive definite.
 ///
 /// A body doesn't stay in an unstable equilibrium. Where the load drives the instability, as a pressure beyond the limit
@@ -39,6 +42,8 @@ pub struct PathFailure {
     pub reached: f64,
     /// Loads there.
     pub loads: Loads,
+    /// Fraction of the path that the last attempt tried to add.
+    pub step: f64,
     /// What ended the last attempt.
     pub cause: Cause,
     /// Residuals of the last attempt.
@@ -49,7 +54,7 @@ pub struct PathFailure {
 
 /// Follows the loads from `start`, at which `state` is in equilibrium, to `target`. The first step is the whole way, or
 /// the largest that the settings allow: with friction the path matters, and so do its steps. A step that fails is
-/// halved, one that succeeds doubles the next. On failure `state` is the last equilibrium.
+/// cut to a quarter, one that succeeds doubles the next. On failure `state` is the last equilibrium.
 ///
 /// # Errors
 /// [`PathFailure`] says how far it got and why.
@@ -74,6 +79,7 @@ pub fn follow(
         return Err(Box::new(PathFailure {
             reached,
             loads: start.clone(),
+            step,
             cause,
             history: Vec::new(),
             indefinite: false,
@@ -100,19 +106,21 @@ pub fn follow(
                     cause,
                     indefinite,
                 } = refused(attempt);
-                step *= 0.5;
-                cut = true;
                 let spent = newton.effort.iterations - before > MOST_ITERATIONS;
-                if step < newton.settings.smallest_load_step || spent || cause == Cause::Stopped {
+                let smallest = step * CUT_BACK < newton.settings.smallest_load_step;
+                if smallest || spent || cause == Cause::Stopped {
                     let loads = start.towards(target, reached);
                     return Err(Box::new(PathFailure {
                         reached,
                         loads,
+                        step,
                         cause,
                         history,
                         indefinite,
                     }));
                 }
+                step *= CUT_BACK;
+                cut = true;
                 report.cut_backs += 1;
             }
         }

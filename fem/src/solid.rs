@@ -17,6 +17,7 @@
 use crate::element::{Order, brick_gradients, brick_points, pressure_modes};
 use crate::material::Isochoric;
 use crate::mesh::Mesh;
+use crate::stretch::StretchRange;
 use crate::tensor::{Tensor, cofactor, cofactor_derivative, determinant};
 
 /// Ratio of the step's bulk modulus to the shear modulus for (nearly) incompressible solids. A Newton step then leaves
@@ -134,16 +135,34 @@ impl SolidGeometry {
 
     /// Mean J of a brick.
     pub fn mean_volume_ratio(&self, element: usize, displacement: &[[f64; 3]]) -> f64 {
-        let nodes = displacement.len();
-        let start = element * self.points * nodes;
-        let gradients = self.gradients[start..start + self.points * nodes].chunks_exact(nodes);
-        let deformed: f64 = gradients
-            .zip(self.point_weights(element))
-            .map(|(gradients, weight)| {
-                weight * determinant(&deformation_gradient(displacement, gradients))
-            })
+        let ratios = self
+            .deformation_gradients(element, displacement)
+            .map(|f| determinant(&f));
+        let weights = self.point_weights(element);
+        let deformed: f64 = ratios
+            .zip(weights)
+            .map(|(ratio, weight)| weight * ratio)
             .sum();
         deformed / self.volume(element)
+    }
+
+    /// Smallest and largest principal stretch at the integration points of a brick.
+    pub fn stretch_range(&self, element: usize, displacement: &[[f64; 3]]) -> StretchRange {
+        self.deformation_gradients(element, displacement)
+            .map(|f| StretchRange::of(&f))
+            .fold(StretchRange::UNDEFORMED, StretchRange::with)
+    }
+
+    fn deformation_gradients(
+        &self,
+        element: usize,
+        displacement: &[[f64; 3]],
+    ) -> impl Iterator<Item = Tensor> {
+        let nodes = displacement.len();
+        let start = element * self.points * nodes;
+        self.gradients[start..start + self.points * nodes]
+            .chunks_exact(nodes)
+            .map(|gradients| deformation_gradient(displacement, gradients))
     }
 
     /// Reference volume of a brick.

@@ -1,4 +1,6 @@
-//! Stretches of a surface at a point.
+//! Stretches: of a surface at a point, and the extremes in a body.
+
+use crate::tensor::{Tensor, multiply, symmetric_eigen, transpose};
 
 /// Stretches along the chart's lines at a point, and the cosine-like product of the two current tangents.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,6 +39,42 @@ impl Stretch {
     }
 }
 
+/// Extremes of the principal stretches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StretchRange {
+    /// Smallest principal stretch: below 1 under compression.
+    pub smallest: f64,
+    /// Largest principal stretch.
+    pub largest: f64,
+}
+
+impl StretchRange {
+    /// Of a body at rest.
+    pub const UNDEFORMED: Self = Self {
+        smallest: 1.0,
+        largest: 1.0,
+    };
+
+    /// Of a deformation gradient: roots of the extreme eigenvalues of F^T F.
+    pub fn of(deformation_gradient: &Tensor) -> Self {
+        let f = deformation_gradient;
+        let (squares, _) = symmetric_eigen(&multiply(&transpose(f), f));
+        let stretches = squares.map(|square| square.max(0.0).sqrt());
+        Self {
+            smallest: stretches.into_iter().fold(f64::INFINITY, f64::min),
+            largest: stretches.into_iter().fold(0.0, f64::max),
+        }
+    }
+
+    /// The range of both.
+    pub fn with(self, other: Self) -> Self {
+        Self {
+            smallest: self.smallest.min(other.smallest),
+            largest: self.largest.max(other.largest),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -70,5 +108,18 @@ mod tests {
         };
         let (l1, l2) = stretch.principal();
         assert!((l1 * l2 - 1.0).abs() < 1e-15 && (l1 - l2 - g).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_turned_body_has_the_stretches_of_the_one_at_rest() {
+        // diag(2, 0.5, 1) after a turn by 30 degrees about the third axis
+        let (sin, cos) = (0.5, 0.75_f64.sqrt());
+        let f = [
+            [2.0 * cos, -0.5 * sin, 0.0],
+            [2.0 * sin, 0.5 * cos, 0.0],
+            [0.0, 0.0, 1.0],
+        ];
+        let range = StretchRange::of(&f).with(StretchRange::UNDEFORMED);
+        assert!((range.largest - 2.0).abs() < 1e-15 && (range.smallest - 0.5).abs() < 1e-15);
     }
 }

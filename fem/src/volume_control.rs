@@ -9,25 +9,25 @@
 //! indefinite. Along the path dp/dV = 1 / (g . b), smooth through the limit point, where K is singular and g . b infinite.
 //! For (nearly) incompressible bodies K is that of the step's bulk modulus, not the residual's: dp/dV then errs by about 1e-4
 //! of itself, and the pressure at its root by the square of that.
+//!
+//! [`VolumeControl::inflate`] follows the path of growing volume and says where it ends.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::linear::Inertia;
-use crate::newton::{Cause, Newton, NotConverged};
+use crate::newton::{Cause, Effort, Newton, NotConverged, is_lost};
 use crate::pressure::PressureSurface;
 use crate::problem::{Loads, Problem, State};
 use crate::setup::SetupError;
 use crate::sparsity::NONE;
 use crate::system::Imbalance;
 
-/// Growth of the volume from one equilibrium to the next while a limit point is looked for.
-const GROWTH: f64 = 0.2;
+/// Newton iterations of one equilibrium; those that are found take six to ten.
+const MOST_ITERATIONS: usize = 20;
 
-/// Smallest growth that is tried before the path is given up.
-const SMALLEST_GROWTH: f64 = 1e-3;
+mod path;
 
-/// Relative accuracy of a limit pressure.
-pub const LIMIT_TOLERANCE: f64 = 1e-6;
+pub use path::{Ending, LIMIT_TOLERANCE};
 
 /// An equilibrium of the inflated body.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,11 +62,18 @@ impl<'p> VolumeControl<'p> {
     /// When the problem has no pressure surface.
     pub fn new(problem: &'p Problem) -> Result<Self, SetupError> {
         let surface = problem.pressure.as_ref();
+        let mut newton = Newton::new(problem)?;
+        newton.settings.max_iterations = MOST_ITERATIONS;
         Ok(Self {
             problem,
             surface: surface.expect("the problem has a cavity"),
-            newton: Newton::new(problem)?,
+            newton,
         })
+    }
+
+    /// Time and iterations spent.
+    pub fn effort(&self) -> Effort {
+        self.newton.effort
     }
 
     /// The body without pressure.
@@ -106,59 +113,6 @@ impl<'p> VolumeControl<'p> {
         self.solve_from(near.state.clone(), near.pressure, volume, stop)
     }
 
-    /// The first limit point: the maximum of the pressure along the path up to a largest volume. `None` when the pressure
-    /// rises all the way.
-    ///
-    /// # Errors
-    /// [`NotConverged`] of the last attempt when the path can't be followed even in small steps.
-    pub fn limit_point(
-        &mut self,
-        start: &Inflated,
-        largest_volume: f64,
-        stop: &AtomicBool,
-    ) -> Result<Option<Inflated>, NotConverged> {
-        let mut last = start.clone();
-        let mut growth = GROWTH;
-        while last.volume < largest_volume {
-            let volume = f64::min(last.volume * (1.0 + growth), largest_volume);
-            match self.solve(&last, volume, stop) {
-                Ok(next) if next.slope <= 0.0 => return self.maximum(last, next, stop).map(Some),
-                Ok(next) => last = next,
-                Err(failure) if growth < SMALLEST_GROWTH || failure.cause == Cause::Stopped => {
-                    return Err(failure);
-                }
-                Err(_) => growth *= 0.5,
-            }
-        }
-        Ok(None)
-    }
-
-    /// Root of the slope between a rising and a falling equilibrium, by regula falsi with the Illinois rule. The pressure
-    /// differs from the maximum's by less than slope times width of the bracket.
-    fn maximum(
-        &mut self,
-        mut rising: Inflated,
-        mut falling: Inflated,
-        stop: &AtomicBool,
-    ) -> Result<Inflated, NotConverged> {
-        let (mut up, mut down) = (rising.slope, falling.slope);
-        loop {
-            let width = falling.volume - rising.volume;
-            let volume = rising.volume + width * up / (up - down);
-            let next = self.solve(&rising, volume, stop)?;
-            if next.slope.abs() * width <= LIMIT_TOLERANCE * next.pressure {
-                return Ok(next);
-            }
-            if next.slope > 0.0 {
-                (up, down) = (next.slope, 0.5 * down);
-                rising = next;
-            } else {
-                (up, down) = (0.5 * up, next.slope);
-                falling = next;
-            }
-        }
-    }
-
     fn solve_from(
         &mut self,
         mut state: State,
@@ -183,7 +137,7 @@ impl<'p> VolumeControl<'p> {
             let worst = imbalance.worst().max((gap / target).abs());
             let cause = if !worst.is_finite() || worst > settings.divergence {
                 Some(Cause::Diverged)
-            } else if history.len() > settings.max_iterations {
+            } else if history.len() > settings.max_iterations || is_lost(&history[1..]) {
                 Some(Cause::Iterations)
             } else if stop.load(Ordering::Relaxed) {
                 Some(Cause::Stopped)

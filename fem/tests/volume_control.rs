@@ -10,7 +10,7 @@ use fem::pressure::PressureSurface;
 use fem::problem::Problem;
 use fem::solid::SolidModel;
 use fem::tensor::{Vector, norm};
-use fem::volume_control::VolumeControl;
+use fem::volume_control::{Ending, VolumeControl};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 const RATIO: f64 = 2.0;
@@ -84,10 +84,10 @@ fn a_neo_hookean_sphere_passes_its_limit_point() {
         start.volume
     );
 
-    let limit = control
-        .limit_point(&start, 30.0 * start.volume, &RUNNING)
-        .expect("the path can be followed")
-        .expect("a neo-Hookean sphere has a limit point");
+    let ending = control.inflate(&start, f64::INFINITY, 30.0 * start.volume, &RUNNING);
+    let Ending::LimitPoint(limit) = ending else {
+        panic!("a neo-Hookean sphere has a limit point: {ending:?}");
+    };
     // The maximum of `exact` to 16 digits; three quadratic bricks through the wall come to 2e-4, seen before the bound was set.
     let stretch = (limit.volume / start.volume).cbrt();
     println!("limit pressure {} at {stretch}", limit.pressure);
@@ -125,6 +125,25 @@ fn a_mooney_rivlin_sphere_of_the_same_size_has_none() {
     let problem = octant(1, 2, rubber);
     let mut control = VolumeControl::new(&problem).expect("a valid mesh");
     let start = control.reference(&RUNNING).expect("nothing to do");
-    let limit = control.limit_point(&start, 27.0 * start.volume, &RUNNING);
-    assert_eq!(limit.expect("the path can be followed"), None);
+    let ending = control.inflate(&start, f64::INFINITY, 27.0 * start.volume, &RUNNING);
+    assert!(matches!(ending, Ending::Outgrown(_)), "{ending:?}");
+}
+
+#[test]
+fn a_path_ends_at_the_pressure_asked_for() {
+    let rubber = MooneyRivlin { c10: 0.5, c01: 0.0 };
+    let problem = octant(1, 2, rubber);
+    let mut control = VolumeControl::new(&problem).expect("a valid mesh");
+    let start = control.reference(&RUNNING).expect("nothing to do");
+    let ending = control.inflate(&start, 0.6, 27.0 * start.volume, &RUNNING);
+    let Ending::Reached(near) = ending else {
+        panic!("0.6 MPa is below the limit pressure: {ending:?}");
+    };
+    // one step of the path changes the pressure by at most a third
+    assert!(
+        (near.pressure / 0.6 - 1.0).abs() < 0.17,
+        "{}",
+        near.pressure
+    );
+    assert!(near.slope > 0.0 && near.inertia.is_positive());
 }

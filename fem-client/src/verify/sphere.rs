@@ -9,7 +9,7 @@ use fem::mesh::Surface;
 use fem::pressure::PressureSurface;
 use fem::problem::Problem;
 use fem::tensor::{Vector, norm};
-use fem::volume_control::{Inflated, VolumeControl};
+use fem::volume_control::{Ending, Inflated, VolumeControl};
 
 use super::body::{RUBBER, free, hold_coordinate_planes, inflate, rubber};
 use super::convergence::Refinement;
@@ -101,13 +101,20 @@ fn limit(n: usize, outer: f64, beyond: f64, stop: &AtomicBool) -> Result<Limit, 
     let problem = octant(n, outer, NEO_HOOKEAN);
     let mut control = VolumeControl::new(&problem)?;
     let start = reference(&mut control, stop)?;
-    let found = control.limit_point(&start, LARGEST_VOLUME * start.volume, stop);
-    let limit = found.map_err(|failure| Unsolved::LimitPoint {
-        cause: failure.cause,
-    })?;
-    let limit = limit.ok_or(Unsolved::NoLimitPoint {
-        ratio: LARGEST_VOLUME,
-    })?;
+    let largest = LARGEST_VOLUME * start.volume;
+    let limit = match control.inflate(&start, f64::INFINITY, largest, stop) {
+        Ending::LimitPoint(limit) => limit,
+        Ending::Lost { failure, .. } => {
+            return Err(Unsolved::LimitPoint {
+                cause: failure.cause,
+            });
+        }
+        _ => {
+            return Err(Unsolved::NoLimitPoint {
+                ratio: LARGEST_VOLUME,
+            });
+        }
+    };
     let stretch = (limit.volume / start.volume).cbrt();
     let further = inflate(&mut control, &limit, beyond.powi(3) * start.volume, stop)?;
     Ok(Limit {

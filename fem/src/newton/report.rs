@@ -1,5 +1,6 @@
 //! When Newton's method stops, and what it says then.
 
+use std::ops::AddAssign;
 use std::time::Duration;
 
 use crate::linear::LinearError;
@@ -89,4 +90,14 @@ pub struct Effort {
     pub factorisation: Duration,
     /// Time in triangular solves and in the contact between them.
     pub substitution: Duration,
+}
+
+impl AddAssign for Effort {
+    fn add_assign(&mut self, other: Self) {
+        self.iterations += other.iterations;
+        self.factorisations += other.factorisations;
+        self.assembly += other.assembly;
+        self.factorisation += other.factorisation;
+        self.substitution += other.substitution;
+    }
 }

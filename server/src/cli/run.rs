@@ -169,10 +169,16 @@ fn failure(error: String, points: &[FailedPoint]) -> Failure {
 
 /// The kind of missing equilibrium that a cause begins with, as a solver's error prints it.
 fn status_of(cause: &str) -> Option<&str> {
-    use fem_client::solver::NoEquilibrium::{LimitPoint, NotConverged, SelfContact};
+    use fem_client::solver::NoEquilibrium::{LimitPoint, NotConverged, Overstretched, SelfContact};
     let status = cause.split(": ").next()?;
-    [LimitPoint, SelfContact, NotConverged]
-        .iter()
-        .any(|known| known.as_str() == status)
-        .then_some(status)
+    [
+        LimitPoint,
+        SelfContact,
+        Overstretched,
+        Crushed,
+        NotConverged,
+    ]
+    .iter()
+    .any(|known| known.as_str() == status)
+    .then_some(status)
 }

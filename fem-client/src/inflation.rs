@@ -1,0 +1,156 @@
+//! The inflated state, or why a tire has none at the pressure asked for.
+//!
+//! The pressure is raised in large steps. Where they fail the volume takes over, which has an equilibrium beyond a limit
+//! point too, and tells a limit point, buckling and endless growth apart.
+
+use fem::newton::{Cause, NewtonSettings};
+use fem::path::{PathFailure, Stability};
+use fem::problem::{Loads, State};
+use fem::volume_control::{Ending, Inflated, VolumeControl};
+
+use crate::failure::no_equilibrium;
+use crate::session::Session;
+use crate::solver::{NoEquilibrium, Reached, SolveError};
+
+/// Smallest step of the pressure before the volume is prescribed.
+const COARSEST_CUT_BACK: f64 = 1.0 / 64.0;
+/// Growth of the volume between the inner surface and the wheel's centre at which inflation is given up: on tires of usual
+/// proportions the rubber is stretched four- to sixfold then, and tears.
+const LARGEST_GROWTH: f64 = 8.0;
+
+impl Session<'_> {
+    /// The inflated state, from `near`, the inflated state of a similar scene, or from nothing.
+    ///
+    /// # Errors
+    /// [`SolveError::NoEquilibrium`] with the pressure reached.
+    pub(crate) fn inflate(&mut self, near: Option<State>) -> Result<State, SolveError> {
+        let target = self.inflation();
+        if let Some(mut state) = near {
+            let start = target.clone();
+            let required = Stability::Required;
+            if self.follow(&mut state, &start, &target, required).is_ok() {
+                return Ok(state);
+            }
+        }
+        let mut state = State::reference(&self.model.problem);
+        self.newton.settings.smallest_load_step = COARSEST_CUT_BACK;
+        match self.follow(&mut state, &Loads::default(), &target, Stability::Required) {
+            Ok(_) => Ok(state),
+            Err(failure) => self.inflate_by_volume(state, &failure),
+        }
+    }
+
+    /// Goes on from where the pressure couldn't be raised.
+    fn inflate_by_volume(
+        &mut self,
+        state: State,
+        failure: &PathFailure,
+    ) -> Result<State, SolveError> {
+        let reached = failure.loads.pressure;
+        if failure.cause == Cause::Stopped {
+            return Err(SolveError::Stopped);
+        }
+        let stopped = |cause| self.lost(reached, cause, failure.indefinite);
+        let Ok(mut control) = VolumeControl::new(&self.model.problem) else {
+            return Err(stopped(failure.cause));
+        };
+        let start = match control.at(state, reached, self.stop) {
+            Ok(start) => start,
+            Err(_) => return Err(stopped(failure.cause)),
+        };
+        let asked = self.scene.pressure.internal_mpa;
+        let ending = control.inflate(&start, asked, LARGEST_GROWTH * start.volume, self.stop);
+        self.newton.effort += control.effort();
+        match ending {
+            Ending::Reached(near) => self.finish(near),
+            Ending::LimitPoint(limit) => Err(self.beyond_limit(limit.pressure)),
+            Ending::Unstable { below, above } => Err(self.buckled(below.pressure, above)),
+            Ending::Outgrown(last) => Err(self.outgrown(&last)),
+            Ending::Lost { last, failure } => {
+                Err(self.lost(last.pressure, failure.cause, failure.indefinite))
+            }
+        }
+    }
+
+    /// From an equilibrium near the pressure asked for to that pressure.
+    fn finish(&mut self, near: Inflated) -> Result<State, SolveError> {
+        self.newton.settings.smallest_load_step = NewtonSettings::default().smallest_load_step;
+        let target = self.inflation();
+        let start = Loads {
+            pressure: near.pressure,
+            ..target.clone()
+        };
+        let mut state = near.state;
+        match self.follow(&mut state, &start, &target, Stability::Required) {
+            Ok(_) => Ok(state),
+            Err(failure) => {
+                Err(self.lost(failure.loads.pressure, failure.cause, failure.indefinite))
+            }
+        }
+    }
+
+    fn beyond_limit(&self, limit: f64) -> SolveError {
+        let asked = self.scene.pressure.internal_mpa;
+        let detail = format!(
+            "the limit pressure of this tire is {limit:.6} MPa, below the {asked} MPa asked for: beyond it no equilibrium \
+             holds; {REMEDY}"
+        );
+        ended(NoEquilibrium::LimitPoint, detail, limit)
+    }
+
+    fn buckled(&self, below: f64, above: f64) -> SolveError {
+        let asked = self.scene.pressure.internal_mpa;
+        let detail = format!(
+            "the inflated wall buckles between {below:.6} and {above:.6} MPa, below the {asked} MPa asked for: it leaves its \
+             shape though the pressure could still rise; {REMEDY}"
+        );
+        ended(NoEquilibrium::LimitPoint, detail, below)
+    }
+
+    fn outgrown(&mut self, last: &Inflated) -> SolveError {
+        let (asked, pressure) = (self.scene.pressure.internal_mpa, last.pressure);
+        let stretch = self.newton.stretch_range(&last.state).largest;
+        let detail = format!(
+            "at {pressure:.6} MPa, below the {asked} MPa asked for, the rubber is stretched {stretch:.1}-fold and still gives: \
+             real rubber tears before; {REMEDY}"
+        );
+        ended(NoEquilibrium::Overstretched, detail, pressure)
+    }
+
+    /// No equilibrium was found beyond a pressure: for lack of stability where the tangents on the way had lost it.
+    fn lost(&self, pressure: f64, cause: Cause, indefinite: bool) -> SolveError {
+        let asked = self.scene.pressure.internal_mpa;
+        let (status, detail) = if indefinite {
+            let detail = format!(
+                "inflation lost its stability just above {pressure:.6} MPa of the {asked} MPa asked for: this wall cannot \
+                 hold the pressure; {REMEDY}"
+            );
+            (NoEquilibrium::LimitPoint, detail)
+        } else {
+            let why = crate::failure::cause(cause);
+            let detail = format!(
+                "inflation stopped at {pressure:.6} MPa of the {asked} MPa asked for ({why})"
+            );
+            (NoEquilibrium::NotConverged, detail)
+        };
+        let reached = Reached {
+            pressure_mpa: pressure,
+            depths_mm: Vec::new(),
+        };
+        no_equilibrium(status, detail, reached, cause)
+    }
+}
+
+const REMEDY: &str = "use a thicker wall, a stiffer rubber, a carcass or less pressure";
+
+fn ended(status: NoEquilibrium, detail: String, pressure_mpa: f64) -> SolveError {
+    let depths_mm = Vec::new();
+    SolveError::NoEquilibrium {
+        status,
+        detail,
+        reached: Reached {
+            pressure_mpa,
+            depths_mm,
+        },
+    }
+}
