@@ -4,8 +4,9 @@
 //! point too, and tells a limit point, buckling and endless growth apart.
 
 use fem::newton::{Cause, NewtonSettings};
-use fem::path::{PathFailure, Stability};
+use fem::path::Stability;
 use fem::problem::{Loads, State};
+use fem::setup::SetupError;
 use fem::volume_control::{Ending, Inflated, VolumeControl};
 
 use crate::failure::no_equilibrium;
@@ -14,6 +15,9 @@ use crate::solver::{NoEquilibrium, Reached, SolveError};
 
 /// Smallest step of the pressure before the volume is prescribed.
 const COARSEST_CUT_BACK: f64 = 1.0 / 64.0;
+/// Stretch above which an equilibrium may lie beyond a limit point: a step of the pressure jumps over the falling part of the
+/// path to where the rubber has stiffened.
+const BALLOONED: f64 = 2.0;
 /// Growth of the volume between the inner surface and the wheel's centre at which inflation is given up: on tires of usual
 /// proportions the rubber is stretched four- to sixfold then, and tears.
 const LARGEST_GROWTH: f64 = 8.0;
@@ -34,30 +38,28 @@ impl Session<'_> {
         }
         let mut state = State::reference(&self.model.problem);
         self.newton.settings.smallest_load_step = COARSEST_CUT_BACK;
-        match self.follow(&mut state, &Loads::default(), &target, Stability::Required) {
-            Ok(_) => Ok(state),
-            Err(failure) => self.inflate_by_volume(state, &failure),
+        let path = self.follow(&mut state, &Loads::default(), &target, Stability::Required);
+        let ballooned = self.newton.stretch_range(&state).largest > BALLOONED;
+        match path {
+            Ok(_) if !ballooned => Ok(state),
+            Ok(_) => self.inflate_by_volume(None),
+            Err(failure) if failure.cause == Cause::Stopped => Err(SolveError::Stopped),
+            Err(failure) => {
+                let near = (state, failure.loads.pressure);
+                self.inflate_by_volume(Some(near).filter(|_| !ballooned))
+            }
         }
     }
 
-    /// Goes on from where the pressure couldn't be raised.
-    fn inflate_by_volume(
-        &mut self,
-        state: State,
-        failure: &PathFailure,
-    ) -> Result<State, SolveError> {
-        let reached = failure.loads.pressure;
-        if failure.cause == Cause::Stopped {
-            return Err(SolveError::Stopped);
-        }
-        let stopped = |cause| self.lost(reached, cause, failure.indefinite);
-        let Ok(mut control) = VolumeControl::new(&self.model.problem) else {
-            return Err(stopped(failure.cause));
+    /// Goes on from an equilibrium at this pressure, MPa, or from the tire at rest.
+    fn inflate_by_volume(&mut self, near: Option<(State, f64)>) -> Result<State, SolveError> {
+        let pressure = near.as_ref().map_or(0.0, |(_, pressure)| *pressure);
+        let mut control = VolumeControl::new(&self.model.problem).map_err(broken)?;
+        let start = match near {
+            Some((state, pressure)) => control.at(state, pressure, self.stop),
+            None => control.reference(self.stop),
         };
-        let start = match control.at(state, reached, self.stop) {
-            Ok(start) => start,
-            Err(_) => return Err(stopped(failure.cause)),
-        };
+        let start = start.map_err(|lost| self.lost(pressure, lost.cause, lost.indefinite))?;
         let asked = self.scene.pressure.internal_mpa;
         let ending = control.inflate(&start, asked, LARGEST_GROWTH * start.volume, self.stop);
         self.newton.effort += control.effort();
@@ -138,6 +140,12 @@ impl Session<'_> {
             depths_mm: Vec::new(),
         };
         no_equilibrium(status, detail, reached, cause)
+    }
+}
+
+fn broken(error: SetupError) -> SolveError {
+    SolveError::Broken {
+        detail: error.to_string(),
     }
 }
 

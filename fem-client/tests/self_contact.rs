@@ -104,13 +104,22 @@ fn a_tire_that_folds_onto_itself_is_named() {
     let last = reached.depths_mm[0];
     assert!(reached.depths_mm.iter().all(|depth| *depth == last));
 
-    let depths = [last - 2.0 * STEP, last - STEP, last];
+    // A step short of the contact: just before it the fold has more than one equilibrium, and a solve of its own may find another.
+    let depths = [3.0, 2.0, 1.0].map(|steps| last - steps * STEP);
     let gaps = depths.map(gap);
     println!("gaps of {gaps:?} mm at depths of {depths:?} mm");
     assert!(gaps[0] > gaps[1] && gaps[1] > gaps[2] && gaps[2] > 0.0);
-    // The gap closes ever faster, so the line through its last two values ends beyond the contact: within the bracket, too.
-    assert!(gaps[1] - gaps[2] > gaps[0] - gaps[1]);
-    let closed = last + gaps[2] * STEP / (gaps[1] - gaps[2]);
-    println!("closed before {closed} mm");
-    assert!(closed < last + BRACKET, "{closed}");
+    // The gap closes ever faster: between the depth where the parabola through the three ends and the line through the last two.
+    let (slower, faster) = (gaps[0] - gaps[1], gaps[1] - gaps[2]);
+    assert!(faster > slower);
+    let line = depths[2] + gaps[2] * STEP / faster;
+    let curvature = faster - slower;
+    let slope = faster + 0.5 * curvature;
+    let root = (slope * slope + 2.0 * curvature * gaps[2]).sqrt();
+    let parabola = depths[2] + STEP * (root - slope) / curvature;
+    println!("closed between {parabola} and {line} mm");
+    assert!(
+        parabola < last + BRACKET && line > last,
+        "{parabola} {line}"
+    );
 }

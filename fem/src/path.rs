@@ -7,9 +7,10 @@ use crate::newton::{Cause, Converged, Newton, NotConverged};
 use crate::problem::{Loads, State};
 use crate::system::Imbalance;
 
-/// Newton iterations after which a path is given up that had to be cut back: each step needs some ten.
-const MOST_ITERATIONS: usize = 200;
-
+/// Newton iterations after which a path that fails again goes on in the smallest steps: each step needs some ten.
+const MANY_ITERATIONS: usize = 160;
+/// Newton iterations after which a path that fails again is given up.
+const MOST_ITERATIONS: usize = 320;
 /// Share of a load step that is tried next when it failed.
 const CUT_BACK: f64 = 0.25;
 
@@ -52,6 +53,19 @@ pub struct PathFailure {
     pub indefinite: bool,
 }
 
+impl PathFailure {
+    fn new(reached: f64, loads: Loads, step: f64, failure: NotConverged) -> Self {
+        Self {
+            reached,
+            loads,
+            step,
+            cause: failure.cause,
+            history: failure.history,
+            indefinite: failure.indefinite,
+        }
+    }
+}
+
 /// Follows the loads from `start`, at which `state` is in equilibrium, to `target`. The first step is the whole way, or
 /// the largest that the settings allow: with friction the path matters, and so do its steps. A step that fails is
 /// cut to a quarter, one that succeeds doubles the next. On failure `state` is the last equilibrium.
@@ -76,14 +90,13 @@ pub fn follow(
         state.settle(newton.problem(), start.ground.as_ref());
     }
     if let Err(cause) = newton.start_from(state, start) {
-        return Err(Box::new(PathFailure {
-            reached,
-            loads: start.clone(),
-            step,
-            cause,
+        let failure = NotConverged {
             history: Vec::new(),
+            cause,
             indefinite: false,
-        }));
+        };
+        let loads = start.clone();
+        return Err(Box::new(PathFailure::new(reached, loads, step, failure)));
     }
     while reached < 1.0 {
         let next = f64::min(reached + step, 1.0);
@@ -101,27 +114,20 @@ pub fn follow(
                 report.steps.push(converged.history);
             }
             attempt => {
-                let NotConverged {
-                    history,
-                    cause,
-                    indefinite,
-                } = refused(attempt);
-                let spent = newton.effort.iterations - before > MOST_ITERATIONS;
+                let failure = refused(attempt);
+                let spent = newton.effort.iterations - before;
                 let smallest = step * CUT_BACK < newton.settings.smallest_load_step;
-                if smallest || spent || cause == Cause::Stopped {
+                if smallest || spent > MOST_ITERATIONS || failure.cause == Cause::Stopped {
                     let loads = start.towards(target, reached);
-                    return Err(Box::new(PathFailure {
-                        reached,
-                        loads,
-                        step,
-                        cause,
-                        history,
-                        indefinite,
-                    }));
+                    return Err(Box::new(PathFailure::new(reached, loads, step, failure)));
                 }
                 step *= CUT_BACK;
                 cut = true;
                 report.cut_backs += 1;
+                if spent > MANY_ITERATIONS {
+                    // A look at what is near, which says why the path may end here.
+                    step = newton.settings.smallest_load_step;
+                }
             }
         }
     }
