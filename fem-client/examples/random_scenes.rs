@@ -14,6 +14,8 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::sync::atomic::AtomicBool;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use fem_client::embedded::EmbeddedSolver;
@@ -23,22 +25,30 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use serde_json::{Value, json};
 
+/// Scenes between two lines of progress.
+const PROGRESS: u64 = 100;
+
 fn main() -> ExitCode {
     let mut arguments = std::env::args().skip(1).map(|text| text.parse::<u64>());
     let count = arguments.next().and_then(Result::ok).unwrap_or(1000);
     let seed = arguments.next().and_then(Result::ok).unwrap_or(1);
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let mut summary = Summary::default();
-    while summary.scenes < count {
-        let document = document(&mut random);
-        // Draws that break a rule between fields, a bead beyond the axle for one, are no scenes.
-        if let Ok(scene) = Scene::from_json(&document.to_string()) {
-            summary.add(&scene, &document);
-        } else {
-            summary.refused += 1;
+    let draws = Mutex::new(Draws::new(count, seed));
+    let summary = Mutex::new(Summary::default());
+    let work = || {
+        while let Some((index, document, scene)) = locked(&draws).next() {
+            let begin = Instant::now();
+            let ending = ending(&scene);
+            locked(&summary).add(index, &ending, begin.elapsed(), &document);
         }
-    }
+    };
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(work);
+        }
+    });
+    let summary = locked(&summary);
     summary.print();
+    println!("{} draws refused before", locked(&draws).refused);
     if summary.faults == 0 {
         ExitCode::SUCCESS
     } else {
@@ -46,10 +56,47 @@ fn main() -> ExitCode {
     }
 }
 
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The scenes of a seed, in order.
+struct Draws {
+    random: ChaCha8Rng,
+    next: u64,
+    count: u64,
+    refused: u64,
+}
+
+impl Draws {
+    fn new(count: u64, seed: u64) -> Self {
+        Self {
+            random: ChaCha8Rng::seed_from_u64(seed),
+            next: 0,
+            count,
+            refused: 0,
+        }
+    }
+
+    fn next(&mut self) -> Option<(u64, Value, Scene)> {
+        while self.next < self.count {
+            let document = document(&mut self.random);
+            // Draws that break a rule between fields, a bead beyond the axle for one, are no scenes.
+            match Scene::from_json(&document.to_string()) {
+                Ok(scene) => {
+                    self.next += 1;
+                    return Some((self.next - 1, document, scene));
+                }
+                Err(_) => self.refused += 1,
+            }
+        }
+        None
+    }
+}
+
 #[derive(Default)]
 struct Summary {
     scenes: u64,
-    refused: u64,
     faults: u64,
     endings: BTreeMap<String, (u64, Duration)>,
     slowest: Duration,
@@ -57,10 +104,7 @@ struct Summary {
 }
 
 impl Summary {
-    fn add(&mut self, scene: &Scene, document: &Value) {
-        let begin = Instant::now();
-        let ending = ending(scene);
-        let took = begin.elapsed();
+    fn add(&mut self, index: u64, ending: &Ending, took: Duration, document: &Value) {
         self.scenes += 1;
         self.total += took;
         self.slowest = self.slowest.max(took);
@@ -68,29 +112,32 @@ impl Summary {
             self.faults += 1;
         }
         if ending.is_fault || ending.name == "not-converged" {
-            let index = self.scenes;
-            println!("{index} {}: {}\n    {document}", ending.name, ending.detail);
+            println!(
+                "scene {index}, {}: {}\n    {document}",
+                ending.name, ending.detail
+            );
         }
-        let (count, time) = self.endings.entry(ending.name).or_default();
+        let (count, time) = self.endings.entry(ending.name.clone()).or_default();
         *count += 1;
         *time += took;
+        if self.scenes.is_multiple_of(PROGRESS) {
+            eprintln!("{} scenes, {:.3} s each", self.scenes, self.mean());
+        }
+    }
+
+    fn mean(&self) -> f64 {
+        self.total.as_secs_f64() / self.scenes as f64
     }
 
     fn print(&self) {
-        println!(
-            "\n{} scenes, {} draws refused before",
-            self.scenes, self.refused
-        );
+        println!("\n{} scenes", self.scenes);
         for (name, (count, time)) in &self.endings {
             let share = 100.0 * *count as f64 / self.scenes as f64;
             let mean = time.as_secs_f64() / *count as f64;
             println!("{name:>16} {count:>6}  {share:5.2} %  {mean:.3} s each");
         }
-        println!(
-            "mean {:.3} s, slowest {:.2} s",
-            self.total.as_secs_f64() / self.scenes as f64,
-            self.slowest.as_secs_f64()
-        );
+        let slowest = self.slowest.as_secs_f64();
+        println!("mean {:.3} s, slowest {slowest:.2} s", self.mean());
     }
 }
 
