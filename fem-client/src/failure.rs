@@ -97,7 +97,7 @@ fn pressing_error(
         );
         (NoEquilibrium::Crushed, why)
     } else {
-        (NoEquilibrium::NotConverged, cause(failure.cause).to_owned())
+        (NoEquilibrium::NotConverged, unconverged(failure))
     };
     let detail = format!(
         "pressing stopped at {:.1} % of the way to the depths {:?} mm ({why})",
@@ -109,6 +109,19 @@ fn pressing_error(
         depths_mm: depths,
     };
     no_equilibrium(status, detail, reached, failure.cause)
+}
+
+/// What ended the iterations, and what happened on the way.
+fn unconverged(failure: &PathFailure) -> String {
+    let cause = cause(failure.cause);
+    if failure.losses == 0 {
+        return cause.to_owned();
+    }
+    format!(
+        "{cause}; {} attempts met unstable states: the wall wrinkles or snaps from one shape to the next, more often than was \
+         followed",
+        failure.losses
+    )
 }
 
 pub(crate) fn no_equilibrium(
@@ -129,8 +142,8 @@ pub(crate) fn no_equilibrium(
 
 pub(crate) fn cause(cause: Cause) -> &'static str {
     match cause {
-        Cause::Iterations => "too many Newton iterations at the smallest load step",
-        Cause::Diverged => "the residual grew without bound at the smallest load step",
+        Cause::Iterations => "too many Newton iterations",
+        Cause::Diverged => "the residual grew without bound",
         Cause::Inverted => "an element would turn inside out",
         Cause::Singular(_) => "the tangent is singular",
         Cause::Unstable => "the equilibrium found is unstable",

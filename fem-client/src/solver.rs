@@ -394,6 +394,15 @@ pub enum NoEquilibrium {
 }
 
 impl NoEquilibrium {
+    /// All of them.
+    pub const ALL: [Self; 5] = [
+        Self::LimitPoint,
+        Self::SelfContact,
+        Self::Overstretched,
+        Self::Crushed,
+        Self::NotConverged,
+    ];
+
     /// The name in documents.
     pub fn as_str(self) -> &'static str {
         match self {

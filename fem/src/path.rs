@@ -51,14 +51,17 @@ pub struct PathFailure {
     pub history: Vec<Imbalance>,
     /// Whether the last attempt met a tangent with negative pivots: a sign of lost stability.
     pub indefinite: bool,
+    /// Attempts that met one, the last included.
+    pub losses: usize,
 }
 
 impl PathFailure {
-    fn new(reached: f64, loads: Loads, step: f64, failure: NotConverged) -> Self {
+    fn new(reached: f64, loads: Loads, step: f64, losses: usize, failure: NotConverged) -> Self {
         Self {
             reached,
             loads,
             step,
+            losses,
             cause: failure.cause,
             history: failure.history,
             indefinite: failure.indefinite,
@@ -85,7 +88,7 @@ pub fn follow(
         cut_backs: 0,
     };
     let (mut reached, mut step) = (0.0, newton.settings.largest_load_step);
-    let (mut cut, before) = (false, newton.effort.iterations);
+    let (mut cut, mut losses, before) = (false, 0, newton.effort.iterations);
     if state.anchors.is_empty() {
         state.settle(newton.problem(), start.ground.as_ref());
     }
@@ -96,7 +99,7 @@ pub fn follow(
             indefinite: false,
         };
         let loads = start.clone();
-        return Err(Box::new(PathFailure::new(reached, loads, step, failure)));
+        return Err(Box::new(PathFailure::new(reached, loads, step, 0, failure)));
     }
     while reached < 1.0 {
         let next = f64::min(reached + step, 1.0);
@@ -115,11 +118,14 @@ pub fn follow(
             }
             attempt => {
                 let failure = refused(attempt);
+                losses += usize::from(failure.indefinite);
                 let spent = newton.effort.iterations - before;
                 let smallest = step * CUT_BACK < newton.settings.smallest_load_step;
                 if smallest || spent > MOST_ITERATIONS || failure.cause == Cause::Stopped {
                     let loads = start.towards(target, reached);
-                    return Err(Box::new(PathFailure::new(reached, loads, step, failure)));
+                    return Err(Box::new(PathFailure::new(
+                        reached, loads, step, losses, failure,
+                    )));
                 }
                 step *= CUT_BACK;
                 cut = true;

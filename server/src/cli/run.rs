@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::Args;
+use fem_client::solver::NoEquilibrium;
 use indicatif::{ProgressBar, ProgressStyle};
 use placement::result::{FailedPoint, StudyResult};
 use placement::run::Event;
@@ -169,16 +170,9 @@ fn failure(error: String, points: &[FailedPoint]) -> Failure {
 
 /// The kind of missing equilibrium that a cause begins with, as a solver's error prints it.
 fn status_of(cause: &str) -> Option<&str> {
-    use fem_client::solver::NoEquilibrium::{LimitPoint, NotConverged, Overstretched, SelfContact};
     let status = cause.split(": ").next()?;
-    [
-        LimitPoint,
-        SelfContact,
-        Overstretched,
-        Crushed,
-        NotConverged,
-    ]
-    .iter()
-    .any(|known| known.as_str() == status)
-    .then_some(status)
+    NoEquilibrium::ALL
+        .iter()
+        .any(|known| known.as_str() == status)
+        .then_some(status)
 }
