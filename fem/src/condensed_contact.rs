@@ -98,8 +98,17 @@ impl<'a> CondensedContact<'a> {
             let residual = self.schur * &x + &forces - rhs;
             let round_off = ROUND_OFF * (forces.norm_l2() + rhs.norm_l2());
             let size = residual.norm_l2();
-            in_vain = if size < smallest { 0 } else { in_vain + 1 };
-            smallest = smallest.min(size);
+            // Whole steps may raise the residual before they find which points touch.
+            in_vain = if size < smallest || iteration <= WHOLE_STEPS {
+                0
+            } else {
+                in_vain + 1
+            };
+            smallest = if iteration <= WHOLE_STEPS {
+                size
+            } else {
+                smallest.min(size)
+            };
             if size <= tolerance.max(round_off) || in_vain == PATIENCE {
                 break;
             }
