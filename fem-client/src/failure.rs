@@ -90,11 +90,7 @@ fn pressing_error(
     } else if failure.indefinite && failure.step <= NEARBY {
         let why = "the next step leads through unstable states only: the wall buckles, snaps through or folds";
         (NoEquilibrium::LimitPoint, why.to_owned())
-    } else if squeezed < CRUSHED {
-        let why = format!(
-            "some rubber is squeezed to {squeezed:.2} of its length there: the wall is crushed or folded beyond what this mesh \
-             can follow"
-        );
+    } else if let Some(why) = crushed(squeezed) {
         (NoEquilibrium::Crushed, why)
     } else {
         (NoEquilibrium::NotConverged, unconverged(failure))
@@ -111,9 +107,19 @@ fn pressing_error(
     no_equilibrium(status, detail, reached, failure.cause)
 }
 
+/// How far the rubber is squeezed, where that is what a mesh can't follow any further.
+pub(crate) fn crushed(smallest_stretch: f64) -> Option<String> {
+    (smallest_stretch < CRUSHED).then(|| {
+        format!(
+            "some rubber is squeezed to {smallest_stretch:.2} of its length there: the wall is crushed or folded beyond what \
+             this mesh can follow"
+        )
+    })
+}
+
 /// What ended the iterations, and what happened on the way.
 fn unconverged(failure: &PathFailure) -> String {
-    let cause = cause(failure.cause);
+    let cause = cause_text(failure.cause);
     if failure.losses == 0 {
         return cause.to_owned();
     }
@@ -140,7 +146,7 @@ pub(crate) fn no_equilibrium(
     }
 }
 
-pub(crate) fn cause(cause: Cause) -> &'static str {
+pub(crate) fn cause_text(cause: Cause) -> &'static str {
     match cause {
         Cause::Iterations => "too many Newton iterations",
         Cause::Diverged => "the residual grew without bound",

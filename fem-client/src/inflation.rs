@@ -3,13 +3,13 @@
 //! The pressure is raised in large steps. Where they fail the volume takes over, which has an equilibrium beyond a limit
 //! point too, and tells a limit point, buckling and endless growth apart.
 
-use fem::newton::{Cause, NewtonSettings};
+use fem::newton::{Cause, NewtonSettings, NotConverged};
 use fem::path::Stability;
 use fem::problem::{Loads, State};
 use fem::setup::SetupError;
 use fem::volume_control::{Ending, Inflated, VolumeControl};
 
-use crate::failure::no_equilibrium;
+use crate::failure::{cause_text, crushed, no_equilibrium};
 use crate::session::Session;
 use crate::solver::{NoEquilibrium, Reached, SolveError};
 
@@ -59,7 +59,7 @@ impl Session<'_> {
             Some((state, pressure)) => control.at(state, pressure, self.stop),
             None => control.reference(self.stop),
         };
-        let start = start.map_err(|lost| self.lost(pressure, lost.cause, lost.indefinite))?;
+        let start = start.map_err(|lost| self.lost(pressure, lost.cause, lost.indefinite, None))?;
         let asked = self.scene.pressure.internal_mpa;
         let ending = control.inflate(&start, asked, LARGEST_GROWTH * start.volume, self.stop);
         self.newton.effort += control.effort();
@@ -69,7 +69,10 @@ impl Session<'_> {
             Ending::Unstable { below, above } => Err(self.buckled(below.pressure, above)),
             Ending::Outgrown(last) => Err(self.outgrown(&last)),
             Ending::Lost { last, failure } => {
-                Err(self.lost(last.pressure, failure.cause, failure.indefinite))
+                let NotConverged {
+                    cause, indefinite, ..
+                } = failure;
+                Err(self.lost(last.pressure, cause, indefinite, Some(&last.state)))
             }
         }
     }
@@ -86,7 +89,8 @@ impl Session<'_> {
         match self.follow(&mut state, &start, &target, Stability::Required) {
             Ok(_) => Ok(state),
             Err(failure) => {
-                Err(self.lost(failure.loads.pressure, failure.cause, failure.indefinite))
+                let pressure = failure.loads.pressure;
+                Err(self.lost(pressure, failure.cause, failure.indefinite, Some(&state)))
             }
         }
     }
@@ -119,9 +123,17 @@ impl Session<'_> {
         ended(NoEquilibrium::Overstretched, detail, pressure)
     }
 
-    /// No equilibrium was found beyond a pressure: for lack of stability where the tangents on the way had lost it.
-    fn lost(&self, pressure: f64, cause: Cause, indefinite: bool) -> SolveError {
+    /// No equilibrium was found beyond a pressure: for lack of stability where the tangents on the way had lost it, or because
+    /// the rubber of the last state, if there is one, is squeezed too far.
+    fn lost(
+        &mut self,
+        pressure: f64,
+        cause: Cause,
+        indefinite: bool,
+        last: Option<&State>,
+    ) -> SolveError {
         let asked = self.scene.pressure.internal_mpa;
+        let squeezed = last.and_then(|state| crushed(self.newton.stretch_range(state).smallest));
         let (status, detail) = if indefinite {
             let detail = format!(
                 "inflation lost its stability just above {pressure:.6} MPa of the {asked} MPa asked for: this wall cannot \
@@ -129,11 +141,15 @@ impl Session<'_> {
             );
             (NoEquilibrium::LimitPoint, detail)
         } else {
-            let why = crate::failure::cause(cause);
+            let status = match squeezed {
+                Some(_) => NoEquilibrium::Crushed,
+                None => NoEquilibrium::NotConverged,
+            };
+            let why = squeezed.unwrap_or_else(|| cause_text(cause).to_owned());
             let detail = format!(
                 "inflation stopped at {pressure:.6} MPa of the {asked} MPa asked for ({why})"
             );
-            (NoEquilibrium::NotConverged, detail)
+            (status, detail)
         };
         let reached = Reached {
             pressure_mpa: pressure,
