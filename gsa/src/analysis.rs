@@ -5,6 +5,8 @@
 use ndarray::ArrayView2;
 
 use crate::additive;
+use crate::composite::Decomposed;
+pub use crate::composite::MOST_FOR_PAIRS;
 use crate::design::Design;
 use crate::error::{self, ByInput, Effects, ErrorParts};
 use crate::evidence::Evidence;
@@ -69,9 +71,6 @@ pub struct Analysis {
     pub error: ErrorParts,
 }
 
-/// Most inputs whose pairs are listed.
-pub const MOST_FOR_PAIRS: usize = 50;
-
 /// Analyses every output: `values` has a row per point of the design, in its order, and a column per output. A run
 /// that failed is a row of NaN: on a cut line the section is refitted from its other nodes, at a check point it is left
 /// out.
@@ -84,7 +83,7 @@ pub fn analyse(design: &Design, values: &ArrayView2<f64>) -> Vec<Analysis> {
         rows == points,
         "{rows} rows of values for the {points} points of the design"
     );
-    let off_axis_probability = design.off_axis_probability();
+    let pair_probability = design.pair_probability();
     // One output after the other, each contiguous.
     let by_output = values.t().as_standard_layout().into_owned();
     by_output
@@ -92,12 +91,13 @@ pub fn analyse(design: &Design, values: &ArrayView2<f64>) -> Vec<Analysis> {
         .into_iter()
         .map(|values| {
             let values = values.as_slice().expect("standard layout");
-            analyse_output(design, values, off_axis_probability)
+            analyse_output(design, values, pair_probability)
         })
         .collect()
 }
 
-fn analyse_output(design: &Design, values: &[f64], off_axis_probability: f64) -> Analysis {
+/// One output on lines and check points.
+pub(crate) fn analyse_output(design: &Design, values: &[f64], pair_probability: f64) -> Analysis {
     let sections = match Sections::new(design, values) {
         Ok(sections) => sections,
         Err(ordinal) => return unusable(ordinal),
@@ -109,7 +109,7 @@ fn analyse_output(design: &Design, values: &[f64], off_axis_probability: f64) ->
         let forms = Forms {
             mdrm: mdrm.ok(),
             evidence,
-            off_axis_probability,
+            pair_probability,
         };
         forms.with_indices(&sections, verdict)
     } else {
@@ -157,7 +157,7 @@ fn without_spread(sections: &Sections, evidence: Option<&Evidence<'_>>) -> Analy
 struct Forms<'a> {
     mdrm: Option<Mdrm>,
     evidence: Option<Evidence<'a>>,
-    off_axis_probability: f64,
+    pair_probability: f64,
 }
 
 impl Forms<'_> {
@@ -166,8 +166,8 @@ impl Forms<'_> {
         let shifted = || self.evidence.as_ref()?.shifted.as_ref();
         match form {
             Form::Mdrm => self.mdrm.as_ref(),
-            Form::Additive => None,
             Form::Shifted => shifted().map(|(product, _)| product),
+            _ => None,
         }
     }
 
@@ -185,9 +185,10 @@ impl Forms<'_> {
             }
         };
         let errors = ByInput {
-            quadrature: error::quadrature(sections, &first_order, &total),
+            quadrature: error::quadrature(sections.missing.as_deref(), &first_order, &total),
             decomposition: self.decomposition(sections, verdict.form, &first_order, moments),
             sampling: None,
+            missing: error::missing(sections.missing.as_deref(), &total),
         };
         let second_order = (sections.inputs() <= MOST_FOR_PAIRS).then(|| match chosen {
             Some(product) => product.second_order(&first_order),
@@ -260,11 +261,12 @@ impl Forms<'_> {
             main: &main,
         };
         let fitted = usize::from(form == Form::Shifted);
+        let values: Vec<f64> = checks.iter().map(|(_, h)| *h).collect();
         Some(error::decomposition(
-            checks,
+            &values,
             &predictions,
             &effects,
-            self.off_axis_probability,
+            self.pair_probability,
             fitted,
         ))
     }
@@ -309,7 +311,7 @@ fn note_missing(analysis: &mut Analysis, design: &Design, values: &[f64], sectio
 }
 
 impl Analysis {
-    fn empty(floor: f64) -> Self {
+    pub(crate) fn empty(floor: f64) -> Self {
         Self {
             mean: None,
             variance: None,
@@ -325,7 +327,29 @@ impl Analysis {
         }
     }
 
-    fn note(&mut self, text: &str) {
+    /// The same output by another method on its sections.
+    pub(crate) fn with(
+        self,
+        sections: &Sections,
+        found: Decomposed,
+        method: Form,
+        errors: ByInput,
+    ) -> Self {
+        let (mean, variance) = in_output_units(sections, (found.mean, found.variance));
+        Self {
+            mean,
+            variance,
+            error: ErrorParts::new(errors, sections.floor_for(found.variance.sqrt())),
+            first_order: Some(found.first_order),
+            total: Some(found.total),
+            second_order: found.second_order,
+            method,
+            status: Status::ProductFormBroken,
+            ..self
+        }
+    }
+
+    pub(crate) fn note(&mut self, text: &str) {
         self.reason = Some(match self.reason.take() {
             Some(reason) => format!("{reason}; {text}"),
             None => text.to_owned(),

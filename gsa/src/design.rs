@@ -78,6 +78,11 @@ impl Line {
         &self.ordinals
     }
 
+    /// Orthonormal polynomials of the input's law, as many as the rule has nodes.
+    pub(crate) fn polynomials(&self) -> &Polynomials {
+        &self.polynomials
+    }
+
     /// The coordinate in which the rule is exact for polynomials.
     pub(crate) fn coordinate(&self, x: f64) -> f64 {
         self.polynomials.coordinate(x)
@@ -229,9 +234,14 @@ impl Design {
         self.coarse.iter().map(Option::as_ref)
     }
 
-    /// Probability that a point of the check points' grid, drawn by weight, leaves the cut in two coordinates or more.
-    pub(crate) fn off_axis_probability(&self) -> f64 {
-        Grid::new(&self.grid_rules(), &self.points[0]).off_axis_probability()
+    /// Probability that two inputs, drawn by weight from the check points' grid, both leave the cut.
+    pub(crate) fn pair_probability(&self) -> f64 {
+        Grid::new(&self.grid_rules(), &self.points[0]).pair_probability()
+    }
+
+    /// How many check points the grid has in all.
+    pub(crate) fn off_axis_len(&self) -> usize {
+        Grid::new(&self.grid_rules(), &self.points[0]).off_axis_len()
     }
 
     fn grid_rules(&self) -> Vec<&GaussRule> {

@@ -30,15 +30,13 @@
 //! The sum is an estimate, not a bound: few check points may all miss an interaction. Indicators that cost nothing
 //! (1 - sum S_i, the difference between two forms) were found to carry no information and are not used.
 
-use crate::evidence::Checks;
-use crate::section::Sections;
-
 /// T for many points; K of them have (1 + 2.5/K) times as much. Student's t has 2.0 and, for five points, 1.4 times as
 /// much; the rest is for skew residuals. Set by the coverage over random models.
 const CHANCE: f64 = 2.2;
 const CHANCE_OF_FEW: f64 = 2.5;
-/// R: all of r^2 in one main effect would be 1.
+/// R: all of r^2 in one main effect would be 1, as may be where the form was fitted and the main effects with it.
 const REMAINDER: f64 = 0.5;
+const REMAINDER_OF_FIT: f64 = 1.0;
 
 /// Parts of the error of an output's first-order indices.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,6 +55,8 @@ pub struct ErrorParts {
     pub total: Option<f64>,
     /// The same for each input by itself.
     pub by_input: Option<Vec<f64>>,
+    /// S_Ti m_i: which input's rule the quadrature error comes from; empty if it isn't known.
+    pub(crate) missing: Vec<f64>,
 }
 
 /// Parts of the error by input, before they are summed.
@@ -65,6 +65,8 @@ pub(crate) struct ByInput {
     pub(crate) quadrature: Option<Vec<f64>>,
     pub(crate) decomposition: Option<Vec<f64>>,
     pub(crate) sampling: Option<Vec<f64>>,
+    /// S_Ti m_i
+    pub(crate) missing: Vec<f64>,
 }
 
 impl ErrorParts {
@@ -85,6 +87,7 @@ impl ErrorParts {
             floor,
             total: by_input.as_deref().map(largest),
             by_input,
+            missing: parts.missing,
         }
     }
 
@@ -98,14 +101,20 @@ fn largest(errors: &[f64]) -> f64 {
     errors.iter().copied().fold(0.0, f64::max)
 }
 
+/// S_Ti m_i.
+pub(crate) fn missing(missing: Option<&[f64]>, total: &[f64]) -> Vec<f64> {
+    let shares = missing.unwrap_or_default().iter();
+    shares.zip(total).map(|(m, t)| m * t).collect()
+}
+
 /// Error of each first-order index from the missing shares m_i of the sections' variances.
 pub(crate) fn quadrature(
-    sections: &Sections,
+    missing: Option<&[f64]>,
     first_order: &[f64],
     total: &[f64],
 ) -> Option<Vec<f64>> {
-    let missing = sections.missing.as_ref()?;
-    if sections.inputs() == 1 {
+    let missing = missing?;
+    if first_order.len() == 1 {
         // One input has all of the variance, however large.
         return Some(vec![0.0]);
     }
@@ -126,23 +135,23 @@ pub(crate) struct Effects<'a> {
     pub(crate) main: &'a dyn Fn(usize, usize) -> f64,
 }
 
-/// Error of each first-order index from the residuals of a form at the check points, of which it was fitted to `fitted`
-/// numbers.
+/// Error of each first-order index from the values at the check points and a form there, of which `fitted` numbers were
+/// fitted to them.
 pub(crate) fn decomposition(
-    checks: &Checks<'_>,
+    values: &[f64],
     predictions: &[f64],
     effects: &Effects<'_>,
-    off_axis_probability: f64,
+    pair_probability: f64,
     fitted: usize,
 ) -> Vec<f64> {
     let deviation = effects.variance.sqrt();
-    let count = checks.len();
+    let count = values.len();
     // The axes, where there is no residual, take their share of the means.
-    let share = off_axis_probability / (count.saturating_sub(fitted).max(1) as f64);
-    let residuals: Vec<f64> = checks
+    let share = pair_probability / (count.saturating_sub(fitted).max(1) as f64);
+    let residuals: Vec<f64> = values
         .iter()
         .zip(predictions)
-        .map(|((_, h), form)| (h - form) / deviation)
+        .map(|(h, form)| (h - form) / deviation)
         .collect();
     let square = share * residuals.iter().map(|r| r * r).sum::<f64>();
     let whole: Vec<f64> = residuals
@@ -153,6 +162,11 @@ pub(crate) fn decomposition(
     // V may turn out larger, never so much smaller that the first order in r says nothing.
     let variance = (1.0 + share * whole.iter().sum::<f64>()).max(0.5);
     let student = CHANCE * (1.0 + CHANCE_OF_FEW / count as f64);
+    let remainder = if fitted > 0 {
+        REMAINDER_OF_FIT
+    } else {
+        REMAINDER
+    };
     let error = |input: usize| {
         let s = effects.first_order[input];
         let (mut sum, mut squares) = (0.0, 0.0);
@@ -161,8 +175,8 @@ pub(crate) fn decomposition(
             sum += psi;
             squares += psi * psi;
         }
-        let chance = (squares * share / (count as f64) * off_axis_probability).sqrt();
-        at_most_one((share * sum).abs() + student * chance + REMAINDER * square / variance)
+        let chance = (squares * share / (count as f64) * pair_probability).sqrt();
+        at_most_one((share * sum).abs() + student * chance + remainder * square / variance)
     };
     (0..effects.first_order.len()).map(error).collect()
 }
@@ -180,7 +194,7 @@ mod tests {
         let parts = ByInput {
             quadrature,
             decomposition,
-            sampling: None,
+            ..ByInput::default()
         };
         ErrorParts::new(parts, 0.125).total
     }

@@ -7,9 +7,10 @@
 //! any order and anywhere; [`analysis::analyse`] turns their values into indices with an error. So runs can be queued,
 //! stored and resumed, and one set of runs serves thousands of outputs.
 //!
-//! The method is multiplicative dimension reduction (Zhang and Pandey 2014): the output as a product of its sections
+//! The default method is multiplicative dimension reduction (Zhang and Pandey 2014): the output as a product of its sections
 //! along the axes through a cut point, each integrated by a Gauss rule. Five inputs at five nodes take 21 runs. Extra
-//! runs off the axes check the product, measure its error, and hand over to the additive form where it fails.
+//! runs off the axes check the product, measure its error, and hand over to another form where it fails.
+//! [`campaign::Campaign`] puts all methods behind one contract, among them one that climbs by itself until a tolerance is met.
 //!
 //! | symbol | meaning |
 //! |---|---|
@@ -22,7 +23,9 @@
 //!
 //! Read in this order, each module importing only those above it: `recurrence`, `golub_welsch`, `basis`, [`rule`];
 //! `density`, `panel`, `discretisation`, `probability`, [`distribution`]; `polynomials`, `grid`, [`design`]; `scale`,
-//! `spectrum`, `section`, `mdrm`, `shift`, `additive`; `evidence`, [`error`], `verdict`, [`analysis`].
+//! `spectrum`, `section`, `mdrm`, `shift`, `additive`; `evidence`, [`error`], `composite`, `verdict`, [`analysis`]; `factors`,
+//! `regression`, `dictionary`, `corrected`; [`method`], `climb`, `bivariate`; `sobol`, [`saltelli`], `pce`, `scattered`;
+//! [`campaign`], which is the way in; [`certainty`].
 //!
 //! ```
 //! use gsa::analysis::{Status, analyse};
@@ -93,6 +96,34 @@ mod evidence;
 
 pub mod error;
 
+mod composite;
+
 mod verdict;
 
 pub mod analysis;
+
+mod factors;
+
+mod regression;
+
+mod dictionary;
+
+mod corrected;
+
+pub mod method;
+
+mod climb;
+
+mod bivariate;
+
+mod sobol;
+
+pub mod saltelli;
+
+mod pce;
+
+mod scattered;
+
+pub mod campaign;
+
+pub mod certainty;

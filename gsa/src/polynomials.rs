@@ -79,7 +79,6 @@ impl Polynomials {
     }
 
     /// p_1(x) .. p_degree(x), degree < N.
-    #[allow(dead_code)]
     pub(crate) fn evaluate(&self, x: f64, degree: usize) -> Vec<f64> {
         let xi = self.coordinate(x);
         let (mut before, mut present, mut b) = (0.0, 1.0, 0.0);

@@ -13,10 +13,14 @@
 
 use crate::design::{CheckPoint, Design, Line};
 use crate::scale::{exponent, times_power_of_two};
-use crate::spectrum::missing_share;
+use crate::spectrum::{Tail, tail};
 
 /// A response rounded in its last bits has this many eps of spread without depending on anything.
 const NOISE_IN_EPS: f64 = 4.0;
+/// Kinks scatter: the finer error is seldom more than this times the coarser one and the fall of the amplitudes.
+const CHANGE: f64 = 2.5;
+/// Lines are refined until their error looks small enough, which favours those whose error looks smaller than it is.
+const STOPPING: f64 = 2.5;
 /// A section is refitted from what is left of its nodes if these are enough to judge it by.
 const LEAST_NODES: usize = 3;
 
@@ -90,30 +94,33 @@ impl Sections {
             differences,
             at_checks,
         };
-        for (input, line) in design.lines().iter().enumerate() {
-            sections.add_moments(input, line, &lost);
+        let lines = design.lines().iter().zip(design.coarse_lines());
+        for (input, (line, coarse)) in lines.enumerate() {
+            sections.add_moments(input, line, coarse, &lost);
         }
         sections.lost = lost;
         Ok(sections)
     }
 
-    fn add_moments(&mut self, input: usize, line: &Line, lost: &[usize]) {
-        let d = &self.differences[input];
-        let (shift, variance) = moments(&line.rule().weights, d);
-        let restored = line.ordinals().iter().filter(|k| lost.contains(k)).count();
-        let resolved = line.rule().len() - restored;
-        let energies: Vec<f64> = (1..resolved)
-            .map(|k| line.rule().coefficient(k, d).powi(2))
-            .collect();
+    fn add_moments(&mut self, input: usize, line: &Line, coarse: Option<&Line>, lost: &[usize]) {
+        let (shift, variance) = moments(&line.rule().weights, &self.differences[input]);
+        let tail = tail_of(line, &self.differences[input], lost);
+        let missing = match (coarse, tail) {
+            (Some(coarse), Some(fine)) => {
+                let (_, before) = moments(&coarse.rule().weights, &self.at_checks[input]);
+                let rough = tail_of(coarse, &self.at_checks[input], lost);
+                Some(with_change(
+                    fine,
+                    rough,
+                    (variance - before).abs() / variance,
+                ))
+            }
+            (_, tail) => tail.map(|tail| tail.missing),
+        };
         self.shifts.push(shift);
         self.variances.push(variance);
         self.missing = self.missing.take().and_then(|mut shares| {
-            let beyond = if restored == 0 {
-                2 * resolved
-            } else {
-                resolved
-            };
-            shares.push(missing_share(&energies, beyond)?);
+            shares.push(missing?);
             Some(shares)
         });
     }
@@ -131,8 +138,13 @@ impl Sections {
     /// eps max|h| / sqrt(sum v), the error that the rounding of the model itself leaves in any index, and an eps for each
     /// term of the sums; at most 1.
     pub(crate) fn floor(&self) -> f64 {
+        self.floor_for(self.spread())
+    }
+
+    /// The same beside a standard deviation that the lines don't show.
+    pub(crate) fn floor_for(&self, deviation: f64) -> f64 {
         let sums = (self.inputs() + 4) as f64;
-        let floor = f64::EPSILON * (self.largest / self.spread() + sums);
+        let floor = f64::EPSILON * (self.largest / deviation + sums);
         if floor < 1.0 { floor } else { 1.0 }
     }
 
@@ -151,6 +163,19 @@ impl Sections {
         let sign = |h: f64| (h > 0.0, h < 0.0);
         let changes = |d: &Vec<f64>| d.iter().any(|d| sign(self.centre + d) != sign(self.centre));
         self.differences.iter().position(changes)
+    }
+
+    /// d_ij at the nodes of line i.
+    pub(crate) fn differences(&self, input: usize) -> &[f64] {
+        &self.differences[input]
+    }
+
+    /// Nodes of the rule that the check points were drawn from.
+    pub(crate) fn grid_len(&self, input: usize) -> usize {
+        match self.at_checks.get(input) {
+            Some(coarse) if !coarse.is_empty() => coarse.len(),
+            _ => self.differences[input].len(),
+        }
     }
 
     /// d_i at the coordinates of a check point, input by input.
@@ -172,6 +197,31 @@ impl Sections {
             _ => self.differences[input][node],
         }
     }
+}
+
+fn tail_of(line: &Line, d: &[f64], lost: &[usize]) -> Option<Tail> {
+    let restored = line.ordinals().iter().filter(|k| lost.contains(k)).count();
+    let energies: Vec<f64> = (1..line.rule().len() - restored)
+        .map(|k| line.rule().coefficient(k, d).powi(2))
+        .collect();
+    tail(&energies, restored == 0)
+}
+
+/// The missing share, not below what a coarser rule suggests, by its own modes and by the change of the variance since,
+/// which is its error: errors fall at least as fast as the amplitudes at the end of the modes.
+fn with_change(fine: Tail, coarse: Option<Tail>, change: f64) -> f64 {
+    let fall = coarse.map_or(1.0, |coarse| fine.amplitude / coarse.amplitude);
+    let before = coarse
+        .map_or(0.0, |coarse| coarse.missing)
+        .max(CHANGE * change);
+    let after = before * if fall < 1.0 { fall } else { 1.0 };
+    // Not `max` alone: nothing varies where the change is no number.
+    let missing = if after.is_finite() {
+        fine.missing.max(after)
+    } else {
+        fine.missing
+    };
+    (STOPPING * missing).min(1.0)
 }
 
 /// Puts in, for nodes without a number, the polynomial through the others, and names them in `lost`.

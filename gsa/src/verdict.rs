@@ -14,7 +14,7 @@ use crate::section::Sections;
 /// that is no product comes out as large as the output's variation.
 const SMALL_REFERENCE: f64 = 0.01;
 
-/// How the output is composed of its sections.
+/// Where an output's indices come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Form {
@@ -24,15 +24,30 @@ pub enum Form {
     Additive,
     /// product of the sections after adding a constant
     Shifted,
+    /// one of these, plus a sparse expansion of what it misses at the check points
+    Corrected,
+    /// one of these, plus all pairs of inputs
+    Bivariate,
+    /// every combination of the nodes
+    Tensor,
+    /// sparse polynomial chaos
+    Pce,
+    /// Sobol's indices from pairs of samples
+    Saltelli,
 }
 
 impl Form {
-    /// `mdrm`, `additive` or `shifted`.
+    /// Its name in documents: `mdrm`, `additive`, `shifted`, `corrected`, `bivariate`, `tensor`, `pce`, `saltelli`.
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Mdrm => "mdrm",
             Self::Additive => "additive",
             Self::Shifted => "shifted",
+            Self::Corrected => "corrected",
+            Self::Bivariate => "bivariate",
+            Self::Tensor => "tensor",
+            Self::Pce => "pce",
+            Self::Saltelli => "saltelli",
         }
     }
 }

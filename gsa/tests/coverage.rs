@@ -4,12 +4,11 @@ mod models;
 
 use std::collections::BTreeMap;
 
-use gsa::analysis::analyse;
-use gsa::design::Design;
-use models::families;
+use gsa::analysis::Analysis;
+use gsa::campaign::Campaign;
+use gsa::method::{Kind, Method};
+use models::{Known, families};
 use ndarray::Array2;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
 
 /// Claimed and true error, the latter no less than the rounding floor.
 type Outcome = (f64, f64);
@@ -51,34 +50,114 @@ fn print(table: &BTreeMap<&str, Vec<Outcome>>) -> Vec<Outcome> {
     table.values().flatten().copied().collect()
 }
 
+/// Share covered in percent and median of claimed over true, over all families and these seeds.
+fn coverage(
+    title: &str,
+    seeds: std::ops::Range<u64>,
+    mut method: impl FnMut(&Known, u64) -> Option<Method>,
+) -> (f64, f64) {
+    let mut table: BTreeMap<&str, Vec<Outcome>> = BTreeMap::new();
+    let mut runs = Vec::new();
+    for seed in seeds {
+        for known in families::all(seed) {
+            let Some(method) = method(&known, seed) else {
+                continue;
+            };
+            let (found, count) = run(&known, method);
+            let Some(first_order) = &found.first_order else {
+                continue;
+            };
+            let truth = known.error_of(first_order).max(found.error.floor);
+            let claimed = found.error.total.expect("an error beside indices");
+            table
+                .entry(known.family)
+                .or_default()
+                .push((claimed, truth));
+            runs.push(count as f64);
+        }
+    }
+    println!("{title}");
+    let all = print(&table);
+    let (share, median) = (covered(&all), quantile(ratios(&all), 0.5));
+    let runs = quantile(runs, 0.5);
+    println!(
+        "all {share:.1} % of {}, median claimed/true {median:.1}, median runs {runs}\n",
+        all.len()
+    );
+    (share, median)
+}
+
+/// Asks and tells until the method has enough.
+fn run(known: &Known, method: Method) -> (Analysis, usize) {
+    let mut campaign = Campaign::new(&known.inputs, method).expect("a valid campaign");
+    loop {
+        let points = campaign.points();
+        let values: Vec<f64> = points.iter().map(|x| (known.model)(x)).collect();
+        let values = Array2::from_shape_vec((values.len(), 1), values).expect("a column");
+        let found = campaign
+            .tell(&values.view())
+            .expect("rules exist")
+            .remove(0);
+        if campaign.points().len() == values.nrows() {
+            return (found, values.nrows());
+        }
+    }
+}
+
+fn seeded(kind: Kind, seed: u64) -> Method {
+    Method {
+        seed: seed + 1000,
+        ..Method::of(kind)
+    }
+}
+
 /// The three forms on lines and check points. The seeds are fixed; the constants of the estimates were set on these
 /// families, so that other models are the test proper (`error_bar` in `closed_models`).
 #[test]
 fn claimed_errors_of_the_forms_cover_the_true_ones() {
-    for (nodes, checks) in [(5, 5), (7, 10), (9, 10)] {
-        let mut table: BTreeMap<&str, Vec<Outcome>> = BTreeMap::new();
-        for seed in 0..60 {
-            for known in families::all(seed) {
-                let mut rng = ChaCha8Rng::seed_from_u64(seed + 1000);
-                let design = Design::new(&known.inputs, nodes, checks, &mut rng).unwrap();
-                let values = design.points().iter().map(|x| (known.model)(x)).collect();
-                let values = Array2::from_shape_vec((design.points().len(), 1), values).unwrap();
-                let found = analyse(&design, &values.view()).remove(0);
-                let Some(first_order) = &found.first_order else {
-                    continue;
-                };
-                let truth = known.error_of(first_order).max(found.error.floor);
-                let outcome = (found.error.total.unwrap(), truth);
-                table.entry(known.family).or_default().push(outcome);
-            }
-        }
-        println!("{nodes} nodes, {checks} check points");
-        let all = print(&table);
-        let median = quantile(ratios(&all), 0.5);
-        println!(
-            "all {:.1} %, median claimed/true {median:.1}\n",
-            covered(&all)
+    for (nodes, check_points) in [(5, 5), (7, 10), (9, 10)] {
+        let title = format!("mdrm: {nodes} nodes, {check_points} check points");
+        let (share, median) = coverage(&title, 0..60, |_, seed| {
+            Some(Method {
+                nodes,
+                check_points,
+                ..seeded(Kind::Mdrm, seed)
+            })
+        });
+        assert!(share >= 95.0 && median <= 10.0, "{title}");
+    }
+}
+
+/// Shares and medians seen, rounded to the safe side. Polynomial chaos falls short of 95 %: its points don't see the tails
+/// of heavy laws. The grids claim more than ten times too much: five nodes can't tell a smooth section from a kink.
+#[test]
+fn claimed_errors_of_the_other_methods() {
+    let seeds = 20..28;
+    let rows = [
+        (Kind::Bivariate, 95.0, 20.0),
+        (Kind::Tensor, 95.0, 20.0),
+        (Kind::Pce, 92.0, 15.0),
+        (Kind::Saltelli, 95.0, 5.0),
+        (Kind::Auto, 95.0, 10.0),
+    ];
+    for (kind, least, most) in rows {
+        let (share, median) = coverage(kind.as_str(), seeds.clone(), |known, seed| {
+            let inputs = known.inputs.len();
+            let affordable = match kind {
+                Kind::Tensor => inputs <= 4,
+                Kind::Bivariate => inputs <= 12,
+                _ => true,
+            };
+            let method = Method {
+                samples: if kind == Kind::Saltelli { 256 } else { 100 },
+                most_runs: 200,
+                ..seeded(kind, seed)
+            };
+            affordable.then_some(method)
+        });
+        assert!(
+            share >= least && median <= most,
+            "{kind:?}: {share} {median}"
         );
-        assert!(covered(&all) >= 95.0 && median <= 10.0);
     }
 }

@@ -4,11 +4,11 @@ use fem_client::solver::{Cost, Response, StartState};
 
 /// Keeps responses and start states by content key. Called from the solving threads.
 pub trait Archive: Sync {
-    /// The stored response under this key, with what it once took.
+    /// The stored response under this key, with what it once took; the study needs it as the point with this ordinal.
     ///
     /// # Errors
     /// When the archive can't be read, or what it holds fails its own hash.
-    fn load(&self, key: &str) -> Result<Option<(Response, Cost)>, ArchiveError>;
+    fn load(&self, key: &str, ordinal: usize) -> Result<Option<(Response, Cost)>, ArchiveError>;
 
     /// Stores a response for good; storing under a present key is not an error and changes nothing.
     ///

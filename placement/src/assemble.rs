@@ -20,9 +20,9 @@ pub fn assemble(
     responses: &[Response],
     solver_version: &str,
 ) -> StudyResult {
-    let scores = score(&plan.design, responses);
+    let scores = score(plan.campaign(), responses);
     let locations = rank(study, &scores);
-    let layouts = rank_layouts(study, &plan.design, responses);
+    let layouts = rank_layouts(study, plan.campaign(), responses);
     let cut = &responses[0];
     let notes = notes(study, plan, cut, &scores, &locations, &layouts);
     StudyResult {
@@ -44,7 +44,7 @@ pub fn assemble(
         notes,
         failed_points: Vec::new(),
         cut_point: CutPoint {
-            values: plan.design.points()[0].clone(),
+            values: plan.values()[0].clone(),
             reaction_n: cut.reaction_n,
             inflated_outer_radius_mm: cut.inflated.outer_radius_mm,
             locations: cut.locations.clone(),

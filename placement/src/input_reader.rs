@@ -49,7 +49,7 @@ pub(crate) fn read_inputs(
 }
 
 /// Whether two inputs have the same text in a field, spaces aside, whatever else is wrong with them.
-fn same_text(a: &Value, b: &Value, field: &str) -> bool {
+pub(crate) fn same_text(a: &Value, b: &Value, field: &str) -> bool {
     let text = |input: &Value| Some(without_spaces(input.get(field)?.as_str()?));
     text(a).is_some() && text(a) == text(b)
 }

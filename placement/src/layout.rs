@@ -14,7 +14,7 @@
 //! over contact angles in one sector [0, spacing), a degree apart. They hold near the cut point's load.
 
 use fem_client::solver::{Position, Response};
-use gsa::design::Design;
+use gsa::campaign::Campaign;
 
 use crate::result::{LayoutScore, RankedLayout};
 use crate::ring_field::{RingField, at_angle, ring_fields, slope_at_angle};
@@ -35,14 +35,18 @@ const SINGULAR: f64 = 1e-12;
 ///
 /// # Panics
 /// If there is not one response for each point.
-pub fn rank_layouts(study: &Study, design: &Design, responses: &[Response]) -> Vec<RankedLayout> {
+pub fn rank_layouts(
+    study: &Study,
+    campaign: &Campaign,
+    responses: &[Response],
+) -> Vec<RankedLayout> {
     assert_eq!(
         responses.len(),
-        design.points().len(),
+        campaign.points().len(),
         "one response for each point"
     );
     let noise = noise_strain(&responses[0]);
-    let fields = ring_fields(study, design, responses);
+    let fields = ring_fields(study, campaign.design(), responses);
     let mut scored = Vec::new();
     for &position in &study.layouts.positions {
         for &spacing in &study.layouts.spacings_deg {

@@ -208,7 +208,7 @@ fn contact_edges(study: &Study, plan: &Plan, cut: &Response) -> Option<String> {
     let ground = &study.scene.ground;
     let middle = (ground.depths_mm.len() - 1) as f64 / 2.0;
     let mut edges = Vec::new();
-    for (input, line) in study.inputs.iter().zip(plan.design.lines()) {
+    for (input, line) in study.inputs.iter().zip(plan.campaign().design()?.lines()) {
         let Some(station) = input.station() else {
             continue;
         };

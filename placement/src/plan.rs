@@ -2,21 +2,21 @@
 
 use fem_client::fault::Fault;
 use fem_client::scene::Scene;
-use gsa::design::{Design, DesignError};
+use gsa::campaign::Campaign;
+use gsa::design::DesignError;
 use gsa::distribution::Distribution;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
+use ndarray::ArrayView2;
 use serde_json::Value;
 
 use crate::study::Study;
 
-/// The equilibria that a study needs. Point 0 is the cut point: every input at its mean.
+/// The equilibria that a study needs, as far as that is known. Point 0 is the cut point: every input at its mean.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     /// The scene of each point.
     pub points: Vec<Scene>,
-    /// What each point is for; its points are the input values, in the same order.
-    pub design: Design,
+    /// Asks for the points and analyses what they answer; its points are the input values, in the same order.
+    campaign: Campaign,
 }
 
 /// A study that can't be planned.
@@ -42,8 +42,8 @@ fn first(faults: &[Fault]) -> String {
 }
 
 impl Plan {
-    /// Plans a study. The check points come from ChaCha8 seeded by the study, whose stream is the same on every
-    /// machine and in every version.
+    /// Plans a study, an adaptive method's first points only. What is random comes from ChaCha8 seeded by the study, whose
+    /// stream is the same on every machine and in every version.
     ///
     /// # Errors
     /// When the design doesn't exist, or a point leaves the ranges of the scene. A study that
@@ -54,27 +54,58 @@ impl Plan {
             .iter()
             .map(|input| input.distribution)
             .collect();
-        let mut rng = ChaCha8Rng::seed_from_u64(study.method.seed);
-        let design = Design::new(
-            &laws,
-            study.method.nodes,
-            study.method.check_points,
-            &mut rng,
-        )?;
-        let scene_at = |(ordinal, values): (usize, &Vec<f64>)| {
-            scene_at(study, values).map_err(|faults| PlanError::Point {
-                ordinal,
-                values: values.clone(),
-                faults,
-            })
+        let mut plan = Self {
+            points: Vec::new(),
+            campaign: Campaign::new(&laws, study.method)?,
         };
-        let points = design
+        plan.add_scenes(study)?;
+        Ok(plan)
+    }
+
+    /// Tells an adaptive method what all points so far answered (a row each, a column per output), and whether it asks for
+    /// more, which are in the plan then.
+    ///
+    /// # Errors
+    /// When a further point leaves the ranges of the scene.
+    ///
+    /// # Panics
+    /// If there is not one row for each point.
+    pub fn extend(&mut self, study: &Study, values: &ArrayView2<f64>) -> Result<bool, PlanError> {
+        if !study.method.kind.is_adaptive() {
+            return Ok(false);
+        }
+        let before = self.points.len();
+        self.campaign.tell(values)?;
+        self.add_scenes(study)?;
+        Ok(self.points.len() > before)
+    }
+
+    fn add_scenes(&mut self, study: &Study) -> Result<(), PlanError> {
+        for (ordinal, values) in self
+            .campaign
             .points()
             .iter()
             .enumerate()
-            .map(scene_at)
-            .collect::<Result<_, _>>()?;
-        Ok(Self { points, design })
+            .skip(self.points.len())
+        {
+            let scene = scene_at(study, values).map_err(|faults| PlanError::Point {
+                ordinal,
+                values: values.clone(),
+                faults,
+            })?;
+            self.points.push(scene);
+        }
+        Ok(())
+    }
+
+    /// The input values of each point.
+    pub fn values(&self) -> &[Vec<f64>] {
+        self.campaign.points()
+    }
+
+    /// What asks for the points and analyses them.
+    pub fn campaign(&self) -> &Campaign {
+        &self.campaign
     }
 }
 
@@ -106,8 +137,8 @@ mod tests {
         let plan = Plan::new(&study()).unwrap();
         assert_eq!(plan.points[0].ground.depths_mm, [1.0; 5]);
         // 5 inputs x 4 nodes beside the shared centre, the centre, 5 check points.
-        assert_eq!((plan.points.len(), plan.design.points().len()), (26, 26));
-        for (scene, values) in plan.points.iter().zip(plan.design.points()) {
+        assert_eq!((plan.points.len(), plan.values().len()), (26, 26));
+        for (scene, values) in plan.points.iter().zip(plan.values()) {
             assert_eq!(&scene.ground.depths_mm, values);
         }
     }

@@ -4,6 +4,8 @@
 //! the own input's first-order indices for the x and the y strain at the contact centre; equal sums (shares within
 //! 1e-9) are ordered by x, then by name. A location without an index comes last.
 
+use gsa::certainty::{Estimate, places_certain};
+
 use crate::result::{Output, RankedLocation};
 use crate::score::Scores;
 use crate::study::Study;
@@ -51,11 +53,12 @@ pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
         }
     }
     let order = ordered(&locations, &[default_key, gsi_x]);
-    let mut ranked: Vec<RankedLocation> = order.into_iter().map(|i| locations[i].clone()).collect();
+    let mut ranked: Vec<RankedLocation> = order.iter().map(|i| locations[*i].clone()).collect();
     for (i, location) in ranked.iter_mut().enumerate() {
         location.rank = i + 1;
     }
-    mark_certain(&mut ranked, matrix.centre_error());
+    let errors: Vec<Option<f64>> = order.iter().map(|i| matrix.centre_error(own[*i])).collect();
+    mark_certain(&mut ranked, &errors);
     ranked
 }
 
@@ -111,17 +114,21 @@ fn sort_by_keys(
     }
 }
 
-/// A rank is certain when the distance to both neighbours is more than the errors of the two can bridge.
-fn mark_certain(ranked: &mut [RankedLocation], error: Option<f64>) {
-    let keys: Vec<Option<f64>> = ranked.iter().map(default_key).collect();
-    let apart = |a: Option<f64>, b: Option<f64>| match (a, b, error) {
-        (Some(a), Some(b), Some(error)) => (a - b).abs() > 2.0 * error,
-        _ => false,
+/// A rank is certain if its location truly outranks all others, or is outranked, with the probability of
+/// [`gsa::certainty`]; locations that tie share their place. Errors in percentage points, in the order of the locations.
+fn mark_certain(ranked: &mut [RankedLocation], errors: &[Option<f64>]) {
+    let known = |(location, error): (&RankedLocation, &Option<f64>)| {
+        Some(Estimate {
+            value: default_key(location)?,
+            error: error.unwrap_or(f64::INFINITY),
+        })
     };
-    for (i, location) in ranked.iter_mut().enumerate() {
-        let above = i == 0 || apart(keys[i - 1], keys[i]);
-        let below = i + 1 == keys.len() || apart(keys[i], keys[i + 1]);
-        location.rank_certain = keys[i].is_some() && error.is_some() && above && below;
+    let estimates: Vec<Option<Estimate>> = ranked.iter().zip(errors).map(known).collect();
+    let ranks: Vec<Estimate> = estimates.iter().flatten().copied().collect();
+    let mut certain = places_certain(&ranks, EQUAL_PERCENT).into_iter();
+    for (location, estimate) in ranked.iter_mut().zip(&estimates) {
+        // A location without an index could belong anywhere: the last place is the only one left for it.
+        location.rank_certain = estimate.is_some() && certain.next().unwrap_or(false);
     }
 }
 
@@ -131,13 +138,16 @@ struct Matrix<'s> {
     y: Vec<Cell<'s>>,
 }
 
-/// An output with M-DRM's indices of it.
-type Cell<'s> = (&'s Output, &'s Option<Vec<f64>>);
+/// An output with M-DRM's indices of it, and the errors of its own.
+type Cell<'s> = (&'s Output, &'s Option<Vec<f64>>, &'s Option<Vec<f64>>);
 
 impl<'s> Matrix<'s> {
     fn new(scores: &'s Scores) -> Self {
-        let both = scores.outputs.iter().zip(&scores.mdrm_first_order);
-        let (x, y) = both.partition(|(output, _)| output.direction == "x");
+        let parts = scores.mdrm_first_order.iter().zip(&scores.index_errors);
+        let all = scores.outputs.iter().zip(parts);
+        let (x, y) = all
+            .map(|(output, (mdrm, errors))| (output, mdrm, errors))
+            .partition(|(output, ..)| output.direction == "x");
         Self { x, y }
     }
 
@@ -146,7 +156,10 @@ impl<'s> Matrix<'s> {
         let at = |output: &Output| percent(output.first_order.as_ref());
         let centre = self.x.len() / 2;
         let mean = |column: &[Cell<'_>]| {
-            let known: Vec<f64> = column.iter().filter_map(|(output, _)| at(output)).collect();
+            let known: Vec<f64> = column
+                .iter()
+                .filter_map(|(output, ..)| at(output))
+                .collect();
             (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
         };
         RankedLocation {
@@ -166,10 +179,11 @@ impl<'s> Matrix<'s> {
         }
     }
 
-    /// Error of the sum of both indices at the centre, percent: the same for every location.
-    fn centre_error(&self) -> Option<f64> {
+    /// Error of the sum of an input's x and y index at the centre, percent; the two come from different outputs.
+    fn centre_error(&self, input: Option<usize>) -> Option<f64> {
         let centre = self.x.len() / 2;
-        Some(100.0 * (self.x[centre].0.error.total? + self.y[centre].0.error.total?))
+        let error = |errors: &Option<Vec<f64>>| Some(100.0 * errors.as_ref()?[input?]);
+        Some(error(self.x[centre].2)?.hypot(error(self.y[centre].2)?))
     }
 }
 
@@ -236,21 +250,33 @@ mod tests {
     }
 
     #[test]
-    fn ranks_are_certain_beyond_the_errors_of_both_neighbours() {
+    fn ranks_are_certain_beyond_the_errors_of_the_others() {
         let mut ranked = [
             location("a", Some(60.0), Some(0.0)),
             location("b", Some(50.0), Some(0.0)),
-            location("c", Some(45.0), Some(0.0)),
+            location("c", Some(46.0), Some(0.0)),
             location("d", None, None),
         ];
-        mark_certain(&mut ranked, Some(4.0));
+        // b from c: 2 4/sqrt(2 16) = 1.4 deviations; a from b: 3.5
+        mark_certain(&mut ranked, &[Some(4.0); 4]);
         assert_eq!(
             ranked.each_ref().map(|l| l.rank_certain),
             [true, false, false, false]
         );
-        mark_certain(&mut ranked[..3], Some(2.0));
+        mark_certain(&mut ranked[..3], &[Some(2.0); 3]);
         assert!(ranked[..3].iter().all(|l| l.rank_certain));
-        mark_certain(&mut ranked, None);
+        mark_certain(&mut ranked, &[None; 4]);
         assert!(ranked.iter().all(|l| !l.rank_certain));
+    }
+
+    #[test]
+    fn mirror_locations_share_a_certain_place() {
+        let mut ranked = [
+            location("a", Some(60.0), Some(0.0)),
+            location("b", Some(20.0), Some(0.0)),
+            location("c", Some(20.0 - 1e-9), Some(0.0)),
+        ];
+        mark_certain(&mut ranked, &[Some(10.0); 3]);
+        assert!(ranked.iter().all(|l| l.rank_certain));
     }
 }

@@ -19,9 +19,12 @@ pub(crate) struct RingField {
 /// The fields of all rings of a study, or why there is no derivative to the depth.
 pub(crate) fn ring_fields(
     study: &Study,
-    design: &Design,
+    design: Option<&Design>,
     responses: &[Response],
 ) -> Result<BTreeMap<Position, RingField>, String> {
+    let design = design.ok_or(
+        "this method has no lines through the means, so there is no derivative to the depth",
+    )?;
     let differences = depth_differences(study, design)?;
     let field = |(i, ring): (usize, &Ring)| {
         let by_depth = |strain: fn(&Ring) -> &Vec<f64>| {

@@ -12,15 +12,16 @@ use fem_client::solver::{Cost, Response, Solver};
 use self::points::{Answers, Points, keys};
 use crate::archive::{Archive, ArchiveError};
 use crate::assemble::assemble;
-use crate::plan::Plan;
+use crate::plan::{Plan, PlanError};
 use crate::result::{FailedPoint, StudyCost, StudyResult};
+use crate::score;
 use crate::study::Study;
 use crate::usage::{cpu_s, peak_memory_bytes};
 
 /// What happens during a run, as it happens.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Event {
-    /// The archive was searched; the solves begin.
+    /// The archive was searched; the solves begin. An adaptive method may go on to a longer plan, and begins again then.
     Started {
         /// Points of the plan.
         points: usize,
@@ -69,6 +70,9 @@ pub enum RunError {
         /// What is wrong, where.
         faults: Vec<Fault>,
     },
+    /// A point that an adaptive method asked for leaves the ranges of the scene.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
     /// The caller asked to stop; the same run later goes on where this one ended.
     #[error("stopped on request")]
     Stopped,
@@ -126,21 +130,30 @@ pub fn run(
     observer: Observer<'_>,
 ) -> Result<StudyResult, RunError> {
     let (begun, cpu_before) = (Instant::now(), cpu_s());
-    let readout = study.readout();
-    let keys = keys(plan, solver, &readout);
-    let points = Points {
-        plan,
-        readout,
-        solver,
-        archive,
-        stop,
-        observer,
-        keys,
+    let mut plan = plan.clone();
+    let mut solved = 0;
+    let (responses, costs) = loop {
+        let readout = study.readout();
+        let keys = keys(&plan, solver, &readout);
+        let points = Points {
+            plan: &plan,
+            readout,
+            solver,
+            archive,
+            stop,
+            observer,
+            keys,
+        };
+        let Answers { points, reused } = points.answers(threads)?;
+        solved += points.len() - reused;
+        let (responses, costs): (Vec<Response>, Vec<Cost>) = points.into_iter().unzip();
+        if !plan.extend(study, &score::values(&responses).view())? {
+            break (responses, costs);
+        }
     };
-    let Answers { points, reused } = points.answers(threads)?;
     observer(Event::Analysing);
-    let (responses, costs): (Vec<Response>, Vec<Cost>) = points.into_iter().unzip();
-    let mut result = assemble(study, plan, &responses, &solver.version());
+    let reused = costs.len() - solved;
+    let mut result = assemble(study, &plan, &responses, &solver.version());
     result.cost = StudyCost {
         wall_s: begun.elapsed().as_secs_f64(),
         cpu_s: (cpu_s() - cpu_before).max(0.0),

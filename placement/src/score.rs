@@ -1,8 +1,8 @@
 //! Responses to indices per output: the strains at P1, P2, ... and those of the dense map, in one analysis.
 
 use fem_client::solver::{Response, StrainMap};
-use gsa::analysis::{Analysis, analyse};
-use gsa::design::Design;
+use gsa::analysis::Analysis;
+use gsa::campaign::Campaign;
 use ndarray::Array2;
 
 use crate::result::{IndexError, IndexMap, MapLayer, Output};
@@ -21,27 +21,36 @@ pub struct Scores {
     pub outputs: Vec<Output>,
     /// M-DRM's indices of these outputs, wherever they exist, whether they hold or not.
     pub mdrm_first_order: Vec<Option<Vec<f64>>>,
+    /// Error of each first-order index of these outputs.
+    pub index_errors: Vec<Option<Vec<f64>>>,
     /// Indices over the dense map, when the responses have one.
     pub map: Option<IndexMap>,
 }
 
-/// Scores the responses at the points of a design, in its order.
+/// The outputs of all points, a row each: locations first, then the map.
+///
+/// # Panics
+/// If the responses differ in their readout.
+pub fn values(responses: &[Response]) -> Array2<f64> {
+    let rows: Vec<Vec<f64>> = responses.iter().map(strains).collect();
+    let columns = rows.first().map_or(0, Vec::len);
+    let values = Array2::from_shape_vec((rows.len(), columns), rows.concat());
+    values.expect("every response has the same readout")
+}
+
+/// Scores the responses at the points of a campaign, in its order.
 ///
 /// # Panics
 /// If there is not one response for each point, or the responses differ in their readout.
-pub fn score(design: &Design, responses: &[Response]) -> Scores {
+pub fn score(campaign: &Campaign, responses: &[Response]) -> Scores {
     assert_eq!(
         responses.len(),
-        design.points().len(),
+        campaign.points().len(),
         "one response for each point"
     );
-    let rows: Vec<Vec<f64>> = responses.iter().map(strains).collect();
-    let columns = rows[0].len();
-    let values = Array2::from_shape_vec((rows.len(), columns), rows.concat());
-    let analyses = analyse(
-        design,
-        &values.expect("every response has the same readout").view(),
-    );
+    let analyses = campaign
+        .analyse(&values(responses).view())
+        .expect("a campaign that asked for points has the rules to analyse them");
     let (at_locations, over_map) = analyses.split_at(2 * responses[0].locations.len());
     let names = responses[0]
         .locations
@@ -56,10 +65,14 @@ pub fn score(design: &Design, responses: &[Response]) -> Scores {
             .iter()
             .map(|a| a.mdrm_first_order.clone())
             .collect(),
+        index_errors: at_locations
+            .iter()
+            .map(|a| a.error.by_input.clone().filter(|_| a.first_order.is_some()))
+            .collect(),
         map: responses[0]
             .map
             .as_ref()
-            .map(|map| index_map(map, design, over_map)),
+            .map(|map| index_map(map, campaign.inputs().len(), over_map)),
     }
 }
 
@@ -125,9 +138,8 @@ fn index_error(analysis: &Analysis) -> IndexError {
     }
 }
 
-fn index_map(map: &StrainMap, design: &Design, analyses: &[Analysis]) -> IndexMap {
+fn index_map(map: &StrainMap, inputs: usize, analyses: &[Analysis]) -> IndexMap {
     let (x, y) = analyses.split_at(map.strain_x.len());
-    let inputs = design.inputs().len();
     IndexMap {
         theta_deg: map.theta_deg.clone(),
         phi_deg: map.phi_deg.clone(),

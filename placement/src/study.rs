@@ -3,6 +3,7 @@
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Grid, Position, Readout};
 use gsa::distribution::Distribution;
+use gsa::method::{Kind, Method};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
@@ -45,42 +46,11 @@ pub struct Layouts {
     pub positions: Vec<Position>,
 }
 
-/// How indices are computed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Method {
-    /// Only `mdrm` so far.
-    pub kind: MethodKind,
-    /// Gauss nodes per input.
-    pub nodes: usize,
-    /// Off-axis points at which the decomposition is checked.
-    pub check_points: usize,
-    /// Seed of the check points.
-    pub seed: u64,
-}
-
-/// Ways to compute indices.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MethodKind {
-    /// Multiplicative dimension reduction over Gauss quadrature.
-    Mdrm,
-}
-
 impl Default for Layouts {
     fn default() -> Self {
         Self {
             spacings_deg: vec![30.0, 45.0, 60.0, 72.0, 90.0, 120.0, 180.0],
             positions: vec![Position::Crown, Position::Shoulder, Position::Sidewall],
-        }
-    }
-}
-
-impl Default for Method {
-    fn default() -> Self {
-        Self {
-            kind: MethodKind::Mdrm,
-            nodes: 5,
-            check_points: 5,
-            seed: 1,
         }
     }
 }
@@ -144,12 +114,7 @@ impl Study {
                 "spacings_deg": self.layouts.spacings_deg,
                 "positions": positions.collect::<Vec<_>>(),
             },
-            "method": {
-                "kind": "mdrm",
-                "nodes": self.method.nodes,
-                "check_points": self.method.check_points,
-                "seed": self.method.seed,
-            },
+            "method": method_value(&self.method),
             "accuracy": {"preset": self.level.as_str()},
         })
         .to_string()
@@ -190,6 +155,28 @@ impl Input {
     fn to_value(&self) -> Value {
         json!({"name": self.name, "vary": self.vary, "distribution": self.distribution_value()})
     }
+}
+
+/// The settings that the kind uses.
+fn method_value(method: &Method) -> Value {
+    let mut value = Map::new();
+    let mut put = |name: &str, setting: Value| value.insert(name.to_owned(), setting);
+    put("kind", method.kind.as_str().into());
+    if !matches!(method.kind, Kind::Pce | Kind::Saltelli) {
+        put("nodes", method.nodes.into());
+    }
+    if matches!(method.kind, Kind::Mdrm | Kind::Bivariate | Kind::Auto) {
+        put("check_points", method.check_points.into());
+    }
+    if matches!(method.kind, Kind::Pce | Kind::Saltelli) {
+        put("samples", method.samples.into());
+    }
+    if method.kind == Kind::Auto {
+        put("tolerance", method.tolerance.into());
+        put("most_runs", method.most_runs.into());
+    }
+    put("seed", method.seed.into());
+    Value::Object(value)
 }
 
 /// Positions with their names in documents.

@@ -4,12 +4,14 @@ use fem_client::document::{Format, parse};
 use fem_client::fault::{Fault, member};
 use fem_client::fields::{Fields, alternatives, choice, shown};
 use fem_client::scene::{Level, PRESETS, Scene};
+use gsa::method::{Kind, Method};
 use serde_json::Value;
 
 use crate::candidate_reader::{candidates, layouts};
 use crate::input_reader::{read_inputs, read_name};
+use crate::method_reader::{Limits, read_method};
 use crate::plan::{Plan, PlanError};
-use crate::study::{Method, MethodKind, Study};
+use crate::study::Study;
 
 /// Gives the text of a scene file, or says why it can't be had.
 pub type Resolve<'r> = &'r dyn Fn(&str) -> Result<String, String>;
@@ -18,9 +20,13 @@ pub type Resolve<'r> = &'r dyn Fn(&str) -> Result<String, String>;
 const LONGEST_NAME: usize = 200;
 /// Most strains of all maps of a study: they are held in memory twice while they are analysed, 320 MB at this bound.
 const MOST_MAP_STRAINS: usize = 20_000_000;
-/// Nodes per input and check points that this version takes.
-const NODES: (u64, u64) = (1, 15);
-const CHECK_POINTS: (u64, u64) = (0, 1000);
+/// Solves take seconds, so that more would be a slip.
+const LIMITS: Limits = Limits {
+    nodes: 15,
+    check_points: 1000,
+    samples: 10_000,
+    runs: 100_000,
+};
 
 impl Study {
     /// Reads a study from text. `resolve` gives the text of a scene that the study names by its path, so that this
@@ -66,11 +72,11 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
     let scene = scene(&fields, resolve, faults);
     let grid = candidates(&fields, faults);
     let layouts = layouts(&fields, faults);
-    let method = method(&fields, faults);
+    let method = read_method(&fields, LIMITS, faults);
     let level = accuracy(&fields, scene.as_ref(), faults);
     let nodes = method
         .as_ref()
-        .map_or(Method::default().nodes, |method| method.nodes);
+        .map_or(Method::of(Kind::Mdrm).nodes, |method| method.nodes);
     let inputs = read_inputs(&fields, scene.as_ref(), nodes, faults);
     let (mut scene, level) = (scene?, level?);
     scene.model.level = level;
@@ -166,47 +172,6 @@ fn scene_file(
             }
             None
         }
-    }
-}
-
-fn method(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Method> {
-    let default = Method::default();
-    let Some((value, pointer)) = fields.get("method") else {
-        return Some(default);
-    };
-    let known = ["kind", "nodes", "check_points", "seed"];
-    let fields = Fields::open(value, &pointer, &known, faults)?;
-    let kind = fields
-        .get("kind")
-        .map_or(Some(default.kind), |(value, pointer)| {
-            method_kind(value, &pointer, faults)
-        });
-    let nodes = fields.integer("nodes", NODES, default.nodes as u64, faults);
-    let checks = fields.integer(
-        "check_points",
-        CHECK_POINTS,
-        default.check_points as u64,
-        faults,
-    );
-    let seed = fields.integer("seed", (0, u64::MAX), default.seed, faults);
-    Some(Method {
-        kind: kind?,
-        nodes: nodes? as usize,
-        check_points: checks? as usize,
-        seed: seed?,
-    })
-}
-
-fn method_kind(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<MethodKind> {
-    let planned = ["bivariate", "tensor", "pce", "saltelli", "auto"];
-    match value.as_str() {
-        Some("mdrm") => Some(MethodKind::Mdrm),
-        Some(name) if planned.contains(&name) => {
-            let detail = format!("this version has only \"mdrm\"; \"{name}\" isn't available yet");
-            Fault::add(faults, pointer, detail);
-            None
-        }
-        _ => choice(value, pointer, &[("mdrm", MethodKind::Mdrm)], faults),
     }
 }
 

@@ -76,7 +76,7 @@ fn every_fault_is_found_at_once() {
         ],
         "candidates": {"points": "P1-P9", "grid": {"circumferential": 60, "half_width_deg": 0}},
         "layouts": {"spacings_deg": [60, 50, 60], "positions": ["crown", "toe"]},
-        "method": {"kind": "pce", "nodes": 16, "check_points": 1.5, "seed": -1},
+        "method": {"kind": "sobol", "nodes": 16, "check_points": 1.5, "seed": -1},
         "accuracy": {"tolerance": 0.02, "budget_s": 60},
         "extra": {}
     });

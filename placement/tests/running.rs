@@ -169,14 +169,14 @@ fn a_point_without_equilibrium_is_named_and_its_siblings_are_kept() {
     let plan = Plan::new(&study).unwrap();
     let too_deep = |values: &Vec<f64>| values.iter().any(|depth| *depth > 1.2);
     let expected: Vec<usize> = (0..POINTS)
-        .filter(|i| too_deep(&plan.design.points()[*i]))
+        .filter(|i| too_deep(&plan.values()[*i]))
         .collect();
     assert_eq!(
         failed.iter().map(|point| point.ordinal).collect::<Vec<_>>(),
         expected
     );
     for point in &failed {
-        assert_eq!(&point.values, &plan.design.points()[point.ordinal]);
+        assert_eq!(&point.values, &plan.values()[point.ordinal]);
         assert!(
             point
                 .cause

@@ -1,12 +1,10 @@
 //! The database as the place where solved points are kept.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use fem_client::solver::{Cost, Response, StartState};
 use placement::archive::{Archive, ArchiveError, PointRecord};
-use placement::plan::Plan;
 use tokio::runtime::Handle;
 
 use crate::store::evaluations::{self, Evaluation};
@@ -17,23 +15,16 @@ pub struct StoreArchive {
     store: Arc<Store>,
     runtime: Handle,
     study: String,
-    /// The ordinal of each scene of the plan: no two points of a plan share a scene.
-    ordinals: HashMap<String, usize>,
     disk_full: AtomicBool,
 }
 
 impl StoreArchive {
     /// The archive of this study.
-    pub fn new(store: Arc<Store>, runtime: Handle, study: &str, plan: &Plan) -> Self {
-        let scenes = plan.points.iter().enumerate();
-        let ordinals = scenes
-            .map(|(ordinal, scene)| (scene.canonical_json(), ordinal))
-            .collect();
+    pub fn new(store: Arc<Store>, runtime: Handle, study: &str) -> Self {
         Self {
             store,
             runtime,
             study: study.to_owned(),
-            ordinals,
             disk_full: AtomicBool::new(false),
         }
     }
@@ -44,15 +35,10 @@ impl StoreArchive {
     }
 
     /// Finds an evaluation, whichever study solved it, and notes that this study uses it too.
-    async fn find(&self, key: &str) -> Result<Option<Evaluation>, StoreError> {
+    async fn find(&self, key: &str, ordinal: usize) -> Result<Option<Evaluation>, StoreError> {
         let mut connection = self.store.read().await?;
         let found = evaluations::find(&mut connection, key).await?;
-        let ordinal = found
-            .as_ref()
-            .and_then(|evaluation| self.ordinals.get(&evaluation.scene).copied());
-        if let Some(ordinal) = ordinal
-            && !evaluations::linked(&mut connection, &self.study, ordinal).await?
-        {
+        if found.is_some() && !evaluations::linked(&mut connection, &self.study, ordinal).await? {
             let mut transaction = self.store.begin().await?;
             evaluations::link(&mut transaction, &self.study, ordinal, key).await?;
             self.store.commit(transaction, 0).await?;
@@ -62,8 +48,8 @@ impl StoreArchive {
 }
 
 impl Archive for StoreArchive {
-    fn load(&self, key: &str) -> Result<Option<(Response, Cost)>, ArchiveError> {
-        let found = self.runtime.block_on(self.find(key));
+    fn load(&self, key: &str, ordinal: usize) -> Result<Option<(Response, Cost)>, ArchiveError> {
+        let found = self.runtime.block_on(self.find(key, ordinal));
         Ok(found
             .map_err(failed)?
             .map(|evaluation| (evaluation.response, evaluation.cost)))

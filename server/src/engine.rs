@@ -79,7 +79,7 @@ impl Engine {
             Ok(read) => read,
             Err(error) => return End::failed(error),
         };
-        let archive = StoreArchive::new(self.store.clone(), runtime.clone(), &row.id, &plan);
+        let archive = StoreArchive::new(self.store.clone(), runtime.clone(), &row.id);
         let observer = |event: Event| {
             if let Err(error) = runtime.block_on(self.record(&row.id, &event)) {
                 tracing::warn!(study = row.id, %error, "an event could not be recorded");

@@ -12,6 +12,7 @@
 //! - [`engine`]: runs one study from its document to its end
 //! - [`queue`]: the queue of studies
 //! - [`http`]: routes and dashboard
+//! - [`value_table`]: outputs of other people's models, from CSV
 //! - [`service`]: database, queue and HTTP together
 //! - [`cli`]: the command line
 
@@ -27,3 +28,4 @@ pub mod solver;
 pub mod store;
 pub mod study_document;
 pub mod telemetry;
+pub mod value_table;

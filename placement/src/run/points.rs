@@ -75,8 +75,8 @@ impl Points<'_> {
     /// Loads or solves every point.
     pub fn answers(&self, threads: usize) -> Result<Answers, RunError> {
         let mut found = Vec::with_capacity(self.keys.len());
-        for key in &self.keys {
-            found.push(self.archive.load(key)?);
+        for (ordinal, key) in self.keys.iter().enumerate() {
+            found.push(self.archive.load(key, ordinal)?);
         }
         let reused = found.iter().flatten().count();
         let lacking: Vec<usize> = (0..found.len()).filter(|i| found[*i].is_none()).collect();
@@ -288,7 +288,7 @@ impl Points<'_> {
     }
 
     fn failed_point(&self, ordinal: usize, error: &SolveError) -> FailedPoint {
-        let values = self.plan.design.points()[ordinal].clone();
+        let values = self.plan.values()[ordinal].clone();
         FailedPoint {
             ordinal,
             values,

@@ -26,7 +26,7 @@ pub struct MemoryArchive {
 }
 
 impl Archive for MemoryArchive {
-    fn load(&self, key: &str) -> Result<Option<(Response, Cost)>, ArchiveError> {
+    fn load(&self, key: &str, _: usize) -> Result<Option<(Response, Cost)>, ArchiveError> {
         let points = self.points.lock().unwrap();
         Ok(points
             .get(key)

@@ -4,6 +4,7 @@
 //! no answer, 1 anything else.
 
 mod failure;
+mod gsa;
 mod output;
 mod run;
 mod serve;
@@ -36,6 +37,8 @@ enum Command {
     Run(run::Run),
     /// Solve one equilibrium of a scene
     Solve(solve::Solve),
+    /// Analyse a model of your own: print the points to run, then read their outputs back
+    Gsa(gsa::Gsa),
     /// Check a study or scene file without running it
     Validate(validate::Validate),
     /// Solve problems whose answer is known, and compare
@@ -54,6 +57,7 @@ pub fn main() -> ExitCode {
         Command::Serve(command) => (command.execute(), None),
         Command::Run(command) => (command.execute(), command.json),
         Command::Solve(command) => (command.execute(), command.json),
+        Command::Gsa(command) => (command.execute(), command.json()),
         Command::Validate(command) => (command.execute(), None),
         // Its document holds the failed cases already.
         Command::Verify(command) => (command.execute(), None),

@@ -5,7 +5,10 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use axum::{Json, Router};
+use fem_client::document::Format;
+use fem_client::scene::Scene;
 use placement::result::StudyResult;
+use placement::study::Input;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -64,8 +67,8 @@ async fn points(
     StudyId(id): StudyId,
 ) -> Result<Json<Value>, Problem> {
     let study = known(&state.store, &id).await?;
-    let values = stored_plan(&study)
-        .map(|(_, plan)| plan.design.points().to_vec())
+    let inputs = stored_plan(&study)
+        .map(|(study, _)| study.inputs)
         .unwrap_or_default();
     let mut connection = state.store.read().await?;
     let mut rows = Vec::new();
@@ -76,7 +79,7 @@ async fn points(
         rows.push(json!({
             "ordinal": ordinal,
             "key": key,
-            "values": values.get(ordinal),
+            "values": values_of(&evaluation.scene, &inputs),
             "reaction_n": evaluation.response.reaction_n,
             "locations": evaluation.response.locations,
             "newton_iterations": evaluation.cost.newton_iterations,
@@ -84,6 +87,13 @@ async fn points(
         }));
     }
     Ok(Json(json!({"evaluations": rows})))
+}
+
+/// The inputs' values in a stored scene; none if this version can't read it.
+fn values_of(scene: &str, inputs: &[Input]) -> Option<Vec<f64>> {
+    let scene = Scene::from_text(scene, Format::Json).ok()?;
+    let value = |input: &Input| scene.number_at(&input.vary).ok();
+    inputs.iter().map(value).collect()
 }
 
 #[derive(Deserialize)]

@@ -1,0 +1,204 @@
+//! `auto`: from lines to whatever it takes.
+//!
+//! It starts with M-DRM's lines and a few check points and lets these choose among product, shifted product and sum. While
+//! the claimed error of some output is above the tolerance it asks for more, and reuses all that was run:
+//!
+//! | largest part of the error | asked for |
+//! |---|---|
+//! | quadrature | nodes on the lines that contribute most: 5, 9, 17, 33 |
+//! | decomposition | half as many check points again, for sparse corrections of the form |
+//! | the same, and little of the grid is left | the rest of the grid: tensor quadrature |
+//!
+//! It ends at the tolerance, at the budget, or when there is nothing left to ask for. Its errors are those of the method
+//! that answers, by output.
+
+use crate::analysis::{Analysis, Status, analyse_output};
+use crate::corrected::{Corrected, Frame};
+use crate::design::Design;
+use crate::error::{self, ByInput};
+use crate::evidence::Evidence;
+use crate::mdrm::Mdrm;
+use crate::method::Method;
+use crate::section::Sections;
+use crate::shift;
+use crate::verdict::Form;
+
+/// Most nodes of a line.
+const MOST_NODES: usize = 33;
+/// A form that misses this share of the tolerance needs no correction.
+const GOOD_ENOUGH: f64 = 0.25;
+/// Fewest check points asked for at once.
+const LEAST_BATCH: usize = 4;
+
+/// The best answer for one output from lines and check points.
+pub(crate) fn analyse(design: &Design, frame: &Frame, values: &[f64], tolerance: f64) -> Analysis {
+    let analysis = analyse_output(design, values, frame.pair_probability);
+    let misses = |e: f64| e > GOOD_ENOUGH * tolerance;
+    let improvable = match analysis.status {
+        Status::Ok | Status::ProductFormBroken => analysis.error.decomposition.is_none_or(misses),
+        _ => false,
+    };
+    if !improvable {
+        return analysis;
+    }
+    let Ok(sections) = Sections::new(design, values) else {
+        return analysis;
+    };
+    match best_correction(design, frame, values, &sections) {
+        Some(corrected) if is_better(&corrected, &analysis) => {
+            with_correction(analysis, &sections, corrected)
+        }
+        _ => analysis,
+    }
+}
+
+fn is_better(corrected: &Corrected, analysis: &Analysis) -> bool {
+    let largest = corrected.decomposition.iter().copied().fold(0.0, f64::max);
+    analysis.first_order.is_none()
+        || analysis
+            .error
+            .decomposition
+            .is_none_or(|form| largest < form)
+}
+
+/// Every form with its corrections; the least error wins.
+fn best_correction(
+    design: &Design,
+    frame: &Frame,
+    values: &[f64],
+    sections: &Sections,
+) -> Option<Corrected> {
+    let mdrm = Mdrm::new(sections).ok();
+    let evidence = Evidence::new(design, values, sections, mdrm.as_ref())?;
+    // Once the grid is known, the form doesn't matter, and the sum is the simplest.
+    let forms = match frame.is_whole() {
+        true => vec![0.0],
+        false => bases(sections, &evidence, mdrm.is_some()),
+    };
+    let attempts = forms
+        .into_iter()
+        .filter_map(|t| frame.correct(sections, &evidence.checks, t));
+    let error = |c: &Corrected| c.decomposition.iter().copied().fold(0.0, f64::max);
+    attempts.min_by(|a, b| error(a).total_cmp(&error(b)))
+}
+
+/// The values of t worth a correction.
+pub(crate) fn bases(sections: &Sections, evidence: &Evidence<'_>, product: bool) -> Vec<f64> {
+    let mut forms = vec![0.0];
+    if product && evidence.product.is_finite() {
+        forms.push(1.0 / sections.centre);
+    }
+    if evidence.shifted.is_some() {
+        forms.push(shift::fit(sections, &evidence.checks));
+    }
+    forms
+}
+
+fn with_correction(analysis: Analysis, sections: &Sections, corrected: Corrected) -> Analysis {
+    let form = if corrected.exhaustive {
+        Form::Tensor
+    } else {
+        Form::Corrected
+    };
+    let text = match form {
+        Form::Tensor => "the check points fill the grid, which gave the indices",
+        _ => "what that form misses at the check points is added as a sparse expansion",
+    };
+    let errors = ByInput {
+        quadrature: error::quadrature(
+            corrected.missing.as_deref(),
+            &corrected.found.first_order,
+            &corrected.found.total,
+        ),
+        missing: error::missing(corrected.missing.as_deref(), &corrected.found.total),
+        decomposition: Some(corrected.decomposition),
+        sampling: None,
+    };
+    let mut analysis = analysis.with(sections, corrected.found, form, errors);
+    analysis.note(text);
+    analysis
+}
+
+/// What to add to a design.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Step {
+    /// Finer lines: inputs, with their nodes.
+    Refine(Vec<(usize, usize)>),
+    /// So many check points.
+    Check(usize),
+}
+
+/// The next step; `None` if the tolerance is met, the budget is spent, or nothing is left. Corrections were chosen at the check
+/// points that judge them, and the first time that they meet the tolerance may be by chance: they are `confirmed` by
+/// meeting it again with further points.
+pub(crate) fn next_step(
+    design: &Design,
+    analyses: &[Analysis],
+    method: &Method,
+    confirmed: &mut bool,
+) -> Option<Step> {
+    let budget = method.most_runs.checked_sub(design.points().len())?;
+    let failing: Vec<&Analysis> = analyses
+        .iter()
+        .filter(|a| match a.status {
+            Status::Ok | Status::ProductFormBroken => {
+                a.error.total.is_none_or(|e| e > method.tolerance)
+            }
+            _ => false,
+        })
+        .collect();
+    if failing.is_empty() {
+        let by_chance = analyses.iter().any(|a| a.method == Form::Corrected);
+        let again = by_chance && !*confirmed;
+        *confirmed = true;
+        let left = design.off_axis_len() - design.checks().len();
+        let count = (design.checks().len() / 3)
+            .max(LEAST_BATCH)
+            .min(budget)
+            .min(left);
+        return (again && count > 0).then_some(Step::Check(count));
+    }
+    *confirmed = false;
+    let rough: Vec<&&Analysis> = failing
+        .iter()
+        .filter(|a| a.error.quadrature > a.error.decomposition)
+        .collect();
+    if 2 * rough.len() > failing.len()
+        && let Some(step) = refine(design, &rough, budget)
+    {
+        return Some(step);
+    }
+    let left = design.off_axis_len() - design.checks().len();
+    let batch = (design.checks().len() / 2).max(LEAST_BATCH);
+    let batch = if left <= batch + batch / 2 {
+        left
+    } else {
+        batch
+    };
+    match batch.min(budget) {
+        0 => refine(design, &failing.iter().collect::<Vec<_>>(), budget),
+        batch => Some(Step::Check(batch)),
+    }
+}
+
+/// Finer rules for the inputs that contribute at least half as much to the quadrature error as the worst does.
+fn refine(design: &Design, rough: &[&&Analysis], budget: usize) -> Option<Step> {
+    let finer = |input: usize| 2 * design.lines()[input].rule().len() - 1;
+    let mut contribution = vec![0.0f64; design.inputs().len()];
+    for analysis in rough {
+        for (sum, part) in contribution.iter_mut().zip(&analysis.error.missing) {
+            *sum = sum.max(*part);
+        }
+    }
+    let allowed = |input: &usize| finer(*input) <= MOST_NODES;
+    let worst = (0..contribution.len())
+        .filter(allowed)
+        .fold(0.0, |max, i| contribution[i].max(max));
+    let chosen: Vec<(usize, usize)> = (0..contribution.len())
+        .filter(allowed)
+        .filter(|&input| contribution[input] > 0.0 && contribution[input] >= 0.5 * worst)
+        .map(|input| (input, finer(input)))
+        .collect();
+    let cost: usize = chosen.iter().map(|(_, nodes)| nodes).sum();
+    (!chosen.is_empty() && cost <= budget).then_some(Step::Refine(chosen))
+}

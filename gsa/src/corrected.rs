@@ -1,0 +1,263 @@
+//! Forms with corrections: what a form misses at the check points, as a sparse expansion, and on a whole grid, exactly.
+//!
+//! The residuals r of a form vanish on the lines. A few products of factors that do so too ([`crate::dictionary`]) are fitted
+//! to them at the check points, and cross-validated residuals say what is still missed. Once the check points fill the grid, r
+//! is known at all of its nodes, and its coefficients are sums over them: full tensor quadrature, by way of the form.
+//!
+//! Reusing the lines this way is cut-HDMR (H. Rabitz, O. F. Alis, "General foundations of high-dimensional model
+//! representations", Journal of Mathematical Chemistry 25 (1999) 197-233) with the higher-order terms taken from sparse
+//! regression (G. Blatman, B. Sudret, "Adaptive sparse polynomial chaos expansion based on least angle regression", Journal of
+//! Computational Physics 230 (2011) 2345-2367) in place of grids.
+
+use crate::composite::{Composite, Decomposed};
+use crate::design::{CheckPoint, Design};
+use crate::dictionary::Dictionary;
+use crate::error::{self, Effects};
+use crate::evidence::Checks;
+use crate::factors::Tables;
+use crate::mdrm::departure;
+use crate::regression;
+use crate::section::Sections;
+
+/// Fewer check points say nothing about what was fitted to them.
+const LEAST_POINTS: usize = 4;
+/// The least of several corrected forms' errors is taken, which favours one that looks better than it is.
+const BEST_OF_SEVERAL: f64 = 1.5;
+/// Misfit of rounding size is not to be explained.
+const NOISE_IN_EPS: f64 = 16.0;
+
+/// What all outputs of a design share.
+#[derive(Debug, Clone)]
+pub(crate) struct Frame {
+    pub(crate) tables: Tables,
+    dictionary: Dictionary,
+    pub(crate) pair_probability: f64,
+    /// size of each input's rule in the check points' grid, if these fill it
+    whole_grid: Option<Vec<usize>>,
+    /// probability of the check points together, if they fill the grid
+    checked_weight: f64,
+    /// by input, rows over the grid's nodes: w_j, then w_j p_k(x_j)
+    projection: Vec<Vec<Vec<f64>>>,
+}
+
+/// Indices of a corrected form, and the error of each first-order index beside quadrature.
+pub(crate) struct Corrected {
+    pub(crate) found: Decomposed,
+    pub(crate) decomposition: Vec<f64>,
+    /// what the rules miss of each input's variance, as a share of it
+    pub(crate) missing: Option<Vec<f64>>,
+    /// whether the whole grid is behind it
+    pub(crate) exhaustive: bool,
+}
+
+impl Frame {
+    pub(crate) fn new(design: &Design) -> Self {
+        let tables = Tables::new(design);
+        let inputs = design.inputs().len();
+        let grid = || (0..inputs).map(|i| design.grid_line(i).rule());
+        let filled = design.checks().len() == design.off_axis_len();
+        let rows = |(input, rule): (usize, &crate::rule::GaussRule)| {
+            let row = |k: usize| {
+                let nodes = rule.weights.iter().enumerate();
+                let p = |j: usize| {
+                    if k == 0 {
+                        1.0
+                    } else {
+                        tables.at_grid(input, j)[k - 1]
+                    }
+                };
+                nodes.map(|(j, w)| w * p(j)).collect()
+            };
+            (0..rule.len()).map(row).collect()
+        };
+        let weight = |check: &CheckPoint| -> f64 {
+            let rules = grid().zip(check.nodes());
+            rules.map(|(rule, &j)| rule.weights[j]).product()
+        };
+        Self {
+            checked_weight: design.checks().iter().map(weight).sum(),
+            projection: if filled {
+                grid().enumerate().map(rows).collect()
+            } else {
+                Vec::new()
+            },
+            whole_grid: filled.then(|| grid().map(|rule| rule.len()).collect()),
+            dictionary: Dictionary::new(&tables, inputs),
+            pair_probability: design.pair_probability(),
+            tables,
+        }
+    }
+
+    /// Whether the check points fill their grid.
+    pub(crate) fn is_whole(&self) -> bool {
+        self.whole_grid.is_some()
+    }
+
+    /// The form at t, corrected by what it misses at the check points; `None` if there is nothing to go by.
+    pub(crate) fn correct(
+        &self,
+        sections: &Sections,
+        checks: &Checks<'_>,
+        t: f64,
+    ) -> Option<Corrected> {
+        if self.whole_grid.is_none() && checks.len() < LEAST_POINTS {
+            return None;
+        }
+        let residuals: Vec<f64> = checks
+            .iter()
+            .map(|(check, h)| h - sections.centre - departure(t, sections.differences_at(check)))
+            .collect();
+        if residuals.iter().any(|r| !r.is_finite()) {
+            return None;
+        }
+        let modes = self.tables.modes(sections);
+        let mut composite = Composite::new(sections, modes.clone(), t);
+        let (unseen, fitted) = match &self.whole_grid {
+            Some(sizes) => {
+                self.add_grid(&mut composite, sizes, checks, &residuals);
+                (vec![0.0; checks.len()], 0)
+            }
+            None => self.add_sparse(&mut composite, sections, &modes, checks, &residuals),
+        };
+        let found = composite.decompose()?;
+        let missed = self.grid_weight_missing(checks);
+        let mut decomposition = self.errors(&composite, &found, checks, (&unseen, fitted));
+        for error in &mut decomposition {
+            *error = error::at_most_one(BEST_OF_SEVERAL * *error);
+        }
+        if missed > 0.0 {
+            // Nodes without a value have the form's; as many deviations off as their probability allows.
+            let form = residuals.iter().map(|r| r * r).sum::<f64>() / checks.len() as f64;
+            let error = 2.0 * (missed * form / found.variance).sqrt();
+            decomposition
+                .iter_mut()
+                .for_each(|e| *e = error::at_most_one(*e + error));
+        }
+        Some(Corrected {
+            missing: match self.whole_grid {
+                Some(_) => composite.missing(),
+                None => sections.missing.clone(),
+            },
+            found,
+            decomposition,
+            exhaustive: self.whole_grid.is_some(),
+        })
+    }
+
+    /// Probability of the grid's nodes that should have a value and have none.
+    fn grid_weight_missing(&self, checks: &Checks<'_>) -> f64 {
+        if self.whole_grid.is_none() {
+            return 0.0;
+        }
+        let weight = |nodes: &[usize]| -> f64 {
+            let inputs = nodes.iter().enumerate();
+            inputs.map(|(i, &j)| self.projection[i][0][j]).product()
+        };
+        let known: f64 = checks.iter().map(|(check, _)| weight(check.nodes())).sum();
+        let missing = self.checked_weight - known;
+        // Sums of many weights round.
+        if missing > 1e-12 { missing } else { 0.0 }
+    }
+
+    fn add_sparse(
+        &self,
+        composite: &mut Composite<'_>,
+        sections: &Sections,
+        modes: &[Vec<f64>],
+        checks: &Checks<'_>,
+        residuals: &[f64],
+    ) -> (Vec<f64>, usize) {
+        let factors = self.dictionary.factors(&self.tables, sections, modes);
+        let points: Vec<_> = checks.iter().map(|(check, _)| *check).collect();
+        let candidates = self.dictionary.candidates(&factors, &points);
+        let rows: Vec<usize> = (0..residuals.len()).collect();
+        let noise = NOISE_IN_EPS * f64::EPSILON * sections.largest;
+        let fit = regression::fit(&candidates, residuals, &rows, noise);
+        for &(product, coefficient) in &fit.terms {
+            for (index, c) in self.dictionary.expand(&factors, product) {
+                composite.add(index, coefficient * c);
+            }
+        }
+        let unseen = regression::cross_validate(&candidates, residuals, noise);
+        (unseen, fit.terms.len())
+    }
+
+    /// The residuals' coefficients, one input after the other.
+    fn add_grid(
+        &self,
+        composite: &mut Composite<'_>,
+        sizes: &[usize],
+        checks: &Checks<'_>,
+        residuals: &[f64],
+    ) {
+        let mut table = vec![0.0; sizes.iter().product()];
+        for ((check, _), r) in checks.iter().zip(residuals) {
+            let nodes = check.nodes().iter().zip(sizes);
+            table[nodes.fold(0, |at, (j, size)| at * size + j)] = *r;
+        }
+        let mut after = 1;
+        for (input, &size) in sizes.iter().enumerate().rev() {
+            table = transform(&table, &self.projection[input], size, after);
+            after *= size;
+        }
+        for (at, c) in table.into_iter().enumerate().filter(|(_, c)| *c != 0.0) {
+            let mut rest = at;
+            let mut index = Vec::new();
+            for (input, size) in sizes.iter().enumerate().rev() {
+                if rest % size > 0 {
+                    index.push((input, rest % size));
+                }
+                rest /= size;
+            }
+            index.reverse();
+            composite.add(index, c);
+        }
+    }
+
+    pub(crate) fn errors(
+        &self,
+        composite: &Composite<'_>,
+        found: &Decomposed,
+        checks: &Checks<'_>,
+        (unseen, fitted): (&[f64], usize),
+    ) -> Vec<f64> {
+        let effects: Vec<Vec<f64>> = (0..found.first_order.len())
+            .map(|input| composite.main_effect(input))
+            .collect();
+        let deviation = found.variance.sqrt();
+        let main = |input: usize, k: usize| {
+            let p = self.tables.at_grid(input, checks[k].0.nodes()[input]);
+            let terms = effects[input].iter().zip(p);
+            terms.map(|(c, p)| c * p).sum::<f64>() / deviation
+        };
+        let predictions: Vec<f64> = checks.iter().zip(unseen).map(|((_, h), r)| h - r).collect();
+        let effects = Effects {
+            first_order: &found.first_order,
+            mean: found.mean,
+            variance: found.variance,
+            main: &main,
+        };
+        let values: Vec<f64> = checks.iter().map(|(_, h)| *h).collect();
+        error::decomposition(
+            &values,
+            &predictions,
+            &effects,
+            self.pair_probability,
+            fitted,
+        )
+    }
+}
+
+/// Applies a matrix of `size` rows and columns along one axis, `after` entries apart.
+fn transform(table: &[f64], matrix: &[Vec<f64>], size: usize, after: usize) -> Vec<f64> {
+    let mut out = vec![0.0; table.len()];
+    for block in 0..table.len() / (size * after) {
+        for rest in 0..after {
+            let at = |j: usize| (block * size + j) * after + rest;
+            for (k, row) in matrix.iter().enumerate() {
+                out[at(k)] = row.iter().enumerate().map(|(j, w)| w * table[at(j)]).sum();
+            }
+        }
+    }
+    out
+}
