@@ -22,6 +22,10 @@ const BALLOONED: f64 = 2.0;
 /// proportions the rubber is stretched four- to sixfold then, and tears.
 const LARGEST_GROWTH: f64 = 8.0;
 
+/// Relative rise of the pressure over that of the volume below which a path counts as level: whether it passes a flat maximum
+/// or not is then a matter of the mesh.
+const LEVEL: f64 = 0.1;
+
 impl Session<'_> {
     /// The inflated state, from `near`, the inflated state of a similar scene, or from nothing.
     ///
@@ -113,14 +117,20 @@ impl Session<'_> {
         ended(NoEquilibrium::LimitPoint, detail, below)
     }
 
+    /// At the largest volume: the pressure has levelled off, or the rubber stiffens and would be stretched too far.
     fn outgrown(&mut self, last: &Inflated) -> SolveError {
         let (asked, pressure) = (self.scene.pressure.internal_mpa, last.pressure);
         let stretch = self.newton.stretch_range(&last.state).largest;
+        let levelled = last.slope * last.volume < LEVEL * pressure;
+        let (status, what) = match levelled {
+            true => (NoEquilibrium::LimitPoint, "the pressure levels off"),
+            false => (NoEquilibrium::Overstretched, "the wall still gives"),
+        };
         let detail = format!(
-            "at {pressure:.6} MPa, below the {asked} MPa asked for, the rubber is stretched {stretch:.1}-fold and still gives: \
-             real rubber tears before; {REMEDY}"
+            "at {pressure:.6} MPa, below the {asked} MPa asked for, the rubber is stretched {stretch:.1}-fold and {what}: real \
+             rubber tears before; {REMEDY}"
         );
-        ended(NoEquilibrium::Overstretched, detail, pressure)
+        ended(status, detail, pressure)
     }
 
     /// No equilibrium was found beyond a pressure: for lack of stability where the tangents on the way had lost it, or because
