@@ -1,0 +1,172 @@
+//! An attack on the claimed errors: every method on models that none of its constants was set on.
+
+mod exact;
+mod families;
+mod shapes;
+
+use std::collections::BTreeMap;
+
+use exact::Known;
+use gsa::analysis::Analysis;
+use gsa::campaign::Campaign;
+use gsa::method::{Kind, Method};
+use ndarray::Array2;
+
+/// One analysis: claimed and true error of the first-order indices (the latter no less than the rounding floor), runs.
+struct Outcome {
+    seed: u64,
+    claimed: f64,
+    truth: f64,
+    runs: usize,
+}
+
+impl Outcome {
+    fn covered(&self) -> bool {
+        self.truth <= self.claimed
+    }
+}
+
+/// Most points of a full grid that are worth the time here.
+const MOST_OF_GRID: usize = 1000;
+
+/// Asks and tells until the method has what it needs; `None` if it would need too much of a model of so many inputs.
+fn campaign(known: &Known, method: Method) -> Option<(Analysis, usize)> {
+    let grid = method.nodes.saturating_pow(known.inputs.len() as u32);
+    if method.kind == Kind::Tensor && grid > MOST_OF_GRID {
+        return None;
+    }
+    let mut campaign = Campaign::new(&known.inputs, method).ok()?;
+    loop {
+        let values: Vec<f64> = campaign.points().iter().map(|x| (known.model)(x)).collect();
+        let values = Array2::from_shape_vec((values.len(), 1), values).expect("a column");
+        let found = campaign
+            .tell(&values.view())
+            .expect("an analysis")
+            .remove(0);
+        if campaign.points().len() == values.nrows() {
+            return Some((found, values.nrows()));
+        }
+    }
+}
+
+fn quantile(mut values: Vec<f64>, share: f64) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[((values.len() - 1) as f64 * share) as usize]
+}
+
+fn coverage<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> f64 {
+    let (mut covered, mut all) = (0, 0);
+    for outcome in outcomes {
+        all += 1;
+        covered += usize::from(outcome.covered());
+    }
+    100.0 * f64::from(covered as u32) / f64::from(all)
+}
+
+/// A table of the method's outcomes; its coverage in per cent and the median of claimed over true error.
+fn attack(title: &str, method: Method, seeds: std::ops::Range<u64>) -> (f64, f64) {
+    let mut table: BTreeMap<&str, Vec<Outcome>> = BTreeMap::new();
+    let mut silent: BTreeMap<&str, usize> = BTreeMap::new();
+    for seed in seeds {
+        for known in families::all(seed) {
+            let Some((found, runs)) = campaign(&known, Method { seed, ..method }) else {
+                continue;
+            };
+            let (Some(first_order), Some(claimed)) = (&found.first_order, found.error.total) else {
+                *silent.entry(known.family).or_default() += 1;
+                continue;
+            };
+            assert!(
+                first_order.iter().all(|s| (0.0..=1.0 + 1e-12).contains(s)) && claimed.is_finite(),
+                "{} {seed}: {found:?}",
+                known.family
+            );
+            let truth = known.error_of(first_order).max(found.error.floor);
+            table.entry(known.family).or_default().push(Outcome {
+                seed,
+                claimed,
+                truth,
+                runs,
+            });
+        }
+    }
+    print(title, &table, &silent)
+}
+
+fn print(
+    title: &str,
+    table: &BTreeMap<&str, Vec<Outcome>>,
+    silent: &BTreeMap<&str, usize>,
+) -> (f64, f64) {
+    println!(
+        "\n{title}\n{:26} covered  claimed/true  median true     claimed   runs  missed seeds",
+        "family"
+    );
+    for (family, outcomes) in table {
+        let of = |value: fn(&Outcome) -> f64| quantile(outcomes.iter().map(value).collect(), 0.5);
+        let missed = outcomes.iter().filter(|o| !o.covered());
+        let missed: Vec<String> = missed
+            .map(|o| format!("{}: {:.0e} for {:.0e}", o.seed, o.claimed, o.truth))
+            .collect();
+        println!(
+            "{family:26} {:5.0} %       {:8.2}      {:.1e}     {:.1e}  {:5.0}  {}",
+            coverage(outcomes.iter()),
+            of(|o| o.claimed / o.truth),
+            of(|o| o.truth),
+            of(|o| o.claimed),
+            of(|o| o.runs as f64),
+            missed.join(", ")
+        );
+    }
+    for (family, count) in silent {
+        println!("{family:26} no indices in {count}");
+    }
+    let all: Vec<&Outcome> = table.values().flatten().collect();
+    let covered = coverage(all.iter().copied());
+    let ratio = quantile(all.iter().map(|o| o.claimed / o.truth).collect(), 0.5);
+    println!(
+        "all {} outputs: {covered:.1} % covered, median claimed/true {ratio:.1}",
+        all.len()
+    );
+    (covered, ratio)
+}
+
+fn method(kind: Kind, nodes: usize) -> Method {
+    Method {
+        nodes,
+        most_runs: 250,
+        samples: if kind == Kind::Saltelli { 256 } else { 120 },
+        ..Method::of(kind)
+    }
+}
+
+/// Shares and medians seen, rounded to the safe side: they are there so that the claims don't get worse. The aim is 95 %.
+///
+/// - "rare corner": an effect in 1/600 of the volume meets no point, and everything else is reproduced to rounding. No
+///   sample of this size can tell.
+/// - "wells", "switch", `auto`: check points never have a coordinate at the cut, so that they can't tell the even modes of an
+///   interaction apart, and a fit that is exact at all of them is wrong between.
+/// - "switch", tensor and bivariate: a step exactly at a node, on a line that is flat.
+/// - Heavy tails and polynomial chaos: its points don't see the tails.
+#[test]
+fn claimed_errors_hold_on_models_they_were_not_set_on() {
+    let rows = [
+        (Kind::Mdrm, 3, 93.0, 10.0),
+        (Kind::Mdrm, 5, 92.0, 10.0),
+        (Kind::Mdrm, 7, 90.0, 10.0),
+        (Kind::Mdrm, 9, 90.0, 10.0),
+        (Kind::Bivariate, 5, 91.0, 15.0),
+        (Kind::Tensor, 5, 90.0, 10.0),
+        (Kind::Pce, 5, 90.0, 20.0),
+        (Kind::Saltelli, 5, 95.0, 10.0),
+        (Kind::Auto, 5, 88.0, 20.0),
+    ];
+    for (kind, nodes, least_coverage, largest_ratio) in rows {
+        let title = format!("{}, {nodes} nodes", kind.as_str());
+        let (covered, ratio) = attack(&title, method(kind, nodes), 0..4);
+        assert!(
+            covered >= least_coverage && ratio <= largest_ratio,
+            "{title}"
+        );
+    }
+}
