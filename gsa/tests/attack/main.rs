@@ -144,9 +144,10 @@ fn method(kind: Kind, nodes: usize) -> Method {
 ///
 /// - "rare corner": an effect in 1/600 of the volume meets no point, and everything else is reproduced to rounding. No
 ///   sample of this size can tell.
-/// - "wells", "switch", `auto`: check points never have a coordinate at the cut, so that they can't tell the even modes of an
-///   interaction apart, and a fit that is exact at all of them is wrong between.
-/// - "switch", tensor and bivariate: a step exactly at a node, on a line that is flat.
+/// - "wells", `auto`: check points never have a coordinate at the cut, so that they can't tell the even modes of an
+///   interaction apart, and a fit that is exact at all of them is wrong there.
+/// - "switch", grids and `auto`: a step exactly at a node of a line that is flat. The grid is met exactly, its values mislead,
+///   and the error of quadrature is taken from the line.
 /// - Heavy tails and polynomial chaos: its points don't see the tails.
 #[test]
 fn claimed_errors_hold_on_models_they_were_not_set_on() {
