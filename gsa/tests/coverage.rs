@@ -1,14 +1,16 @@
 //! Whether the claimed error of the first-order indices covers the true one, and is not vacuous, on random models.
 
+#[path = "support/asking.rs"]
+mod asking;
 mod models;
 
 use std::collections::BTreeMap;
 
+use asking::until_enough;
 use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;
 use gsa::method::{Kind, Method};
 use models::{Known, families};
-use ndarray::Array2;
 
 /// Claimed and true error, the latter no less than the rounding floor.
 type Outcome = (f64, f64);
@@ -89,19 +91,8 @@ fn coverage(
 
 /// Asks and tells until the method has enough.
 fn run(known: &Known, method: Method) -> (Analysis, usize) {
-    let mut campaign = Campaign::new(&known.inputs, method).expect("a valid campaign");
-    loop {
-        let points = campaign.points();
-        let values: Vec<f64> = points.iter().map(|x| (known.model)(x)).collect();
-        let values = Array2::from_shape_vec((values.len(), 1), values).expect("a column");
-        let found = campaign
-            .tell(&values.view())
-            .expect("rules exist")
-            .remove(0);
-        if campaign.points().len() == values.nrows() {
-            return (found, values.nrows());
-        }
-    }
+    let campaign = Campaign::new(&known.inputs, method).expect("a valid campaign");
+    until_enough(campaign, &known.model)
 }
 
 fn seeded(kind: Kind, seed: u64) -> Method {

@@ -1,6 +1,10 @@
 //! Distribution functions and quantiles of every law against values computed with 60 to 400 digits, far into both tails.
 
-use gsa::distribution::{Distribution, Kind};
+#[path = "support/law_data.rs"]
+mod law_data;
+
+use gsa::distribution::Distribution;
+use law_data::{entries, list, named_law, numbers};
 use serde_json::Value;
 
 struct Case {
@@ -11,44 +15,12 @@ struct Case {
 }
 
 fn cases() -> Vec<Case> {
-    let document: Value =
-        serde_json::from_str(include_str!("data/probabilities.json")).expect("valid JSON");
-    document
-        .as_array()
-        .expect("a list")
-        .iter()
-        .map(case)
-        .collect()
-}
-
-fn case(entry: &Value) -> Case {
-    let kind = Kind::named(entry["kind"].as_str().expect("a kind")).expect("a known kind");
-    let law = kind
-        .distribution(&numbers(&entry["parameters"]))
-        .expect("a valid law");
-    let row = |row: &Value| <[f64; 3]>::try_from(numbers(row)).expect("three numbers");
-    Case {
-        name: entry["name"].as_str().expect("a name").to_owned(),
-        law: match entry.get("truncate").map(numbers).as_deref() {
-            Some(&[low, high]) => law.truncated(low, high).expect("a valid truncation"),
-            _ => law,
-        },
-        rows: entry["rows"]
-            .as_array()
-            .expect("rows")
-            .iter()
-            .map(row)
-            .collect(),
-    }
-}
-
-fn numbers(list: &Value) -> Vec<f64> {
-    let number = |value: &Value| value.as_f64().expect("a number");
-    list.as_array()
-        .expect("a list")
-        .iter()
-        .map(number)
-        .collect()
+    entries(include_str!("data/probabilities.json"), |entry| {
+        let (name, law) = named_law(entry);
+        let row = |row: &Value| <[f64; 3]>::try_from(numbers(row)).expect("three numbers");
+        let rows = list(&entry["rows"], row);
+        Case { name, law, rows }
+    })
 }
 
 /// Relative error allowed to a probability: two digits lost where it is the rest of a whole (200 eps), its exponents, up

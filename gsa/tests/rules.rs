@@ -1,7 +1,11 @@
 //! Gauss rules against extended precision: nodes, weights and moments computed from moments with 400 digits.
 
-use gsa::distribution::{Distribution, Kind};
+#[path = "support/law_data.rs"]
+mod law_data;
+
+use gsa::distribution::Distribution;
 use gsa::rule::GaussRule;
+use law_data::{entries, list, named_law, numbers};
 use serde_json::Value;
 
 struct Case {
@@ -13,46 +17,17 @@ struct Case {
 }
 
 fn cases() -> Vec<Case> {
-    let document: Value =
-        serde_json::from_str(include_str!("data/rules.json")).expect("valid JSON");
-    document
-        .as_array()
-        .expect("a list")
-        .iter()
-        .map(case)
-        .collect()
-}
-
-fn case(entry: &Value) -> Case {
-    let kind = Kind::named(entry["kind"].as_str().expect("a kind")).expect("a known kind");
-    let law = kind
-        .distribution(&numbers(&entry["parameters"]))
-        .expect("a valid law");
-    let rule = |rule: &Value| (numbers(&rule["x"]), numbers(&rule["w"]));
-    Case {
-        name: entry["name"].as_str().expect("a name").to_owned(),
-        law: match entry.get("truncate").map(numbers).as_deref() {
-            Some(&[low, high]) => law.truncated(low, high).expect("a valid truncation"),
-            _ => law,
-        },
-        mean: entry["mean"].as_f64(),
-        std: entry["std"].as_f64(),
-        rules: entry["rules"]
-            .as_array()
-            .expect("rules")
-            .iter()
-            .map(rule)
-            .collect(),
-    }
-}
-
-fn numbers(list: &Value) -> Vec<f64> {
-    let number = |value: &Value| value.as_f64().expect("a number");
-    list.as_array()
-        .expect("a list")
-        .iter()
-        .map(number)
-        .collect()
+    entries(include_str!("data/rules.json"), |entry| {
+        let (name, law) = named_law(entry);
+        let rule = |rule: &Value| (numbers(&rule["x"]), numbers(&rule["w"]));
+        Case {
+            name,
+            law,
+            mean: entry["mean"].as_f64(),
+            std: entry["std"].as_f64(),
+            rules: list(&entry["rules"], rule),
+        }
+    })
 }
 
 /// Coefficients of a discretised law are sums of some hundred rounded terms; from the p_k, carried over N steps of a

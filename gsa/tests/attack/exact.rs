@@ -8,26 +8,9 @@ use std::rc::Rc;
 
 use gsa::distribution::Distribution;
 
-/// Inputs to output.
-pub type Model = Box<dyn Fn(&[f64]) -> f64>;
-
-/// A model with the indices that are right for it.
-pub struct Known {
-    pub family: &'static str,
-    pub inputs: Vec<Distribution>,
-    pub model: Model,
-    pub first_order: Vec<f64>,
-}
+use crate::known::Known;
 
 impl Known {
-    /// Largest difference of first-order indices from the exact ones.
-    pub fn error_of(&self, first_order: &[f64]) -> f64 {
-        let pairs = first_order.iter().zip(&self.first_order);
-        pairs
-            .map(|(s, exact)| (s - exact).abs())
-            .fold(0.0, f64::max)
-    }
-
     /// The same model under an offset, which no index feels.
     pub fn raised(self, family: &'static str, by: f64) -> Self {
         let model = self.model;

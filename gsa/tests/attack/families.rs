@@ -11,7 +11,8 @@ use gsa::distribution::Distribution;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
-use super::exact::{Factor, Known, Term, of, on_grid, sum_of_products};
+use super::exact::{Factor, Term, of, on_grid, sum_of_products};
+use super::known::Known;
 use super::shapes;
 
 /// A source of random parameters.

@@ -1,16 +1,20 @@
 //! An attack on the claimed errors: every method on models that none of its constants was set on.
 
+#[path = "../support/asking.rs"]
+mod asking;
 mod exact;
 mod families;
+#[path = "../support/known.rs"]
+mod known;
 mod shapes;
 
 use std::collections::BTreeMap;
 
-use exact::Known;
+use asking::until_enough;
 use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;
 use gsa::method::{Kind, Method};
-use ndarray::Array2;
+use known::Known;
 
 /// One analysis: claimed and true error of the first-order indices (the latter no less than the rounding floor), runs.
 struct Outcome {
@@ -35,18 +39,8 @@ fn campaign(known: &Known, method: Method) -> Option<(Analysis, usize)> {
     if method.kind == Kind::Tensor && grid > MOST_OF_GRID {
         return None;
     }
-    let mut campaign = Campaign::new(&known.inputs, method).ok()?;
-    loop {
-        let values: Vec<f64> = campaign.points().iter().map(|x| (known.model)(x)).collect();
-        let values = Array2::from_shape_vec((values.len(), 1), values).expect("a column");
-        let found = campaign
-            .tell(&values.view())
-            .expect("an analysis")
-            .remove(0);
-        if campaign.points().len() == values.nrows() {
-            return Some((found, values.nrows()));
-        }
-    }
+    let campaign = Campaign::new(&known.inputs, method).ok()?;
+    Some(until_enough(campaign, &known.model))
 }
 
 fn quantile(mut values: Vec<f64>, share: f64) -> f64 {

@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 
 use gsa::distribution::Distribution;
 
-use super::exact::{Factor, Known, Term, of, on_grid, sum_of_products};
+use super::exact::{Factor, Term, of, on_grid, sum_of_products};
 use super::families::{Draw, normal, uniform, x};
+use super::known::Known;
 
 /// One model of every shape.
 pub fn all(d: &mut Draw) -> Vec<Known> {
