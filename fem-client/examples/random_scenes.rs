@@ -36,8 +36,10 @@ fn main() -> ExitCode {
     let seed = arguments.next().and_then(Result::ok).unwrap_or(1);
     let draws = Mutex::new(Draws::new(count, seed));
     let summary = Mutex::new(Summary::default());
+    // Apart from the loop, which would hold the lock for as long as a scene is solved.
+    let next = || locked(&draws).next();
     let work = || {
-        while let Some((index, document, scene)) = locked(&draws).next() {
+        while let Some((index, document, scene)) = next() {
             let begin = Instant::now();
             let ending = ending(&scene);
             locked(&summary).add(index, &ending, begin.elapsed(), &document);

@@ -127,13 +127,14 @@ impl ContactSurface {
         touches
     }
 
-    /// Faces with a node on or below the ground, and their neighbours.
+    /// Faces with a node or a contact point on or below the ground, and their neighbours. A peak of the ground may touch a
+    /// face between its nodes.
     pub fn faces_near(&self, ground: &HeightField, positions: impl Fn(u32) -> Vector) -> Vec<bool> {
+        let is_below = |[x, _, z]: Vector| z <= ground.height(x)[0];
         let below = |face: &[u32]| {
-            face.iter().any(|&n| {
-                let [x, _, z] = positions(n);
-                z <= ground.height(x)[0]
-            })
+            let nodes: Vec<Vector> = face.iter().map(|&n| positions(n)).collect();
+            let mut points = self.rule.iter().map(|point| interpolate(point, &nodes));
+            nodes.iter().copied().any(is_below) || points.any(is_below)
         };
         let near: HashSet<u32> = self
             .surface
@@ -353,6 +354,26 @@ mod tests {
         contact.integrate(&ground, 0, &nodes, &[], &mut residual, None);
         for (node, share) in [(0, 1.0 / 36.0), (1, 1.0 / 9.0), (4, 4.0 / 9.0)] {
             assert!((residual[3 * node + 2] + share * expected).abs() < 1e-13 * expected);
+        }
+    }
+
+    #[test]
+    fn a_peak_between_the_nodes_is_near() {
+        let (nodes, contact) = patch();
+        // of the nodes at 0, 2 and 4 mm none is below; the points of the rule next to 0 are at 0.45 mm or before
+        let peak = |height: f64| HeightField {
+            base: -0.01,
+            spacing: 0.4,
+            functions: StationFunctions::Hat,
+            depths: vec![0.0, 0.0, height, 0.0, 0.0],
+        };
+        for (ground, near) in [(peak(1.0), true), (peak(0.0), false)] {
+            // the peak itself lies at 0.4 mm
+            let moved = nodes.iter().map(|[x, y, z]| [x - 0.4, *y, *z]);
+            let moved: Vec<Vector> = moved.collect();
+            let touches = contact.integrate(&ground, 0, &moved, &[], &mut [0.0; 27], None);
+            let found = contact.faces_near(&ground, |n| moved[n as usize]);
+            assert_eq!((touches, found), (near, vec![near]));
         }
     }
 
