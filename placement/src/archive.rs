@@ -1,16 +1,33 @@
 //! Where solved points are kept, so that none is solved twice.
 
-use fem_client::solver::{Cost, Response, StartState};
+use fem_client::solver::{Cost, NoEquilibrium, Reached, Response, StartState};
+use serde::{Deserialize, Serialize};
 
-/// Keeps responses and start states by content key. Called from the solving threads.
+/// What a solve found. That a load has no equilibrium is as good an answer as a response: the same for the same request,
+/// and kept like one. A solver that broke has found neither.
+pub type Outcome = Result<Response, Unsolved>;
+
+/// Why a point has no equilibrium, as [`fem_client::solver::SolveError::NoEquilibrium`] says it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
+#[error("{}: {detail}", status.as_str())]
+pub struct Unsolved {
+    /// The kind of failure.
+    pub status: NoEquilibrium,
+    /// Which load, how far it got.
+    pub detail: String,
+    /// Loads reached.
+    pub reached: Reached,
+}
+
+/// Keeps outcomes and start states by content key. Called from the solving threads.
 pub trait Archive: Sync {
-    /// The stored response under this key, with what it once took; the study needs it as the point with this ordinal.
+    /// The stored outcome under this key, with what it once took; the study needs it as the point with this ordinal.
     ///
     /// # Errors
     /// When the archive can't be read, or what it holds fails its own hash.
-    fn load(&self, key: &str, ordinal: usize) -> Result<Option<(Response, Cost)>, ArchiveError>;
+    fn load(&self, key: &str, ordinal: usize) -> Result<Option<(Outcome, Cost)>, ArchiveError>;
 
-    /// Stores a response for good; storing under a present key is not an error and changes nothing.
+    /// Stores an outcome for good; storing under a present key is not an error and changes nothing.
     ///
     /// # Errors
     /// When the archive can't be written.
@@ -23,17 +40,17 @@ pub trait Archive: Sync {
     fn load_start(&self, key: &str) -> Result<Option<StartState>, ArchiveError>;
 }
 
-/// One solved point, to be stored as a whole.
+/// One point and its outcome, to be stored as a whole.
 #[derive(Debug, Clone, Copy)]
 pub struct PointRecord<'a> {
-    /// Content key: hash of all that determines the response.
+    /// Content key: hash of all that determines the outcome.
     pub key: &'a str,
     /// Ordinal of the point in its study's plan.
     pub ordinal: usize,
     /// Scene of the point as canonical JSON.
     pub scene: &'a str,
     /// The answer.
-    pub response: &'a Response,
+    pub outcome: &'a Outcome,
     /// What it took.
     pub cost: Cost,
     /// Its equilibrium, when other points start from it.

@@ -1,30 +1,35 @@
-//! Plan and responses to the answer of a study.
+//! Plan and outcomes to the answer of a study.
 
-use fem_client::solver::{ModelSummary, Response};
+use fem_client::solver::ModelSummary;
 
+use crate::archive::Outcome;
 use crate::layout::rank_layouts;
 use crate::notes::notes;
 use crate::plan::Plan;
 use crate::rank::rank;
-use crate::result::{CutPoint, InputReport, StudyCost, StudyIdentity, StudyResult};
+use crate::result::{CutPoint, FailedPoint, InputReport, StudyCost, StudyIdentity, StudyResult};
 use crate::score::score;
 use crate::study::Study;
 
 /// The answer, without its cost and the study's identifier.
 ///
 /// # Panics
-/// If there is not one response for each point of the plan.
+/// If there is not one outcome for each point of the plan, or the cut point has no response.
 pub fn assemble(
     study: &Study,
     plan: &Plan,
-    responses: &[Response],
+    outcomes: &[Outcome],
     solver_version: &str,
 ) -> StudyResult {
-    let scores = score(plan.campaign(), responses);
+    let cut = outcomes[0]
+        .as_ref()
+        .expect("without the cut point's response nothing is assembled");
+    let failed_points = failed_points(plan, outcomes);
+    let scores = score(plan.campaign(), cut, outcomes);
     let locations = rank(study, &scores);
-    let layouts = rank_layouts(study, plan.campaign(), responses);
-    let cut = &responses[0];
-    let notes = notes(study, plan, cut, &scores, &locations, &layouts);
+    let layouts = rank_layouts(study, plan.campaign(), cut, outcomes);
+    let ranked = (&locations[..], &layouts[..]);
+    let notes = notes(study, plan, cut, &scores, ranked, &failed_points);
     StudyResult {
         study: StudyIdentity {
             id: String::new(),
@@ -35,14 +40,14 @@ pub fn assemble(
                 env!("CARGO_PKG_VERSION")
             ),
         },
-        model: largest_model(responses),
+        model: largest_model(outcomes),
         inputs: study.inputs.iter().map(input_report).collect(),
         outputs: scores.outputs,
         locations,
         layouts,
         map: scores.map,
         notes,
-        failed_points: Vec::new(),
+        failed_points,
         cut_point: CutPoint {
             values: plan.values()[0].clone(),
             reaction_n: cut.reaction_n,
@@ -54,11 +59,25 @@ pub fn assemble(
     }
 }
 
+/// The points without an equilibrium, in the order of the plan.
+pub(crate) fn failed_points(plan: &Plan, outcomes: &[Outcome]) -> Vec<FailedPoint> {
+    let failed = |(ordinal, outcome): (usize, &Outcome)| {
+        let unsolved = outcome.as_ref().err()?;
+        Some(FailedPoint {
+            ordinal,
+            values: plan.values()[ordinal].clone(),
+            cause: unsolved.to_string(),
+        })
+    };
+    outcomes.iter().enumerate().filter_map(failed).collect()
+}
+
 /// The largest model that any point needed: symmetric points are solved on less. The first of equals, so that it doesn't
 /// depend on later points.
-fn largest_model(responses: &[Response]) -> ModelSummary {
-    let largest = responses
+fn largest_model(outcomes: &[Outcome]) -> ModelSummary {
+    let largest = outcomes
         .iter()
+        .flatten()
         .rev()
         .max_by_key(|response| response.model.dofs);
     largest

@@ -16,6 +16,7 @@
 use fem_client::solver::{Position, Response};
 use gsa::campaign::Campaign;
 
+use crate::archive::Outcome;
 use crate::result::{LayoutScore, RankedLayout};
 use crate::ring_field::{RingField, at_angle, ring_fields, slope_at_angle};
 use crate::study::{Study, position_name};
@@ -27,26 +28,27 @@ const BLIND_DEG: f64 = 180.0;
 /// Determinant over the product of the diagonal below which angle and depth can't be told apart: rounding of the sums.
 const SINGULAR: f64 = 1e-12;
 
-/// Scores every layout of the study and ranks them, best first.
+/// Scores every layout of the study and ranks them, best first; `cut` is the response of the plan's first point.
 ///
 /// The order is by the worst angle error times the square root of the number of units: the variance falls as one over
 /// the number of films, so this compares what a film contributes. Layouts that are blind somewhere come last, the
 /// strongest weakest signal first. Ties go to fewer units, then to the position nearest to the crown.
 ///
 /// # Panics
-/// If there is not one response for each point.
+/// If there is not one outcome for each point.
 pub fn rank_layouts(
     study: &Study,
     campaign: &Campaign,
-    responses: &[Response],
+    cut: &Response,
+    outcomes: &[Outcome],
 ) -> Vec<RankedLayout> {
     assert_eq!(
-        responses.len(),
+        outcomes.len(),
         campaign.points().len(),
-        "one response for each point"
+        "one outcome for each point"
     );
-    let noise = noise_strain(&responses[0]);
-    let fields = ring_fields(study, campaign.design(), responses);
+    let noise = noise_strain(cut);
+    let fields = ring_fields(study, campaign.design(), cut, outcomes);
     let mut scored = Vec::new();
     for &position in &study.layouts.positions {
         for &spacing in &study.layouts.spacings_deg {

@@ -4,10 +4,12 @@ use fem_client::solver::Response;
 
 use crate::plan::Plan;
 use crate::rank::{ordered, own_inputs};
-use crate::result::{Output, RankedLayout, RankedLocation};
+use crate::result::{FailedPoint, Output, RankedLayout, RankedLocation};
 use crate::score::{DIRECTIONS, NO_MESH_ERROR, Scores};
 use crate::study::Study;
 
+/// Failed points that a sentence names.
+const NAMED: usize = 3;
 /// Difference of an index from M-DRM's that is worth a sentence.
 const NOTABLE_DIFFERENCE: f64 = 0.1;
 
@@ -17,10 +19,11 @@ pub(crate) fn notes(
     plan: &Plan,
     cut: &Response,
     scores: &Scores,
-    locations: &[RankedLocation],
-    layouts: &[RankedLayout],
+    (locations, layouts): (&[RankedLocation], &[RankedLayout]),
+    failed: &[FailedPoint],
 ) -> Vec<String> {
     let mut notes = Vec::new();
+    notes.extend(without_equilibrium(study, plan, failed));
     notes.extend(
         DIRECTIONS
             .iter()
@@ -56,6 +59,52 @@ fn listed(names: &[&str]) -> String {
         Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
         _ => names.concat(),
     }
+}
+
+/// What failed points are, and what they do to the indices.
+fn without_equilibrium(study: &Study, plan: &Plan, failed: &[FailedPoint]) -> Option<String> {
+    let named: Vec<String> = failed
+        .iter()
+        .take(NAMED)
+        .map(|point| {
+            format!(
+                "point {} ({}): {}",
+                point.ordinal,
+                away_from_means(study, plan, point),
+                point.cause
+            )
+        })
+        .collect();
+    let more = match failed.len().checked_sub(named.len())? {
+        0 => String::new(),
+        more => format!("; and {more} more"),
+    };
+    (!named.is_empty()).then(|| {
+        format!(
+            "{} of {} points without an equilibrium: {}{more}. The indices are taken from the other points, as if the loads between \
+             and beyond them could be borne, with the errors that this leaves.",
+            failed.len(),
+            plan.values().len(),
+            named.join("; "),
+        )
+    })
+}
+
+/// `P1 = 1.27`: the inputs that a point moves away from their means, to four digits.
+fn away_from_means(study: &Study, plan: &Plan, point: &FailedPoint) -> String {
+    let inputs = study
+        .inputs
+        .iter()
+        .zip(&point.values)
+        .zip(&plan.values()[0]);
+    let moved: Vec<String> = inputs
+        .filter(|((_, x), mean)| x != mean)
+        .map(|((input, x), _)| {
+            let rounded = format!("{x:.3e}").parse().unwrap_or(*x);
+            format!("{} = {rounded}", input.name)
+        })
+        .collect();
+    moved.join(", ")
 }
 
 fn with_status<'s>(scores: &'s Scores, direction: &str, status: &str) -> Vec<&'s Output> {

@@ -24,7 +24,7 @@ pub struct StudyResult {
     pub map: Option<IndexMap>,
     /// What the user must know before believing the numbers, whole sentences.
     pub notes: Vec<String>,
-    /// Points that have no response, with their causes.
+    /// Points that have no equilibrium, with their causes; the indices are taken from the others.
     pub failed_points: Vec<FailedPoint>,
     /// The cut point's own response in short: reaction and strains at the means.
     pub cut_point: CutPoint,
@@ -246,6 +246,6 @@ pub struct StudyCost {
     pub substitution_share: f64,
     /// Share in assembly.
     pub assembly_share: f64,
-    /// Share in all the rest.
+    /// Share in all the rest, and in solves that found no equilibrium.
     pub other_share: f64,
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use fem_client::solver::{Position, Response, Ring};
 use gsa::design::{Design, Line};
 
+use crate::archive::Outcome;
 use crate::study::Study;
 
 /// Both strains around the wheel, sampled each degree from -180.
@@ -20,20 +21,18 @@ pub(crate) struct RingField {
 pub(crate) fn ring_fields(
     study: &Study,
     design: Option<&Design>,
-    responses: &[Response],
+    cut: &Response,
+    outcomes: &[Outcome],
 ) -> Result<BTreeMap<Position, RingField>, String> {
     let design = design.ok_or(
         "this method has no lines through the means, so there is no derivative to the depth",
     )?;
-    let differences = depth_differences(study, design)?;
+    let differences = depth_differences(study, design, outcomes)?;
     let field = |(i, ring): (usize, &Ring)| {
         let by_depth = |strain: fn(&Ring) -> &Vec<f64>| {
             let mut slope = vec![0.0; strain(ring).len()];
             for d in &differences {
-                let (below, above) = (
-                    strain(&responses[d.below].rings[i]),
-                    strain(&responses[d.above].rings[i]),
-                );
+                let (below, above) = (strain(&d.below.rings[i]), strain(&d.above.rings[i]));
                 for ((slope, below), above) in slope.iter_mut().zip(below).zip(above) {
                     *slope += (above - below) / d.distance_mm;
                 }
@@ -47,29 +46,37 @@ pub(crate) fn ring_fields(
         ];
         (ring.position, RingField { strain, by_depth })
     };
-    Ok(responses[0].rings.iter().enumerate().map(field).collect())
+    Ok(cut.rings.iter().enumerate().map(field).collect())
 }
 
-/// Two points of the design on either side of the cut point, along one depth.
-struct Difference {
-    below: usize,
-    above: usize,
+/// The responses on either side of the cut point, along one depth.
+struct Difference<'r> {
+    below: &'r Response,
+    above: &'r Response,
     distance_mm: f64,
 }
 
 /// By the chain rule the derivative to a uniform depth is the sum of those to each station's own.
-fn depth_differences(study: &Study, design: &Design) -> Result<Vec<Difference>, String> {
+fn depth_differences<'r>(
+    study: &Study,
+    design: &Design,
+    outcomes: &'r [Outcome],
+) -> Result<Vec<Difference<'r>>, String> {
     let depths = study
         .inputs
         .iter()
         .enumerate()
         .filter(|(_, input)| input.station().is_some());
     let cut = &design.points()[0];
-    let differences: Option<Vec<Difference>> = depths
-        .map(|(i, _)| central_difference(&design.lines()[i], cut[i]))
+    let differences: Option<Vec<Difference<'_>>> = depths
+        .map(|(i, _)| central_difference(&design.lines()[i], cut[i], outcomes))
         .collect();
     match differences {
-        None => Err("one node per input gives no derivative to the depth".to_owned()),
+        None => Err(
+            "along some depth no point on one side of the means has an equilibrium (one node per input has none there), so \
+             there is no derivative to the depth"
+                .to_owned(),
+        ),
         Some(list) if list.len() < study.scene.ground.depths_mm.len() => Err(
             "not every station's depth is an input, so there is no derivative to a uniform depth"
                 .to_owned(),
@@ -78,14 +85,15 @@ fn depth_differences(study: &Study, design: &Design) -> Result<Vec<Difference>, 
     }
 }
 
-/// The nodes nearest to the centre on both sides of it.
-fn central_difference(line: &Line, centre: f64) -> Option<Difference> {
+/// The nodes nearest to the centre on both sides of it, of those with a response.
+fn central_difference<'r>(
+    line: &Line,
+    centre: f64,
+    outcomes: &'r [Outcome],
+) -> Option<Difference<'r>> {
     let nodes = || {
-        line.rule()
-            .nodes
-            .iter()
-            .copied()
-            .zip(line.ordinals().iter().copied())
+        let nodes = line.rule().nodes.iter().zip(line.ordinals());
+        nodes.filter_map(|(x, ordinal)| Some((*x, outcomes[*ordinal].as_ref().ok()?)))
     };
     let (below_mm, below) = nodes().rfind(|(x, _)| *x < centre)?;
     let (above_mm, above) = nodes().find(|(x, _)| *x > centre)?;

@@ -7,10 +7,11 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use fem_client::fault::Fault;
-use fem_client::solver::{Cost, Response, Solver};
+use fem_client::solver::{Cost, Solver};
+use gsa::analysis::Status;
 
 use self::points::{Answers, Points, keys};
-use crate::archive::{Archive, ArchiveError};
+use crate::archive::{Archive, ArchiveError, Outcome};
 use crate::assemble::assemble;
 use crate::plan::{Plan, PlanError};
 use crate::result::{FailedPoint, StudyCost, StudyResult};
@@ -41,10 +42,14 @@ pub enum Event {
         /// Newton iterations of the solve.
         newton_iterations: usize,
     },
-    /// A point has no answer.
+    /// A point has no response: no equilibrium, which is in the archive and counts as done, or its solve broke.
     PointFailed {
         /// Its ordinal in the plan.
         ordinal: usize,
+        /// As for solved points.
+        done: usize,
+        /// Points of the plan.
+        of: usize,
         /// What happened.
         cause: String,
     },
@@ -52,15 +57,21 @@ pub enum Event {
     Analysing,
 }
 
-/// Is told of events, from the solving threads, one at a time for solved points.
+/// Is told of events, from the solving threads, one at a time for points.
 pub type Observer<'o> = &'o (dyn Fn(Event) + Sync);
 
 /// Why a run gave no result. What was solved is in the archive in every case.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum RunError {
-    /// Points without an equilibrium, or whose solve broke twice.
+    /// The cut point has no equilibrium, or solves broke twice.
     #[error("{}", failures(.failed))]
     PointsFailed {
+        /// Each of them, in the order of the plan; at least one.
+        failed: Vec<FailedPoint>,
+    },
+    /// So many points have no equilibrium that the others don't give any index.
+    #[error("the other points don't give any index: {}", failures(.failed))]
+    TooManyFailed {
         /// Each of them, in the order of the plan; at least one.
         failed: Vec<FailedPoint>,
     },
@@ -89,6 +100,16 @@ pub enum RunError {
     },
 }
 
+impl RunError {
+    /// The points that are to blame, if any are.
+    pub fn failed_points(&self) -> &[FailedPoint] {
+        match self {
+            Self::PointsFailed { failed } | Self::TooManyFailed { failed } => failed,
+            _ => &[],
+        }
+    }
+}
+
 fn failures(failed: &[FailedPoint]) -> String {
     let count = failed.len();
     match failed.first() {
@@ -114,7 +135,9 @@ fn refusals(faults: &[Fault]) -> String {
 
 /// Runs a study on `threads` threads and gives its result.
 ///
-/// Each solved point is in the archive before it is reported, so a run that ends in any way loses no solve. The result
+/// A point without an equilibrium costs accuracy, not the study, as long as it isn't the cut point and the others give indices.
+///
+/// Each outcome is in the archive before it is reported, so a run that ends in any way loses no solve. The result
 /// is the same to the bit, its cost aside, on any number of threads and however often the run was interrupted. Its
 /// `study.id` is left empty for the caller to fill.
 ///
@@ -132,7 +155,7 @@ pub fn run(
     let (begun, cpu_before) = (Instant::now(), cpu_s());
     let mut plan = plan.clone();
     let mut solved = 0;
-    let (responses, costs) = loop {
+    let (outcomes, costs) = loop {
         let readout = study.readout();
         let keys = keys(&plan, solver, &readout);
         let points = Points {
@@ -146,14 +169,19 @@ pub fn run(
         };
         let Answers { points, reused } = points.answers(threads)?;
         solved += points.len() - reused;
-        let (responses, costs): (Vec<Response>, Vec<Cost>) = points.into_iter().unzip();
-        if !plan.extend(study, &score::values(&responses).view())? {
-            break (responses, costs);
+        let (outcomes, costs): (Vec<Outcome>, Vec<Cost>) = points.into_iter().unzip();
+        if !plan.extend(study, &score::values(&outcomes).view())? {
+            break (outcomes, costs);
         }
     };
     observer(Event::Analysing);
     let reused = costs.len() - solved;
-    let mut result = assemble(study, &plan, &responses, &solver.version());
+    let mut result = assemble(study, &plan, &outcomes, &solver.version());
+    if !result.failed_points.is_empty() && !has_indices(&result) {
+        return Err(RunError::TooManyFailed {
+            failed: result.failed_points,
+        });
+    }
     result.cost = StudyCost {
         wall_s: begun.elapsed().as_secs_f64(),
         cpu_s: (cpu_s() - cpu_before).max(0.0),
@@ -161,6 +189,13 @@ pub fn run(
         ..solve_cost(&costs, reused)
     };
     Ok(result)
+}
+
+/// Whether the points gave something: indices of some output, or that none of them varies.
+fn has_indices(result: &StudyResult) -> bool {
+    let unusable = Status::Unusable.as_str();
+    let indexed = result.outputs.iter().any(|o| o.first_order.is_some());
+    indexed || result.outputs.iter().all(|o| o.status != unusable)
 }
 
 /// What the solves took, whenever they were made.

@@ -5,6 +5,7 @@ use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;
 use ndarray::Array2;
 
+use crate::archive::Outcome;
 use crate::result::{IndexError, IndexMap, MapLayer, Output};
 
 /// Why no index has an error of the mesh.
@@ -27,32 +28,40 @@ pub struct Scores {
     pub map: Option<IndexMap>,
 }
 
-/// The outputs of all points, a row each: locations first, then the map.
+/// The outputs of all points, a row each: locations first, then the map. A point without an equilibrium has a row of NaN.
 ///
 /// # Panics
 /// If the responses differ in their readout.
-pub fn values(responses: &[Response]) -> Array2<f64> {
-    let rows: Vec<Vec<f64>> = responses.iter().map(strains).collect();
-    let columns = rows.first().map_or(0, Vec::len);
+pub fn values(outcomes: &[Outcome]) -> Array2<f64> {
+    let columns = outcomes
+        .iter()
+        .flatten()
+        .next()
+        .map_or(0, |first| strains(first).len());
+    let row = |outcome: &Outcome| match outcome {
+        Ok(response) => strains(response),
+        Err(_) => vec![f64::NAN; columns],
+    };
+    let rows: Vec<Vec<f64>> = outcomes.iter().map(row).collect();
     let values = Array2::from_shape_vec((rows.len(), columns), rows.concat());
     values.expect("every response has the same readout")
 }
 
-/// Scores the responses at the points of a campaign, in its order.
+/// Scores the outcomes at the points of a campaign, in its order; `cut` is the response of its first point.
 ///
 /// # Panics
-/// If there is not one response for each point, or the responses differ in their readout.
-pub fn score(campaign: &Campaign, responses: &[Response]) -> Scores {
+/// If there is not one outcome for each point, or the responses differ in their readout.
+pub fn score(campaign: &Campaign, cut: &Response, outcomes: &[Outcome]) -> Scores {
     assert_eq!(
-        responses.len(),
+        outcomes.len(),
         campaign.points().len(),
-        "one response for each point"
+        "one outcome for each point"
     );
     let analyses = campaign
-        .analyse(&values(responses).view())
+        .analyse(&values(outcomes).view())
         .expect("a campaign that asked for points has the rules to analyse them");
-    let (at_locations, over_map) = analyses.split_at(2 * responses[0].locations.len());
-    let names = responses[0]
+    let (at_locations, over_map) = analyses.split_at(2 * cut.locations.len());
+    let names = cut
         .locations
         .iter()
         .flat_map(|l| DIRECTIONS.map(|d| (&l.name, d)));
@@ -69,7 +78,7 @@ pub fn score(campaign: &Campaign, responses: &[Response]) -> Scores {
             .iter()
             .map(|a| a.error.by_input.clone().filter(|_| a.first_order.is_some()))
             .collect(),
-        map: responses[0]
+        map: cut
             .map
             .as_ref()
             .map(|map| index_map(map, campaign.inputs().len(), over_map)),

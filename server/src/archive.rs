@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use fem_client::solver::{Cost, Response, StartState};
-use placement::archive::{Archive, ArchiveError, PointRecord};
+use fem_client::solver::{Cost, StartState};
+use placement::archive::{Archive, ArchiveError, Outcome, PointRecord};
 use tokio::runtime::Handle;
 
 use crate::store::evaluations::{self, Evaluation};
@@ -48,11 +48,11 @@ impl StoreArchive {
 }
 
 impl Archive for StoreArchive {
-    fn load(&self, key: &str, ordinal: usize) -> Result<Option<(Response, Cost)>, ArchiveError> {
+    fn load(&self, key: &str, ordinal: usize) -> Result<Option<(Outcome, Cost)>, ArchiveError> {
         let found = self.runtime.block_on(self.find(key, ordinal));
         Ok(found
             .map_err(failed)?
-            .map(|evaluation| (evaluation.response, evaluation.cost)))
+            .map(|evaluation| (evaluation.outcome, evaluation.cost)))
     }
 
     /// One transaction for the evaluation, its start state and its place in the study: a kill leaves all or nothing.

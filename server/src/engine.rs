@@ -101,18 +101,10 @@ impl Engine {
             }
             Err(RunError::Stopped) => End::Stopped,
             Err(RunError::Archive(_)) if archive.disk_full() => End::DiskFull,
-            Err(error) => {
-                let sentence = error.to_string();
-                let points = if let RunError::PointsFailed { failed } = error {
-                    failed
-                } else {
-                    Vec::new()
-                };
-                End::Failed {
-                    error: sentence,
-                    points,
-                }
-            }
+            Err(error) => End::Failed {
+                error: error.to_string(),
+                points: error.failed_points().to_vec(),
+            },
         }
     }
 
@@ -166,12 +158,14 @@ impl Engine {
     }
 }
 
-/// Total and solved points, when the event changes them.
+/// Total and finished points, when the event changes them.
 fn progress_of(event: &Event) -> Option<(usize, usize)> {
     match *event {
         Event::Started { points, reused } => Some((points, reused)),
-        Event::PointSolved { done, of, .. } => Some((of, done)),
-        Event::PointFailed { .. } | Event::Analysing => None,
+        Event::PointSolved { done, of, .. } | Event::PointFailed { done, of, .. } => {
+            Some((of, done))
+        }
+        Event::Analysing => None,
     }
 }
 
@@ -196,9 +190,15 @@ fn wire(event: &Event) -> (&'static str, Value) {
                 "newton_iterations": newton_iterations,
             }),
         ),
-        Event::PointFailed { ordinal, cause } => {
-            ("point-failed", json!({"ordinal": ordinal, "cause": cause}))
-        }
+        Event::PointFailed {
+            ordinal,
+            done,
+            of,
+            cause,
+        } => (
+            "point-failed",
+            json!({"ordinal": ordinal, "done": done, "of": of, "cause": cause}),
+        ),
         Event::Analysing => ("analysing", json!({})),
     }
 }

@@ -1,24 +1,14 @@
 //! The real program on the command line.
 
-use std::path::Path;
-use std::process::{Command, Output};
+mod program;
 
+use std::path::Path;
+use std::process::Command;
+
+use program::{strainsite, text};
 use serde_json::Value;
 
 const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
-
-fn strainsite(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_strainsite"))
-        .args(arguments)
-        .current_dir(folder)
-        .env_remove("STRAINSITE_DB")
-        .output()
-        .expect("the program runs")
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).expect("UTF-8")
-}
 
 /// The shipped study on the coarsest mesh, as a file in the folder.
 fn draft(folder: &Path) -> &'static str {
@@ -319,18 +309,9 @@ fn verification_compares_with_known_answers_and_shows_its_convergence() {
 mod signals {
     use super::*;
     use std::io::{BufRead, BufReader};
-    use std::process::{Child, Stdio};
-    use std::time::{Duration, Instant};
+    use std::process::Child;
 
-    fn spawn(folder: &Path, arguments: &[&str]) -> Child {
-        Command::new(env!("CARGO_BIN_EXE_strainsite"))
-            .args(arguments)
-            .current_dir(folder)
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .expect("the program starts")
-    }
+    use program::{spawn, stored_points, wait_for_points};
 
     fn send(signal: &str, child: &Child) {
         let sent = Command::new("kill")
@@ -340,33 +321,12 @@ mod signals {
         assert!(sent.success());
     }
 
-    async fn stored_points(database: &Path) -> i64 {
-        use sqlx::Connection;
-        let options = sqlx::sqlite::SqliteConnectOptions::new()
-            .filename(database)
-            .read_only(true);
-        let Ok(mut sql) = sqlx::SqliteConnection::connect_with(&options).await else {
-            return 0;
-        };
-        sqlx::query_scalar("select count(*) from study_points")
-            .fetch_one(&mut sql)
-            .await
-            .unwrap_or(0)
-    }
-
     #[tokio::test]
     async fn ctrl_c_keeps_what_is_solved_and_the_next_run_resumes() {
         let folder = tempfile::tempdir().expect("temp dir");
         let study = draft(folder.path());
         let run = spawn(folder.path(), &["run", study, "--threads", "1"]);
-        let begun = Instant::now();
-        while stored_points(&folder.path().join("strainsite.db")).await < 3 {
-            assert!(
-                begun.elapsed() < Duration::from_secs(60),
-                "no point was stored"
-            );
-            tokio::time::sleep(Duration::from_millis(5)).await;
-        }
+        wait_for_points(&folder.path().join("strainsite.db"), 3).await;
         send("-INT", &run);
         let output = run.wait_with_output().expect("ends");
         assert_eq!(output.status.code(), Some(1));

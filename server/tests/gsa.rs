@@ -1,22 +1,12 @@
 //! `strainsite gsa`: a model of somebody else, asked and told on the command line.
 
+mod program;
+
 use std::f64::consts::PI;
 use std::path::Path;
-use std::process::{Command, Output};
 
+use program::{strainsite, text};
 use serde_json::Value;
-
-fn strainsite(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_strainsite"))
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .expect("the program runs")
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).expect("UTF-8")
-}
 
 /// Three uniform inputs on [-pi, pi] and a method.
 fn write_inputs(folder: &Path, method: &str) {

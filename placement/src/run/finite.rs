@@ -2,8 +2,22 @@
 
 use fem_client::solver::Response;
 
+use crate::archive::Outcome;
+
+/// The first part of an outcome that holds a NaN or an infinity.
+pub(crate) fn not_finite(outcome: &Outcome) -> Option<&'static str> {
+    match outcome {
+        Ok(response) => in_response(response),
+        Err(unsolved) => {
+            let reached = &unsolved.reached;
+            let mut loads = reached.depths_mm.iter().chain([&reached.pressure_mpa]);
+            loads.any(|x| !x.is_finite()).then_some("a load reached")
+        }
+    }
+}
+
 /// The first part of a response that holds a NaN or an infinity.
-pub(crate) fn not_finite(response: &Response) -> Option<&'static str> {
+fn in_response(response: &Response) -> Option<&'static str> {
     let section = [
         response.section.crown,
         response.section.shoulder,

@@ -7,14 +7,13 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
 
-use fem_client::solver::{
-    Cost, Readout, Response, SolveError, SolveRequest, Solved, Solver, StartState,
-};
+use fem_client::solver::{Cost, Readout, SolveError, SolveRequest, Solved, Solver, StartState};
 
 use super::finite::not_finite;
 use super::{Event, Observer, RunError, refusals};
-use crate::archive::{Archive, ArchiveError, PointRecord};
+use crate::archive::{Archive, ArchiveError, Outcome, PointRecord, Unsolved};
 use crate::plan::Plan;
 use crate::result::FailedPoint;
 use crate::study::sha256_hex;
@@ -31,8 +30,14 @@ pub(crate) struct Points<'r> {
     pub keys: Vec<String>,
 }
 
-/// What a solve gave and what it took.
-type Answer = (Response, Cost);
+/// What a solve found and what it took.
+type Answer = (Outcome, Cost);
+
+/// An answer, with the state from which others may start if there is one.
+struct Found {
+    answer: Answer,
+    state: Option<StartState>,
+}
 
 /// Something of the point with this ordinal.
 type Numbered<T> = (usize, T);
@@ -43,7 +48,7 @@ pub(crate) struct Answers {
     pub reused: usize,
 }
 
-/// Content keys: SHA-256 over all that determines a response to the bit, which is the solver's version, the scene, the
+/// Content keys: SHA-256 over all that determines an outcome to the bit, which is the solver's version, the scene, the
 /// readout and the start. The cut point starts from scratch, the others from the cut point, which its key stands for.
 pub(crate) fn keys(plan: &Plan, solver: &dyn Solver, readout: &Readout) -> Vec<String> {
     let version = solver.version();
@@ -63,7 +68,7 @@ pub(crate) fn keys(plan: &Plan, solver: &dyn Solver, readout: &Readout) -> Vec<S
 
 /// Why one point has no answer.
 enum Lack {
-    /// The point itself: its siblings go on.
+    /// The solver refused it or broke: its siblings go on.
     Failed(SolveError),
     /// The run ends.
     Stopped,
@@ -72,7 +77,7 @@ enum Lack {
 }
 
 impl Points<'_> {
-    /// Loads or solves every point.
+    /// Loads or solves every point; the cut point's outcome is a response.
     pub fn answers(&self, threads: usize) -> Result<Answers, RunError> {
         let mut found = Vec::with_capacity(self.keys.len());
         for (ordinal, key) in self.keys.iter().enumerate() {
@@ -85,7 +90,8 @@ impl Points<'_> {
             reused,
         });
         let done = Mutex::new(reused);
-        if !lacking.is_empty() {
+        let cut_failed = matches!(found[0], Some((Err(_), _)));
+        if !lacking.is_empty() || cut_failed {
             let start = self.cut_point(&mut found[0], &done)?;
             let rest: Vec<usize> = lacking.into_iter().filter(|i| *i != 0).collect();
             for (ordinal, answer) in self.others(&rest, &start, threads, &done)? {
@@ -107,32 +113,41 @@ impl Points<'_> {
         found: &mut Option<Answer>,
         done: &Mutex<usize>,
     ) -> Result<StartState, RunError> {
-        let key = &self.keys[0];
-        if found.is_some() {
-            let start = self.archive.load_start(key)?;
-            return start.ok_or_else(|| RunError::StartMissing { key: key.clone() });
+        if found.is_none() {
+            let Found { answer, state } = match self.solved(0, None) {
+                Ok(solved) => solved,
+                Err(lack) => return Err(self.cut_error(lack, done)),
+            };
+            self.save(0, &answer, state.as_ref())?;
+            self.report(0, &answer, done);
+            *found = Some(answer);
+            if let Some(state) = state {
+                return Ok(state);
+            }
         }
-        let solved = match self.solved(0, None) {
-            Ok(solved) => solved,
-            Err(lack) => return Err(self.cut_error(lack)),
-        };
-        self.save(0, &solved, Some(&solved.state))?;
-        self.report_solved(0, &solved.cost, done);
-        *found = Some((solved.response, solved.cost));
-        Ok(solved.state)
+        if let Some((Err(unsolved), _)) = found {
+            return Err(self.without_cut(unsolved.to_string()));
+        }
+        let key = &self.keys[0];
+        let start = self.archive.load_start(key)?;
+        start.ok_or_else(|| RunError::StartMissing { key: key.clone() })
     }
 
     /// Without the cut point there is nothing for the others to start from.
-    fn cut_error(&self, lack: Lack) -> RunError {
+    fn without_cut(&self, cause: String) -> RunError {
+        RunError::PointsFailed {
+            failed: vec![self.failed_point(0, cause)],
+        }
+    }
+
+    fn cut_error(&self, lack: Lack, done: &Mutex<usize>) -> RunError {
         match lack {
             Lack::Stopped => RunError::Stopped,
             Lack::Archive(error) => RunError::Archive(error),
             Lack::Failed(SolveError::Refused { faults }) => RunError::Refused { faults },
             Lack::Failed(error) => {
-                self.report_failed(0, &error);
-                RunError::PointsFailed {
-                    failed: vec![self.failed_point(0, &error)],
-                }
+                self.report_broken(0, &error, done);
+                self.without_cut(cause(&error))
             }
         }
     }
@@ -180,14 +195,14 @@ impl Points<'_> {
         done: &Mutex<usize>,
     ) -> Result<Answer, Lack> {
         match self.solved(ordinal, Some(start)) {
-            Ok(solved) => {
-                self.save(ordinal, &solved, None).map_err(Lack::Archive)?;
-                self.report_solved(ordinal, &solved.cost, done);
-                Ok((solved.response, solved.cost))
+            Ok(Found { answer, .. }) => {
+                self.save(ordinal, &answer, None).map_err(Lack::Archive)?;
+                self.report(ordinal, &answer, done);
+                Ok(answer)
             }
             Err(lack) => {
                 if let Lack::Failed(error) = &lack {
-                    self.report_failed(ordinal, error);
+                    self.report_broken(ordinal, error, done);
                 }
                 Err(lack)
             }
@@ -204,7 +219,7 @@ impl Points<'_> {
         for (ordinal, outcome) in outcomes {
             match outcome {
                 Ok(answer) => answers.push((ordinal, answer)),
-                Err(Lack::Failed(error)) => failed.push(self.failed_point(ordinal, &error)),
+                Err(Lack::Failed(error)) => failed.push(self.failed_point(ordinal, cause(&error))),
                 Err(Lack::Stopped) => stopped = true,
                 Err(Lack::Archive(error)) => archive = Some(error),
             }
@@ -218,7 +233,7 @@ impl Points<'_> {
     }
 
     /// One solve; a solver that broke is asked once more.
-    fn solved(&self, ordinal: usize, start: Option<&StartState>) -> Result<Solved, Lack> {
+    fn solved(&self, ordinal: usize, start: Option<&StartState>) -> Result<Found, Lack> {
         match self.attempt(ordinal, start) {
             Err(SolveError::Broken { .. }) => self.attempt(ordinal, start),
             other => other,
@@ -230,7 +245,7 @@ impl Points<'_> {
     }
 
     /// A panic costs this point alone.
-    fn attempt(&self, ordinal: usize, start: Option<&StartState>) -> Result<Solved, SolveError> {
+    fn attempt(&self, ordinal: usize, start: Option<&StartState>) -> Result<Found, SolveError> {
         if self.stop.load(Ordering::Relaxed) {
             return Err(SolveError::Stopped);
         }
@@ -241,59 +256,107 @@ impl Points<'_> {
             start,
             stop: self.stop,
         };
+        let begun = Instant::now();
         // Nothing of ours is half-changed by an unwinding solve: it only reads what it was given.
         let outcome = catch_unwind(AssertUnwindSafe(|| self.solver.solve(&request)));
         let broken = |detail| SolveError::Broken { detail };
-        let solved = outcome.map_err(|panic| broken(format!("panic: {}", message(&*panic))))??;
-        match not_finite(&solved.response) {
+        let outcome = outcome.map_err(|panic| broken(format!("panic: {}", message(&*panic))))?;
+        let found = found(outcome, begun)?;
+        // What a solve says while it is being stopped may not be what it would have said.
+        if found.answer.0.is_err() && self.stop.load(Ordering::Relaxed) {
+            return Err(SolveError::Stopped);
+        }
+        match not_finite(&found.answer.0) {
             Some(what) => Err(broken(format!("{what} isn't a finite number"))),
-            None => Ok(solved),
+            None => Ok(found),
         }
     }
 
     fn save(
         &self,
         ordinal: usize,
-        solved: &Solved,
+        (outcome, cost): &Answer,
         start: Option<&StartState>,
     ) -> Result<(), ArchiveError> {
         self.archive.save(&PointRecord {
             key: &self.keys[ordinal],
             ordinal,
             scene: &self.plan.points[ordinal].canonical_json(),
-            response: &solved.response,
-            cost: solved.cost,
+            outcome,
+            cost: *cost,
             start,
         })
     }
 
     /// Counts and reports under one lock, so that the counts arrive in order.
-    fn report_solved(&self, ordinal: usize, cost: &Cost, done: &Mutex<usize>) {
+    fn report(&self, ordinal: usize, (outcome, cost): &Answer, done: &Mutex<usize>) {
         let mut done = lock(done);
         *done += 1;
-        (self.observer)(Event::PointSolved {
+        let of = self.keys.len();
+        (self.observer)(match outcome {
+            Ok(_) => Event::PointSolved {
+                ordinal,
+                done: *done,
+                of,
+                wall_s: cost.wall_s,
+                newton_iterations: cost.newton_iterations,
+            },
+            Err(unsolved) => Event::PointFailed {
+                ordinal,
+                done: *done,
+                of,
+                cause: unsolved.to_string(),
+            },
+        });
+    }
+
+    /// A point without an outcome isn't done.
+    fn report_broken(&self, ordinal: usize, error: &SolveError, done: &Mutex<usize>) {
+        let done = lock(done);
+        (self.observer)(Event::PointFailed {
             ordinal,
             done: *done,
             of: self.keys.len(),
-            wall_s: cost.wall_s,
-            newton_iterations: cost.newton_iterations,
-        });
-    }
-
-    fn report_failed(&self, ordinal: usize, error: &SolveError) {
-        (self.observer)(Event::PointFailed {
-            ordinal,
             cause: cause(error),
         });
     }
 
-    fn failed_point(&self, ordinal: usize, error: &SolveError) -> FailedPoint {
-        let values = self.plan.values()[ordinal].clone();
+    fn failed_point(&self, ordinal: usize, cause: String) -> FailedPoint {
         FailedPoint {
             ordinal,
-            values,
-            cause: cause(error),
+            values: self.plan.values()[ordinal].clone(),
+            cause,
         }
+    }
+}
+
+/// What a solve that began at this instant has found, unless it refused, broke or was stopped.
+fn found(outcome: Result<Solved, SolveError>, begun: Instant) -> Result<Found, SolveError> {
+    match outcome {
+        Ok(solved) => Ok(Found {
+            answer: (Ok(solved.response), solved.cost),
+            state: Some(solved.state),
+        }),
+        Err(SolveError::NoEquilibrium {
+            status,
+            detail,
+            reached,
+        }) => {
+            let unsolved = Unsolved {
+                status,
+                detail,
+                reached,
+            };
+            let cost = Cost {
+                wall_s: begun.elapsed().as_secs_f64(),
+                ..Cost::default()
+            };
+            Ok(Found {
+                answer: (Err(unsolved), cost),
+                state: None,
+            })
+        }
+        Err(error) => Err(error),
     }
 }
 

@@ -9,8 +9,8 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::document::Format;
-use fem_client::solver::{Cost, Response, SolveError, SolveRequest, Solved, Solver, StartState};
-use placement::archive::{Archive, ArchiveError, PointRecord};
+use fem_client::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
+use placement::archive::{Archive, ArchiveError, Outcome, PointRecord};
 use placement::plan::Plan;
 use placement::result::{StudyCost, StudyResult};
 use placement::run::{Event, RunError, run};
@@ -26,7 +26,7 @@ pub struct MemoryArchive {
 }
 
 impl Archive for MemoryArchive {
-    fn load(&self, key: &str, _: usize) -> Result<Option<(Response, Cost)>, ArchiveError> {
+    fn load(&self, key: &str, _: usize) -> Result<Option<(Outcome, Cost)>, ArchiveError> {
         let points = self.points.lock().unwrap();
         Ok(points
             .get(key)
@@ -34,7 +34,7 @@ impl Archive for MemoryArchive {
     }
 
     fn save(&self, point: &PointRecord<'_>) -> Result<(), ArchiveError> {
-        let text = serde_json::to_string(point.response).unwrap();
+        let text = serde_json::to_string(point.outcome).unwrap();
         let before = self
             .points
             .lock()

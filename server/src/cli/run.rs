@@ -150,7 +150,15 @@ fn show(bar: &ProgressBar, event: &Event) {
                 "last: {newton_iterations} iterations, {wall_s:.1} s"
             ));
         }
-        Event::PointFailed { ordinal, cause } => bar.println(format!("point {ordinal}: {cause}")),
+        Event::PointFailed {
+            ordinal,
+            done,
+            cause,
+            ..
+        } => {
+            bar.set_position(count(*done));
+            bar.println(format!("point {ordinal}: {cause}"));
+        }
         Event::Analysing => bar.set_message("analysing"),
     }
 }

@@ -61,7 +61,8 @@ async fn layouts(
     Ok(Json(json!({"layouts": result.layouts})))
 }
 
-/// The points that have a response so far, in the order of the plan.
+/// The points that have an outcome so far, in the order of the plan. Of one without an equilibrium the numbers are null, and
+/// `reason` says why.
 async fn points(
     State(state): State<AppState>,
     StudyId(id): StudyId,
@@ -76,15 +77,21 @@ async fn points(
         let Some(evaluation) = evaluations::find(&mut connection, &key).await? else {
             continue;
         };
-        rows.push(json!({
+        let response = evaluation.outcome.as_ref().ok();
+        let mut row = json!({
             "ordinal": ordinal,
             "key": key,
             "values": values_of(&evaluation.scene, &inputs),
-            "reaction_n": evaluation.response.reaction_n,
-            "locations": evaluation.response.locations,
-            "newton_iterations": evaluation.cost.newton_iterations,
+            "reaction_n": response.map(|response| response.reaction_n),
+            "locations": response.map(|response| &response.locations),
+            "newton_iterations": response.map(|_| evaluation.cost.newton_iterations),
             "wall_s": evaluation.cost.wall_s,
-        }));
+        });
+        if let Err(unsolved) = &evaluation.outcome {
+            row["reason"] = json!(unsolved.to_string());
+            row["reached"] = json!(unsolved.reached);
+        }
+        rows.push(row);
     }
     Ok(Json(json!({"evaluations": rows})))
 }

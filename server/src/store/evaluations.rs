@@ -1,19 +1,19 @@
-//! Solved points and start states, kept by content key, written once, checked when read.
+//! Evaluated points and start states, kept by content key, written once, checked when read.
 
-use fem_client::solver::{Cost, Response, StartState};
-use placement::archive::PointRecord;
+use fem_client::solver::{Cost, StartState};
+use placement::archive::{Outcome, PointRecord};
 use sqlx::{FromRow, SqliteConnection};
 
 use super::content::{encode, sha256};
 use super::{StoreError, now};
 
-/// A solved point as it was stored.
+/// A point as it was stored.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Evaluation {
     /// Canonical scene, JSON.
     pub scene: String,
-    /// Strains, forces, diagnostics.
-    pub response: Response,
+    /// Strains, forces, diagnostics; or why there is no equilibrium.
+    pub outcome: Outcome,
     /// What the solve took.
     pub cost: Cost,
 }
@@ -23,50 +23,82 @@ struct EvaluationRow {
     key: String,
     scene: String,
     response: String,
+    failure: Option<String>,
     cost: String,
     sha256: String,
 }
 
 impl EvaluationRow {
+    fn of(point: &PointRecord<'_>) -> Result<Self, StoreError> {
+        let (response, failure) = match point.outcome {
+            Ok(response) => (encode("the response of a point", response)?, None),
+            Err(unsolved) => (
+                "null".to_owned(),
+                Some(encode("the failure of a point", unsolved)?),
+            ),
+        };
+        let mut row = Self {
+            key: point.key.to_owned(),
+            scene: point.scene.to_owned(),
+            response,
+            failure,
+            cost: encode("the cost of a point", &point.cost)?,
+            sha256: String::new(),
+        };
+        row.sha256 = row.content_sha256();
+        Ok(row)
+    }
+
+    /// Of all other columns; a response alone has the hash that it had before there were failures.
+    fn content_sha256(&self) -> String {
+        let columns = [&self.key, &self.scene, &self.response, &self.cost];
+        let columns = columns.into_iter().chain(&self.failure);
+        let parts: Vec<&[u8]> = columns.map(|text| text.as_bytes()).collect();
+        sha256(&parts)
+    }
+
     fn read(self) -> Result<Evaluation, StoreError> {
         let damaged = || StoreError::Damaged {
             table: "evaluations",
             row: self.key.clone(),
         };
-        if evaluation_sha256(&self.key, &self.scene, &self.response, &self.cost) != self.sha256 {
+        if self.content_sha256() != self.sha256 {
             return Err(damaged());
         }
-        let response = serde_json::from_str(&self.response).map_err(|_| damaged())?;
+        let outcome = match &self.failure {
+            None => Ok(serde_json::from_str(&self.response).map_err(|_| damaged())?),
+            Some(failure) => Err(serde_json::from_str(failure).map_err(|_| damaged())?),
+        };
         let cost = serde_json::from_str(&self.cost).map_err(|_| damaged())?;
         Ok(Evaluation {
             scene: self.scene,
-            response,
+            outcome,
             cost,
         })
     }
 }
 
-/// Stores a solved point, its start state, and that it answers for its ordinal of the study. What is there already
+/// Stores a point's outcome, its start state, and that it answers for its ordinal of the study. What is there already
 /// stays as it is.
 ///
 /// # Errors
-/// [`StoreError::NotFinite`] when the response holds NaN or infinity; when the database can't be written.
+/// [`StoreError::NotFinite`] when the outcome holds NaN or infinity; when the database can't be written.
 pub async fn insert(
     connection: &mut SqliteConnection,
     study: &str,
     point: &PointRecord<'_>,
 ) -> Result<(), StoreError> {
-    let response = encode("the response of a point", point.response)?;
-    let cost = encode("the cost of a point", &point.cost)?;
+    let row = EvaluationRow::of(point)?;
     sqlx::query(
-        "insert into evaluations (key, scene, response, cost, sha256, created) values (?, ?, ?, ?, ?, ?)
+        "insert into evaluations (key, scene, response, failure, cost, sha256, created) values (?, ?, ?, ?, ?, ?, ?)
          on conflict do nothing",
     )
-    .bind(point.key)
-    .bind(point.scene)
-    .bind(&response)
-    .bind(&cost)
-    .bind(evaluation_sha256(point.key, point.scene, &response, &cost))
+    .bind(&row.key)
+    .bind(&row.scene)
+    .bind(&row.response)
+    .bind(&row.failure)
+    .bind(&row.cost)
+    .bind(&row.sha256)
     .bind(now())
     .execute(&mut *connection)
     .await?;
@@ -138,7 +170,7 @@ pub async fn find(
     connection: &mut SqliteConnection,
     key: &str,
 ) -> Result<Option<Evaluation>, StoreError> {
-    let query = "select key, scene, response, cost, sha256 from evaluations where key = ?";
+    let query = "select key, scene, response, failure, cost, sha256 from evaluations where key = ?";
     let row: Option<EvaluationRow> = sqlx::query_as(query)
         .bind(key)
         .fetch_optional(connection)
@@ -194,28 +226,20 @@ pub async fn points_of(
         .collect())
 }
 
-fn evaluation_sha256(key: &str, scene: &str, response: &str, cost: &str) -> String {
-    sha256(&[
-        key.as_bytes(),
-        scene.as_bytes(),
-        response.as_bytes(),
-        cost.as_bytes(),
-    ])
-}
-
 #[cfg(test)]
 mod tests {
     use std::sync::atomic::AtomicBool;
 
     use fem_client::closed_form::ClosedFormSolver;
     use fem_client::scene::Scene;
-    use fem_client::solver::{Readout, SolveRequest, Solved, Solver};
+    use fem_client::solver::{NoEquilibrium, Reached, Readout, Response, SolveRequest, Solver};
+    use placement::archive::Unsolved;
 
     use super::*;
     use crate::store::studies;
     use crate::store::tests::fresh;
 
-    fn solved() -> Solved {
+    fn solved() -> (Outcome, Cost, StartState) {
         let (scene, stop) = (Scene::default(), AtomicBool::new(false));
         let readout = Readout::default();
         let request = SolveRequest {
@@ -224,17 +248,22 @@ mod tests {
             start: None,
             stop: &stop,
         };
-        ClosedFormSolver::new().solve(&request).expect("solves")
+        let solved = ClosedFormSolver::new().solve(&request).expect("solves");
+        (Ok(solved.response), solved.cost, solved.state)
     }
 
-    fn record(solved: &Solved) -> PointRecord<'_> {
+    fn response(outcome: &mut Outcome) -> &mut Response {
+        outcome.as_mut().expect("a response")
+    }
+
+    fn record((outcome, cost, state): &(Outcome, Cost, StartState)) -> PointRecord<'_> {
         PointRecord {
             key: "k",
             ordinal: 3,
             scene: "{}",
-            response: &solved.response,
-            cost: solved.cost,
-            start: Some(&solved.state),
+            outcome,
+            cost: *cost,
+            start: outcome.is_ok().then_some(state),
         }
     }
 
@@ -250,19 +279,16 @@ mod tests {
             .await
             .expect("stores");
         let mut other = first.clone();
-        other.response.reaction_n += 1.0;
+        response(&mut other.0).reaction_n += 1.0;
         insert(&mut tx, &study, &record(&other))
             .await
             .expect("is no error");
 
         let stored = find(&mut tx, "k").await.expect("reads").expect("is there");
-        assert_eq!(
-            (&stored.response, stored.cost),
-            (&first.response, first.cost)
-        );
+        assert_eq!((&stored.outcome, stored.cost), (&first.0, first.1));
         assert_eq!(
             find_start(&mut tx, "k").await.expect("reads"),
-            Some(first.state)
+            Some(first.2)
         );
         assert_eq!(
             points_of(&mut tx, &study).await.expect("reads"),
@@ -274,6 +300,40 @@ mod tests {
     }
 
     #[tokio::test]
+    async fn a_point_without_equilibrium_is_an_answer_like_any_other() {
+        let (_folder, store) = fresh().await;
+        let mut tx = store.begin().await.expect("begins");
+        let study = studies::insert(&mut tx, "a", "{}", "x")
+            .await
+            .expect("inserts");
+        let unsolved = Unsolved {
+            status: NoEquilibrium::Crushed,
+            detail: "squeezed to 0.31 at 70.1 %".to_owned(),
+            reached: Reached {
+                pressure_mpa: 0.2,
+                depths_mm: vec![0.1 + 0.2; 5],
+            },
+        };
+        let (_, cost, state) = solved();
+        let failed = (Err(unsolved), cost, state);
+        insert(&mut tx, &study, &record(&failed))
+            .await
+            .expect("stores");
+        let stored = find(&mut tx, "k").await.expect("reads").expect("is there");
+        assert_eq!((stored.outcome, stored.cost), (failed.0, cost));
+        assert!(linked(&mut tx, &study, 3).await.expect("reads"));
+        assert_eq!(find_start(&mut tx, "k").await.expect("reads"), None);
+        sqlx::query("update evaluations set failure = replace(failure, '70.1', '70.2')")
+            .execute(&mut *tx)
+            .await
+            .expect("damages");
+        assert!(matches!(
+            find(&mut tx, "k").await,
+            Err(StoreError::Damaged { .. })
+        ));
+    }
+
+    #[tokio::test]
     async fn a_number_that_is_not_finite_is_not_stored() {
         let (_folder, store) = fresh().await;
         let mut tx = store.begin().await.expect("begins");
@@ -281,7 +341,7 @@ mod tests {
             .await
             .expect("inserts");
         let mut wrong = solved();
-        wrong.response.locations[2].strain_x = f64::NAN;
+        response(&mut wrong.0).locations[2].strain_x = f64::NAN;
         let refused = insert(&mut tx, &study, &record(&wrong)).await;
         assert!(matches!(refused, Err(StoreError::NotFinite { .. })));
         assert_eq!(find(&mut tx, "k").await.expect("reads"), None);

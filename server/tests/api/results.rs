@@ -61,6 +61,52 @@ async fn a_done_study_has_its_result_locations_layouts_and_points() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
+async fn a_point_without_equilibrium_is_named_with_its_inputs_and_its_reason() {
+    let home = Home::new();
+    // The outermost of a depth's five nodes lies near 1.27 mm.
+    let app = home
+        .start(ClosedFormSolver::new().with_depth_limit(1.26))
+        .await;
+    let id = app.submit(&study()).await;
+    let done = app.wait_for(&id, "done").await;
+    assert_eq!(
+        (&done["points_done"], &done["error"]),
+        (&json!(26), &Value::Null)
+    );
+    let result = app.json(&format!("/v1/studies/{id}/result")).await;
+    let failed = result["failed_points"].as_array().expect("a list");
+    assert!((5..20).contains(&failed.len()), "{failed:?}");
+
+    let body = app.json(&format!("/v1/studies/{id}/evaluations")).await;
+    let points = body["evaluations"].as_array().expect("a list");
+    assert_eq!(points.len(), 26);
+    for point in points {
+        let entry = failed.iter().find(|f| f["ordinal"] == point["ordinal"]);
+        let Some(entry) = entry else {
+            assert!(
+                point["reaction_n"].is_number() && point.get("reason").is_none(),
+                "{point}"
+            );
+            continue;
+        };
+        assert_eq!(
+            (&point["values"], &point["reason"]),
+            (&entry["values"], &entry["cause"])
+        );
+        for field in ["reaction_n", "locations", "newton_iterations"] {
+            assert_eq!(point[field], Value::Null, "{field}");
+        }
+        let deepest = point["reached"]["depths_mm"]
+            .as_array()
+            .expect("depths")
+            .iter()
+            .filter_map(Value::as_f64)
+            .fold(0.0, f64::max);
+        assert!((deepest - 1.26).abs() < 1e-12, "{point}");
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
 async fn ranked_rows_can_be_queried_in_sql() {
     let home = Home::new();
     let app = home.start(ClosedFormSolver::new()).await;

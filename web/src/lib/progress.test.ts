@@ -44,10 +44,17 @@ test("time left is the pace of solved points, not of reused ones", () => {
   assert.equal(secondsLeft(fromSummary(queued), 4_000), null);
 });
 
+test("a point without an equilibrium is done, and its study goes on", () => {
+  const failed: StudyEvent = { kind: "point-failed", ordinal: 2, done: 3, of: 31, cause: "crushed" };
+  const running = after([solved(1, 2), failed, solved(3, 4)]);
+  assert.deepEqual([running.state, running.done, running.failures.length], ["running", 4, 1]);
+  assert.equal(after([solved(1, 2), failed]).done, 3);
+});
+
 test("failed points are kept in order with their causes", () => {
   const progress = after([
-    { kind: "point-failed", ordinal: 9, cause: "limit point" },
-    { kind: "point-failed", ordinal: 4, cause: "no convergence" },
+    { kind: "point-failed", ordinal: 9, done: 3, of: 31, cause: "limit point" },
+    { kind: "point-failed", ordinal: 4, done: 4, of: 31, cause: "no convergence" },
     { kind: "failed", error: "two points have no response" },
   ]);
   assert.deepEqual(progress.failures.map((failure) => failure.ordinal), [4, 9]);
@@ -62,7 +69,7 @@ test("a polled entry moves the count on but never back", () => {
 
 test("a failed study still takes its failed points from a replayed stream", () => {
   const failed = fromSummary({ ...queued, state: "failed", error: "point 4 has no answer" });
-  const told = advance(failed, { kind: "point-failed", ordinal: 4, cause: "limit point" }, 0);
+  const told = advance(failed, { kind: "point-failed", ordinal: 4, done: 3, of: 31, cause: "limit point" }, 0);
   assert.deepEqual(told.failures, [{ ordinal: 4, cause: "limit point", values: [] }]);
   const points = [{ ordinal: 4, cause: "limit point", values: [1, 2] }];
   const ended = advance(told, { kind: "failed", error: "again", failed_points: points }, 0);

@@ -20,7 +20,7 @@ export interface Progress {
   /** Wall seconds of solved points by ordinal. */
   wall_s: ReadonlyMap<number, number>;
   failures: readonly PointFailure[];
-  /** Every point is solved and the indices are being computed. */
+  /** Every point has its outcome and the indices are being computed. */
   analysing: boolean;
   /** Milliseconds since the epoch. */
   started_ms: number | null;
@@ -85,7 +85,13 @@ export function advance(progress: Progress, event: StudyEvent, now_ms: number): 
         started_ms: progress.started_ms ?? now_ms,
       };
     case "point-failed":
-      return { ...progress, failures: failuresOf(progress.failures, event) };
+      return {
+        ...progress,
+        // Events of earlier versions don't say how far the study was.
+        total: event.of ?? progress.total,
+        done: Math.max(progress.done, event.done ?? 0),
+        failures: failuresOf(progress.failures, event),
+      };
     case "analysing":
       return { ...progress, analysing: true };
     case "failed":
@@ -106,7 +112,7 @@ export function isOver(state: StudyState): boolean {
   return state === "done" || state === "failed" || state === "cancelled";
 }
 
-/** Share of the points that are solved, 0 to 1. */
+/** Share of the points that are done, 0 to 1. */
 export function share(progress: Pick<Progress, "total" | "done">): number {
   return progress.total > 0 ? Math.min(1, progress.done / progress.total) : 0;
 }
