@@ -132,6 +132,12 @@ fn unusable(ordinal: usize) -> Analysis {
 /// Nothing happens on the lines. That is a constant, unless a check point shows an interaction that vanishes on them.
 fn without_spread(sections: &Sections, evidence: Option<&Evidence<'_>>) -> Analysis {
     let (mean, _) = in_output_units(sections, additive::moments(sections));
+    if (0..sections.inputs()).all(|input| sections.differences(input).len() == 1) {
+        return Analysis {
+            reason: Some("a single node of each input shows no variation".to_owned()),
+            ..Analysis::empty(1.0)
+        };
+    }
     match evidence {
         Some(evidence) if evidence.departure > sections.noise() => Analysis {
             status: Status::ProductFormBroken,

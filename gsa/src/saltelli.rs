@@ -90,8 +90,14 @@ pub(crate) fn analyse(inputs: usize, values: &[f64]) -> Option<Sampled> {
     let power = exponent(largest);
     let count = finite.clone().count();
     let scaled = |y: f64| times_power_of_two(y, -power);
-    let mean = finite.map(|&y| scaled(y)).sum::<f64>() / count as f64;
-    let centred: Vec<f64> = values[1..].iter().map(|&y| scaled(y) - mean).collect();
+    // From one of the values on, so that a constant leaves nothing, not the rounding of a sum.
+    let origin = finite.clone().next().map_or(0.0, |&y| scaled(y));
+    let shift = finite.map(|&y| scaled(y) - origin).sum::<f64>() / count as f64;
+    let mean = origin + shift;
+    let centred: Vec<f64> = values[1..]
+        .iter()
+        .map(|&y| scaled(y) - origin - shift)
+        .collect();
     let block = (values.len() - 1) / REPLICATES;
     let replicates: Option<Vec<Sums>> = centred
         .chunks(block)
@@ -119,7 +125,8 @@ pub(crate) fn analyse(inputs: usize, values: &[f64]) -> Option<Sampled> {
         sampling: Some(errors.collect()),
         ..ByInput::default()
     };
-    let cut = |s: &f64| s.clamp(0.0, 1.0);
+    // Zero is added for its sign: the clamp lets -0 pass.
+    let cut = |s: &f64| s.clamp(0.0, 1.0) + 0.0;
     let mut first_order: Vec<f64> = all.0.iter().map(cut).collect();
     let sum: f64 = first_order.iter().sum();
     if sum > 1.0 {

@@ -4,9 +4,11 @@
 
 mod support;
 
+use fem_client::closed_form::ClosedFormSolver;
+use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use placement::result::{RankedLocation, StudyResult};
 use serde_json::Value;
-use support::{answered, shipped, study};
+use support::{MemoryArchive, answered, observed, shipped, study};
 
 fn location<'r>(result: &'r StudyResult, name: &str) -> &'r RankedLocation {
     result
@@ -212,9 +214,25 @@ fn an_input_without_a_station_has_indices_but_no_location() {
 #[test]
 fn what_never_varies_is_null_with_a_reason() {
     let mut study = shipped("foot-tire");
-    study.method.nodes = 1;
-    study.method.check_points = 0;
-    let result = answered(&study);
+    // The closed form's strains don't depend on the rubber, only on where a solve starts.
+    struct FromScratch;
+    impl Solver for FromScratch {
+        fn version(&self) -> String {
+            "from scratch".to_owned()
+        }
+        fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+            ClosedFormSolver::new().solve(&SolveRequest {
+                start: None,
+                ..*request
+            })
+        }
+    }
+    study.inputs.truncate(1);
+    study.inputs[0].vary = "material.c10_mpa".to_owned();
+    let law = gsa::distribution::Distribution::uniform(0.14, 0.15);
+    study.inputs[0].distribution = law.unwrap();
+    let result = observed(&study, &FromScratch, &MemoryArchive::default(), 1).0;
+    let result = result.unwrap();
     assert!(
         result
             .outputs
@@ -231,6 +249,21 @@ fn what_never_varies_is_null_with_a_reason() {
     // serde_json writes NaN as null, so a null among numbers that must exist would show one.
     let document: Value = serde_json::to_value(&result).unwrap();
     assert!(document["cut_point"]["reaction_n"].is_number());
+}
+
+#[test]
+fn a_single_node_of_each_input_knows_nothing_of_their_influence() {
+    let mut study = shipped("foot-tire");
+    study.method.nodes = 1;
+    let result = answered(&study);
+    for output in &result.outputs {
+        assert_eq!(output.status, "unusable");
+        let reason = output.reason.as_deref().unwrap();
+        assert!(reason.contains("a single node"), "{reason}");
+        assert!(output.first_order.is_none() && output.mean.is_none());
+    }
+    let unranked = |l: &RankedLocation| l.gsi_x_percent.is_none() && l.rank_x.is_none();
+    assert!(result.locations.iter().all(unranked));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 #[path = "../support/asking.rs"]
 mod asking;
 mod auto;
+mod convergence;
 mod error_bar;
 mod models;
 mod reference;

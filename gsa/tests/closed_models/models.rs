@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use gsa::design::Design;
-use gsa::distribution::Distribution;
+use gsa::distribution::{Distribution, Kind};
 use ndarray::Array2;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -103,14 +103,17 @@ fn model(entry: &Value) -> Model {
     }
 }
 
+/// A kind, its parameters, and the two bounds of a truncated law as a list behind them.
 fn law(entry: &Value) -> Distribution {
-    let build = match text(&entry[0]).as_str() {
-        "uniform" => Distribution::uniform,
-        "normal" => Distribution::normal,
-        "lognormal" => Distribution::lognormal,
-        other => panic!("unknown law {other}"),
-    };
-    build(number(&entry[1]), number(&entry[2])).expect("a valid law")
+    let kind = Kind::named(&text(&entry[0])).expect("a known kind");
+    let (bounds, parameters): (Vec<&Value>, Vec<&Value>) =
+        list(entry)[1..].iter().partition(|value| value.is_array());
+    let parameters: Vec<f64> = parameters.into_iter().map(number).collect();
+    let law = kind.distribution(&parameters).expect("a valid law");
+    match bounds.first().map(|bounds| numbers(bounds)).as_deref() {
+        Some(&[low, high]) => law.truncated(low, high).expect("a valid truncation"),
+        _ => law,
+    }
 }
 
 fn indices(entry: &Value) -> Indices {
@@ -152,6 +155,7 @@ pub fn value(name: &str, x: &[f64]) -> f64 {
         }
         "borehole_normal_lognormal" | "borehole_uniform" => borehole(x),
         "piston" => piston(x),
+        "flood_height" => (x[0] / (x[5] * x[1] * ((x[3] - x[2]) / x[4]).sqrt())).powf(0.6),
         "poly_sign_change" => x[0] + x[1] + x[2] + x[0] * x[1] * x[2],
         "h0_zero_rho_nonzero" => x.iter().map(|x| x * x).sum(),
         "nearly_constant_1e-14" => x

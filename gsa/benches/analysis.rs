@@ -1,0 +1,127 @@
+//! How long M-DRM with its errors takes for many outputs at once, and how that grows with outputs and runs; beside it the least
+//! arithmetic there is, variances of the sections and nothing else, in a plain loop.
+//!
+//! Run it with `cargo bench -p gsa --bench analysis`, on one thread. Time is linear in outputs and runs where the throughput, in
+//! values a second, stays what it is.
+
+use std::fmt;
+use std::hint::black_box;
+use std::time::Instant;
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use gsa::analysis::analyse;
+use gsa::design::Design;
+use gsa::distribution::Distribution;
+use ndarray::Array2;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+
+/// Five nodes along each input and as many check points as inputs: 5 n + 1 runs.
+#[derive(Debug, Clone, Copy)]
+struct Size {
+    inputs: usize,
+    outputs: usize,
+}
+
+impl fmt::Display for Size {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} runs x {} outputs", 5 * self.inputs + 1, self.outputs)
+    }
+}
+
+const fn size(inputs: usize, outputs: usize) -> Size {
+    Size { inputs, outputs }
+}
+
+/// The size of which the ratio to the plain loop is told.
+const USUAL: Size = size(5, 10_000);
+const SIZES: [Size; 5] = [
+    size(5, 1_000),
+    USUAL,
+    size(5, 100_000),
+    size(10, 10_000),
+    size(20, 10_000),
+];
+
+/// A design, and values at its points.
+fn study(size: Size) -> (Design, Array2<f64>) {
+    let law = Distribution::uniform(0.5, 1.5).expect("a law");
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    let design = Design::new(&vec![law; size.inputs], 5, size.inputs, &mut rng).expect("a design");
+    let shape = (design.points().len(), size.outputs);
+    let values = Array2::from_shape_fn(shape, |(point, output)| {
+        // products for some outputs, sums for others, and all between
+        let share = output as f64 / size.outputs as f64;
+        let x = &design.points()[point];
+        share * x.iter().product::<f64>() + (1.0 - share) * x.iter().sum::<f64>()
+    });
+    (design, values)
+}
+
+#[divan::bench(args = SIZES)]
+fn analysis(bencher: Bencher<'_, '_>, size: Size) {
+    let (design, values) = study(size);
+    bencher
+        .counter(ItemsCount::new(values.len()))
+        .bench_local(|| analyse(&design, &values.view()));
+}
+
+#[divan::bench(args = SIZES)]
+fn plain_loop(bencher: Bencher<'_, '_>, size: Size) {
+    let (design, values) = study(size);
+    bencher
+        .counter(ItemsCount::new(values.len()))
+        .bench_local(|| variances(&design, &values));
+}
+
+/// Sum of the variances of each section of each output, textbook form.
+fn variances(design: &Design, values: &Array2<f64>) -> f64 {
+    let mut sum = 0.0;
+    for output in 0..values.ncols() {
+        for line in design.lines() {
+            let (mut mean, mut square) = (0.0, 0.0);
+            for (&point, w) in line.ordinals().iter().zip(&line.rule().weights) {
+                let h = values[[point, output]];
+                mean += w * h;
+                square += w * h * h;
+            }
+            sum += square - mean * mean;
+        }
+    }
+    sum
+}
+
+/// Medians of both in milliseconds, taken in turns so that what disturbs one disturbs the other.
+fn in_turns(size: Size) -> (f64, f64) {
+    let (design, values) = study(size);
+    let (mut whole, mut plain) = (Vec::new(), Vec::new());
+    for _ in 0..21 {
+        whole.push(milliseconds(|| analyse(&design, &values.view())));
+        plain.push(milliseconds(|| variances(&design, &values)));
+    }
+    (median(whole), median(plain))
+}
+
+fn milliseconds<T>(work: impl Fn() -> T) -> f64 {
+    let begun = Instant::now();
+    black_box(work());
+    begun.elapsed().as_secs_f64() * 1e3
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+fn main() {
+    divan::main();
+    // As a benchmark only, not where a test run or a listing passes through.
+    if std::env::args().any(|argument| argument == "--bench") {
+        let (whole, plain) = in_turns(USUAL);
+        println!(
+            "{USUAL}: {whole:.1} ms, {:.0} times a plain loop's {plain:.2} ms",
+            whole / plain
+        );
+    }
+}
