@@ -1,5 +1,7 @@
 //! Why a tire can't be pressed further: the loss of stability under the ground, the depth of self-contact.
 
+use std::sync::atomic::Ordering;
+
 use fem::newton::Cause;
 use fem::path::{PathFailure, Stability};
 use fem::problem::{Loads, State};
@@ -52,6 +54,10 @@ pub(crate) fn self_contact(
             (apart, state) = (middle, trial);
         } else {
             touching = middle;
+        }
+        // A path that was stopped says nothing of contact.
+        if session.stop.load(Ordering::Relaxed) {
+            return SolveError::Stopped;
         }
     }
     let depths = |loads: &Loads| loads.ground.as_ref().map(|ground| ground.depths.clone());
