@@ -83,7 +83,7 @@ pub fn analyse(design: &Design, values: &ArrayView2<f64>) -> Vec<Analysis> {
         rows == points,
         "{rows} rows of values for the {points} points of the design"
     );
-    let pair_probability = design.pair_probability();
+    let pair_weight = design.pair_weight();
     // One output after the other, each contiguous.
     let by_output = values.t().as_standard_layout().into_owned();
     by_output
@@ -91,13 +91,13 @@ pub fn analyse(design: &Design, values: &ArrayView2<f64>) -> Vec<Analysis> {
         .into_iter()
         .map(|values| {
             let values = values.as_slice().expect("standard layout");
-            analyse_output(design, values, pair_probability)
+            analyse_output(design, values, pair_weight)
         })
         .collect()
 }
 
 /// One output on lines and check points.
-pub(crate) fn analyse_output(design: &Design, values: &[f64], pair_probability: f64) -> Analysis {
+pub(crate) fn analyse_output(design: &Design, values: &[f64], pair_weight: f64) -> Analysis {
     let sections = match Sections::new(design, values) {
         Ok(sections) => sections,
         Err(ordinal) => return unusable(ordinal),
@@ -109,7 +109,7 @@ pub(crate) fn analyse_output(design: &Design, values: &[f64], pair_probability: 
         let forms = Forms {
             mdrm: mdrm.ok(),
             evidence,
-            pair_probability,
+            pair_weight,
         };
         forms.with_indices(&sections, verdict)
     } else {
@@ -163,7 +163,7 @@ fn without_spread(sections: &Sections, evidence: Option<&Evidence<'_>>) -> Analy
 struct Forms<'a> {
     mdrm: Option<Mdrm>,
     evidence: Option<Evidence<'a>>,
-    pair_probability: f64,
+    pair_weight: f64,
 }
 
 impl Forms<'_> {
@@ -272,7 +272,7 @@ impl Forms<'_> {
             &values,
             &predictions,
             &effects,
-            self.pair_probability,
+            self.pair_weight,
             fitted,
         ))
     }

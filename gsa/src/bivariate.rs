@@ -195,7 +195,7 @@ pub(crate) fn answer(
     grids: &[PairGrid],
     values: &[f64],
 ) -> Analysis {
-    let analysis = analyse_output(design, values, frame.pair_probability);
+    let analysis = analyse_output(design, values, frame.pair_weight);
     let Ok(sections) = Sections::new(design, values) else {
         return analysis;
     };

@@ -36,6 +36,7 @@ use crate::climb::{self, Step};
 use crate::corrected::Frame;
 use crate::design::{Design, DesignError, MAX_CHECK_POINTS};
 use crate::distribution::Distribution;
+use crate::error::{ByInput, ErrorParts};
 use crate::method::{Kind, Method};
 use crate::pce::{self, Chaos};
 use crate::saltelli;
@@ -191,6 +192,7 @@ impl Campaign {
         Ok(slices
             .map(|row| each(row.as_slice().expect("standard layout")))
             .map(|analysis| self.without_verdict(analysis))
+            .map(|analysis| self.of_one_input(analysis))
             .collect())
     }
 
@@ -203,6 +205,28 @@ impl Campaign {
                 ..analysis
             },
             _ => analysis,
+        }
+    }
+}
+
+impl Campaign {
+    /// A single input has all of the variance, whatever a method's sums say.
+    fn of_one_input(&self, analysis: Analysis) -> Analysis {
+        if self.inputs.len() > 1 || analysis.first_order.is_none() {
+            return analysis;
+        }
+        let none = Some(vec![0.0]);
+        let parts = ByInput {
+            quadrature: analysis.error.quadrature.and(none.clone()),
+            decomposition: analysis.error.decomposition.and(none.clone()),
+            sampling: analysis.error.sampling.and(none),
+            missing: vec![0.0],
+        };
+        Analysis {
+            first_order: Some(vec![1.0]),
+            total: Some(vec![1.0]),
+            error: ErrorParts::new(parts, analysis.error.floor),
+            ..analysis
         }
     }
 }

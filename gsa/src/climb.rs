@@ -32,7 +32,7 @@ const LEAST_BATCH: usize = 4;
 
 /// The best answer for one output from lines and check points.
 pub(crate) fn analyse(design: &Design, frame: &Frame, values: &[f64], tolerance: f64) -> Analysis {
-    let analysis = analyse_output(design, values, frame.pair_probability);
+    let analysis = analyse_output(design, values, frame.pair_weight);
     let misses = |e: f64| e > GOOD_ENOUGH * tolerance;
     let improvable = match analysis.status {
         Status::Ok | Status::ProductFormBroken => analysis.error.decomposition.is_none_or(misses),

@@ -31,7 +31,7 @@ const NOISE_IN_EPS: f64 = 16.0;
 pub(crate) struct Frame {
     pub(crate) tables: Tables,
     dictionary: Dictionary,
-    pub(crate) pair_probability: f64,
+    pub(crate) pair_weight: f64,
     /// size of each input's rule in the check points' grid, if these fill it
     whole_grid: Option<Vec<usize>>,
     /// probability of the check points together, if they fill the grid
@@ -83,7 +83,7 @@ impl Frame {
             },
             whole_grid: filled.then(|| grid().map(|rule| rule.len()).collect()),
             dictionary: Dictionary::new(&tables, inputs),
-            pair_probability: design.pair_probability(),
+            pair_weight: design.pair_weight(),
             tables,
         }
     }
@@ -134,10 +134,7 @@ impl Frame {
                 .for_each(|e| *e = error::at_most_one(*e + error));
         }
         Some(Corrected {
-            missing: match self.whole_grid {
-                Some(_) => composite.missing(),
-                None => sections.missing.clone(),
-            },
+            missing: composite.missing(),
             found,
             decomposition,
             exhaustive: self.whole_grid.is_some(),
@@ -238,13 +235,7 @@ impl Frame {
             main: &main,
         };
         let values: Vec<f64> = checks.iter().map(|(_, h)| *h).collect();
-        error::decomposition(
-            &values,
-            &predictions,
-            &effects,
-            self.pair_probability,
-            fitted,
-        )
+        error::decomposition(&values, &predictions, &effects, self.pair_weight, fitted)
     }
 }
 

@@ -234,9 +234,10 @@ impl Design {
         self.coarse.iter().map(Option::as_ref)
     }
 
-    /// Probability that two inputs, drawn by weight from the check points' grid, both leave the cut.
-    pub(crate) fn pair_probability(&self) -> f64 {
-        Grid::new(&self.grid_rules(), &self.points[0]).pair_probability()
+    /// What a mean over the check points counts for in a mean over the law, if interactions are of pairs.
+    pub(crate) fn pair_weight(&self) -> f64 {
+        let checks = self.checks.iter().map(CheckPoint::nodes);
+        Grid::new(&self.grid_rules(), &self.points[0]).pair_weight(checks)
     }
 
     /// How many check points the grid has in all.

@@ -30,10 +30,10 @@
 //! The sum is an estimate, not a bound: few check points may all miss an interaction. Indicators that cost nothing
 //! (1 - sum S_i, the difference between two forms) were found to carry no information and are not used.
 
-/// T for many points; K of them have (1 + 2.5/K) times as much. Student's t has 2.0 and, for five points, 1.4 times as
+/// T for many points; K of them have (1 + 4/K) times as much. Student's t has 2.0 and, for five points, 1.4 times as
 /// much; the rest is for skew residuals. Set by the coverage over random models.
 const CHANCE: f64 = 2.2;
-const CHANCE_OF_FEW: f64 = 2.5;
+const CHANCE_OF_FEW: f64 = 4.0;
 /// R: all of r^2 in one main effect would be 1, as may be where the form was fitted and the main effects with it.
 const REMAINDER: f64 = 0.5;
 const REMAINDER_OF_FIT: f64 = 1.0;
@@ -141,13 +141,13 @@ pub(crate) fn decomposition(
     values: &[f64],
     predictions: &[f64],
     effects: &Effects<'_>,
-    pair_probability: f64,
+    pair_weight: f64,
     fitted: usize,
 ) -> Vec<f64> {
     let deviation = effects.variance.sqrt();
     let count = values.len();
     // The axes, where there is no residual, take their share of the means.
-    let share = pair_probability / (count.saturating_sub(fitted).max(1) as f64);
+    let share = pair_weight / (count.saturating_sub(fitted).max(1) as f64);
     let residuals: Vec<f64> = values
         .iter()
         .zip(predictions)
@@ -175,7 +175,7 @@ pub(crate) fn decomposition(
             sum += psi;
             squares += psi * psi;
         }
-        let chance = (squares * share / (count as f64) * pair_probability).sqrt();
+        let chance = (squares * share / (count as f64) * pair_weight).sqrt();
         at_most_one((share * sum).abs() + student * chance + remainder * square / variance)
     };
     (0..effects.first_order.len()).map(error).collect()

@@ -1,9 +1,10 @@
 //! Off-axis check points: where on the tensor grid of the Gauss nodes a form is tested against the model.
 //!
 //! A check point sits on the grid because there the reduced form costs nothing: its sections are already known. It
-//! leaves the cut in at least two coordinates, since on the cut lines every form agrees with the model, and in all of them
-//! while the grid has such points: a triple interaction that vanishes at the cut shows nowhere else, and of five normal
-//! inputs at five nodes only one point in forty, drawn by weight alone, would leave the cut in all.
+//! leaves the cut in at least two coordinates, since on the cut lines every form agrees with the model. Two of three points
+//! leave it in all: a triple interaction that vanishes at the cut shows nowhere else, and of five normal inputs at five nodes
+//! only one point in forty, drawn by weight alone, would. Every third point is drawn by weight alone: without coordinates at
+//! the cut, modes of an interaction that are even there can't be told apart.
 
 use std::collections::HashSet;
 
@@ -11,6 +12,8 @@ use rand::Rng;
 
 use crate::rule::GaussRule;
 
+/// Every so manieth point is drawn by weight alone.
+const BY_WEIGHT: usize = 3;
 /// Draws by weight before the grid is walked instead: rare points of a nearly used-up grid would take for ever.
 const DRAWS_BEFORE_WALK: usize = 256;
 
@@ -31,7 +34,7 @@ impl<'a> Grid<'a> {
     }
 
     /// Distinct off-axis combinations of node indices, none of them `seen`, at most `wanted` and as many as there are.
-    /// Each coordinate is drawn with its rule's weights, off the cut.
+    /// Coordinates are drawn with their rule's weights, those of two points in three off the cut.
     pub(crate) fn off_axis(
         &self,
         wanted: usize,
@@ -41,11 +44,12 @@ impl<'a> Grid<'a> {
         let count = wanted.min(self.off_axis_len() - seen.len());
         let mut points = Vec::with_capacity(count);
         while points.len() < count {
-            let mut point = self.draw(rng);
+            let by_weight = seen.len() % BY_WEIGHT == BY_WEIGHT - 1;
+            let mut point = self.draw(by_weight, rng);
             let mut draws = 1;
             while !self.is_off_axis(&point) || seen.contains(&point) {
                 if draws < DRAWS_BEFORE_WALK {
-                    point = self.draw(rng);
+                    point = self.draw(by_weight, rng);
                     draws += 1;
                 } else {
                     self.step(&mut point);
@@ -71,37 +75,40 @@ impl<'a> Grid<'a> {
         all - none_off - one_off
     }
 
-    /// Probability that two inputs drawn by weight are both off the cut, the mean over all pairs: what a mean over check
-    /// points, which are, counts for in a mean over the law if interactions are of pairs. Of more inputs at once it counts
-    /// too much.
-    pub(crate) fn pair_probability(&self) -> f64 {
+    /// What a mean over these points counts for in a mean over the law, if interactions are of pairs: how often two inputs
+    /// are both off the cut by weight, over how often they are at the points. Of more inputs at once it counts too much.
+    pub(crate) fn pair_weight<'p>(&self, points: impl Iterator<Item = &'p [usize]>) -> f64 {
         let off = self.rules.iter().zip(&self.centre);
-        let off: Vec<f64> = off
+        let by_weight: Vec<f64> = off
             .map(|(rule, centre)| 1.0 - centre.map_or(0.0, |j| rule.weights[j]))
             .collect();
-        let (sum, squares) = off.iter().fold((0.0, 0.0), |(s, q), p| (s + p, q + p * p));
-        let ordered = (off.len() * off.len().saturating_sub(1)) as f64;
-        if ordered > 0.0 {
-            (sum * sum - squares) / ordered
+        let (mut seen, mut count) = (0.0, 0.0);
+        for point in points {
+            let off = (self.coordinates_off(point)) as f64;
+            let pairs = (by_weight.len() * (by_weight.len() - 1)) as f64;
+            (seen, count) = (seen + off * (off - 1.0) / pairs, count + 1.0);
+        }
+        let expected = pairs_share(&by_weight);
+        if seen > 0.0 {
+            expected * count / seen
         } else {
-            0.0
+            expected
         }
     }
 
-    fn is_off_axis(&self, point: &[usize]) -> bool {
-        let off = |(j, centre): (&usize, &Option<usize>)| *centre != Some(*j);
-        point
-            .iter()
-            .zip(&self.centre)
-            .filter(|&pair| off(pair))
-            .count()
-            >= 2
+    fn coordinates_off(&self, point: &[usize]) -> usize {
+        let off = |(j, centre): &(&usize, &Option<usize>)| **centre != Some(**j);
+        point.iter().zip(&self.centre).filter(off).count()
     }
 
-    fn draw(&self, rng: &mut impl Rng) -> Vec<usize> {
+    fn is_off_axis(&self, point: &[usize]) -> bool {
+        self.coordinates_off(point) >= 2
+    }
+
+    fn draw(&self, by_weight: bool, rng: &mut impl Rng) -> Vec<usize> {
         let rules = self.rules.iter().zip(&self.centre);
         rules
-            .map(|(rule, centre)| draw_node(rule, *centre, unit(rng)))
+            .map(|(rule, centre)| draw_node(rule, centre.filter(|_| !by_weight), unit(rng)))
             .collect()
     }
 
@@ -113,6 +120,18 @@ impl<'a> Grid<'a> {
                 return;
             }
         }
+    }
+}
+
+/// Mean over all pairs of the probability that both happen.
+fn pairs_share(probabilities: &[f64]) -> f64 {
+    let sums = |(s, q): (f64, f64), p: &f64| (s + p, q + p * p);
+    let (sum, squares) = probabilities.iter().fold((0.0, 0.0), sums);
+    let ordered = (probabilities.len() * probabilities.len().saturating_sub(1)) as f64;
+    if ordered > 0.0 {
+        (sum * sum - squares) / ordered
+    } else {
+        0.0
     }
 }
 
@@ -183,12 +202,20 @@ mod tests {
         assert_eq!(points.len(), 36);
         assert_eq!(points.iter().collect::<HashSet<_>>().len(), 36);
         assert!(points.iter().all(|point| grid.is_off_axis(point)));
-        // nodes off the centre: 2 of 3, 4 of 5, 2 of 3; their points come first
+        // nodes off the centre: 2 of 3, 4 of 5, 2 of 3
         let all_off = |point: &Vec<usize>| point[0] != 1 && point[1] != 2 && point[2] != 1;
-        assert!(points[..8].iter().all(all_off));
+        for (k, point) in points[..12].iter().enumerate() {
+            assert!(k % 3 == 2 || all_off(point), "{k} {point:?}");
+        }
+        assert!(!points[..12].iter().all(all_off));
         // 1/3 and 7/15 of the normal law's weight: He_3 and He_5
         let pairs = (2.0 * (1.0 / 3.0) * (7.0 / 15.0) + 1.0 / 9.0) / 3.0;
-        assert!((grid.pair_probability() - pairs).abs() < 1e-14);
+        let weight = |points: &[[usize; 3]]| grid.pair_weight(points.iter().map(|p| &p[..]));
+        assert!((weight(&[[0, 0, 0], [2, 4, 2]]) - pairs).abs() < 1e-14);
+        // two of three coordinates off are one pair of three
+        assert!((weight(&[[1, 0, 0]]) - 3.0 * pairs).abs() < 1e-14);
+        assert!((weight(&[[1, 0, 0], [0, 0, 0]]) - 1.5 * pairs).abs() < 1e-14);
+        assert!((weight(&[]) - pairs).abs() < 1e-14);
     }
 
     #[test]

@@ -7,15 +7,15 @@
 //! B. Sudret, Reliability Engineering and System Safety 93 (2008) 964-979; the sparse choice by orthogonal least squares with
 //! leave-one-out residuals (`regression`), among multi-indices with (sum_i k_i^q)^(1/q) <= p, q = 3/4 (G. Blatman, B. Sudret,
 //! Journal of Computational Physics 230 (2011) 2345-2367). Points: scrambled Sobol points carried to the laws by their inverse
-//! distribution functions. The error is judged as that of the forms, on cross-validated residuals.
+//! distribution functions. The error is judged as that of the forms, on cross-validated residuals, and by how far residuals of
+//! that size scatter the coefficients, whichever is larger: laws with heavy tails put few points where high degrees are decided.
 //!
-//! Limits: kinks and steps converge slowly, and laws with heavy tails put few points where high degrees are decided. A
-//! failed run is left out.
+//! Limits: kinks and steps converge slowly. A failed run is left out.
 
 use crate::distribution::Distribution;
 use crate::error::{self, ByInput, Effects, ErrorParts};
 use crate::polynomials::Polynomials;
-use crate::regression::{self, Candidates};
+use crate::regression::{self, Candidates, Fit};
 use crate::rule::RuleError;
 use crate::scale::{exponent, times_power_of_two};
 use crate::sobol::Sobol;
@@ -30,6 +30,8 @@ const MOST_CANDIDATES: usize = 1500;
 const LEAST_POINTS: usize = 8;
 /// A degree more is preferred this much less.
 const PREFERENCE: f64 = 0.95;
+/// Standard deviations of the coefficients' scatter that count as its error.
+const SCATTER: f64 = 2.2;
 /// Rounding of the values beyond this share of their spread is all there is.
 const NO_SPREAD: f64 = 0.25;
 /// Misfit of rounding size is not to be explained.
@@ -132,7 +134,7 @@ impl Chaos {
         let noise = NOISE_IN_EPS * f64::EPSILON;
         let fit = regression::fit(&candidates, &values, &all, noise);
         let unseen = regression::cross_validate(&candidates, &values, noise);
-        self.indices_of(&fit.terms, &candidates, &values, &unseen)
+        self.indices_of(&fit, &candidates, &values, &unseen)
             .map(|mut found| {
                 found.mean = times_power_of_two(found.mean, power);
                 found.variance = times_power_of_two(found.variance, 2 * power);
@@ -144,7 +146,7 @@ impl Chaos {
 
     fn indices_of(
         &self,
-        terms: &[(usize, f64)],
+        fit: &Fit,
         candidates: &Candidates,
         values: &[f64],
         unseen: &[f64],
@@ -154,7 +156,7 @@ impl Chaos {
         let (mut main, mut total) = (vec![0.0; n], vec![0.0; n]);
         let mut pairs = vec![0.0; n * (n - 1) / 2];
         let mut effects = vec![vec![0.0; values.len()]; n];
-        for (candidate, c) in terms {
+        for (candidate, c) in &fit.terms {
             let index = &self.indices[*candidate];
             match index[..] {
                 [] => mean = *c,
@@ -189,14 +191,11 @@ impl Chaos {
             variance,
             main: &|input, k| effects[input][k] / deviation,
         };
+        let by_points = error::decomposition(values, &predictions, &effects, 1.0, fit.terms.len());
+        let by_fit = self.scatter(fit, variance, &first_order, unseen);
+        let larger = by_points.iter().zip(by_fit).map(|(a, b)| a.max(b));
         let errors = ByInput {
-            decomposition: Some(error::decomposition(
-                values,
-                &predictions,
-                &effects,
-                1.0,
-                terms.len(),
-            )),
+            decomposition: Some(larger.collect()),
             ..ByInput::default()
         };
         Some(Expanded {
@@ -208,6 +207,27 @@ impl Chaos {
             lost: Vec::new(),
             first_order,
         })
+    }
+}
+
+impl Chaos {
+    /// Error of each first-order index by what the coefficients scatter if each value does by as much as the fit misses of it
+    /// unseen. Where points are few beyond some distance, as under heavy tails, terms of high degree are hardly held.
+    fn scatter(&self, fit: &Fit, variance: f64, first_order: &[f64], unseen: &[f64]) -> Vec<f64> {
+        let missed = unseen.iter().map(|r| r * r).sum::<f64>() / unseen.len() as f64;
+        let error = |input: usize| {
+            let slope = |(candidate, c): &(usize, f64)| {
+                let own = match self.indices[*candidate][..] {
+                    [] => return 0.0,
+                    [(i, _)] if i == input => 1.0,
+                    _ => 0.0,
+                };
+                2.0 * c * (own - first_order[input]) / variance
+            };
+            let gradient: Vec<f64> = fit.terms.iter().map(slope).collect();
+            error::at_most_one(SCATTER * missed.sqrt() * fit.deviation(&gradient))
+        };
+        (0..self.inputs).map(error).collect()
     }
 }
 

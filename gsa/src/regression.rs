@@ -31,6 +31,21 @@ pub(crate) struct Candidates {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Fit {
     pub(crate) terms: Vec<(usize, f64)>,
+    /// The terms' columns are Q R with orthonormal Q: the columns of R, each down to its diagonal.
+    triangles: Vec<Vec<f64>>,
+}
+
+impl Fit {
+    /// Standard deviation of a number with this gradient to the coefficients, for values that scatter by one each:
+    /// sqrt(g^T (R^T R)^-1 g).
+    pub(crate) fn deviation(&self, gradient: &[f64]) -> f64 {
+        let mut y: Vec<f64> = Vec::with_capacity(gradient.len());
+        for (g, column) in gradient.iter().zip(&self.triangles) {
+            let (above, diagonal) = column.split_at(y.len());
+            y.push((g - dot(above, &y)) / diagonal[0]);
+        }
+        dot(&y, &y).sqrt()
+    }
 }
 
 /// One step of the search: the column taken, its unit vector, and its coefficients on those before.
@@ -74,6 +89,7 @@ pub(crate) fn fit(candidates: &Candidates, values: &[f64], rows: &[usize], noise
     steps.truncate(best);
     Fit {
         terms: solve(&steps),
+        triangles: steps.into_iter().map(|step| step.triangle).collect(),
     }
 }
 

@@ -299,7 +299,7 @@ mod tests {
     fn a_lost_node_is_taken_from_the_others() {
         let inputs = [Distribution::uniform(-1.0, 1.0).unwrap(); 2];
         let design = Design::new(&inputs, 5, 0, &mut ChaCha8Rng::seed_from_u64(1)).unwrap();
-        let run = |x: &[f64]| 2.0 + x[0].powi(3) - x[1];
+        let run = |x: &[f64]| 2.0 + x[0] + 0.1 * x[0].powi(2) + 0.01 * x[0].powi(3) - x[1];
         let mut values: Vec<f64> = design.points().iter().map(|x| run(x)).collect();
         let whole = Sections::new(&design, &values).unwrap();
         let ordinals = design.lines()[0].ordinals();

@@ -1,35 +1,48 @@
 //! What a rule misses of a section's variance, judged by how fast the section's coefficients fall.
 //!
-//! A rule of N nodes resolves the modes k = 1 .. N-1, with amplitudes |c_k|, and is wrong about the variance where the
-//! squared section has modes of degree 2N and more. Let s be the amplitude of the last two modes over the standard
-//! deviation, around k_2 = N - 3/2, and r the ratio of theirs to that of the two before, around k_1 = N - 7/2 (the larger of
-//! the last two such ratios, if there are two). Modes go in pairs because a section even or odd about its mean leaves every
-//! second one empty. The amplitudes of a kink fall like k^-2, whose ratio is r_0 = (k_1/k_2)^2, and the error is of the order
-//! of s itself; those of an analytic section fall geometrically, and the error is s r^p with p = (N + 3/2)/2, above 3. So
+//! A rule of N nodes resolves the modes k = 1 .. N-1, with coefficients c_k, and is wrong about the variance where the squared
+//! section has modes of degree 2N and more: by products c_j c_k with j + k >= 2N. Modes beyond N - 1 are guessed. Even and odd
+//! ones are looked at apart, because a section even or odd about its mean leaves every second one empty. With s the last mode
+//! of a parity over the standard deviation, of degree k, and r its ratio to the one before (or of that to its predecessor, if
+//! larger), there are two suspicions, and the larger claim counts:
+//!
+//! - the section is analytic: its modes go on falling by r, and the missing share is the sum of c_j c_{2N-j} over j, and c_N^2;
+//! - it has a kink or a step. Then modes fall like k^-2, which is a ratio of r_0 = ((k-2)/k)^2, and the error is of the order of s
+//!   itself. A ratio much below r_0 makes that unlikely:
 //!
 //! ```text
-//! missing share = C s min(1, (r/r_0)^4)
+//! missing share = C (sum over both parities of s min(1, (r/r_0)^8))
 //! ```
 //!
 //! Five nodes can't tell a kink from a sine of half a period and more; then this errs on the kink's side.
 
-/// C: at steps and kinks in random places the error of 5 to 17 nodes was at most 1.5 s for nine in ten.
-const SAFETY: f64 = 1.5;
-/// Steep, since kinks with r much below r_0 are rare and analytic sections with r near r_0 are too.
-const POWER: i32 = 4;
+/// C: at steps and kinks in random places the error of 5 to 17 nodes was at most 2 s for nine in ten.
+const OF_KINKS: f64 = 2.0;
+/// Sums of products of modes that go on falling were at least a third of the true error for nine in ten of a mix of analytic
+/// and rough sections.
+const OF_ANALYTIC: f64 = 3.0;
+/// Of two ratios the larger counts. Where there is one only, analytic sections are taken for kinks less often if it must
+/// be larger.
+const LEAST_OF_ONE: f64 = 1.25;
+/// Steep: kinks with r much below r_0 are rare.
+const POWER: i32 = 8;
+/// Two or three modes leave one ratio, which says little.
+const POWER_OF_FEW: i32 = 4;
 /// A rule that has lost nodes is no Gauss rule: wrong from degree N - 1 on, which is one ratio beyond what it resolves.
 const POWER_OF_LOST: i32 = 1;
+/// Modes from which each parity has a ratio.
+const ENOUGH: usize = 4;
 
 /// How the modes of a section end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Tail {
-    /// s
+    /// the last two modes (of two or three the last) over the standard deviation
     pub(crate) amplitude: f64,
     /// missing share of the variance
     pub(crate) missing: f64,
 }
 
-/// From the squared amplitudes of the modes k = 1, 2, .., `whole` if no node was lost; `None` for fewer than two modes, which
+/// From the squared coefficients of the modes k = 1, 2, .., `whole` if no node was lost; `None` for fewer than two modes, which
 /// cannot tell.
 pub(crate) fn tail(energies: &[f64], whole: bool) -> Option<Tail> {
     let modes = energies.len();
@@ -43,26 +56,63 @@ pub(crate) fn tail(energies: &[f64], whole: bool) -> Option<Tail> {
             missing: 0.0,
         });
     }
-    let pair = if modes < 4 { 1 } else { 2 };
-    let energy = |skipped: usize| -> f64 {
-        let from_the_end = energies.iter().rev().skip(skipped * pair);
-        from_the_end.take(pair).sum()
+    let c: Vec<f64> = energies.iter().map(|e| (e / all).sqrt()).collect();
+    let missing = if modes < ENOUGH {
+        of_few(&c, if whole { POWER_OF_FEW } else { POWER_OF_LOST })
+    } else {
+        of_both_parities(c.clone(), if whole { POWER } else { POWER_OF_LOST })
     };
-    let mut ratio = (energy(0) / energy(1)).sqrt();
-    if modes >= 3 * pair {
-        ratio = ratio.max((energy(1) / energy(2)).sqrt());
-    }
-    let middle = 0.5 * (pair - 1) as f64;
-    let (k_1, k_2) = ((modes - pair) as f64 - middle, modes as f64 - middle);
-    let power = if whole { POWER } else { POWER_OF_LOST };
-    let decay = (ratio / (k_1 / k_2).powi(2)).powi(power);
-    // Not `min`: with nothing before them the ratio is infinite or not a number.
-    let decay = if decay < 1.0 { decay } else { 1.0 };
-    let amplitude = (energy(0) / all).sqrt();
+    let last = c[if modes < ENOUGH { modes - 1 } else { modes - 2 }..].iter();
     Some(Tail {
-        amplitude,
-        missing: (SAFETY * amplitude * decay).min(1.0),
+        amplitude: last.map(|c| c * c).sum::<f64>().sqrt(),
+        missing: missing.min(1.0),
     })
+}
+
+/// The kink's claim for an amplitude of degree k, `ratio` times the one before by `step` degrees.
+fn of_kink(s: f64, ratio: f64, (k, step): (usize, usize), power: i32) -> f64 {
+    let least = if step == 2 && k <= 4 {
+        LEAST_OF_ONE
+    } else {
+        1.0
+    };
+    let r_0 = least * ((k - step) as f64 / k as f64).powi(2);
+    let decay = (ratio / r_0).powi(power);
+    // Not `min`: with nothing before them the ratio is infinite or not a number.
+    OF_KINKS * s * if decay < 1.0 { decay } else { 1.0 }
+}
+
+fn of_few(c: &[f64], power: i32) -> f64 {
+    let k = c.len();
+    let mut ratio = c[k - 1] / c[k - 2];
+    if k == 3 {
+        ratio = ratio.max(c[1] / c[0]);
+    }
+    of_kink(c[k - 1], ratio, (k, 1), power)
+}
+
+fn of_both_parities(mut c: Vec<f64>, power: i32) -> f64 {
+    let modes = c.len();
+    let nodes = modes + 1;
+    let mut kinks = 0.0;
+    c.resize(2 * nodes, 0.0);
+    for k in [modes - 1, modes] {
+        let (s, before) = (c[k - 1], c[k - 3]);
+        let mut ratio = s / before;
+        if k > 4 {
+            ratio = ratio.max(before / c[k - 5]);
+        }
+        if s > 0.0 {
+            kinks += of_kink(s, ratio, (k, 2), power);
+        }
+        let falls = if ratio < 1.0 { ratio } else { 1.0 };
+        for beyond in (k + 2..2 * nodes).step_by(2) {
+            c[beyond - 1] = c[beyond - 3] * falls;
+        }
+    }
+    let pairs = (1..nodes).map(|j| 2.0 * c[j - 1] * c[2 * nodes - j - 1]);
+    let analytic = pairs.sum::<f64>() + c[nodes - 1] * c[nodes - 1];
+    kinks.max(OF_ANALYTIC * analytic)
 }
 
 #[cfg(test)]

@@ -119,17 +119,17 @@ fn claimed_errors_of_the_forms_cover_the_true_ones() {
     }
 }
 
-/// Shares and medians seen, rounded to the safe side. Polynomial chaos falls short of 95 %: its points don't see the tails
-/// of heavy laws. The grids claim more than ten times too much: five nodes can't tell a smooth section from a kink.
+/// Medians seen, rounded to the safe side. The grids claim more than ten times too much: five nodes can't tell a smooth
+/// section from a kink.
 #[test]
 fn claimed_errors_of_the_other_methods() {
     let seeds = 20..28;
     let rows = [
-        (Kind::Bivariate, 95.0, 20.0),
-        (Kind::Tensor, 95.0, 20.0),
-        (Kind::Pce, 92.0, 15.0),
+        (Kind::Bivariate, 95.0, 25.0),
+        (Kind::Tensor, 95.0, 25.0),
+        (Kind::Pce, 95.0, 15.0),
         (Kind::Saltelli, 95.0, 5.0),
-        (Kind::Auto, 95.0, 10.0),
+        (Kind::Auto, 95.0, 15.0),
     ];
     for (kind, least, most) in rows {
         let (share, median) = coverage(kind.as_str(), seeds.clone(), |known, seed| {

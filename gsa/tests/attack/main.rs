@@ -134,27 +134,21 @@ fn method(kind: Kind, nodes: usize) -> Method {
     }
 }
 
-/// Shares and medians seen, rounded to the safe side: they are there so that the claims don't get worse. The aim is 95 %.
-///
-/// - "rare corner": an effect in 1/600 of the volume meets no point, and everything else is reproduced to rounding. No
-///   sample of this size can tell.
-/// - "wells", `auto`: check points never have a coordinate at the cut, so that they can't tell the even modes of an
-///   interaction apart, and a fit that is exact at all of them is wrong there.
-/// - "switch", grids and `auto`: a step exactly at a node of a line that is flat. The grid is met exactly, its values mislead,
-///   and the error of quadrature is taken from the line.
-/// - Heavy tails and polynomial chaos: its points don't see the tails.
+/// Shares and medians seen, rounded to the safe side: they are there so that the claims don't get worse. The aim is 95 %,
+/// of which 3 % are lost to one family, "rare corner": an effect in 1/600 of the volume meets no point, and everything else
+/// is reproduced to rounding. No sample of this size can tell.
 #[test]
 fn claimed_errors_hold_on_models_they_were_not_set_on() {
     let rows = [
-        (Kind::Mdrm, 3, 93.0, 10.0),
+        (Kind::Mdrm, 3, 94.0, 10.0),
         (Kind::Mdrm, 5, 92.0, 10.0),
-        (Kind::Mdrm, 7, 90.0, 10.0),
-        (Kind::Mdrm, 9, 90.0, 10.0),
-        (Kind::Bivariate, 5, 91.0, 15.0),
-        (Kind::Tensor, 5, 90.0, 10.0),
-        (Kind::Pce, 5, 90.0, 20.0),
+        (Kind::Mdrm, 7, 93.0, 10.0),
+        (Kind::Mdrm, 9, 93.0, 10.0),
+        (Kind::Bivariate, 5, 95.0, 10.0),
+        (Kind::Tensor, 5, 95.0, 10.0),
+        (Kind::Pce, 5, 95.0, 15.0),
         (Kind::Saltelli, 5, 95.0, 10.0),
-        (Kind::Auto, 5, 88.0, 20.0),
+        (Kind::Auto, 5, 95.0, 20.0),
     ];
     for (kind, nodes, least_coverage, largest_ratio) in rows {
         let title = format!("{}, {nodes} nodes", kind.as_str());
