@@ -195,6 +195,7 @@ impl Forms<'_> {
             decomposition: self.decomposition(sections, verdict.form, &first_order, moments),
             sampling: None,
             missing: error::missing(sections.missing.as_deref(), &total),
+            missing_of_interactions: Vec::new(),
         };
         let second_order = (sections.inputs() <= MOST_FOR_PAIRS).then(|| match chosen {
             Some(product) => product.second_order(&first_order),

@@ -14,10 +14,9 @@ use std::collections::HashMap;
 
 use crate::analysis::{Analysis, analyse_output};
 use crate::climb;
-use crate::composite::{Composite, Decomposed};
+use crate::composite::{Composite, Decomposed, Missing};
 use crate::corrected::Frame;
 use crate::design::{Design, Line};
-use crate::error::{self, ByInput};
 use crate::evidence::{Checks, Evidence};
 use crate::mdrm::{Mdrm, departure};
 use crate::scale::times_power_of_two;
@@ -71,7 +70,7 @@ pub(crate) fn add_pairs(design: &mut Design) -> Vec<PairGrid> {
 pub(crate) struct Bivariate {
     pub(crate) found: Decomposed,
     pub(crate) decomposition: Option<Vec<f64>>,
-    missing: Option<Vec<f64>>,
+    missing: Option<Missing>,
     pub(crate) lost: Vec<usize>,
 }
 
@@ -106,8 +105,13 @@ pub(crate) fn analyse(
         _ if checks.is_empty() => None,
         _ => Some(frame.errors(&composite, &found, checks, (&unseen, 0))),
     };
+    let sizes: Vec<usize> = design
+        .lines()
+        .iter()
+        .map(|line| line.rule().len())
+        .collect();
     Some(Bivariate {
-        missing: composite.missing(),
+        missing: composite.missing(&sizes),
         found,
         decomposition,
         lost,
@@ -212,16 +216,9 @@ pub(crate) fn answer(
     let Some(found) = found.filter(|f| f.found.variance.sqrt() > sections.noise()) else {
         return analysis;
     };
-    let errors = ByInput {
-        quadrature: error::quadrature(
-            found.missing.as_deref(),
-            &found.found.first_order,
-            &found.found.total,
-        ),
-        decomposition: found.decomposition,
-        missing: error::missing(found.missing.as_deref(), &found.found.total),
-        sampling: None,
-    };
+    let errors = found
+        .found
+        .errors(found.missing.as_ref(), found.decomposition);
     let mut answer = analysis.with(&sections, found.found, Form::Bivariate, errors);
     if !found.lost.is_empty() {
         let names: Vec<String> = found.lost.iter().map(usize::to_string).collect();

@@ -220,7 +220,7 @@ impl Campaign {
             quadrature: analysis.error.quadrature.and(none.clone()),
             decomposition: analysis.error.decomposition.and(none.clone()),
             sampling: analysis.error.sampling.and(none),
-            missing: vec![0.0],
+            ..ByInput::default()
         };
         Analysis {
             first_order: Some(vec![1.0]),

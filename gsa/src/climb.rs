@@ -15,7 +15,6 @@
 use crate::analysis::{Analysis, Status, analyse_output};
 use crate::corrected::{Corrected, Frame};
 use crate::design::Design;
-use crate::error::{self, ByInput};
 use crate::evidence::Evidence;
 use crate::mdrm::Mdrm;
 use crate::method::Method;
@@ -27,8 +26,14 @@ use crate::verdict::Form;
 const MOST_NODES: usize = 33;
 /// A form that misses this share of the tolerance needs no correction.
 const GOOD_ENOUGH: f64 = 0.25;
+/// A product that misses so many times what the sum does would have to be cancelled by its corrections, beside whose
+/// size the output is nothing.
+const FAR_OFF: f64 = 3.0;
 /// Fewest check points asked for at once.
 const LEAST_BATCH: usize = 4;
+/// How many check points more, as a share of those there are: to mend a form, and to confirm one.
+const MORE: f64 = 0.5;
+const CONFIRMING: f64 = 0.34;
 
 /// The best answer for one output from lines and check points.
 pub(crate) fn analyse(design: &Design, frame: &Frame, values: &[f64], tolerance: f64) -> Analysis {
@@ -85,7 +90,7 @@ fn best_correction(
 /// The values of t worth a correction.
 pub(crate) fn bases(sections: &Sections, evidence: &Evidence<'_>, product: bool) -> Vec<f64> {
     let mut forms = vec![0.0];
-    if product && evidence.product.is_finite() {
+    if product && evidence.product <= FAR_OFF * evidence.additive {
         forms.push(1.0 / sections.centre);
     }
     if evidence.shifted.is_some() {
@@ -104,16 +109,8 @@ fn with_correction(analysis: Analysis, sections: &Sections, corrected: Corrected
         Form::Tensor => "the check points fill the grid, which gave the indices",
         _ => "what that form misses at the check points is added as a sparse expansion",
     };
-    let errors = ByInput {
-        quadrature: error::quadrature(
-            corrected.missing.as_deref(),
-            &corrected.found.first_order,
-            &corrected.found.total,
-        ),
-        missing: error::missing(corrected.missing.as_deref(), &corrected.found.total),
-        decomposition: Some(corrected.decomposition),
-        sampling: None,
-    };
+    let (missing, decomposition) = (corrected.missing.as_ref(), Some(corrected.decomposition));
+    let errors = corrected.found.errors(missing, decomposition);
     let mut analysis = analysis.with(sections, corrected.found, form, errors);
     analysis.note(text);
     analysis
@@ -151,12 +148,7 @@ pub(crate) fn next_step(
         let by_chance = analyses.iter().any(|a| a.method == Form::Corrected);
         let again = by_chance && !*confirmed;
         *confirmed = true;
-        let left = design.off_axis_len() - design.checks().len();
-        let count = (design.checks().len() / 3)
-            .max(LEAST_BATCH)
-            .min(budget)
-            .min(left);
-        return (again && count > 0).then_some(Step::Check(count));
+        return again.then(|| check(design, CONFIRMING, budget)).flatten();
     }
     *confirmed = false;
     let rough: Vec<&&Analysis> = failing
@@ -168,37 +160,54 @@ pub(crate) fn next_step(
     {
         return Some(step);
     }
-    let left = design.off_axis_len() - design.checks().len();
-    let batch = (design.checks().len() / 2).max(LEAST_BATCH);
+    check(design, MORE, budget)
+        .or_else(|| refine(design, &failing.iter().collect::<Vec<_>>(), budget))
+}
+
+/// A share more check points, or all that the grid has left if they are hardly more.
+fn check(design: &Design, share: f64, budget: usize) -> Option<Step> {
+    let left = design.off_axis_left();
+    let batch = ((design.checks().len() as f64 * share) as usize).max(LEAST_BATCH);
     let batch = if left <= batch + batch / 2 {
         left
     } else {
         batch
     };
     match batch.min(budget) {
-        0 => refine(design, &failing.iter().collect::<Vec<_>>(), budget),
+        0 => None,
         batch => Some(Step::Check(batch)),
     }
 }
 
-/// Finer rules for the inputs that contribute at least half as much to the quadrature error as the worst does.
+/// Finer rules for the inputs that contribute at least half as much to the quadrature error as the worst does. Where that
+/// is what interactions lack and the line is finer already than the check points know, these come first.
 fn refine(design: &Design, rough: &[&&Analysis], budget: usize) -> Option<Step> {
     let finer = |input: usize| 2 * design.lines()[input].rule().len() - 1;
-    let mut contribution = vec![0.0f64; design.inputs().len()];
-    for analysis in rough {
-        for (sum, part) in contribution.iter_mut().zip(&analysis.error.missing) {
-            *sum = sum.max(*part);
+    let largest = |parts: fn(&Analysis) -> &[f64]| {
+        let mut sums = vec![0.0f64; design.inputs().len()];
+        for analysis in rough {
+            for (sum, part) in sums.iter_mut().zip(parts(analysis)) {
+                *sum = sum.max(*part);
+            }
         }
-    }
+        sums
+    };
+    let contribution = largest(|a| &a.error.missing);
+    let of_interactions = largest(|a| &a.error.missing_of_interactions);
     let allowed = |input: &usize| finer(*input) <= MOST_NODES;
     let worst = (0..contribution.len())
         .filter(allowed)
         .fold(0.0, |max, i| contribution[i].max(max));
-    let chosen: Vec<(usize, usize)> = (0..contribution.len())
+    let chosen = (0..contribution.len())
         .filter(allowed)
-        .filter(|&input| contribution[input] > 0.0 && contribution[input] >= 0.5 * worst)
-        .map(|input| (input, finer(input)))
-        .collect();
+        .filter(|&input| contribution[input] > 0.0 && contribution[input] >= 0.5 * worst);
+    let (unchecked, chosen): (Vec<usize>, Vec<usize>) = chosen.partition(|&input| {
+        design.is_unchecked(input) && of_interactions[input] > 0.5 * contribution[input]
+    });
+    if chosen.is_empty() && !unchecked.is_empty() {
+        return check(design, MORE, budget);
+    }
+    let chosen: Vec<(usize, usize)> = chosen.into_iter().map(|i| (i, finer(i))).collect();
     let cost: usize = chosen.iter().map(|(_, nodes)| nodes).sum();
     (!chosen.is_empty() && cost <= budget).then_some(Step::Refine(chosen))
 }

@@ -23,12 +23,16 @@
 
 use std::collections::BTreeMap;
 
+use crate::error::{self, ByInput};
 use crate::mdrm::departure;
 use crate::section::Sections;
 use crate::spectrum::tail;
 
 /// Most inputs whose pairs are listed.
 pub const MOST_FOR_PAIRS: usize = 50;
+
+/// Fewer coordinates can't tell how modes end.
+const LEAST: usize = 3;
 
 /// Inputs and degrees, ascending by input.
 pub(crate) type MultiIndex = Vec<(usize, usize)>;
@@ -44,6 +48,14 @@ pub(crate) struct Composite<'a> {
     corrections: BTreeMap<MultiIndex, f64>,
 }
 
+/// What the rules miss of each input's variance, as a share of it.
+#[derive(Debug, Clone)]
+pub(crate) struct Missing {
+    pub(crate) all: Vec<f64>,
+    /// of these, what its interactions lack
+    pub(crate) of_interactions: Vec<f64>,
+}
+
 /// Indices and moments, in the units of the sections.
 #[derive(Debug, Clone)]
 pub(crate) struct Decomposed {
@@ -52,6 +64,25 @@ pub(crate) struct Decomposed {
     pub(crate) first_order: Vec<f64>,
     pub(crate) total: Vec<f64>,
     pub(crate) second_order: Option<Vec<f64>>,
+}
+
+impl Decomposed {
+    /// Errors of the first-order indices from what the rules miss, beside those of the form.
+    pub(crate) fn errors(
+        &self,
+        missing: Option<&Missing>,
+        decomposition: Option<Vec<f64>>,
+    ) -> ByInput {
+        let all = missing.map(|missing| &missing.all[..]);
+        let of_interactions = missing.map(|missing| &missing.of_interactions[..]);
+        ByInput {
+            quadrature: error::quadrature(all, &self.first_order, &self.total),
+            decomposition,
+            sampling: None,
+            missing: error::missing(all, &self.total),
+            missing_of_interactions: error::missing(of_interactions, &self.total),
+        }
+    }
 }
 
 impl<'a> Composite<'a> {
@@ -91,8 +122,9 @@ impl<'a> Composite<'a> {
     }
 
     /// What the rules miss of each input's variance, as a share of it: of its section's, as judged on its line, and of the
-    /// interactions among the corrections, as judged by their own modes on the grid they were taken from.
-    pub(crate) fn missing(&self) -> Option<Vec<f64>> {
+    /// interactions among the corrections, as judged by their own modes, of which `coordinates` of their points, by input,
+    /// tell one less apart.
+    pub(crate) fn missing(&self, coordinates: &[usize]) -> Option<Missing> {
         let of_lines = self.sections.missing.as_ref()?;
         let mut energies: Vec<Vec<f64>> = self.modes.iter().map(|m| vec![0.0; m.len()]).collect();
         let interactions = self.corrections.iter().filter(|(index, _)| index.len() > 1);
@@ -102,20 +134,25 @@ impl<'a> Composite<'a> {
             }
         }
         let share = |(input, energies): (usize, &Vec<f64>)| {
-            // A refined line resolves more than the grid of the interactions did.
+            // A refined line resolves more than the interactions' points do.
             let resolved = energies.iter().rposition(|e| *e > 0.0).map_or(0, |k| k + 1);
-            let resolved = resolved.max(energies.len().min(self.sections.grid_len(input) - 1));
+            let resolved = resolved.max(energies.len().min(coordinates[input].max(LEAST) - 1));
             let of_grid = tail(&energies[..resolved], true)?.missing;
             let main: f64 = self.main_effect(input).iter().map(|c| c * c).sum();
             let rest: f64 = energies.iter().sum();
             let all = main + rest;
             Some(if all > 0.0 {
-                (main * of_lines[input] + rest * of_grid) / all
+                (main * of_lines[input] / all, rest * of_grid / all)
             } else {
-                0.0
+                (0.0, 0.0)
             })
         };
-        energies.iter().enumerate().map(share).collect()
+        let shares = energies.iter().enumerate().map(share);
+        let shares: Vec<(f64, f64)> = shares.collect::<Option<_>>()?;
+        Some(Missing {
+            all: shares.iter().map(|(main, rest)| main + rest).collect(),
+            of_interactions: shares.iter().map(|(_, rest)| *rest).collect(),
+        })
     }
 
     /// `None` if the form overflows or nothing varies.

@@ -9,8 +9,10 @@
 //! regression (G. Blatman, B. Sudret, "Adaptive sparse polynomial chaos expansion based on least angle regression", Journal of
 //! Computational Physics 230 (2011) 2345-2367) in place of grids.
 
-use crate::composite::{Composite, Decomposed};
-use crate::design::{CheckPoint, Design};
+use std::collections::HashMap;
+
+use crate::composite::{Composite, Decomposed, Missing};
+use crate::design::{Design, Line};
 use crate::dictionary::Dictionary;
 use crate::error::{self, Effects};
 use crate::evidence::Checks;
@@ -32,20 +34,94 @@ pub(crate) struct Frame {
     pub(crate) tables: Tables,
     dictionary: Dictionary,
     pub(crate) pair_weight: f64,
-    /// size of each input's rule in the check points' grid, if these fill it
-    whole_grid: Option<Vec<usize>>,
-    /// probability of the check points together, if they fill the grid
-    checked_weight: f64,
-    /// by input, rows over the grid's nodes: w_j, then w_j p_k(x_j)
+    /// the grid of the lines, if check points fill it
+    whole_grid: Option<WholeGrid>,
+    /// by input, how many coordinates the check points have
+    coordinates: Vec<usize>,
+}
+
+/// A grid that check points fill.
+#[derive(Debug, Clone)]
+struct WholeGrid {
+    sizes: Vec<usize>,
+    /// for the check points by ordinal, which nodes of the rules they are
+    nodes: HashMap<usize, Vec<usize>>,
+    /// by input, rows over the rule's nodes: w_j, then w_j p_k(x_j)
     projection: Vec<Vec<Vec<f64>>>,
+}
+
+impl WholeGrid {
+    fn new(design: &Design, tables: &Tables) -> Option<Self> {
+        if design.off_axis_left() > 0 {
+            return None;
+        }
+        let nodes = design
+            .checks()
+            .iter()
+            .filter_map(|check| Some((check.ordinal(), design.on_grid(check)?)));
+        let rows = |(input, line): (usize, &Line)| {
+            let row = |k: usize| tables.projection(line, input, k).to_vec();
+            (0..line.rule().len()).map(row).collect()
+        };
+        let lines = design.lines();
+        Some(Self {
+            nodes: nodes.collect(),
+            sizes: lines.iter().map(|line| line.rule().len()).collect(),
+            projection: lines.iter().enumerate().map(rows).collect(),
+        })
+    }
+
+    fn weight(&self, nodes: &[usize]) -> f64 {
+        let inputs = nodes.iter().enumerate();
+        inputs.map(|(i, &j)| self.projection[i][0][j]).product()
+    }
+
+    /// Probability of the nodes that should have a value and have none.
+    fn weight_missing(&self, checks: &Checks<'_>) -> f64 {
+        let known = checks
+            .iter()
+            .filter_map(|(check, _)| self.nodes.get(&check.ordinal()));
+        let known: f64 = known.map(|nodes| self.weight(nodes)).sum();
+        let all: f64 = self.nodes.values().map(|nodes| self.weight(nodes)).sum();
+        let missing = all - known;
+        // Sums of many weights round.
+        if missing > 1e-12 { missing } else { 0.0 }
+    }
+
+    /// Adds the residuals' coefficients, one input after the other.
+    fn add_to(&self, composite: &mut Composite<'_>, checks: &Checks<'_>, residuals: &[f64]) {
+        let mut table = vec![0.0; self.sizes.iter().product()];
+        for ((check, _), r) in checks.iter().zip(residuals) {
+            if let Some(nodes) = self.nodes.get(&check.ordinal()) {
+                let nodes = nodes.iter().zip(&self.sizes);
+                table[nodes.fold(0, |at, (j, size)| at * size + j)] = *r;
+            }
+        }
+        let mut after = 1;
+        for (input, &size) in self.sizes.iter().enumerate().rev() {
+            table = transform(&table, &self.projection[input], size, after);
+            after *= size;
+        }
+        for (at, c) in table.into_iter().enumerate().filter(|(_, c)| *c != 0.0) {
+            let mut rest = at;
+            let mut index = Vec::new();
+            for (input, size) in self.sizes.iter().enumerate().rev() {
+                if rest % size > 0 {
+                    index.push((input, rest % size));
+                }
+                rest /= size;
+            }
+            index.reverse();
+            composite.add(index, c);
+        }
+    }
 }
 
 /// Indices of a corrected form, and the error of each first-order index beside quadrature.
 pub(crate) struct Corrected {
     pub(crate) found: Decomposed,
     pub(crate) decomposition: Vec<f64>,
-    /// what the rules miss of each input's variance, as a share of it
-    pub(crate) missing: Option<Vec<f64>>,
+    pub(crate) missing: Option<Missing>,
     /// whether the whole grid is behind it
     pub(crate) exhaustive: bool,
 }
@@ -53,36 +129,14 @@ pub(crate) struct Corrected {
 impl Frame {
     pub(crate) fn new(design: &Design) -> Self {
         let tables = Tables::new(design);
-        let inputs = design.inputs().len();
-        let grid = || (0..inputs).map(|i| design.grid_line(i).rule());
-        let filled = design.checks().len() == design.off_axis_len();
-        let rows = |(input, rule): (usize, &crate::rule::GaussRule)| {
-            let row = |k: usize| {
-                let nodes = rule.weights.iter().enumerate();
-                let p = |j: usize| {
-                    if k == 0 {
-                        1.0
-                    } else {
-                        tables.at_grid(input, j)[k - 1]
-                    }
-                };
-                nodes.map(|(j, w)| w * p(j)).collect()
-            };
-            (0..rule.len()).map(row).collect()
-        };
-        let weight = |check: &CheckPoint| -> f64 {
-            let rules = grid().zip(check.nodes());
-            rules.map(|(rule, &j)| rule.weights[j]).product()
-        };
+        let whole_grid = WholeGrid::new(design, &tables);
         Self {
-            checked_weight: design.checks().iter().map(weight).sum(),
-            projection: if filled {
-                grid().enumerate().map(rows).collect()
-            } else {
-                Vec::new()
+            coordinates: match &whole_grid {
+                Some(grid) => grid.sizes.clone(),
+                None => design.checked_coordinates(),
             },
-            whole_grid: filled.then(|| grid().map(|rule| rule.len()).collect()),
-            dictionary: Dictionary::new(&tables, inputs),
+            whole_grid,
+            dictionary: Dictionary::new(&tables, design.inputs().len()),
             pair_weight: design.pair_weight(),
             tables,
         }
@@ -113,14 +167,15 @@ impl Frame {
         let modes = self.tables.modes(sections);
         let mut composite = Composite::new(sections, modes.clone(), t);
         let (unseen, fitted) = match &self.whole_grid {
-            Some(sizes) => {
-                self.add_grid(&mut composite, sizes, checks, &residuals);
+            Some(grid) => {
+                grid.add_to(&mut composite, checks, &residuals);
                 (vec![0.0; checks.len()], 0)
             }
             None => self.add_sparse(&mut composite, sections, &modes, checks, &residuals),
         };
         let found = composite.decompose()?;
-        let missed = self.grid_weight_missing(checks);
+        let grid = self.whole_grid.as_ref();
+        let missed = grid.map_or(0.0, |grid| grid.weight_missing(checks));
         let mut decomposition = self.errors(&composite, &found, checks, (&unseen, fitted));
         for error in &mut decomposition {
             *error = error::at_most_one(BEST_OF_SEVERAL * *error);
@@ -134,26 +189,11 @@ impl Frame {
                 .for_each(|e| *e = error::at_most_one(*e + error));
         }
         Some(Corrected {
-            missing: composite.missing(),
+            missing: composite.missing(&self.coordinates),
             found,
             decomposition,
             exhaustive: self.whole_grid.is_some(),
         })
-    }
-
-    /// Probability of the grid's nodes that should have a value and have none.
-    fn grid_weight_missing(&self, checks: &Checks<'_>) -> f64 {
-        if self.whole_grid.is_none() {
-            return 0.0;
-        }
-        let weight = |nodes: &[usize]| -> f64 {
-            let inputs = nodes.iter().enumerate();
-            inputs.map(|(i, &j)| self.projection[i][0][j]).product()
-        };
-        let known: f64 = checks.iter().map(|(check, _)| weight(check.nodes())).sum();
-        let missing = self.checked_weight - known;
-        // Sums of many weights round.
-        if missing > 1e-12 { missing } else { 0.0 }
     }
 
     fn add_sparse(
@@ -179,38 +219,6 @@ impl Frame {
         (unseen, fit.terms.len())
     }
 
-    /// The residuals' coefficients, one input after the other.
-    fn add_grid(
-        &self,
-        composite: &mut Composite<'_>,
-        sizes: &[usize],
-        checks: &Checks<'_>,
-        residuals: &[f64],
-    ) {
-        let mut table = vec![0.0; sizes.iter().product()];
-        for ((check, _), r) in checks.iter().zip(residuals) {
-            let nodes = check.nodes().iter().zip(sizes);
-            table[nodes.fold(0, |at, (j, size)| at * size + j)] = *r;
-        }
-        let mut after = 1;
-        for (input, &size) in sizes.iter().enumerate().rev() {
-            table = transform(&table, &self.projection[input], size, after);
-            after *= size;
-        }
-        for (at, c) in table.into_iter().enumerate().filter(|(_, c)| *c != 0.0) {
-            let mut rest = at;
-            let mut index = Vec::new();
-            for (input, size) in sizes.iter().enumerate().rev() {
-                if rest % size > 0 {
-                    index.push((input, rest % size));
-                }
-                rest /= size;
-            }
-            index.reverse();
-            composite.add(index, c);
-        }
-    }
-
     pub(crate) fn errors(
         &self,
         composite: &Composite<'_>,
@@ -223,7 +231,7 @@ impl Frame {
             .collect();
         let deviation = found.variance.sqrt();
         let main = |input: usize, k: usize| {
-            let p = self.tables.at_grid(input, checks[k].0.nodes()[input]);
+            let p = self.tables.at_node(input, checks[k].0.nodes()[input]);
             let terms = effects[input].iter().zip(p);
             terms.map(|(c, p)| c * p).sum::<f64>() / deviation
         };

@@ -9,6 +9,8 @@
 //! Cost: n N + 1 runs, or n (N - 1) + 1 where a centre node is the mean itself (symmetric laws, odd N), and
 //! one run for each check point.
 
+use std::collections::HashSet;
+
 use rand::Rng;
 use thiserror::Error;
 
@@ -102,7 +104,8 @@ impl CheckPoint {
         self.ordinal
     }
 
-    /// For each input, which node of its rule the coordinate is.
+    /// For each input, which node the coordinate is, counted through its lines in the order they were added: of the rule
+    /// itself where the line was never refined.
     pub fn nodes(&self) -> &[usize] {
         &self.nodes
     }
@@ -114,8 +117,8 @@ impl CheckPoint {
 pub struct Design {
     inputs: Vec<Distribution>,
     lines: Vec<Line>,
-    /// By input, the line whose rule the check points were drawn from, where a finer one has taken its place.
-    coarse: Vec<Option<Line>>,
+    /// By input, the lines whose place a finer one has taken, in the order they were added.
+    replaced: Vec<Vec<Line>>,
     checks: Vec<CheckPoint>,
     points: Vec<Vec<f64>>,
 }
@@ -151,7 +154,7 @@ impl Design {
         let mut design = Self {
             inputs: inputs.to_vec(),
             lines: Vec::with_capacity(inputs.len()),
-            coarse: vec![None; inputs.len()],
+            replaced: vec![Vec::new(); inputs.len()],
             checks: Vec::new(),
             points: vec![cut.to_vec()],
         };
@@ -163,7 +166,8 @@ impl Design {
         Ok(design)
     }
 
-    /// Adds check points, as many as asked or as the grid still has, and returns how many those were.
+    /// Adds check points on the grid of the present lines, as many as asked or as it still has, and returns how many those
+    /// were.
     ///
     /// # Errors
     /// More check points than [`MAX_CHECK_POINTS`].
@@ -172,8 +176,8 @@ impl Design {
         if asked > MAX_CHECK_POINTS {
             return Err(DesignError::TooManyCheckPoints { asked });
         }
-        let rules = self.grid_rules();
-        let known = self.checks.iter().map(|check| check.nodes.clone());
+        let rules = self.rules();
+        let known = self.checks.iter().filter_map(|check| self.on_grid(check));
         let drawn = Grid::new(&rules, &self.points[0]).off_axis(count, known.collect(), rng);
         let points: Vec<Vec<f64>> = drawn
             .iter()
@@ -184,7 +188,10 @@ impl Design {
             .collect();
         let added = drawn.len();
         // Off-axis points differ from all others in a coordinate, so none of them is a duplicate.
-        for (nodes, point) in drawn.into_iter().zip(points) {
+        for (mut nodes, point) in drawn.into_iter().zip(points) {
+            for (input, node) in nodes.iter_mut().enumerate() {
+                *node += self.nodes_before(input);
+            }
             let ordinal = self.points.len();
             self.checks.push(CheckPoint { ordinal, nodes });
             self.points.push(point);
@@ -193,14 +200,14 @@ impl Design {
     }
 
     /// Replaces an input's line by one of more nodes. The check points stay where they are, and the old line's runs
-    /// still serve them.
+    /// still serve them; new ones are drawn from the new line, and so test what the old nodes could not tell.
     ///
     /// # Errors
     /// A rule that does not exist.
     pub fn refine(&mut self, input: usize, nodes: usize) -> Result<(), DesignError> {
         let fine = self.add_line(input, nodes)?;
         let before = std::mem::replace(&mut self.lines[input], fine);
-        self.coarse[input].get_or_insert(before);
+        self.replaced[input].push(before);
         Ok(())
     }
 
@@ -224,30 +231,67 @@ impl Design {
         &self.checks
     }
 
-    /// The line whose rule the check points' coordinates of an input come from.
-    pub(crate) fn grid_line(&self, input: usize) -> &Line {
-        self.coarse[input].as_ref().unwrap_or(&self.lines[input])
+    /// All lines of an input in the order they were added; the last is the present one.
+    pub(crate) fn lines_of(&self, input: usize) -> impl Iterator<Item = &Line> {
+        self.replaced[input].iter().chain([&self.lines[input]])
     }
 
-    /// By input, the line that a finer one has replaced.
-    pub(crate) fn coarse_lines(&self) -> impl Iterator<Item = Option<&Line>> {
-        self.coarse.iter().map(Option::as_ref)
+    /// Nodes of the lines that the present one of an input has replaced.
+    pub(crate) fn nodes_before(&self, input: usize) -> usize {
+        self.replaced[input]
+            .iter()
+            .map(|line| line.rule.len())
+            .sum()
+    }
+
+    /// Whether no check point has been drawn from an input's present line.
+    pub(crate) fn is_unchecked(&self, input: usize) -> bool {
+        let before = self.nodes_before(input);
+        before > 0 && self.checks.iter().all(|check| check.nodes[input] < before)
+    }
+
+    /// By input, how many coordinates the check points have, the cut's among them.
+    pub(crate) fn checked_coordinates(&self) -> Vec<usize> {
+        let of_input = |input: usize| {
+            let bits = |check: &CheckPoint| self.points[check.ordinal][input].to_bits();
+            let mut seen: HashSet<u64> = self.checks.iter().map(bits).collect();
+            seen.insert(self.points[0][input].to_bits());
+            seen.len()
+        };
+        (0..self.lines.len()).map(of_input).collect()
+    }
+
+    /// For each input, which node of its present rule a check point's coordinate is; `None` if it is off that grid.
+    pub(crate) fn on_grid(&self, check: &CheckPoint) -> Option<Vec<usize>> {
+        let node = |(input, line): (usize, &Line)| {
+            let x = self.points[check.ordinal][input];
+            line.rule.nodes.iter().position(|node| *node == x)
+        };
+        self.lines.iter().enumerate().map(node).collect()
     }
 
     /// What a mean over the check points counts for in a mean over the law, if interactions are of pairs.
     pub(crate) fn pair_weight(&self) -> f64 {
-        let checks = self.checks.iter().map(CheckPoint::nodes);
-        Grid::new(&self.grid_rules(), &self.points[0]).pair_weight(checks)
+        let off = |check: &CheckPoint| {
+            let coordinates = self.points[check.ordinal].iter().zip(&self.points[0]);
+            coordinates.filter(|(x, cut)| x != cut).count()
+        };
+        Grid::new(&self.rules(), &self.points[0]).pair_weight(self.checks.iter().map(off))
     }
 
-    /// How many check points the grid has in all.
+    /// How many check points the grid of the present lines has in all.
     pub(crate) fn off_axis_len(&self) -> usize {
-        Grid::new(&self.grid_rules(), &self.points[0]).off_axis_len()
+        Grid::new(&self.rules(), &self.points[0]).off_axis_len()
     }
 
-    fn grid_rules(&self) -> Vec<&GaussRule> {
-        let lines = 0..self.lines.len();
-        lines.map(|input| &self.grid_line(input).rule).collect()
+    /// How many of them are not check points yet.
+    pub(crate) fn off_axis_left(&self) -> usize {
+        let on_grid = self.checks.iter().filter_map(|check| self.on_grid(check));
+        self.off_axis_len() - on_grid.count()
+    }
+
+    fn rules(&self) -> Vec<&GaussRule> {
+        self.lines.iter().map(|line| &line.rule).collect()
     }
 
     /// Appends a run that is not a check point, and returns which point it is.

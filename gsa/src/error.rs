@@ -57,6 +57,8 @@ pub struct ErrorParts {
     pub by_input: Option<Vec<f64>>,
     /// S_Ti m_i: which input's rule the quadrature error comes from; empty if it isn't known.
     pub(crate) missing: Vec<f64>,
+    /// The share of it that comes from interactions.
+    pub(crate) missing_of_interactions: Vec<f64>,
 }
 
 /// Parts of the error by input, before they are summed.
@@ -67,6 +69,7 @@ pub(crate) struct ByInput {
     pub(crate) sampling: Option<Vec<f64>>,
     /// S_Ti m_i
     pub(crate) missing: Vec<f64>,
+    pub(crate) missing_of_interactions: Vec<f64>,
 }
 
 impl ErrorParts {
@@ -88,6 +91,7 @@ impl ErrorParts {
             total: by_input.as_deref().map(largest),
             by_input,
             missing: parts.missing,
+            missing_of_interactions: parts.missing_of_interactions,
         }
     }
 

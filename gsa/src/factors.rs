@@ -17,8 +17,8 @@ use crate::section::Sections;
 struct Table {
     /// w_j p_k(x_j) by k - 1 and node of the line
     projection: Vec<Vec<f64>>,
-    /// p_k(x_j) by node of the check points' grid and k - 1
-    at_grid: Vec<Vec<f64>>,
+    /// p_k(x_j) by node, counted through the lines of the input, and k - 1
+    at_known: Vec<Vec<f64>>,
     /// p_k(c)
     at_cut: Vec<f64>,
 }
@@ -27,7 +27,7 @@ struct Table {
 #[derive(Debug, Clone)]
 pub(crate) struct Tables(Vec<Table>);
 
-/// One factor: its values at the nodes of the check points' grid, its mean, and its coefficients on p_1, p_2, ..
+/// One factor: its values at the nodes of all lines of its input, its mean, and its coefficients on p_1, p_2, ..
 #[derive(Debug, Clone)]
 pub(crate) struct Factor {
     pub(crate) values: Vec<f64>,
@@ -47,10 +47,10 @@ impl Tables {
                 let terms = at_nodes.iter().zip(weights);
                 terms.map(|(p, w)| w * p[k]).collect()
             };
-            let grid = design.grid_line(input).rule();
+            let known = design.lines_of(input).flat_map(|line| &line.rule().nodes);
             Table {
                 projection: (0..degrees).map(row).collect(),
-                at_grid: grid.nodes.iter().map(|&x| at(x)).collect(),
+                at_known: known.map(|&x| at(x)).collect(),
                 at_cut: at(cut[input]),
             }
         };
@@ -69,9 +69,9 @@ impl Tables {
         self.0.iter().enumerate().map(modes).collect()
     }
 
-    /// p_1 .. at a node of the check points' grid.
-    pub(crate) fn at_grid(&self, input: usize, node: usize) -> &[f64] {
-        &self.0[input].at_grid[node]
+    /// p_1 .. at a node, counted through the lines of the input.
+    pub(crate) fn at_node(&self, input: usize, node: usize) -> &[f64] {
+        &self.0[input].at_known[node]
     }
 
     /// The rule's weights for k = 0, and w_j p_k(x_j) above, by node of the line.
@@ -82,18 +82,25 @@ impl Tables {
         }
     }
 
-    /// Highest degree that the check points' grid can tell apart.
+    /// Highest degree that the present line can tell apart.
     pub(crate) fn degrees(&self, input: usize) -> usize {
-        self.0[input].at_grid.len() - 1
+        self.0[input].projection.len()
     }
 
-    /// Factor 0 of an input.
+    /// Factor 0 of an input; zero where the section is rounding alone, which no correction should be built from.
     pub(crate) fn section(&self, sections: &Sections, modes: &[Vec<f64>], input: usize) -> Factor {
-        let nodes = 0..self.0[input].at_grid.len();
+        let nodes = 0..sections.known(input);
+        let size = if sections.variances[input].sqrt() > sections.noise() {
+            1.0
+        } else {
+            0.0
+        };
         Factor {
-            values: nodes.map(|j| sections.difference_at(input, j)).collect(),
-            mean: sections.shifts[input],
-            modes: modes[input].clone(),
+            values: nodes
+                .map(|j| size * sections.difference_at(input, j))
+                .collect(),
+            mean: size * sections.shifts[input],
+            modes: modes[input].iter().map(|m| size * m).collect(),
         }
     }
 
@@ -104,7 +111,7 @@ impl Tables {
         modes[k - 1] = 1.0;
         Factor {
             values: table
-                .at_grid
+                .at_known
                 .iter()
                 .map(|p| p[k - 1] - table.at_cut[k - 1])
                 .collect(),

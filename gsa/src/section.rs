@@ -41,10 +41,10 @@ pub(crate) struct Sections {
     pub(crate) missing: Option<Vec<f64>>,
     /// Points on the lines that gave no number, whose values were taken from their lines' other nodes.
     pub(crate) lost: Vec<usize>,
-    /// d_ij by line and node
+    /// d_i at the nodes of all lines of an input, in the order they were added
     differences: Vec<Vec<f64>>,
-    /// The same at the nodes of the check points, for lines refined since those were drawn; else empty.
-    at_checks: Vec<Vec<f64>>,
+    /// where those of the present line begin
+    present: Vec<usize>,
 }
 
 impl Sections {
@@ -56,46 +56,42 @@ impl Sections {
         if !values[0].is_finite() {
             return Err(0);
         }
-        let on_lines = || {
-            let all = design.lines().iter().chain(design.coarse_lines().flatten());
-            all.flat_map(Line::ordinals).chain([&0])
-        };
-        let largest = on_lines()
+        let inputs = design.lines().len();
+        let on_lines =
+            (0..inputs).flat_map(|input| design.lines_of(input).flat_map(Line::ordinals));
+        let largest = on_lines
+            .chain([&0])
             .map(|&k| values[k].abs())
             .filter(|h| h.is_finite())
             .fold(0.0f64, f64::max);
         let exponent = exponent(largest);
         let centre = times_power_of_two(values[0], -exponent);
         let mut lost = Vec::new();
-        let mut read = |line: &Line| {
-            let mut d: Vec<f64> = line
-                .ordinals()
-                .iter()
-                .map(|&k| times_power_of_two(values[k], -exponent) - centre)
-                .collect();
-            restore(line, &mut d, &mut lost).map(|()| d)
-        };
-        let mut differences = Vec::with_capacity(design.lines().len());
-        for line in design.lines() {
-            differences.push(read(line)?);
-        }
-        let mut at_checks = Vec::new();
-        for line in design.coarse_lines() {
-            at_checks.push(line.map_or(Ok(Vec::new()), &mut read)?);
+        let mut differences = vec![Vec::new(); inputs];
+        for (input, known) in differences.iter_mut().enumerate() {
+            for line in design.lines_of(input) {
+                let scaled = |&k: &usize| times_power_of_two(values[k], -exponent) - centre;
+                let mut d: Vec<f64> = line.ordinals().iter().map(scaled).collect();
+                restore(line, &mut d, &mut lost)?;
+                known.extend(d);
+            }
         }
         let mut sections = Self {
             exponent,
             centre,
             largest: times_power_of_two(largest, -exponent),
-            shifts: Vec::with_capacity(differences.len()),
-            variances: Vec::with_capacity(differences.len()),
-            missing: Some(Vec::with_capacity(differences.len())),
+            shifts: Vec::with_capacity(inputs),
+            variances: Vec::with_capacity(inputs),
+            missing: Some(Vec::with_capacity(inputs)),
             lost: Vec::new(),
             differences,
-            at_checks,
+            present: (0..inputs)
+                .map(|input| design.nodes_before(input))
+                .collect(),
         };
-        let lines = design.lines().iter().zip(design.coarse_lines());
-        for (input, (line, coarse)) in lines.enumerate() {
+        for (input, line) in design.lines().iter().enumerate() {
+            let first = design.lines_of(input).next();
+            let coarse = first.filter(|_| sections.present[input] > 0);
             sections.add_moments(input, line, coarse, &lost);
         }
         sections.lost = lost;
@@ -103,17 +99,16 @@ impl Sections {
     }
 
     fn add_moments(&mut self, input: usize, line: &Line, coarse: Option<&Line>, lost: &[usize]) {
-        let (shift, variance) = moments(&line.rule().weights, &self.differences[input]);
-        let tail = tail_of(line, &self.differences[input], lost);
+        let d = self.differences(input);
+        let (shift, variance) = moments(&line.rule().weights, d);
+        let tail = tail_of(line, d, lost);
         let missing = match (coarse, tail) {
             (Some(coarse), Some(fine)) => {
-                let (_, before) = moments(&coarse.rule().weights, &self.at_checks[input]);
-                let rough = tail_of(coarse, &self.at_checks[input], lost);
-                Some(with_change(
-                    fine,
-                    rough,
-                    (variance - before).abs() / variance,
-                ))
+                let d = &self.differences[input][..coarse.rule().len()];
+                let (_, before) = moments(&coarse.rule().weights, d);
+                let rough = tail_of(coarse, d, lost);
+                let change = (variance - before).abs() / variance;
+                Some(with_change(fine, rough, change))
             }
             (_, tail) => tail.map(|tail| tail.missing),
         };
@@ -167,15 +162,7 @@ impl Sections {
 
     /// d_ij at the nodes of line i.
     pub(crate) fn differences(&self, input: usize) -> &[f64] {
-        &self.differences[input]
-    }
-
-    /// Nodes of the rule that the check points were drawn from.
-    pub(crate) fn grid_len(&self, input: usize) -> usize {
-        match self.at_checks.get(input) {
-            Some(coarse) if !coarse.is_empty() => coarse.len(),
-            _ => self.differences[input].len(),
-        }
+        &self.differences[input][self.present[input]..]
     }
 
     /// d_i at the coordinates of a check point, input by input.
@@ -190,12 +177,14 @@ impl Sections {
             .map(|(input, &j)| self.difference_at(input, j))
     }
 
-    /// d_i at a node of the rule that the check points were drawn from.
+    /// d_i at a node, counted through the lines of the input.
     pub(crate) fn difference_at(&self, input: usize, node: usize) -> f64 {
-        match self.at_checks.get(input) {
-            Some(coarse) if !coarse.is_empty() => coarse[node],
-            _ => self.differences[input][node],
-        }
+        self.differences[input][node]
+    }
+
+    /// At how many nodes d_i is known.
+    pub(crate) fn known(&self, input: usize) -> usize {
+        self.differences[input].len()
     }
 }
 
