@@ -57,14 +57,22 @@ pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
     for (i, location) in ranked.iter_mut().enumerate() {
         location.rank = i + 1;
     }
-    let errors: Vec<Option<f64>> = order.iter().map(|i| matrix.centre_error(own[*i])).collect();
-    mark_certain(&mut ranked, &errors);
+    mark_certain(&mut ranked);
     ranked
 }
 
 /// What the default order goes by: the sum of both indices, percent.
 pub fn default_key(location: &RankedLocation) -> Option<f64> {
     Some(location.gsi_x_percent? + location.gsi_y_percent?)
+}
+
+/// Error of the sum; the two come from different outputs.
+fn key_error(location: &RankedLocation) -> Option<f64> {
+    Some(
+        location
+            .gsi_x_error_percent?
+            .hypot(location.gsi_y_error_percent?),
+    )
 }
 
 fn gsi_x(location: &RankedLocation) -> Option<f64> {
@@ -115,15 +123,15 @@ fn sort_by_keys(
 }
 
 /// A rank is certain if its location truly outranks all others, or is outranked, with the probability of
-/// [`gsa::certainty`]; locations that tie share their place. Errors in percentage points, in the order of the locations.
-fn mark_certain(ranked: &mut [RankedLocation], errors: &[Option<f64>]) {
-    let known = |(location, error): (&RankedLocation, &Option<f64>)| {
+/// [`gsa::certainty`]; locations that tie share their place.
+fn mark_certain(ranked: &mut [RankedLocation]) {
+    let known = |location: &RankedLocation| {
         Some(Estimate {
             value: default_key(location)?,
-            error: error.unwrap_or(f64::INFINITY),
+            error: key_error(location).unwrap_or(f64::INFINITY),
         })
     };
-    let estimates: Vec<Option<Estimate>> = ranked.iter().zip(errors).map(known).collect();
+    let estimates: Vec<Option<Estimate>> = ranked.iter().map(known).collect();
     let ranks: Vec<Estimate> = estimates.iter().flatten().copied().collect();
     let mut certain = places_certain(&ranks, EQUAL_PERCENT).into_iter();
     for (location, estimate) in ranked.iter_mut().zip(&estimates) {
@@ -167,6 +175,8 @@ impl<'s> Matrix<'s> {
             rank: 0,
             gsi_x_percent: at(self.x[centre].0),
             gsi_y_percent: at(self.y[centre].0),
+            gsi_x_error_percent: percent(self.x[centre].2.as_ref()),
+            gsi_y_error_percent: percent(self.y[centre].2.as_ref()),
             mean_gsi_x_percent: mean(&self.x),
             mean_gsi_y_percent: mean(&self.y),
             own_gsi_x_percent: at(self.x[location].0),
@@ -177,13 +187,6 @@ impl<'s> Matrix<'s> {
             rank_y: None,
             rank_certain: false,
         }
-    }
-
-    /// Error of the sum of an input's x and y index at the centre, percent; the two come from different outputs.
-    fn centre_error(&self, input: Option<usize>) -> Option<f64> {
-        let centre = self.x.len() / 2;
-        let error = |errors: &Option<Vec<f64>>| Some(100.0 * errors.as_ref()?[input?]);
-        Some(error(self.x[centre].2)?.hypot(error(self.y[centre].2)?))
     }
 }
 
@@ -201,6 +204,8 @@ mod tests {
             rank: 0,
             gsi_x_percent,
             gsi_y_percent,
+            gsi_x_error_percent: None,
+            gsi_y_error_percent: None,
             mean_gsi_x_percent: None,
             mean_gsi_y_percent: None,
             own_gsi_x_percent: None,
@@ -249,6 +254,15 @@ mod tests {
         assert!(names(&chain).is_sorted());
     }
 
+    /// With the same error of every sum, all of it from x.
+    fn mark_certain_with(ranked: &mut [RankedLocation], error: Option<f64>) {
+        for location in ranked.iter_mut() {
+            location.gsi_x_error_percent = error;
+            location.gsi_y_error_percent = Some(0.0);
+        }
+        mark_certain(ranked);
+    }
+
     #[test]
     fn ranks_are_certain_beyond_the_errors_of_the_others() {
         let mut ranked = [
@@ -258,14 +272,14 @@ mod tests {
             location("d", None, None),
         ];
         // b from c: 2 4/sqrt(2 16) = 1.4 deviations; a from b: 3.5
-        mark_certain(&mut ranked, &[Some(4.0); 4]);
+        mark_certain_with(&mut ranked, Some(4.0));
         assert_eq!(
             ranked.each_ref().map(|l| l.rank_certain),
             [true, false, false, false]
         );
-        mark_certain(&mut ranked[..3], &[Some(2.0); 3]);
+        mark_certain_with(&mut ranked[..3], Some(2.0));
         assert!(ranked[..3].iter().all(|l| l.rank_certain));
-        mark_certain(&mut ranked, &[None; 4]);
+        mark_certain_with(&mut ranked, None);
         assert!(ranked.iter().all(|l| !l.rank_certain));
     }
 
@@ -276,7 +290,7 @@ mod tests {
             location("b", Some(20.0), Some(0.0)),
             location("c", Some(20.0 - 1e-9), Some(0.0)),
         ];
-        mark_certain(&mut ranked, &[Some(10.0); 3]);
+        mark_certain_with(&mut ranked, Some(10.0));
         assert!(ranked.iter().all(|l| l.rank_certain));
     }
 }

@@ -112,6 +112,12 @@ pub struct RankedLocation {
     pub gsi_x_percent: Option<f64>,
     /// The same for the y strain.
     pub gsi_y_percent: Option<f64>,
+    /// Error of `gsi_x_percent`, percentage points, without the mesh's.
+    #[serde(default)]
+    pub gsi_x_error_percent: Option<f64>,
+    /// The same for y.
+    #[serde(default)]
+    pub gsi_y_error_percent: Option<f64>,
     /// Mean over the x strains at all locations.
     pub mean_gsi_x_percent: Option<f64>,
     /// Mean over the y strains at all locations.

@@ -105,6 +105,9 @@ export interface RankedLocation {
   rank: number;
   gsi_x_percent: number | null;
   gsi_y_percent: number | null;
+  /** Missing in results of earlier versions. */
+  gsi_x_error_percent?: number | null;
+  gsi_y_error_percent?: number | null;
   mean_gsi_x_percent: number | null;
   mean_gsi_y_percent: number | null;
   own_gsi_x_percent: number | null;

@@ -27,25 +27,13 @@ fn ranked(result: &StudyResult) -> String {
     text.push_str("                gsi: own depth, strain at         mean over all     strain at the     M-DRM's gsi,      paper's\n");
     text.push_str("                the centre, %, with its error     locations, %      location, %       valid or not, %   Table 2, %\n");
     text.push_str("rank  location         x               y             x       y         x       y         x       y         x       y   rank is\n");
-    let errors = ["x", "y"].map(|direction| centre_error(result, direction));
     for location in &result.locations {
-        text.push_str(&row(location, errors));
+        text.push_str(&row(location));
     }
     text
 }
 
-/// Error of the indices of the strain at the middle location, percent.
-fn centre_error(result: &StudyResult, direction: &str) -> Option<f64> {
-    let outputs: Vec<_> = result
-        .outputs
-        .iter()
-        .filter(|output| output.direction == direction)
-        .collect();
-    let centre = outputs.get(outputs.len() / 2)?;
-    centre.error.total.map(|error| 100.0 * error)
-}
-
-fn row(location: &RankedLocation, errors: [Option<f64>; 2]) -> String {
+fn row(location: &RankedLocation) -> String {
     let paper = PAPER.iter().find(|(name, ..)| *name == location.name);
     let pairs = [
         (location.mean_gsi_x_percent, location.mean_gsi_y_percent),
@@ -54,10 +42,10 @@ fn row(location: &RankedLocation, errors: [Option<f64>; 2]) -> String {
         (paper.map(|(_, x, _)| *x), paper.map(|(_, _, y)| *y)),
     ];
     let mut text = format!("{:4}  {:<8} ", location.rank, location.name);
-    for (index, error) in [location.gsi_x_percent, location.gsi_y_percent]
-        .into_iter()
-        .zip(errors)
-    {
+    for (index, error) in [
+        (location.gsi_x_percent, location.gsi_x_error_percent),
+        (location.gsi_y_percent, location.gsi_y_error_percent),
+    ] {
         let _ = write!(
             text,
             "{} {:<7} ",
@@ -130,7 +118,8 @@ fn cost(result: &StudyResult) -> String {
 pub fn locations_csv(result: &StudyResult) -> String {
     let mut text = String::from(
         "rank,name,gsi_x_percent,gsi_y_percent,mean_gsi_x_percent,mean_gsi_y_percent,own_gsi_x_percent,\
-         own_gsi_y_percent,mdrm_gsi_x_percent,mdrm_gsi_y_percent,rank_x,rank_y,rank_certain\n",
+         own_gsi_y_percent,mdrm_gsi_x_percent,mdrm_gsi_y_percent,rank_x,rank_y,rank_certain,gsi_x_error_percent,\
+         gsi_y_error_percent\n",
     );
     let number = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
     let rank = |value: Option<usize>| value.map(|value| value.to_string()).unwrap_or_default();
@@ -149,6 +138,8 @@ pub fn locations_csv(result: &StudyResult) -> String {
             rank(l.rank_x),
             rank(l.rank_y),
             l.rank_certain.to_string(),
+            number(l.gsi_x_error_percent),
+            number(l.gsi_y_error_percent),
         ];
         text.push_str(&fields.join(","));
         text.push('\n');

@@ -10,7 +10,7 @@ const output = (location: string, direction: "x" | "y"): Output => ({
   error: { mesh: 0.01, quadrature: 0.001, decomposition: 0.009, total: 0.02 },
 });
 const location = (name: string, rank: number, gsi: number): RankedLocation => ({
-  name, rank, gsi_x_percent: gsi, gsi_y_percent: null, mean_gsi_x_percent: 33, mean_gsi_y_percent: 33,
+  name, rank, gsi_x_percent: gsi, gsi_y_percent: null, gsi_x_error_percent: gsi / 20, gsi_y_error_percent: null, mean_gsi_x_percent: 33, mean_gsi_y_percent: 33,
   own_gsi_x_percent: 50, own_gsi_y_percent: 50, mdrm_gsi_x_percent: gsi / 2, mdrm_gsi_y_percent: null,
   rank_x: rank, rank_y: rank, rank_certain: true,
 });
@@ -25,11 +25,11 @@ test("the middle location is the centre, whatever its name", () => {
   assert.equal(centreOutput(result, "y")?.method, "mdrm");
 });
 
-test("bars follow the service's ranks and carry the centre's error in percentage points", () => {
+test("bars follow the service's ranks and carry their own error in percentage points", () => {
   assert.deepEqual(bars(result, "x"), [
-    { name: "P2", percent: 80, error: 2, mdrm: 40 },
-    { name: "P1", percent: 12, error: 2, mdrm: 6 },
-    { name: "P3", percent: 8, error: 2, mdrm: 4 },
+    { name: "P2", percent: 80, error: 4, mdrm: 40 },
+    { name: "P1", percent: 12, error: 0.6, mdrm: 6 },
+    { name: "P3", percent: 8, error: 0.4, mdrm: 4 },
   ]);
 });
 

@@ -41,11 +41,10 @@ export function byRank(result: StudyResult): RankedLocation[] {
 
 /** Bars of one direction, best location first. */
 export function bars(result: StudyResult, direction: Direction): Bar[] {
-  const error = centreOutput(result, direction)?.error.total ?? null;
   return byRank(result).map((location) => ({
     name: location.name,
     percent: direction === "x" ? location.gsi_x_percent : location.gsi_y_percent,
-    error: error === null ? null : 100 * error,
+    error: (direction === "x" ? location.gsi_x_error_percent : location.gsi_y_error_percent) ?? null,
     mdrm: direction === "x" ? location.mdrm_gsi_x_percent : location.mdrm_gsi_y_percent,
   }));
 }
