@@ -19,7 +19,7 @@ use crate::solver::StartState;
 use crate::tire::{TireModel, ground, is_symmetric};
 use crate::tire_mesh::{Extent, MeshPlan};
 
-/// Neighbourhoods that are kept; the oldest goes first. Each holds a factor: about 100 MB for a standard half model.
+/// Neighbourhoods that are kept; the oldest goes first. Each holds a factor: 60 MB for a standard half model.
 const KEPT: usize = 4;
 /// Equilibria that a neighbourhood keeps for their mirror images.
 const PRESSED: usize = 64;

@@ -22,6 +22,9 @@ use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use crate::sparsity::Pattern;
 use crate::substitution;
 
+/// Entries that are rounded before their memory is given back: 8 MB.
+const ROUNDED_AT_ONCE: usize = 1 << 20;
+
 /// The symbolic phase: what is common to all matrices of one pattern.
 #[derive(Debug)]
 pub struct Symbolic {
@@ -91,6 +94,50 @@ impl Symbolic {
             }
         }
     }
+
+    fn ldlt<'a, T>(&'a self, values: &'a [T]) -> SupernodalLdltRef<'a, usize, T> {
+        SupernodalLdltRef::new(self.supernodal(), values)
+    }
+
+    /// Memory of a factor.
+    fn zeros(&self) -> Result<Vec<f64>, LinearError> {
+        let mut values = Vec::new();
+        values
+            .try_reserve_exact(self.factor_entries())
+            .map_err(|_| LinearError::OutOfMemory {
+                unknowns: self.cholesky.nrows(),
+            })?;
+        values.resize(self.factor_entries(), 0.0);
+        Ok(values)
+    }
+
+    /// Whether single precision has the range for a factor's entries.
+    fn fits_single(&self, values: &[f64]) -> bool {
+        let mut pivots = substitution::pivots(self.ldlt(values), self.interior);
+        pivots.all(|pivot| single(pivot) != 0.0)
+            && values.iter().all(|&value| single(value).is_finite())
+    }
+}
+
+/// Rounds to single precision. An entry below its normal numbers is as good as zero, and would slow every substitution down.
+fn single(value: f64) -> f32 {
+    let rounded = value as f32;
+    if rounded.is_subnormal() { 0.0 } else { rounded }
+}
+
+/// Rounds from the end and gives memory back on the way, so that the two never stand side by side.
+fn all_single(mut values: Vec<f64>) -> Result<Vec<f32>, Vec<f64>> {
+    let mut rounded = Vec::new();
+    if rounded.try_reserve_exact(values.len()).is_err() {
+        return Err(values);
+    }
+    while !values.is_empty() {
+        let kept = values.len().saturating_sub(ROUNDED_AT_ONCE);
+        rounded.extend(values.drain(kept..).rev().map(single));
+        values.shrink_to_fit();
+    }
+    rounded.reverse();
+    Ok(rounded)
 }
 
 fn view(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, usize> {
@@ -116,7 +163,15 @@ impl Inertia {
 #[derive(Debug, Clone)]
 pub struct Factor {
     symbolic: Arc<Symbolic>,
-    values: Vec<f64>,
+    values: Values,
+}
+
+/// Entries of L, with D on its diagonal.
+#[derive(Debug, Clone)]
+enum Values {
+    Double(Vec<f64>),
+    /// A factor that is only read any more.
+    Single(Vec<f32>),
 }
 
 impl Factor {
@@ -125,13 +180,7 @@ impl Factor {
     /// # Errors
     /// [`LinearError::OutOfMemory`].
     pub fn new(symbolic: Arc<Symbolic>) -> Result<Self, LinearError> {
-        let mut values = Vec::new();
-        values
-            .try_reserve_exact(symbolic.factor_entries())
-            .map_err(|_| LinearError::OutOfMemory {
-                unknowns: symbolic.cholesky.nrows(),
-            })?;
-        values.resize(symbolic.factor_entries(), 0.0);
+        let values = Values::Double(symbolic.zeros()?);
         Ok(Self { symbolic, values })
     }
 
@@ -145,11 +194,18 @@ impl Factor {
         entries: &[f64],
         workspace: &mut Workspace,
     ) -> Result<(), LinearError> {
-        let matrix = SparseColMatRef::new(view(&self.symbolic.pattern), entries);
-        self.symbolic
+        let symbolic = &self.symbolic;
+        if let Values::Single(_) = self.values {
+            self.values = Values::Double(symbolic.zeros()?);
+        }
+        let Values::Double(values) = &mut self.values else {
+            unreachable!("the values have just been made double");
+        };
+        let matrix = SparseColMatRef::new(view(&symbolic.pattern), entries);
+        symbolic
             .cholesky
             .factorize_numeric_ldlt(
-                &mut self.values,
+                values,
                 matrix,
                 Side::Upper,
                 LdltRegularization::default(),
@@ -161,30 +217,55 @@ impl Factor {
             .map_err(|LdltError::ZeroPivot { index }| LinearError::ZeroPivot { index })
     }
 
-    fn ldlt(&self) -> SupernodalLdltRef<'_, usize, f64> {
-        SupernodalLdltRef::new(self.symbolic.supernodal(), &self.values)
+    /// The same factor with its entries rounded to single precision, for solves that correct their own errors: half the
+    /// memory, and half of it to read in a substitution. One that single precision can't hold stays as it is.
+    #[must_use]
+    pub fn rounded(mut self) -> Self {
+        self.values = match self.values {
+            Values::Double(values) if self.symbolic.fits_single(&values) => {
+                all_single(values).map_or_else(Values::Double, Values::Single)
+            }
+            values => values,
+        };
+        self
     }
 
     /// Signs of the interior's pivots.
     pub fn interior_inertia(&self) -> Inertia {
-        substitution::inertia(self.ldlt(), self.symbolic.interior)
+        let interior = self.symbolic.interior;
+        let negative = match &self.values {
+            Values::Double(v) => substitution::negative_pivots(self.symbolic.ldlt(v), interior),
+            Values::Single(v) => substitution::negative_pivots(self.symbolic.ldlt(v), interior),
+        };
+        Inertia { negative }
     }
 
     /// Schur complement of the border.
     pub fn schur_complement(&self) -> Mat<f64> {
-        substitution::schur_complement(self.ldlt(), self.symbolic.interior)
+        let interior = self.symbolic.interior;
+        match &self.values {
+            Values::Double(v) => substitution::schur_complement(self.symbolic.ldlt(v), interior),
+            Values::Single(v) => substitution::schur_complement(self.symbolic.ldlt(v), interior),
+        }
     }
 
     /// Eliminates the interior from a right-hand side: its border then belongs to the Schur complement.
     pub fn eliminate(&self, rhs: &mut [f64], workspace: &mut Workspace) {
-        let interior = self.symbolic.interior;
-        substitution::forward(self.ldlt(), interior, rhs, &mut workspace.column);
+        let (interior, work) = (self.symbolic.interior, &mut workspace.column);
+        match &self.values {
+            Values::Double(v) => substitution::forward(self.symbolic.ldlt(v), interior, rhs, work),
+            Values::Single(v) => substitution::forward(self.symbolic.ldlt(v), interior, rhs, work),
+        }
     }
 
     /// Completes a solution whose border is known, in what [`Factor::eliminate`] left.
     pub fn complete(&self, solution: &mut [f64], workspace: &mut Workspace) {
-        let interior = self.symbolic.interior;
-        substitution::backward(self.ldlt(), interior, solution, &mut workspace.column);
+        let (interior, work) = (self.symbolic.interior, &mut workspace.column);
+        let x = solution;
+        match &self.values {
+            Values::Double(v) => substitution::backward(self.symbolic.ldlt(v), interior, x, work),
+            Values::Single(v) => substitution::backward(self.symbolic.ldlt(v), interior, x, work),
+        }
     }
 }
 
@@ -285,5 +366,43 @@ mod tests {
             factor.complete(&mut x, &mut workspace);
             assert!(residual(&entries, &x) < 1e-14, "{interior}");
         }
+    }
+
+    #[test]
+    fn a_factor_beyond_single_precision_stays_double() {
+        let entries = [4.0, 1.0, 5.0, -1.0, 3.0];
+        for (scale, is_single) in [(1.0, true), (1e40, false), (1e-40, false)] {
+            let (factor, _) = factor(&entries.map(|entry| scale * entry), 3);
+            let rounded = factor.rounded();
+            assert_eq!(matches!(rounded.values, Values::Single(_)), is_single);
+            assert!(rounded.interior_inertia().is_positive());
+        }
+    }
+
+    #[test]
+    fn rounding_in_pieces_keeps_the_order() {
+        // Integers up to 2^24 and a number below the normal ones of single precision.
+        let mut values: Vec<f64> = (0..ROUNDED_AT_ONCE + 3).map(|k| k as f64).collect();
+        values[2] = 1e-40;
+        let rounded = all_single(values).expect("little memory");
+        assert_eq!(rounded.len(), ROUNDED_AT_ONCE + 3);
+        let expected = |k: usize| if k == 2 { 0.0 } else { k as f32 };
+        assert!((0..).zip(&rounded).all(|(k, value)| *value == expected(k)));
+    }
+
+    #[test]
+    fn a_rounded_factor_can_be_factorised_again() {
+        let entries = [4.0, 1.0, 5.0, -1.0, 3.0];
+        let (factor, mut workspace) = factor(&entries, 3);
+        let mut again = factor.clone().rounded();
+        again
+            .factorise(&entries, &mut workspace)
+            .expect("no zero pivot");
+        let [mut x, mut y] = [[1.0, 2.0, 3.0]; 2];
+        for (factor, x) in [(&factor, &mut x), (&again, &mut y)] {
+            factor.eliminate(x, &mut workspace);
+            factor.complete(x, &mut workspace);
+        }
+        assert_eq!(x, y);
     }
 }

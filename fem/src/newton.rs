@@ -277,13 +277,16 @@ impl<'p> Newton<'p> {
         Ok(inertia)
     }
 
-    /// The tangent at a state, for solves of the same problem near it.
+    /// The tangent at a state, for solves of the same problem near it: its factor is in single precision, because these
+    /// solves are bound by reading it and correct its rounding like the distance between their states.
     ///
     /// # Errors
     /// [`Cause`] when it is singular or doesn't fit in memory.
     pub fn tangent_at(&mut self, state: &State, loads: &Loads) -> Result<Arc<Tangent>, Cause> {
         self.inertia_at(state, loads)?;
-        self.tangent.clone().ok_or(Cause::Diverged)
+        let own = self.tangent.take().and_then(Arc::into_inner);
+        own.map(|tangent| Arc::new(tangent.rounded()))
+            .ok_or(Cause::Diverged)
     }
 
     /// Signs of the pivots at an equilibrium. The tangent made for it serves the next solve.

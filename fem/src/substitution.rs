@@ -1,29 +1,28 @@
 //! Substitutions with the interior columns of a supernodal factor L D L^T.
 //!
 //! A single right-hand side is bound by reading the factor once each way, so columns are taken four at a time: one pass
-//! over the right-hand side's rows serves four columns of L.
+//! over the right-hand side's rows serves four columns of L. The factor's entries may be stored in single precision, which
+//! halves what is read; products and sums are always formed in double precision.
 
 use faer::Mat;
 use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
-
-use crate::linear::Inertia;
 
 /// Columns that one pass over the rows serves.
 const BLOCK: usize = 4;
 
 /// One supernode: unit lower columns with D on their diagonal.
-struct Supernode<'a> {
+struct Supernode<'a, T> {
     start: usize,
     /// Columns that belong to the interior.
     interior: usize,
     columns: usize,
     pattern: &'a [usize],
-    values: &'a [f64],
+    values: &'a [T],
     rows: usize,
 }
 
-impl<'a> Supernode<'a> {
-    fn new(factor: SupernodalLdltRef<'a, usize, f64>, index: usize, interior: usize) -> Self {
+impl<'a, T: Copy + Into<f64>> Supernode<'a, T> {
+    fn new(factor: SupernodalLdltRef<'a, usize, T>, index: usize, interior: usize) -> Self {
         let symbolic = factor.symbolic();
         let start = symbolic.supernode_begin()[index];
         let columns = symbolic.supernode_end()[index] - start;
@@ -40,7 +39,7 @@ impl<'a> Supernode<'a> {
         }
     }
 
-    fn column(&self, j: usize) -> &'a [f64] {
+    fn column(&self, j: usize) -> &'a [T] {
         &self.values[j * self.rows..(j + 1) * self.rows]
     }
 
@@ -73,7 +72,7 @@ impl<'a> Supernode<'a> {
             let value = work[k];
             let column = self.column(k);
             for row in k + 1..end {
-                work[row] -= column[row] * value;
+                work[row] -= column[row].into() * value;
             }
         }
         let rows = &mut work[j..];
@@ -81,12 +80,13 @@ impl<'a> Supernode<'a> {
         if let [a, b, c, d] = *unknowns {
             let [ca, cb, cc, cd] = [j, j + 1, j + 2, j + 3].map(|k| &self.column(k)[end..]);
             for ((((r, la), lb), lc), ld) in rest.iter_mut().zip(ca).zip(cb).zip(cc).zip(cd) {
+                let [la, lb, lc, ld] = [*la, *lb, *lc, *ld].map(Into::into);
                 *r -= la * a + lb * b + lc * c + ld * d;
             }
         } else {
             for (k, value) in (j..end).zip(&*unknowns) {
                 for (r, l) in rest.iter_mut().zip(&self.column(k)[end..]) {
-                    *r -= l * value;
+                    *r -= (*l).into() * value;
                 }
             }
         }
@@ -106,42 +106,42 @@ impl<'a> Supernode<'a> {
         }
         for k in (j..end).rev() {
             let column = self.column(k);
-            let near: f64 = (k + 1..end).map(|row| column[row] * work[row]).sum();
-            work[k] = work[k] / column[k] - near - sums[k - j];
+            let near: f64 = (k + 1..end).map(|row| column[row].into() * work[row]).sum();
+            work[k] = work[k] / column[k].into() - near - sums[k - j];
         }
     }
 }
 
-/// Lanes of a sum that the compiler may keep in one vector register.
+/// Partial sums that a product is gathered in, so that the compiler may keep them in vector registers.
 const LANES: usize = 4;
 
-fn four_products(columns: [&[f64]; 4], x: &[f64]) -> [f64; 4] {
-    let mut lanes = [[0.0; LANES]; 4];
-    let whole = x.len() / LANES * LANES;
-    let [a, b, c, d] = columns.map(|column| column[..whole].chunks_exact(LANES));
-    for ((((x, a), b), c), d) in x[..whole].chunks_exact(LANES).zip(a).zip(b).zip(c).zip(d) {
-        for lane in 0..LANES {
-            lanes[0][lane] += a[lane] * x[lane];
-            lanes[1][lane] += b[lane] * x[lane];
-            lanes[2][lane] += c[lane] * x[lane];
-            lanes[3][lane] += d[lane] * x[lane];
-        }
+fn four_products<T: Copy + Into<f64>>(columns: [&[T]; 4], x: &[f64]) -> [f64; 4] {
+    let [mut sa, mut sb, mut sc, mut sd] = [[0.0; LANES]; 4];
+    let [(a, ta), (b, tb), (c, tc), (d, td)] = columns.map(|column| column.as_chunks::<LANES>());
+    let (chunks, tail) = x.as_chunks::<LANES>();
+    for ((((x, a), b), c), d) in chunks.iter().zip(a).zip(b).zip(c).zip(d) {
+        add_products(&mut sa, a, x);
+        add_products(&mut sb, b, x);
+        add_products(&mut sc, c, x);
+        add_products(&mut sd, d, x);
     }
-    [0, 1, 2, 3].map(|k| {
-        lanes[k].iter().sum::<f64>()
-            + (whole..x.len())
-                .map(|row| columns[k][row] * x[row])
-                .sum::<f64>()
-    })
+    let sums = [sa, sb, sc, sd].map(|lanes| lanes.iter().sum::<f64>());
+    let tails = [ta, tb, tc, td].map(|column| product(column, tail));
+    [0, 1, 2, 3].map(|k| sums[k] + tails[k])
 }
 
-fn product(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+fn add_products<T: Copy + Into<f64>>(sums: &mut [f64; LANES], a: &[T; LANES], x: &[f64; LANES]) {
+    let products = std::array::from_fn::<f64, LANES, _>(|lane| a[lane].into() * x[lane]);
+    *sums = std::array::from_fn(|lane| sums[lane] + products[lane]);
+}
+
+fn product<T: Copy + Into<f64>>(a: &[T], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (*a).into() * b).sum()
 }
 
 /// Eliminates the interior columns from `x`.
-pub(crate) fn forward(
-    factor: SupernodalLdltRef<'_, usize, f64>,
+pub(crate) fn forward<T: Copy + Into<f64>>(
+    factor: SupernodalLdltRef<'_, usize, T>,
     interior: usize,
     x: &mut [f64],
     work: &mut Vec<f64>,
@@ -160,8 +160,8 @@ pub(crate) fn forward(
 }
 
 /// Divides by D and substitutes back through the interior columns, the border of `x` being known.
-pub(crate) fn backward(
-    factor: SupernodalLdltRef<'_, usize, f64>,
+pub(crate) fn backward<T: Copy + Into<f64>>(
+    factor: SupernodalLdltRef<'_, usize, T>,
     interior: usize,
     x: &mut [f64],
     work: &mut Vec<f64>,
@@ -179,22 +179,30 @@ pub(crate) fn backward(
     }
 }
 
-/// Negative pivots among the interior columns.
-pub(crate) fn inertia(factor: SupernodalLdltRef<'_, usize, f64>, interior: usize) -> Inertia {
-    let negative = (0..factor.symbolic().n_supernodes())
-        .map(|index| {
-            let node = Supernode::new(factor, index, interior);
-            (0..node.interior)
-                .filter(|&j| node.column(j)[j] < 0.0)
-                .count()
-        })
-        .sum();
-    Inertia { negative }
+/// Pivots of the interior columns.
+pub(crate) fn pivots<T: Copy + Into<f64>>(
+    factor: SupernodalLdltRef<'_, usize, T>,
+    interior: usize,
+) -> impl Iterator<Item = T> {
+    (0..factor.symbolic().n_supernodes()).flat_map(move |index| {
+        let node = Supernode::new(factor, index, interior);
+        (0..node.interior).map(move |j| node.column(j)[j])
+    })
+}
+
+/// Number of negative pivots among the interior columns.
+pub(crate) fn negative_pivots<T: Copy + Into<f64>>(
+    factor: SupernodalLdltRef<'_, usize, T>,
+    interior: usize,
+) -> usize {
+    pivots(factor, interior)
+        .filter(|&pivot| pivot.into() < 0.0)
+        .count()
 }
 
 /// What the elimination of the interior leaves of the border: L_b D_b L_b^T.
-pub(crate) fn schur_complement(
-    factor: SupernodalLdltRef<'_, usize, f64>,
+pub(crate) fn schur_complement<T: Copy + Into<f64>>(
+    factor: SupernodalLdltRef<'_, usize, T>,
     interior: usize,
 ) -> Mat<f64> {
     let border = factor.symbolic().nrows() - interior;
@@ -204,13 +212,14 @@ pub(crate) fn schur_complement(
         let node = Supernode::new(factor, index, interior);
         for j in node.interior..node.columns {
             let (column, target) = (node.column(j), node.start + j - interior);
-            let pivot = column[j];
+            let pivot = column[j].into();
             lower[(target, target)] = 1.0;
             scaled[(target, target)] = pivot;
             for row in j + 1..node.rows {
                 let equation = node.equation(row) - interior;
-                lower[(equation, target)] = column[row];
-                scaled[(equation, target)] = column[row] * pivot;
+                let entry = column[row].into();
+                lower[(equation, target)] = entry;
+                scaled[(equation, target)] = entry * pivot;
             }
         }
     }

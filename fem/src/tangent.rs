@@ -52,6 +52,15 @@ impl Tangent {
         Ok(())
     }
 
+    /// The same tangent with its factor in single precision.
+    #[must_use]
+    pub(crate) fn rounded(self) -> Self {
+        Self {
+            factor: self.factor.rounded(),
+            ..self
+        }
+    }
+
     /// Puts a spring as stiff as the body's mean diagonal on each unknown of the border; returns its stiffness.
     fn add_springs(&self, entries: &mut Entries) -> f64 {
         let starts = &self.setup.symbolic.pattern().column_starts;
