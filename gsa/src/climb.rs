@@ -6,7 +6,7 @@
 //! | largest part of the error | asked for |
 //! |---|---|
 //! | quadrature | nodes on the lines that contribute most: 5, 9, 17, 33 |
-//! | decomposition | half as many check points again, for sparse corrections of the form |
+//! | decomposition | half as many check points again (near the tolerance a quarter), for sparse corrections of the form |
 //! | the same, and little of the grid is left | the rest of the grid: tensor quadrature |
 //!
 //! It ends at the tolerance, at the budget, or when there is nothing left to ask for. Its errors are those of the method
@@ -31,9 +31,13 @@ const GOOD_ENOUGH: f64 = 0.25;
 const FAR_OFF: f64 = 3.0;
 /// Fewest check points asked for at once.
 const LEAST_BATCH: usize = 4;
-/// How many check points more, as a share of those there are: to mend a form, and to confirm one.
+/// How many check points more to mend a form, as a share of those there are: from afar, and once the error is less than
+/// twice the tolerance.
 const MORE: f64 = 0.5;
+const A_LITTLE_MORE: f64 = 0.25;
+/// To confirm one, and at most so many: chance plays a part where there are few.
 const CONFIRMING: f64 = 0.34;
+const MOST_TO_CONFIRM: usize = 16;
 
 /// The best answer for one output from lines and check points.
 pub(crate) fn analyse(design: &Design, frame: &Frame, values: &[f64], tolerance: f64) -> Analysis {
@@ -148,7 +152,8 @@ pub(crate) fn next_step(
         let by_chance = analyses.iter().any(|a| a.method == Form::Corrected);
         let again = by_chance && !*confirmed;
         *confirmed = true;
-        return again.then(|| check(design, CONFIRMING, budget)).flatten();
+        let most = budget.min(MOST_TO_CONFIRM);
+        return again.then(|| check(design, CONFIRMING, most)).flatten();
     }
     *confirmed = false;
     let rough: Vec<&&Analysis> = failing
@@ -160,7 +165,12 @@ pub(crate) fn next_step(
     {
         return Some(step);
     }
-    check(design, MORE, budget)
+    let is_close = |a: &&Analysis| a.error.total.is_some_and(|e| e < 2.0 * method.tolerance);
+    let share = match failing.iter().all(is_close) {
+        true => A_LITTLE_MORE,
+        false => MORE,
+    };
+    check(design, share, budget)
         .or_else(|| refine(design, &failing.iter().collect::<Vec<_>>(), budget))
 }
 
