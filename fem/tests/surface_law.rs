@@ -2,6 +2,7 @@
 
 use fem::surface_law::{FibreFamily, Film, InPlane, SurfaceLaw};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 const FIBRES: FibreFamily = FibreFamily {
     angle: 0.96,
@@ -67,7 +68,7 @@ fn check_law(law: &dyn SurfaceLaw, strain: &InPlane) -> [Option<f64>; 2] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
 
     #[test]
     fn the_contract_holds_at_random_strains(strain in prop::array::uniform3(-0.15..0.3f64)) {

@@ -6,6 +6,7 @@ use gsa::distribution::Distribution;
 use gsa::method::{Kind, Method};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
+use proptest::test_runner::RngSeed;
 use proptest::test_runner::TestRunner;
 
 use crate::asking::until_enough;
@@ -57,7 +58,7 @@ fn tie(kind: Kind, analysis: &Analysis) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
 
     #[test]
     fn powers_of_two_change_no_bit(
