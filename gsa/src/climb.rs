@@ -165,6 +165,12 @@ pub(crate) fn next_step(
     {
         return Some(step);
     }
+    if failing
+        .iter()
+        .all(|a| is_beyond_checks(a, method.tolerance))
+    {
+        return None;
+    }
     let is_close = |a: &&Analysis| a.error.total.is_some_and(|e| e < 2.0 * method.tolerance);
     let share = match failing.iter().all(is_close) {
         true => A_LITTLE_MORE,
@@ -172,6 +178,16 @@ pub(crate) fn next_step(
     };
     check(design, share, budget)
         .or_else(|| refine(design, &failing.iter().collect::<Vec<_>>(), budget))
+}
+
+/// Whether what is missing lies in lines that can't be refined any more: check points don't mend these.
+fn is_beyond_checks(analysis: &Analysis, tolerance: f64) -> bool {
+    let error = &analysis.error;
+    let of_interactions: f64 = error.missing_of_interactions.iter().sum();
+    let form_holds = error
+        .decomposition
+        .is_some_and(|e| e <= GOOD_ENOUGH * tolerance);
+    form_holds && of_interactions <= GOOD_ENOUGH * tolerance
 }
 
 /// A share more check points, or all that the grid has left if they are hardly more.
