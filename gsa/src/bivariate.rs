@@ -99,12 +99,8 @@ pub(crate) fn analyse(
         add(&mut composite, design.lines(), frame, *pair, table);
     }
     let found = composite.decompose()?;
-    let decomposition = match design.inputs().len() {
-        // A single section is the output itself.
-        1 => Some(vec![0.0]),
-        _ if checks.is_empty() => None,
-        _ => Some(frame.errors(&composite, &found, checks, (&unseen, 0))),
-    };
+    let decomposition =
+        (!checks.is_empty()).then(|| frame.errors(&composite, &found, checks, (&unseen, 0)));
     let sizes: Vec<usize> = design
         .lines()
         .iter()
