@@ -13,31 +13,9 @@ use crate::mesh::{Mesh, Surface};
 use crate::obstacle::HeightField;
 use crate::tensor::{Vector, cross, norm};
 
-/// Stiffness of the contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Penalty {
-    /// Force per area and penetration, N/mm^3.
-    pub stiffness: f64,
-    /// Penetration over which the stiffness grows from zero to its full value, mm.
-    pub ramp: f64,
-}
+mod penalty;
 
-impl Penalty {
-    /// Pressure and its slope at a penetration.
-    pub fn pressure(&self, penetration: f64) -> (f64, f64) {
-        if penetration <= 0.0 {
-            (0.0, 0.0)
-        } else if penetration < self.ramp {
-            let slope = self.stiffness * penetration / self.ramp;
-            (0.5 * slope * penetration, slope)
-        } else {
-            (
-                self.stiffness * (penetration - 0.5 * self.ramp),
-                self.stiffness,
-            )
-        }
-    }
-}
+pub use penalty::Penalty;
 
 /// A surface that may touch the ground.
 #[derive(Debug)]
