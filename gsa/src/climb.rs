@@ -62,7 +62,7 @@ pub(crate) fn analyse(design: &Design, frame: &Frame, values: &[f64], tolerance:
 }
 
 fn is_better(corrected: &Corrected, analysis: &Analysis) -> bool {
-    let largest = corrected.decomposition.iter().copied().fold(0.0, f64::max);
+    let largest = corrected.largest_error();
     analysis.first_order.is_none()
         || analysis
             .error
@@ -87,8 +87,7 @@ fn best_correction(
     let attempts = forms
         .into_iter()
         .filter_map(|t| frame.correct(sections, &evidence.checks, t));
-    let error = |c: &Corrected| c.decomposition.iter().copied().fold(0.0, f64::max);
-    attempts.min_by(|a, b| error(a).total_cmp(&error(b)))
+    attempts.min_by(|a, b| a.largest_error().total_cmp(&b.largest_error()))
 }
 
 /// The values of t worth a correction.

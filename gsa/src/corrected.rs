@@ -126,6 +126,13 @@ pub(crate) struct Corrected {
     pub(crate) exhaustive: bool,
 }
 
+impl Corrected {
+    /// Of all first-order indices, beside quadrature.
+    pub(crate) fn largest_error(&self) -> f64 {
+        self.decomposition.iter().copied().fold(0.0, f64::max)
+    }
+}
+
 impl Frame {
     pub(crate) fn new(design: &Design) -> Self {
         let tables = Tables::new(design);

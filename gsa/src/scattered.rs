@@ -40,17 +40,14 @@ pub(crate) fn saltelli(inputs: usize, values: &[f64]) -> Analysis {
     let Some(found) = saltelli::analyse(inputs, values) else {
         return without_indices(values, Form::Saltelli);
     };
-    let analysis = Analysis {
-        mean: Some(found.mean).filter(|m| m.is_finite()),
-        variance: Some(found.variance).filter(|v| v.is_finite() && *v > 0.0),
+    let indices = Analysis {
         first_order: Some(found.first_order),
         total: Some(found.total),
         method: Form::Saltelli,
-        status: Status::Ok,
         error: found.error,
         ..Analysis::empty(0.0)
     };
-    with_lost(analysis, &found.lost)
+    with_moments(indices, (found.mean, found.variance), &found.lost)
 }
 
 /// One output of a polynomial chaos campaign.
@@ -58,21 +55,24 @@ pub(crate) fn pce(chaos: &Chaos, values: &[f64]) -> Analysis {
     let Some(found) = chaos.analyse(values) else {
         return without_indices(values, Form::Pce);
     };
-    let analysis = Analysis {
-        mean: Some(found.mean).filter(|m| m.is_finite()),
-        variance: Some(found.variance).filter(|v| v.is_finite() && *v > 0.0),
+    let indices = Analysis {
         first_order: Some(found.first_order),
         total: Some(found.total),
         second_order: Some(found.second_order),
         method: Form::Pce,
-        status: Status::Ok,
         error: found.error,
         ..Analysis::empty(0.0)
     };
-    with_lost(analysis, &found.lost)
+    with_moments(indices, (found.mean, found.variance), &found.lost)
 }
 
-fn with_lost(mut analysis: Analysis, lost: &[usize]) -> Analysis {
+fn with_moments(indices: Analysis, (mean, variance): (f64, f64), lost: &[usize]) -> Analysis {
+    let mut analysis = Analysis {
+        mean: Some(mean).filter(|m| m.is_finite()),
+        variance: Some(variance).filter(|v| v.is_finite() && *v > 0.0),
+        status: Status::Ok,
+        ..indices
+    };
     if !lost.is_empty() {
         let names: Vec<String> = lost.iter().map(usize::to_string).collect();
         analysis.note(&format!(
