@@ -214,9 +214,9 @@ impl Frame {
         let factors = self.dictionary.factors(&self.tables, sections, modes);
         let points: Vec<_> = checks.iter().map(|(check, _)| *check).collect();
         let candidates = self.dictionary.candidates(&factors, &points);
-        let rows: Vec<usize> = (0..residuals.len()).collect();
+        let all = vec![1.0; residuals.len()];
         let noise = NOISE_IN_EPS * f64::EPSILON * sections.largest;
-        let fit = regression::fit(&candidates, residuals, &rows, noise);
+        let fit = regression::fit(&candidates, residuals, &all, noise);
         for &(product, coefficient) in &fit.terms {
             for (index, c) in self.dictionary.expand(&factors, product) {
                 composite.add(index, coefficient * c);

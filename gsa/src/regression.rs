@@ -58,34 +58,106 @@ struct Step {
     coefficient: f64,
 }
 
-/// Fits the values at `rows`; a misfit of `noise` in the mean is exact.
-pub(crate) fn fit(candidates: &Candidates, values: &[f64], rows: &[usize], noise: f64) -> Fit {
-    let mut residual: Vec<f64> = rows.iter().map(|&k| values[k]).collect();
-    let mut left: Vec<Vec<f64>> = candidates
-        .columns
-        .iter()
-        .map(|column| rows.iter().map(|&k| column[k]).collect())
-        .collect();
-    let norms: Vec<f64> = left.iter().map(|column| dot(column, column)).collect();
-    let mut leverage = vec![0.0; rows.len()];
-    let mut steps: Vec<Step> = Vec::new();
-    let (mut best, mut best_score) = (0, dot(&residual, &residual));
-    let most = (rows.len() as f64 * MOST_UNKNOWNS) as usize;
-    let exact = noise * noise * rows.len() as f64;
-    while steps.len() < most && best_score > exact && steps.len() < best + PATIENCE {
-        let Some(column) = next(&left, &norms, &candidates.preference, &residual) else {
-            break;
+/// The search among the columns. All vectors are as long as the columns, zero where a value is left out, and the columns stay
+/// as they are: what is left of one beside those taken has the same product with the residual, which is orthogonal to all
+/// of those, and a square less by that of its product with the newest unit vector.
+struct Search<'a> {
+    candidates: &'a Candidates,
+    residual: Vec<f64>,
+    /// by column, its square, and what is left of it beside those taken
+    norms: Vec<f64>,
+    left: Vec<f64>,
+    /// by column, its product with the residual
+    products: Vec<f64>,
+    steps: Vec<Step>,
+}
+
+impl<'a> Search<'a> {
+    fn new(candidates: &'a Candidates, residual: Vec<f64>, kept: &[f64]) -> Self {
+        let squares = |column: &Vec<f64>| -> f64 {
+            let kept: Vec<f64> = column.iter().zip(kept).map(|(x, k)| x * k).collect();
+            dot(&kept, &kept)
         };
-        let step = take(candidates, rows, &mut left, &mut residual, &steps, column);
-        for (l, q) in leverage.iter_mut().zip(&step.unit) {
-            *l += q * q;
-        }
-        steps.push(step);
-        let score = left_out(&residual, &leverage);
-        if score < best_score {
-            (best, best_score) = (steps.len(), score);
+        let norms: Vec<f64> = candidates.columns.iter().map(squares).collect();
+        let columns = candidates.columns.iter();
+        Self {
+            products: columns.map(|column| dot(column, &residual)).collect(),
+            left: norms.clone(),
+            norms,
+            candidates,
+            residual,
+            steps: Vec::new(),
         }
     }
+
+    /// The column that lowers the misfit most.
+    fn next(&self) -> Option<usize> {
+        let gain = |index: usize| {
+            if self.left[index] <= SPENT * self.norms[index] {
+                return 0.0;
+            }
+            self.candidates.preference[index] * self.products[index].powi(2) / self.left[index]
+        };
+        let gains = (0..self.left.len()).map(|index| (index, gain(index)));
+        gains
+            .filter(|(_, gain)| *gain > 0.0)
+            .max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))
+            .map(|(index, _)| index)
+    }
+
+    fn take(&mut self, column: usize, kept: &[f64]) {
+        let whole = &self.candidates.columns[column];
+        let mut unit: Vec<f64> = whole.iter().zip(kept).map(|(x, k)| x * k).collect();
+        // Twice, because the first time leaves the rounding of what it takes away.
+        for _ in 0..2 {
+            for step in &self.steps {
+                let share = dot(&step.unit, &unit);
+                subtract(&mut unit, &step.unit, share);
+            }
+        }
+        let length = dot(&unit, &unit).sqrt();
+        unit.iter_mut().for_each(|x| *x /= length);
+        let coefficient = dot(&self.residual, &unit);
+        subtract(&mut self.residual, &unit, coefficient);
+        for (index, other) in self.candidates.columns.iter().enumerate() {
+            self.left[index] -= dot(other, &unit).powi(2);
+            self.products[index] = dot(other, &self.residual);
+        }
+        let units = self.steps.iter().map(|step| &step.unit);
+        let triangle = units.chain([&unit]).map(|q| dot(q, whole)).collect();
+        self.steps.push(Step {
+            column,
+            unit,
+            triangle,
+            coefficient,
+        });
+    }
+}
+
+/// Fits the values whose row is `kept` (1, else 0); a misfit of `noise` in the mean is exact.
+pub(crate) fn fit(candidates: &Candidates, values: &[f64], kept: &[f64], noise: f64) -> Fit {
+    let rows: f64 = kept.iter().sum();
+    let residual = values.iter().zip(kept).map(|(y, k)| y * k).collect();
+    let mut search = Search::new(candidates, residual, kept);
+    let mut leverage = vec![0.0; kept.len()];
+    let (mut best, mut best_score) = (0, dot(&search.residual, &search.residual));
+    let most = (rows * MOST_UNKNOWNS) as usize;
+    let exact = noise * noise * rows;
+    while search.steps.len() < most && best_score > exact && search.steps.len() < best + PATIENCE {
+        let Some(column) = search.next() else {
+            break;
+        };
+        search.take(column, kept);
+        let unit = search.steps.last().map_or(&[][..], |step| &step.unit);
+        for (l, q) in leverage.iter_mut().zip(unit) {
+            *l += q * q;
+        }
+        let score = left_out(&search.residual, &leverage, rows);
+        if score < best_score {
+            (best, best_score) = (search.steps.len(), score);
+        }
+    }
+    let mut steps = search.steps;
     steps.truncate(best);
     Fit {
         terms: solve(&steps),
@@ -93,57 +165,10 @@ pub(crate) fn fit(candidates: &Candidates, values: &[f64], rows: &[usize], noise
     }
 }
 
-/// The column that lowers the misfit most.
-fn next(left: &[Vec<f64>], norms: &[f64], preference: &[f64], residual: &[f64]) -> Option<usize> {
-    let gain = |index: usize| {
-        let square = dot(&left[index], &left[index]);
-        if square <= SPENT * norms[index] {
-            return 0.0;
-        }
-        preference[index] * dot(&left[index], residual).powi(2) / square
-    };
-    let gains = (0..left.len()).map(|index| (index, gain(index)));
-    gains
-        .filter(|(_, gain)| *gain > 0.0)
-        .max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))
-        .map(|(index, _)| index)
-}
-
-fn take(
-    candidates: &Candidates,
-    rows: &[usize],
-    left: &mut [Vec<f64>],
-    residual: &mut [f64],
-    before: &[Step],
-    column: usize,
-) -> Step {
-    let length = dot(&left[column], &left[column]).sqrt();
-    let unit: Vec<f64> = left[column].iter().map(|x| x / length).collect();
-    for other in left.iter_mut() {
-        let share = dot(other, &unit);
-        subtract(other, &unit, share);
-    }
-    let coefficient = dot(residual, &unit);
-    subtract(residual, &unit, coefficient);
-    let whole: Vec<f64> = rows
-        .iter()
-        .map(|&k| candidates.columns[column][k])
-        .collect();
-    let units = before.iter().map(|step| &step.unit);
-    let triangle = units.chain([&unit]).map(|q| dot(q, &whole)).collect();
-    Step {
-        column,
-        unit,
-        triangle,
-        coefficient,
-    }
-}
-
 /// Squared leave-one-out residuals, raised for the unknowns spent: with P unknowns of K values the misfit to new ones is
 /// some K/(K - P) times as large.
-fn left_out(residual: &[f64], leverage: &[f64]) -> f64 {
+fn left_out(residual: &[f64], leverage: &[f64], count: f64) -> f64 {
     let unknowns: f64 = leverage.iter().sum();
-    let count = residual.len() as f64;
     let squares = residual.iter().zip(leverage);
     let sum: f64 = squares
         .map(|(r, l)| (r / (1.0 - l).max(1e-6)).powi(2))
@@ -166,24 +191,52 @@ fn solve(steps: &[Step]) -> Vec<(usize, f64)> {
 
 /// What a fit without point k, chosen without it too, is off by there.
 pub(crate) fn cross_validate(candidates: &Candidates, values: &[f64], noise: f64) -> Vec<f64> {
-    let count = values.len();
-    let folds = FOLDS.min(count);
+    let groups = groups(values.len());
     let mut residuals = values.to_vec();
-    for fold in 0..folds {
-        let kept: Vec<usize> = (0..count).filter(|k| k % folds != fold).collect();
+    for group in 0..FOLDS.min(values.len()) {
+        let kept: Vec<f64> = groups
+            .iter()
+            .map(|g| if *g == group { 0.0 } else { 1.0 })
+            .collect();
         let fit = fit(candidates, values, &kept, noise);
-        for k in (fold..count).step_by(folds) {
-            let terms = fit.terms.iter();
-            residuals[k] -= terms
-                .map(|(column, c)| c * candidates.columns[*column][k])
-                .sum::<f64>();
+        for (k, residual) in residuals.iter_mut().enumerate() {
+            if groups[k] == group {
+                let terms = fit.terms.iter();
+                *residual -= terms
+                    .map(|(column, c)| c * candidates.columns[*column][k])
+                    .sum::<f64>();
+            }
         }
     }
     residuals
 }
 
+/// Which group each point belongs to, all as large, by the order of its multiple of the golden ratio modulo 1. Every so manieth
+/// point of Sobol's sequence lies in one slab of each input, which the others would have to extrapolate to.
+fn groups(count: usize) -> Vec<usize> {
+    let place = |k: usize| (k as f64 * std::f64::consts::GOLDEN_RATIO).fract();
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|a, b| place(*a).total_cmp(&place(*b)));
+    let mut groups = vec![0; count];
+    for (rank, k) in order.into_iter().enumerate() {
+        groups[k] = rank * FOLDS.min(count) / count;
+    }
+    groups
+}
+
+/// In several sums at once, which a processor adds side by side.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+    const LANES: usize = 8;
+    let (a, last_of_a) = a.as_chunks::<LANES>();
+    let (b, last_of_b) = b.as_chunks::<LANES>();
+    let mut sums = [0.0; LANES];
+    for (a, b) in a.iter().zip(b) {
+        for lane in 0..LANES {
+            sums[lane] += a[lane] * b[lane];
+        }
+    }
+    let last = last_of_a.iter().zip(last_of_b).map(|(a, b)| a * b);
+    sums.iter().sum::<f64>() + last.sum::<f64>()
 }
 
 fn subtract(a: &mut [f64], b: &[f64], factor: f64) {
@@ -220,15 +273,38 @@ mod tests {
         let candidates = candidates_of(200, 20);
         let terms = [(17, 3.0), (90, -1.5), (151, 2.0)];
         let values = combination(&candidates, &terms);
-        let rows: Vec<usize> = (0..20).collect();
-        let mut found = fit(&candidates, &values, &rows, 1e-13).terms;
+        let mut found = fit(&candidates, &values, &[1.0; 20], 1e-13).terms;
         found.sort_by_key(|(column, _)| *column);
         assert_eq!(found.len(), 3);
         for ((i, c), (j, expected)) in found.iter().zip(terms) {
             assert!(*i == j && (c - expected).abs() < 1e-13, "{found:?}");
         }
+    }
+
+    #[test]
+    fn values_are_predicted_by_what_the_others_have_found() {
+        let candidates = candidates_of(200, 40);
+        let values = combination(&candidates, &[(17, 3.0), (90, -1.5), (151, 2.0)]);
         let unseen = cross_validate(&candidates, &values, 1e-13);
         assert!(unseen.iter().all(|r| r.abs() < 1e-12), "{unseen:?}");
+    }
+
+    #[test]
+    fn groups_are_equal_and_no_slab_of_sobols_points() {
+        for count in [5, 8, 20, 101] {
+            let groups = groups(count);
+            for group in 0..FOLDS.min(count) {
+                let size = groups.iter().filter(|g| **g == group).count();
+                assert!(size == count / FOLDS || size == count.div_ceil(FOLDS));
+            }
+        }
+        // one remainder by eight would be a slab
+        let groups = groups(64);
+        for group in 0..FOLDS {
+            let members = (0..64usize).filter(|k| groups[*k] == group);
+            let remainders: std::collections::HashSet<usize> = members.map(|k| k % 8).collect();
+            assert!(remainders.len() > 2, "{remainders:?}");
+        }
     }
 
     #[test]

@@ -127,7 +127,7 @@ fn claimed_errors_of_the_other_methods() {
     let rows = [
         (Kind::Bivariate, 95.0, 25.0),
         (Kind::Tensor, 95.0, 25.0),
-        (Kind::Pce, 95.0, 15.0),
+        (Kind::Pce, 95.0, 10.0),
         (Kind::Saltelli, 95.0, 5.0),
         (Kind::Auto, 95.0, 15.0),
     ];

@@ -146,7 +146,7 @@ fn claimed_errors_hold_on_models_they_were_not_set_on() {
         (Kind::Mdrm, 9, 93.0, 10.0),
         (Kind::Bivariate, 5, 95.0, 10.0),
         (Kind::Tensor, 5, 95.0, 10.0),
-        (Kind::Pce, 5, 95.0, 15.0),
+        (Kind::Pce, 5, 95.0, 10.0),
         (Kind::Saltelli, 5, 95.0, 10.0),
         (Kind::Auto, 5, 95.0, 20.0),
     ];
