@@ -43,31 +43,10 @@ impl TireModel {
     /// Builds the problem of a scene.
     pub fn new(scene: &Scene, plan: &MeshPlan, extent: Extent) -> Self {
         let grid = TireGrid::new(shape(scene), plan, extent);
-        let (mesh, layout) = grid.mesh();
-        let supports = supports(&grid, mesh.nodes.len());
-        let carcass = scene.carcass.iter();
-        let carcass = carcass.filter_map(|carcass| membrane(carcass, &grid, &mesh));
-        let film = scene.film.iter();
-        let film = film.map(|film| film_membrane(film, &grid, &mesh));
-        let membranes = carcass.chain(film).collect();
-        let mut contact = ContactSurface::new(&mesh, grid.tread_surface(), penalty(scene));
-        contact.friction = friction(scene);
-        let pressure = PressureSurface::new(grid.inner_surface());
-        let chart = chart(&grid);
-        let problem = Problem {
-            mesh,
-            layout,
-            solid: solid(scene),
-            membranes,
-            supports,
-            pressure: Some(pressure),
-            contact: Some(contact),
-            dead_forces: vec![],
-        };
         Self {
-            problem,
+            problem: problem(scene, &grid),
+            chart: chart(&grid),
             grid,
-            chart,
         }
     }
 
@@ -115,6 +94,31 @@ impl TireModel {
             modelled: modelled(scene, self.grid.order),
             left_out: left_out(scene, self.grid.extent),
         }
+    }
+}
+
+/// The boundary value problem of a scene on a grid, all of the tire's or a sector's.
+pub(crate) fn problem(scene: &Scene, grid: &TireGrid) -> Problem {
+    let (mesh, layout) = grid.mesh();
+    let supports = supports(grid, mesh.nodes.len());
+    let carcass = scene.carcass.iter();
+    let carcass = carcass.filter_map(|carcass| membrane(carcass, grid, &mesh));
+    let film = scene.film.iter();
+    let film = film.map(|film| film_membrane(film, grid, &mesh));
+    let membranes = carcass.chain(film).collect();
+    let mut contact = ContactSurface::new(&mesh, grid.tread_surface(), penalty(scene));
+    contact.friction = friction(scene);
+    let pressure = PressureSurface::new(grid.inner_surface());
+    Problem {
+        mesh,
+        layout,
+        solid: solid(scene),
+        membranes,
+        supports,
+        pressure: Some(pressure),
+        contact: Some(contact),
+        dead_forces: vec![],
+        superelement: None,
     }
 }
 

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use faer::Mat;
 use faer::Par;
 use faer::Side;
-use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::cholesky::ldlt::factor::{LdltError, LdltRegularization};
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::supernodal::{SupernodalLdltRef, SymbolicSupernodalCholesky};
@@ -297,6 +297,14 @@ impl Workspace {
             memory,
             column: Vec::new(),
         })
+    }
+
+    /// For substitutions alone.
+    pub fn for_substitutions() -> Self {
+        Self {
+            memory: MemBuffer::new(StackReq::EMPTY),
+            column: Vec::new(),
+        }
     }
 }
 

@@ -32,6 +32,7 @@ pub struct Setup {
     pub(crate) brick_scatter: Vec<u32>,
     pub(crate) membrane_scatter: Vec<Vec<u32>>,
     pub(crate) pressure_scatter: Vec<u32>,
+    pub(crate) superelement_scatter: Vec<u32>,
     /// Shear modulus times volume^(2/3), and fibre stiffnesses times the root of their area, N.
     pub(crate) natural_force: f64,
     /// Which contact faces the border serves.
@@ -46,7 +47,21 @@ impl Setup {
     /// [`SetupError`] when a brick is inverted or the factor doesn't fit in memory.
     pub fn new(problem: &Problem, state: &State, loads: &Loads) -> Result<Self, SetupError> {
         let geometry = Arc::new(SolidGeometry::new(&problem.mesh)?);
-        Self::with_geometry(problem, geometry, contact_faces(problem, state, loads))
+        let faces = contact_faces(problem, state, loads);
+        Self::with_border(problem, geometry, border_axes(problem, &faces), faces)
+    }
+
+    /// Sets a problem up with all free displacements of these nodes as its border.
+    ///
+    /// # Errors
+    /// As [`Setup::new`].
+    pub(crate) fn with_nodes_last(problem: &Problem, nodes: &[u32]) -> Result<Self, SetupError> {
+        let geometry = Arc::new(SolidGeometry::new(&problem.mesh)?);
+        let mut border = vec![[false; 3]; problem.mesh.nodes.len()];
+        for &node in nodes {
+            border[node as usize] = [true; 3];
+        }
+        Self::with_border(problem, geometry, border, Vec::new())
     }
 
     /// The same problem with a border that serves these contact faces too; `None` when the present one does.
@@ -66,19 +81,22 @@ impl Setup {
         {
             return Ok(None);
         }
-        let both = faces.iter().zip(served).map(|(a, b)| *a || *b).collect();
-        Self::with_geometry(problem, self.geometry.clone(), both).map(Some)
+        let both: Vec<bool> = faces.iter().zip(served).map(|(a, b)| *a || *b).collect();
+        let border = border_axes(problem, &both);
+        Self::with_border(problem, self.geometry.clone(), border, both).map(Some)
     }
 
-    fn with_geometry(
+    fn with_border(
         problem: &Problem,
         geometry: Arc<SolidGeometry>,
+        border: Vec<[bool; 3]>,
         border_faces: Vec<bool>,
     ) -> Result<Self, SetupError> {
         let mesh = &problem.mesh;
-        let border = border_axes(problem, &border_faces);
-        let equations = Equations::new(mesh, &problem.layout, &problem.supports, &border);
-        let pattern = Pattern::new(mesh, &equations);
+        let shared = problem.superelement.as_ref();
+        let shared = shared.map_or(&[][..], |element| &element.nodes);
+        let equations = Equations::new(mesh, &problem.layout, &problem.supports, shared, &border);
+        let pattern = Pattern::new(mesh, shared, &equations);
         let scatter = |nodes: &[u32]| pattern.scatter(&equations.of(nodes).collect::<Vec<_>>());
         let of_surface = |surface: &Surface| surface.iter().flat_map(scatter).collect::<Vec<_>>();
         let brick_scatter = (0..mesh.brick_count())
@@ -88,6 +106,7 @@ impl Setup {
         let membrane_scatter = membranes.map(|m| of_surface(&m.surface)).collect();
         let pressure = problem.pressure.as_ref();
         let pressure_scatter = pressure.map_or_else(Vec::new, |p| of_surface(&p.surface));
+        let superelement_scatter = scatter(shared);
         let symbolic = Symbolic::new(pattern, equations.interior)?;
         Ok(Self {
             equations,
@@ -97,6 +116,7 @@ impl Setup {
             brick_scatter,
             membrane_scatter,
             pressure_scatter,
+            superelement_scatter,
             border_faces,
         })
     }

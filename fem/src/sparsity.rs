@@ -18,21 +18,32 @@ pub struct Equations {
 }
 
 impl Equations {
-    /// Numbers the free displacements by nested dissection; those that `border` marks come last.
+    /// Numbers the free displacements by nested dissection, then those of the `shared` nodes, all of which are coupled, last
+    /// those that `border` marks.
     pub fn new(
         mesh: &Mesh,
         layout: &[[f64; 3]],
         supports: &[[Option<f64>; 3]],
+        shared: &[u32],
         border: &[[bool; 3]],
     ) -> Self {
         let mut of_node = vec![[NONE; 3]; mesh.nodes.len()];
         let order = nested_dissection(mesh, layout);
+        let mut is_shared = vec![false; mesh.nodes.len()];
+        for &node in shared {
+            is_shared[node as usize] = true;
+        }
+        let group = |node: usize, axis: usize| match (border[node][axis], is_shared[node]) {
+            (true, _) => Group::Border,
+            (false, true) => Group::Shared,
+            (false, false) => Group::Own,
+        };
         let mut count = 0;
-        let mut number = |of_border: bool| {
+        let mut number = |wanted: Group| {
             for &node in &order {
                 for axis in 0..3 {
                     let held = supports[node as usize][axis].is_some();
-                    if !held && border[node as usize][axis] == of_border {
+                    if !held && group(node as usize, axis) == wanted {
                         of_node[node as usize][axis] = count;
                         count += 1;
                     }
@@ -40,7 +51,8 @@ impl Equations {
             }
             count as usize
         };
-        let (interior, count) = (number(false), number(true));
+        number(Group::Own);
+        let (interior, count) = (number(Group::Shared), number(Group::Border));
         Self {
             of_node,
             count,
@@ -54,6 +66,14 @@ impl Equations {
     }
 }
 
+/// Equations in the order in which they are numbered.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Group {
+    Own,
+    Shared,
+    Border,
+}
+
 /// Upper triangle of a symmetric sparse matrix by columns, rows ascending.
 #[derive(Debug)]
 pub struct Pattern {
@@ -64,9 +84,9 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// Pattern in which all unknowns of a brick are coupled.
-    pub fn new(mesh: &Mesh, equations: &Equations) -> Self {
-        let neighbours = node_neighbours(mesh);
+    /// Pattern in which all unknowns of a brick are coupled, and all of the `shared` nodes.
+    pub fn new(mesh: &Mesh, shared: &[u32], equations: &Equations) -> Self {
+        let neighbours = node_neighbours(mesh, shared);
         let mut column_starts = vec![0; equations.count + 1];
         let mut columns: Vec<Vec<u32>> = vec![Vec::new(); equations.count];
         for (node, neighbours) in neighbours.iter().enumerate() {
@@ -123,13 +143,16 @@ impl Pattern {
     }
 }
 
-/// Nodes that share a brick with each node, itself included, ascending.
-fn node_neighbours(mesh: &Mesh) -> Vec<Vec<u32>> {
+/// Nodes that share a brick with each node, itself included, or are `shared` with it, ascending.
+fn node_neighbours(mesh: &Mesh, shared: &[u32]) -> Vec<Vec<u32>> {
     let mut neighbours: Vec<Vec<u32>> = vec![Vec::new(); mesh.nodes.len()];
     for element in 0..mesh.brick_count() {
         for &node in mesh.brick(element) {
             neighbours[node as usize].extend_from_slice(mesh.brick(element));
         }
+    }
+    for &node in shared {
+        neighbours[node as usize].extend_from_slice(shared);
     }
     for list in &mut neighbours {
         list.sort_unstable();

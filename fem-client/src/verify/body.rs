@@ -44,6 +44,7 @@ pub(super) fn free(mesh: Mesh, layout: Vec<[f64; 3]>, solid: SolidModel) -> Prob
         pressure: None,
         contact: None,
         dead_forces: vec![],
+        superelement: None,
     }
 }
 
