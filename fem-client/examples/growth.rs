@@ -1,8 +1,10 @@
-//! Time of one cold solve against the number of unknowns, with the fitted exponent; prints Markdown.
+//! Time of one cold solve against the number of unknowns, with the fitted exponent, and what an iteration with a new tangent
+//! is made of; prints Markdown.
 //!
-//! `cargo run --release -p fem-client --example growth`, three minutes and 4 GB.
+//! `cargo run --release -p fem-client --example growth`, seven minutes and 4 GB.
 
 use fem::element::Order;
+use fem::newton::NewtonSettings;
 use fem_client::embedded::EmbeddedSolver;
 use fem_client::solver::Cost;
 use fem_client::tire_mesh::MeshPlan;
@@ -44,6 +46,9 @@ fn main() {
             in_plane(order, refinement)
         });
     }
+    for (name, order) in ORDERS {
+        iterations(&format!("An iteration with a new tangent, {name}"), order);
+    }
 }
 
 fn in_plane(order: Order, refinement: usize) -> MeshPlan {
@@ -53,13 +58,43 @@ fn in_plane(order: Order, refinement: usize) -> MeshPlan {
     }
 }
 
+/// Parts of an iteration of pure Newton. Ordering and symbolic factorisation, made once, belong to none.
+fn iterations(title: &str, order: Order) {
+    println!("### {title}\n");
+    println!(
+        "| unknowns | iterations | ms an iteration | factorisation % | assembly % | substitution and contact % |"
+    );
+    println!("| ---{} |", " | ---".repeat(5));
+    let pure = NewtonSettings {
+        renewal_cost: 0.0,
+        ..EmbeddedSolver::settings()
+    };
+    for refinement in REFINEMENTS {
+        let run = median(&plan(order, refinement), pure);
+        let cost = &run.cost;
+        let parts = [cost.factorisation_s, cost.assembly_s, cost.substitution_s];
+        let whole: f64 = parts.iter().sum();
+        let [factorisation, assembly, substitution] = parts.map(|part| 100.0 * part / whole);
+        println!(
+            "| {} | {} | {:.1} | {factorisation:.0} | {assembly:.0} | {substitution:.0} |",
+            run.unknowns,
+            cost.newton_iterations,
+            1e3 * whole / cost.newton_iterations as f64,
+        );
+    }
+    println!();
+}
+
 fn table(title: &str, plan: impl Fn(usize) -> MeshPlan) {
     println!("### {title}\n");
     println!(
         "| unknowns | iterations | factorisations | wall s | CPU s | factorisation % | assembly % | substitution and contact % | the rest % |"
     );
     println!("| ---{} |", " | ---".repeat(8));
-    let runs: Vec<Run> = REFINEMENTS.iter().map(|&r| median(&plan(r))).collect();
+    let runs: Vec<Run> = REFINEMENTS
+        .iter()
+        .map(|&r| median(&plan(r), EmbeddedSolver::settings()))
+        .collect();
     for run in &runs {
         let cost = &run.cost;
         let share = |seconds: f64| 100.0 * seconds / cost.wall_s;
@@ -89,11 +124,12 @@ fn table(title: &str, plan: impl Fn(usize) -> MeshPlan) {
     );
 }
 
-fn median(plan: &MeshPlan) -> Run {
+fn median(plan: &MeshPlan, settings: NewtonSettings) -> Run {
     let mut runs: Vec<Run> = Vec::new();
     while runs.len() < RUNS && runs.iter().map(|run| run.cpu_s).sum::<f64>() < LONGEST_S {
         let begin = cpu_seconds();
-        let solved = solve(&EmbeddedSolver::default(), &reference(1.0), plan, None);
+        let solver = EmbeddedSolver::with_settings(settings);
+        let solved = solve(&solver, &reference(1.0), plan, None);
         runs.push(Run {
             unknowns: solved.response.model.dofs,
             cost: solved.cost,

@@ -8,8 +8,9 @@ use fem::path::PathReport;
 use fem::problem::{Loads, State};
 use sha2::{Digest, Sha256};
 
+use crate::far_field::FarField;
 use crate::gauge;
-use crate::neighbourhood::{Neighbourhood, Neighbourhoods};
+use crate::neighbourhood::{Neighbourhood, Neighbourhoods, Pressed};
 use crate::readout::Reader;
 use crate::scene::Scene;
 use crate::session::Session;
@@ -33,10 +34,7 @@ pub struct EmbeddedSolver {
 
 impl Default for EmbeddedSolver {
     fn default() -> Self {
-        Self::with_settings(NewtonSettings {
-            tolerance: TOLERANCE,
-            ..NewtonSettings::default()
-        })
+        Self::with_settings(Self::settings())
     }
 }
 
@@ -57,12 +55,27 @@ impl Solver for EmbeddedSolver {
 }
 
 impl EmbeddedSolver {
+    /// How the default solver finds equilibria.
+    pub fn settings() -> NewtonSettings {
+        NewtonSettings {
+            tolerance: TOLERANCE,
+            ..NewtonSettings::default()
+        }
+    }
+
     /// A solver whose equilibria are found otherwise. Its version says nothing of that: for measurements, not for storage.
     pub fn with_settings(settings: NewtonSettings) -> Self {
         Self {
             settings,
             neighbourhoods: Neighbourhoods::default(),
         }
+    }
+
+    /// The same solver with another model of the far field. Its version says nothing of that either.
+    #[must_use]
+    pub fn with_far_field(mut self, far_field: FarField) -> Self {
+        self.neighbourhoods.far_field = far_field;
+        self
     }
 
     /// Solves a scene on a mesh of the caller's choice.
@@ -126,10 +139,7 @@ fn solve_near(
         Some(pressed) => pressed,
         None => {
             let canonical = target.with_depths(&depths);
-            // With friction the equilibrium depends on the path: always the one from the inflated state.
-            let neighbour = (&near.equilibrium, &near.loads);
-            let neighbour = (request.scene.contact.friction == 0.0).then_some(neighbour);
-            let pressed = session.press(&near.inflated, &canonical, neighbour);
+            let pressed = press_near(&mut session, near, &canonical);
             let pressed = Arc::new(pressed.map_err(|error| error.mirrored(mirrored))?);
             near.remember(depths, pressed.clone());
             pressed
@@ -151,6 +161,30 @@ fn solve_near(
         iterations: pressed.iterations,
     };
     Ok(session.answer(request, begin, answer, &target))
+}
+
+fn press_near(
+    session: &mut Session<'_>,
+    near: &Neighbourhood,
+    target: &Loads,
+) -> Result<Pressed, SolveError> {
+    // With friction the equilibrium depends on the path: always the one from the inflated state.
+    if session.scene.contact.friction > 0.0 {
+        return session.press(&near.inflated, target, None);
+    }
+    if let Some(condensed) = &near.condensed {
+        let (settings, stop) = (session.newton.settings, session.stop);
+        if let Some(found) = condensed.press(&near.equilibrium, target, settings, stop) {
+            session.newton.effort += found.effort;
+            return Ok(Pressed {
+                state: found.state,
+                report: found.report,
+                iterations: found.effort.iterations,
+            });
+        }
+    }
+    let neighbour = (&near.equilibrium, &near.loads);
+    session.press(&near.inflated, target, Some(neighbour))
 }
 
 /// From nothing, or from the equilibrium of a similar tire on the same mesh.

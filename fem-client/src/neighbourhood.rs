@@ -14,6 +14,7 @@ use fem::problem::{Loads, State};
 use fem::tangent::Tangent;
 use sha2::{Digest, Sha256};
 
+use crate::far_field::{Around, Condensed, FarField};
 use crate::scene::{Ground, Scene};
 use crate::solver::StartState;
 use crate::tire::{TireModel, ground, is_symmetric};
@@ -35,6 +36,7 @@ pub(crate) struct Neighbourhood {
     pub(crate) equilibrium: State,
     pub(crate) loads: Loads,
     pub(crate) tangent: Arc<Tangent>,
+    pub(crate) condensed: Option<Condensed>,
     /// Whether left and right are alike here, so that mirrored depths have mirrored equilibria.
     symmetric: bool,
     pressed: Mutex<VecDeque<(Vec<f64>, Arc<Pressed>)>>,
@@ -50,7 +52,13 @@ pub(crate) struct Pressed {
 
 impl Neighbourhood {
     /// `None` when the state belongs to another mesh or inflation, or its tangent can't be had.
-    fn new(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> Option<Self> {
+    fn new(
+        scene: &Scene,
+        plan: &MeshPlan,
+        extent: Extent,
+        start: &StartState,
+        far_field: FarField,
+    ) -> Option<Self> {
         let model = TireModel::new(scene, plan, extent);
         let inflated = model.fit(&start.inflated)?;
         let equilibrium = model.fit(&start.equilibrium)?;
@@ -68,10 +76,17 @@ impl Neighbourhood {
         let reach = REACH[0] * deepest + REACH[1] * scene.geometry.wall_mm;
         let raised = Loads {
             ground: Some(ground(&depths, radius - reach)),
-            ..loads
+            ..loads.clone()
         };
         let mut newton = Newton::for_contact(&model.problem, &equilibrium, &raised).ok()?;
         let tangent = newton.tangent_at(&equilibrium, &loads).ok()?;
+        let around = Around {
+            inflated: &inflated,
+            equilibrium: &equilibrium,
+            loads: &loads,
+            raised: &raised,
+        };
+        let condensed = Condensed::new(scene, &model, around, far_field);
         Some(Self {
             inflated_key: start.inflated_key.clone(),
             model,
@@ -79,6 +94,7 @@ impl Neighbourhood {
             equilibrium,
             loads,
             tangent,
+            condensed,
             symmetric: extent == Extent::Half && is_symmetric(&depths),
             pressed: Mutex::default(),
         })
@@ -119,6 +135,7 @@ type Slot = Arc<OnceLock<Option<Arc<Neighbourhood>>>>;
 /// The last few neighbourhoods.
 #[derive(Debug, Default)]
 pub(crate) struct Neighbourhoods {
+    pub(crate) far_field: FarField,
     slots: Mutex<Vec<(String, Slot)>>,
 }
 
@@ -132,8 +149,10 @@ impl Neighbourhoods {
         start: &StartState,
     ) -> Option<Arc<Neighbourhood>> {
         let slot = self.slot(key(scene, plan, extent, start));
-        slot.get_or_init(|| Neighbourhood::new(scene, plan, extent, start).map(Arc::new))
-            .clone()
+        slot.get_or_init(|| {
+            Neighbourhood::new(scene, plan, extent, start, self.far_field).map(Arc::new)
+        })
+        .clone()
     }
 
     fn slot(&self, key: String) -> Slot {

@@ -62,6 +62,8 @@ pub struct TireGrid {
     pub extent: Extent,
     /// Dimensions.
     pub shape: TireShape,
+    /// Whether the last section is the first.
+    pub(crate) is_closed: bool,
     pub(crate) theta: Vec<f64>,
     pub(crate) phi: Vec<f64>,
     pub(crate) rho: Vec<f64>,
@@ -91,6 +93,7 @@ impl TireGrid {
             order: plan.order,
             extent,
             shape,
+            is_closed: extent == Extent::Half,
             theta,
             phi,
             rho: layers(shape.inner, shape.outer, shape.carcass, plan.layers),
@@ -109,10 +112,7 @@ impl TireGrid {
     /// Distinct nodes along the wheel: all around, the last line is the first.
     pub(crate) fn theta_nodes(&self) -> usize {
         let lines = (self.order.edge_nodes() - 1) * self.bricks()[1];
-        match self.extent {
-            Extent::Half => lines,
-            Extent::Quarter => lines + 1,
-        }
+        lines + usize::from(!self.is_closed)
     }
 
     pub(crate) fn phi_nodes(&self) -> usize {
@@ -183,6 +183,12 @@ impl TireGrid {
         )
     }
 
+    /// Nodes of the section on this line along the wheel.
+    pub(crate) fn section(&self, theta: usize) -> impl Iterator<Item = u32> {
+        let (phi, rho) = (self.phi_nodes(), self.rho_nodes());
+        (0..phi * rho).map(move |k| self.node([k / rho, theta, k % rho]))
+    }
+
     /// Node at the outer crown of the contact centre.
     pub fn lowest_node(&self) -> u32 {
         let e = self.order.edge_nodes() - 1;
@@ -205,12 +211,14 @@ impl TireGrid {
                 held.middle_plane.push(self.node([0, theta, rho]));
             }
         }
-        if self.extent == Extent::Quarter {
-            for phi in 0..=last_phi {
-                for rho in 0..self.rho_nodes() {
-                    held.cross_plane
-                        .extend([self.node([phi, 0, rho]), self.node([phi, last_theta, rho])]);
-                }
+        let sections = [
+            (0, self.theta[0]),
+            (last_theta, self.theta[self.theta.len() - 1]),
+        ];
+        let in_plane = |angle: f64| angle == 0.0 || angle == std::f64::consts::PI;
+        for (theta, _) in sections.into_iter().filter(|(_, angle)| in_plane(*angle)) {
+            if self.extent == Extent::Quarter {
+                held.cross_plane.extend(self.section(theta));
             }
         }
         held
