@@ -26,6 +26,8 @@ use fem::element::Order;
 use self::case::Case;
 use self::program::Program;
 use crate::gauge;
+use crate::mesh_error::{self, Coarser};
+use crate::scene::Scene;
 use crate::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
 use crate::tire::mesh_plan;
 use crate::tire_mesh::MeshPlan;
@@ -86,6 +88,10 @@ impl CalculixSolver {
 }
 
 impl Solver for CalculixSolver {
+    fn coarser(&self, scene: &Scene) -> Option<Coarser> {
+        mesh_error::coarser(scene)
+    }
+
     fn version(&self) -> String {
         format!(
             "calculix {} by strainsite {}+{}",

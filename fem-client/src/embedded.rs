@@ -10,6 +10,7 @@ use sha2::{Digest, Sha256};
 
 use crate::far_field::FarField;
 use crate::gauge;
+use crate::mesh_error::{self, Coarser};
 use crate::neighbourhood::{Neighbourhood, Neighbourhoods, Pressed};
 use crate::readout::Reader;
 use crate::scene::Scene;
@@ -46,6 +47,10 @@ impl Solver for EmbeddedSolver {
             env!("CARGO_PKG_VERSION"),
             env!("SOLVER_SOURCES")
         )
+    }
+
+    fn coarser(&self, scene: &Scene) -> Option<Coarser> {
+        mesh_error::coarser(scene)
     }
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {

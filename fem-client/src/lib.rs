@@ -18,6 +18,7 @@
 //! - `tire_mirror`: its states, left and right exchanged
 //! - `tire_sector`: a sector of it, cut out and put back
 //! - [`tire`]: a scene as a boundary value problem: what is modelled, and what is left out
+//! - [`mesh_error`]: which coarser mesh shows a level's error
 //! - [`probe`], [`readout`]: strains of an equilibrium with their errors
 //! - `self_contact`: whether a pressed tire touches itself
 //! - `session`: one solve on its way: a scene's model, its Newton method, and the loads they meet
@@ -42,6 +43,7 @@ pub mod fields;
 pub mod gauge;
 mod grid_lines;
 mod inflation;
+pub mod mesh_error;
 mod neighbourhood;
 mod pressing;
 pub mod probe;

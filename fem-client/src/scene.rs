@@ -137,6 +137,8 @@ pub struct Model {
 pub enum Level {
     /// For a first look.
     Draft,
+    /// For a look with an error; it shows the error of the standard level.
+    Coarse,
     /// For placement decisions.
     Standard,
     /// For judging the others.
@@ -213,8 +215,9 @@ impl Default for Ground {
 
 impl Level {
     /// All levels with their names in documents.
-    pub const NAMES: [(&'static str, Self); 3] = [
+    pub const NAMES: [(&'static str, Self); 4] = [
         ("draft", Self::Draft),
+        ("coarse", Self::Coarse),
         ("standard", Self::Standard),
         ("reference", Self::Reference),
     ];
@@ -223,6 +226,7 @@ impl Level {
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Draft => "draft",
+            Self::Coarse => "coarse",
             Self::Standard => "standard",
             Self::Reference => "reference",
         }

@@ -6,12 +6,18 @@ use serde::{Deserialize, Serialize};
 
 use crate::fault::Fault;
 use crate::gauge::{Gauge, GaugeReading};
+use crate::mesh_error::Coarser;
 use crate::scene::Scene;
 
 /// Answers for one equilibrium of a scene.
 pub trait Solver: Send + Sync {
     /// Name and version, part of the key under which results are stored.
     fn version(&self) -> String;
+
+    /// A coarser level on which the same scene shows what its own level misses; `None` where there is none.
+    fn coarser(&self, _scene: &Scene) -> Option<Coarser> {
+        None
+    }
 
     /// Solves one equilibrium.
     ///

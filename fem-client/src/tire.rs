@@ -149,6 +149,7 @@ pub fn mesh_plan(scene: &Scene, level: Level) -> MeshPlan {
     };
     match level {
         Level::Draft => plan(Order::Linear, 10.0, 5, 10, 3.0, 2),
+        Level::Coarse => plan(Order::Quadratic, 5.0, 3, 8, 4.0, 2),
         Level::Standard => plan(Order::Quadratic, 8.0, 5, 12, 4.0, 3),
         Level::Reference => plan(Order::Quadratic, 10.0, 6, 18, 5.0, 4),
     }

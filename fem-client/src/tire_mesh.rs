@@ -29,6 +29,14 @@ pub struct MeshPlan {
     pub layers: usize,
 }
 
+impl MeshPlan {
+    /// Cells between neighbouring nodes, in a quarter of the tire: a quadratic brick has eight.
+    pub fn cells(&self) -> usize {
+        let along = self.order.edge_nodes() - 1;
+        (self.fine + self.coarse) * self.meridional * self.layers * along.pow(3)
+    }
+}
+
 /// Dimensions of the uninflated tire, mm and rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TireShape {

@@ -8,7 +8,7 @@ use crate::notes::notes;
 use crate::plan::Plan;
 use crate::rank::rank;
 use crate::result::{CutPoint, FailedPoint, InputReport, StudyCost, StudyIdentity, StudyResult};
-use crate::score::score;
+use crate::score::{Coarse, score};
 use crate::study::Study;
 
 /// The answer, without its cost and the study's identifier.
@@ -19,13 +19,14 @@ pub fn assemble(
     study: &Study,
     plan: &Plan,
     outcomes: &[Outcome],
+    coarse: Option<&Coarse>,
     solver_version: &str,
 ) -> StudyResult {
     let cut = outcomes[0]
         .as_ref()
         .expect("without the cut point's response nothing is assembled");
     let failed_points = failed_points(plan, outcomes);
-    let scores = score(plan.campaign(), cut, outcomes);
+    let scores = score(plan.campaign(), cut, outcomes, coarse);
     let locations = rank(study, &scores);
     let layouts = rank_layouts(study, plan.campaign(), cut, outcomes);
     let ranked = (&locations[..], &layouts[..]);
@@ -55,6 +56,7 @@ pub fn assemble(
             locations: cut.locations.clone(),
             residual_history: cut.residual_history.clone(),
         },
+        climb: None,
         cost: StudyCost::default(),
     }
 }

@@ -14,11 +14,15 @@
 //! - [`assemble`]: all of it into the answer
 //! - [`usage`]: what a run takes of the machine
 //! - [`run`]: solves the points that the archive lacks, on all cores, and assembles the answer
+//! - [`fidelity`]: mesh and method as one value, and the ladder of them
+//! - [`climb`]: the cheapest model that meets a tolerance or a budget
 
 pub mod archive;
 pub mod assemble;
 mod candidate_reader;
+pub mod climb;
 pub mod distribution_reader;
+pub mod fidelity;
 mod input_reader;
 pub mod inputs_document;
 pub mod layout;

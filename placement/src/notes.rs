@@ -40,9 +40,7 @@ pub(crate) fn notes(
     notes.extend(without_location(study, cut));
     notes.extend(contact_edges(study, plan, cut));
     notes.extend(symmetry(study, cut, locations));
-    notes.push(format!(
-        "The errors of the indices leave out the mesh: {NO_MESH_ERROR}."
-    ));
+    notes.extend(without_mesh_error(scores));
     if !layouts.is_empty() {
         notes.push(
             "The layouts' errors are lower bounds for small changes about the mean load, with the same noise in every \
@@ -51,6 +49,15 @@ pub(crate) fn notes(
         );
     }
     notes
+}
+
+/// That the errors leave out the mesh, where they do.
+fn without_mesh_error(scores: &Scores) -> Option<String> {
+    let indexed = |output: &&Output| output.first_order.is_some();
+    let mut outputs = scores.outputs.iter().filter(indexed);
+    outputs
+        .any(|output| output.error.mesh.is_none())
+        .then(|| format!("The errors of the indices leave out the mesh: {NO_MESH_ERROR}."))
 }
 
 /// `P1`, `P1 and P2`, `P1, P2 and P3`.

@@ -1,7 +1,7 @@
 //! The design points of a study, a pure function of the document.
 
 use fem_client::fault::Fault;
-use fem_client::scene::Scene;
+use fem_client::scene::{Level, Scene};
 use gsa::campaign::Campaign;
 use gsa::design::DesignError;
 use gsa::distribution::Distribution;
@@ -62,8 +62,8 @@ impl Plan {
         Ok(plan)
     }
 
-    /// Tells an adaptive method what all points so far answered (a row each, a column per output), and whether it asks for
-    /// more, which are in the plan then.
+    /// Tells an adaptive method what all points so far answered (a row each, a column per output that it serves), and whether it asks
+    /// for more, which are in the plan then.
     ///
     /// # Errors
     /// When a further point leaves the ranges of the scene.
@@ -96,6 +96,16 @@ impl Plan {
             self.points.push(scene);
         }
         Ok(())
+    }
+
+    /// The same points on another level of the mesh.
+    #[must_use]
+    pub(crate) fn on_level(&self, level: Level) -> Self {
+        let mut plan = self.clone();
+        for scene in &mut plan.points {
+            scene.model.level = level;
+        }
+        plan
     }
 
     /// The input values of each point.

@@ -5,6 +5,8 @@
 use fem_client::solver::ModelSummary;
 use serde::{Deserialize, Serialize};
 
+use crate::fidelity::FidelityReport;
+
 /// The whole answer.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StudyResult {
@@ -28,8 +30,39 @@ pub struct StudyResult {
     pub failed_points: Vec<FailedPoint>,
     /// The cut point's own response in short: reaction and strains at the means.
     pub cut_point: CutPoint,
+    /// How the accuracy asked for was looked for; absent where a level was asked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub climb: Option<Climb>,
     /// What it took. Not part of the result's hash.
     pub cost: StudyCost,
+}
+
+/// The way from a draft to the accuracy asked for.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Climb {
+    /// Largest error of an index that was asked for.
+    pub tolerance: Option<f64>,
+    /// Wall-clock time that was allowed, s.
+    pub budget_s: Option<f64>,
+    /// Whether the claimed error is within the tolerance, or the budget gave an answer.
+    pub met: bool,
+    /// What was tried, in order; the answer is the last one's.
+    pub rungs: Vec<ClimbRung>,
+}
+
+/// One step of the way.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ClimbRung {
+    /// In a few words.
+    pub label: String,
+    /// Mesh and method.
+    pub fidelity: FidelityReport,
+    /// Solves, those on the coarser mesh included.
+    pub solves: usize,
+    /// Largest claimed error of an index at P1, P2, ..., absolute.
+    pub error_claimed: Option<f64>,
+    /// The mesh's part of it.
+    pub error_of_mesh: Option<f64>,
 }
 
 /// Which study, which document, which program.
@@ -94,7 +127,7 @@ pub struct IndexError {
     pub quadrature: Option<f64>,
     /// From the decomposition.
     pub decomposition: Option<f64>,
-    /// Sum of the parts that are known.
+    /// Sum of the parts that are known, the largest over the inputs.
     pub total: Option<f64>,
     /// Why a part is null.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -112,7 +145,7 @@ pub struct RankedLocation {
     pub gsi_x_percent: Option<f64>,
     /// The same for the y strain.
     pub gsi_y_percent: Option<f64>,
-    /// Error of `gsi_x_percent`, percentage points, without the mesh's.
+    /// Error of `gsi_x_percent`, percentage points.
     #[serde(default)]
     pub gsi_x_error_percent: Option<f64>,
     /// The same for y.
@@ -232,6 +265,12 @@ pub struct CutPoint {
 pub struct StudyCost {
     /// Points of the plan.
     pub solves: usize,
+    /// Points of the plan solved once more on a coarser mesh, for the error of the mesh.
+    #[serde(default)]
+    pub coarser_solves: usize,
+    /// Wall-clock time of each rung of the climb, s.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub rungs_wall_s: Vec<f64>,
     /// Points taken from the archive instead of being solved.
     pub reused: usize,
     /// Newton iterations of all solves.

@@ -10,23 +10,25 @@ use fem_client::fault::Fault;
 use fem_client::solver::{Cost, Solver};
 use gsa::analysis::Status;
 
-use self::points::{Answers, Points, keys};
+use self::points::{Answers, Place, Points, keys};
 use crate::archive::{Archive, ArchiveError, Outcome};
 use crate::assemble::assemble;
 use crate::plan::{Plan, PlanError};
 use crate::result::{FailedPoint, StudyCost, StudyResult};
 use crate::score;
+use crate::score::Coarse;
 use crate::study::Study;
 use crate::usage::{cpu_s, peak_memory_bytes};
 
 /// What happens during a run, as it happens.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Event {
-    /// The archive was searched; the solves begin. An adaptive method may go on to a longer plan, and begins again then.
+    /// The archive was searched; the solves begin. An adaptive method may go on to a longer plan, and every run goes on to the
+    /// same points on a coarser mesh: it begins again then.
     Started {
-        /// Points of the plan.
+        /// Points of the run, as far as that is known.
         points: usize,
-        /// Those that the archive had.
+        /// Those that are there already.
         reused: usize,
     },
     /// A point was solved, and is in the archive.
@@ -87,6 +89,14 @@ pub enum RunError {
     /// The caller asked to stop; the same run later goes on where this one ended.
     #[error("stopped on request")]
     Stopped,
+    /// The time allowed is over before the cheapest model has answered.
+    #[error(
+        "a budget of {seconds} s is over before the draft has answered; what is solved is kept"
+    )]
+    Budget {
+        /// The budget.
+        seconds: f64,
+    },
     /// The archive failed.
     #[error(transparent)]
     Archive(#[from] ArchiveError),
@@ -143,40 +153,83 @@ fn refusals(faults: &[Fault]) -> String {
 ///
 /// # Errors
 /// See [`RunError`].
-pub fn run(
+pub fn run(study: &Study, plan: &Plan, means: Means<'_>) -> Result<StudyResult, RunError> {
+    run_from(0, study, plan, means).map(|(result, _)| result)
+}
+
+/// What a study is run with.
+#[derive(Clone, Copy)]
+pub struct Means<'r> {
+    /// Who solves.
+    pub solver: &'r dyn Solver,
+    /// Where solved points are kept.
+    pub archive: &'r dyn Archive,
+    /// Solves at once.
+    pub threads: usize,
+    /// Set to true by the caller to end the run; what is solved is kept.
+    pub stop: &'r AtomicBool,
+    /// Is told what happens.
+    pub observer: Observer<'r>,
+}
+
+/// The same where the points have ordinals from `first` on; also says how many there were.
+pub(crate) fn run_from(
+    first: usize,
     study: &Study,
     plan: &Plan,
-    solver: &dyn Solver,
-    archive: &dyn Archive,
-    threads: usize,
-    stop: &AtomicBool,
-    observer: Observer<'_>,
-) -> Result<StudyResult, RunError> {
+    means: Means<'_>,
+) -> Result<(StudyResult, usize), RunError> {
+    let Means {
+        solver,
+        archive,
+        threads,
+        stop,
+        observer,
+    } = means;
     let (begun, cpu_before) = (Instant::now(), cpu_s());
     let mut plan = plan.clone();
-    let mut solved = 0;
-    let (outcomes, costs) = loop {
+    let coarser = solver.coarser(&study.scene);
+    let meshes = 1 + usize::from(coarser.is_some());
+    let answers = |plan: &Plan, place: Place| {
         let readout = study.readout();
-        let keys = keys(&plan, solver, &readout);
+        let keys = keys(plan, solver, &readout);
         let points = Points {
-            plan: &plan,
+            plan,
             readout,
             solver,
             archive,
             stop,
             observer,
             keys,
+            place,
         };
-        let Answers { points, reused } = points.answers(threads)?;
+        points.answers(threads)
+    };
+    let mut solved = 0;
+    let (outcomes, costs) = loop {
+        let place = Place {
+            first,
+            of: first + meshes * plan.points.len(),
+        };
+        let Answers { points, reused } = answers(&plan, place)?;
         solved += points.len() - reused;
         let (outcomes, costs): (Vec<Outcome>, Vec<Cost>) = points.into_iter().unzip();
-        if !plan.extend(study, &score::values(&outcomes).view())? {
+        if !plan.extend(study, &score::ranked_values(&outcomes).view())? {
             break (outcomes, costs);
         }
     };
-    observer(Event::Analysing);
     let reused = costs.len() - solved;
-    let mut result = assemble(study, &plan, &outcomes, &solver.version());
+    let coarse = coarser.map(|coarser| {
+        let place = Place {
+            first: first + plan.points.len(),
+            of: first + meshes * plan.points.len(),
+        };
+        let outcomes = on_coarser_mesh(answers(&plan.on_level(coarser.level), place))?;
+        Ok::<_, RunError>(Coarse { coarser, outcomes })
+    });
+    let coarse = coarse.transpose()?;
+    observer(Event::Analysing);
+    let mut result = assemble(study, &plan, &outcomes, coarse.as_ref(), &solver.version());
     if !result.failed_points.is_empty() && !has_indices(&result) {
         return Err(RunError::TooManyFailed {
             failed: result.failed_points,
@@ -186,9 +239,22 @@ pub fn run(
         wall_s: begun.elapsed().as_secs_f64(),
         cpu_s: (cpu_s() - cpu_before).max(0.0),
         peak_memory_bytes: peak_memory_bytes(),
+        coarser_solves: coarse
+            .and_then(|coarse| coarse.outcomes)
+            .map_or(0, |o| o.len()),
         ..solve_cost(&costs, reused)
     };
-    Ok(result)
+    Ok((result, meshes * plan.points.len()))
+}
+
+/// What the coarser mesh answered; nothing where a point broke or the cut point has no equilibrium there: that costs the
+/// mesh error, not the study.
+fn on_coarser_mesh(answers: Result<Answers, RunError>) -> Result<Option<Vec<Outcome>>, RunError> {
+    match answers {
+        Ok(answers) => Ok(Some(answers.points.into_iter().map(|(o, _)| o).collect())),
+        Err(RunError::PointsFailed { .. } | RunError::Refused { .. }) => Ok(None),
+        Err(error) => Err(error),
+    }
 }
 
 /// Whether the points gave something: indices of some output, or that none of them varies.

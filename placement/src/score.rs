@@ -1,16 +1,16 @@
 //! Responses to indices per output: the strains at P1, P2, ... and those of the dense map, in one analysis.
 
+use fem_client::mesh_error::Coarser;
 use fem_client::solver::{Response, StrainMap};
 use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;
-use ndarray::Array2;
+use ndarray::{Array2, Axis};
 
 use crate::archive::Outcome;
 use crate::result::{IndexError, IndexMap, MapLayer, Output};
 
-/// Why no index has an error of the mesh.
-pub const NO_MESH_ERROR: &str =
-    "the mesh error of an index needs a second mesh level, which this version doesn't run";
+/// Why an index has no error of the mesh.
+pub const NO_MESH_ERROR: &str = "no coarser mesh gave indices to compare with";
 
 /// Strain directions: circumferential and meridional.
 pub const DIRECTIONS: [&str; 2] = ["x", "y"];
@@ -27,6 +27,26 @@ pub struct Scores {
     /// Indices over the dense map, when the responses have one.
     pub map: Option<IndexMap>,
 }
+
+/// Those of them that the ranking rests on, and that an adaptive method serves: the locations'.
+pub fn ranked_values(outcomes: &[Outcome]) -> Array2<f64> {
+    let first = outcomes.iter().flatten().next();
+    let columns = first.map_or(0, |first| DIRECTIONS.len() * first.locations.len());
+    let all = values(outcomes);
+    all.view().split_at(Axis(1), columns).0.to_owned()
+}
+
+/// The same points on a coarser mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coarse {
+    /// Which mesh, and what its indices say of the finer one's error.
+    pub coarser: Coarser,
+    /// What it answered, where it did at the cut point.
+    pub outcomes: Option<Vec<Outcome>>,
+}
+
+/// Analyses of every output, each with the mesh error of its first-order indices where that is known.
+type Analysed = (Analysis, Option<Vec<f64>>);
 
 /// The outputs of all points, a row each: locations first, then the map. A point without an equilibrium has a row of NaN.
 ///
@@ -47,19 +67,18 @@ pub fn values(outcomes: &[Outcome]) -> Array2<f64> {
     values.expect("every response has the same readout")
 }
 
-/// Scores the outcomes at the points of a campaign, in its order; `cut` is the response of its first point.
+/// Scores the outcomes at the points of a campaign, in its order; `cut` is the response of its first point. The coarser
+/// mesh, where there is one, shows the error of the mesh.
 ///
 /// # Panics
 /// If there is not one outcome for each point, or the responses differ in their readout.
-pub fn score(campaign: &Campaign, cut: &Response, outcomes: &[Outcome]) -> Scores {
-    assert_eq!(
-        outcomes.len(),
-        campaign.points().len(),
-        "one outcome for each point"
-    );
-    let analyses = campaign
-        .analyse(&values(outcomes).view())
-        .expect("a campaign that asked for points has the rules to analyse them");
+pub fn score(
+    campaign: &Campaign,
+    cut: &Response,
+    outcomes: &[Outcome],
+    coarse: Option<&Coarse>,
+) -> Scores {
+    let analyses = analysed(campaign, outcomes, coarse);
     let (at_locations, over_map) = analyses.split_at(2 * cut.locations.len());
     let names = cut
         .locations
@@ -72,17 +91,73 @@ pub fn score(campaign: &Campaign, cut: &Response, outcomes: &[Outcome]) -> Score
             .collect(),
         mdrm_first_order: at_locations
             .iter()
-            .map(|a| a.mdrm_first_order.clone())
+            .map(|(a, _)| a.mdrm_first_order.clone())
             .collect(),
-        index_errors: at_locations
-            .iter()
-            .map(|a| a.error.by_input.clone().filter(|_| a.first_order.is_some()))
-            .collect(),
+        index_errors: at_locations.iter().map(total_by_input).collect(),
         map: cut
             .map
             .as_ref()
             .map(|map| index_map(map, campaign.inputs().len(), over_map)),
     }
+}
+
+fn analysed(campaign: &Campaign, outcomes: &[Outcome], coarse: Option<&Coarse>) -> Vec<Analysed> {
+    let analyse = |outcomes: &[Outcome]| {
+        assert_eq!(
+            outcomes.len(),
+            campaign.points().len(),
+            "one outcome for each point"
+        );
+        let ranked = campaign.analyse(&ranked_values(outcomes).view());
+        let values = values(outcomes);
+        let columns = ranked.as_ref().map_or(0, Vec::len);
+        let mapped = campaign.survey(&values.view().split_at(Axis(1), columns).1);
+        let has_rules = "a campaign that asked for points has the rules to analyse them";
+        let mut analyses = ranked.expect(has_rules);
+        analyses.extend(mapped.expect(has_rules));
+        analyses
+    };
+    let found = analyse(outcomes);
+    let witness =
+        coarse.and_then(|coarse| Some((coarse.coarser.factor, coarse.outcomes.as_ref()?)));
+    let Some((factor, outcomes)) = witness else {
+        return found.into_iter().map(|analysis| (analysis, None)).collect();
+    };
+    let coarse = analyse(outcomes);
+    let pairs = found.into_iter().zip(&coarse);
+    pairs
+        .map(|(analysis, coarse)| {
+            let error = mesh_error(&analysis, coarse, factor);
+            (analysis, error)
+        })
+        .collect()
+}
+
+/// Mesh error of each first-order index: its difference from the coarser mesh's, times what that says of the finer one.
+fn mesh_error(fine: &Analysis, coarse: &Analysis, factor: f64) -> Option<Vec<f64>> {
+    let indices = fine.first_order.iter().flatten();
+    let pairs = indices.zip(coarse.first_order.as_ref()?);
+    Some(
+        pairs
+            .map(|(a, b)| (factor * (a - b).abs()).min(1.0))
+            .collect(),
+    )
+}
+
+/// Error of each first-order index, the mesh's included where it is known.
+fn total_by_input((analysis, mesh): &Analysed) -> Option<Vec<f64>> {
+    analysis.first_order.as_ref()?;
+    let errors = analysis.error.by_input.as_ref()?.iter().enumerate();
+    let of_mesh = |input: usize| mesh.as_ref().map_or(0.0, |mesh| mesh[input]);
+    Some(
+        errors
+            .map(|(i, error)| (error + of_mesh(i)).min(1.0))
+            .collect(),
+    )
+}
+
+fn largest(errors: &[f64]) -> f64 {
+    errors.iter().copied().fold(0.0, f64::max)
 }
 
 /// The outputs of one point: locations first, then the map's x layer and y layer.
@@ -103,7 +178,8 @@ fn std(analysis: &Analysis) -> Option<f64> {
     analysis.variance.map(f64::sqrt)
 }
 
-fn output(location: &str, direction: &str, analysis: &Analysis) -> Output {
+fn output(location: &str, direction: &str, analysed: &Analysed) -> Output {
+    let (analysis, _) = analysed;
     let broken = analysis.status == gsa::analysis::Status::ProductFormBroken;
     Output {
         location: location.to_owned(),
@@ -116,14 +192,16 @@ fn output(location: &str, direction: &str, analysis: &Analysis) -> Output {
         status: analysis.status.as_str().to_owned(),
         reason: analysis.reason.clone(),
         mdrm_first_order: analysis.mdrm_first_order.clone().filter(|_| broken),
-        error: index_error(analysis),
+        error: index_error(analysed),
     }
 }
 
-fn index_error(analysis: &Analysis) -> IndexError {
+fn index_error(analysed: &Analysed) -> IndexError {
+    let (analysis, mesh) = analysed;
+    let mesh = mesh.as_deref().map(largest);
     let missing = |part: Option<f64>, why: &str| part.is_none().then(|| why.to_owned());
     let reasons = [
-        Some(NO_MESH_ERROR.to_owned()),
+        missing(mesh, NO_MESH_ERROR),
         missing(
             analysis.error.quadrature,
             "the rule has too few nodes to show its own error",
@@ -135,19 +213,20 @@ fn index_error(analysis: &Analysis) -> IndexError {
     ];
     let indexed = analysis.first_order.is_some();
     IndexError {
-        mesh: None,
+        mesh: mesh.filter(|_| indexed),
         quadrature: analysis.error.quadrature.filter(|_| indexed),
         decomposition: analysis.error.decomposition.filter(|_| indexed),
-        total: analysis.error.total.filter(|_| indexed),
-        reason: Some(if indexed {
-            reasons.into_iter().flatten().collect::<Vec<_>>().join("; ")
+        total: total_by_input(analysed).as_deref().map(largest),
+        reason: if indexed {
+            let reasons: Vec<String> = reasons.into_iter().flatten().collect();
+            (!reasons.is_empty()).then(|| reasons.join("; "))
         } else {
-            "there are no indices to have an error".to_owned()
-        }),
+            Some("there are no indices to have an error".to_owned())
+        },
     }
 }
 
-fn index_map(map: &StrainMap, inputs: usize, analyses: &[Analysis]) -> IndexMap {
+fn index_map(map: &StrainMap, inputs: usize, analyses: &[Analysed]) -> IndexMap {
     let (x, y) = analyses.split_at(map.strain_x.len());
     IndexMap {
         theta_deg: map.theta_deg.clone(),
@@ -159,25 +238,25 @@ fn index_map(map: &StrainMap, inputs: usize, analyses: &[Analysis]) -> IndexMap 
     }
 }
 
-fn layer(direction: &str, strain: &[f64], analyses: &[Analysis], inputs: usize) -> MapLayer {
+fn layer(direction: &str, strain: &[f64], analyses: &[Analysed], inputs: usize) -> MapLayer {
     let index = |input: usize| {
         analyses
             .iter()
-            .map(move |a| a.first_order.as_ref().map(|indices| indices[input]))
+            .map(move |(a, _)| a.first_order.as_ref().map(|indices| indices[input]))
             .collect()
     };
     MapLayer {
         direction: direction.to_owned(),
         strain: strain.to_vec(),
-        std: analyses.iter().map(std).collect(),
+        std: analyses.iter().map(|(a, _)| std(a)).collect(),
         first_order: (0..inputs).map(index).collect(),
         error: analyses
             .iter()
-            .map(|a| a.error.total.filter(|_| a.first_order.is_some()))
+            .map(|analysed| total_by_input(analysed).as_deref().map(largest))
             .collect(),
         status: analyses
             .iter()
-            .map(|a| a.status.as_str().to_owned())
+            .map(|(a, _)| a.status.as_str().to_owned())
             .collect(),
     }
 }

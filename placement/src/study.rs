@@ -22,8 +22,21 @@ pub struct Study {
     pub layouts: Layouts,
     /// How indices are computed.
     pub method: Method,
-    /// How finely the scene is modelled; `scene.model.level` is the same.
+    /// How finely the scene is modelled, at first where an accuracy is asked for; `scene.model.level` is the same.
     pub level: Level,
+    /// What is asked of the answer.
+    pub accuracy: Accuracy,
+}
+
+/// What is asked of the answer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Accuracy {
+    /// The study's own level and method.
+    Preset,
+    /// Largest error of an index, absolute.
+    Tolerance(f64),
+    /// Wall-clock time, s.
+    Budget(f64),
 }
 
 /// One uncertain field of the scene.
@@ -115,7 +128,11 @@ impl Study {
                 "positions": positions.collect::<Vec<_>>(),
             },
             "method": method_value(&self.method),
-            "accuracy": {"preset": self.level.as_str()},
+            "accuracy": match self.accuracy {
+                Accuracy::Preset => json!({"preset": self.level.as_str()}),
+                Accuracy::Tolerance(tolerance) => json!({"tolerance": tolerance}),
+                Accuracy::Budget(seconds) => json!({"budget_s": seconds}),
+            },
         })
         .to_string()
     }

@@ -2,7 +2,7 @@
 
 use fem_client::document::{Format, parse};
 use fem_client::fault::{Fault, member};
-use fem_client::fields::{Fields, alternatives, choice, shown};
+use fem_client::fields::{Fields, Range, alternatives, choice, shown};
 use fem_client::scene::{Level, PRESETS, Scene};
 use gsa::method::{Kind, Method};
 use serde_json::Value;
@@ -11,7 +11,7 @@ use crate::candidate_reader::{candidates, layouts};
 use crate::input_reader::{read_inputs, read_name};
 use crate::method_reader::{Limits, read_method};
 use crate::plan::{Plan, PlanError};
-use crate::study::Study;
+use crate::study::{Accuracy, Study};
 
 /// Gives the text of a scene file, or says why it can't be had.
 pub type Resolve<'r> = &'r dyn Fn(&str) -> Result<String, String>;
@@ -20,6 +20,10 @@ pub type Resolve<'r> = &'r dyn Fn(&str) -> Result<String, String>;
 const LONGEST_NAME: usize = 200;
 /// Most strains of all maps of a study: they are held in memory twice while they are analysed, 320 MB at this bound.
 const MOST_MAP_STRAINS: usize = 20_000_000;
+/// Largest error of an index that may be asked for.
+const TOLERANCE: Range = Range::new(1e-4, 1.0, "");
+/// Wall-clock time that may be allowed.
+const BUDGET: Range = Range::new(0.1, 1e6, "s");
 /// Solves take seconds, so that more would be a slip.
 const LIMITS: Limits = Limits {
     nodes: 15,
@@ -73,12 +77,12 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
     let grid = candidates(&fields, faults);
     let layouts = layouts(&fields, faults);
     let method = read_method(&fields, LIMITS, faults);
-    let level = accuracy(&fields, scene.as_ref(), faults);
+    let accuracy = accuracy(&fields, scene.as_ref(), faults);
     let nodes = method
         .as_ref()
         .map_or(Method::of(Kind::Mdrm).nodes, |method| method.nodes);
     let inputs = read_inputs(&fields, scene.as_ref(), nodes, faults);
-    let (mut scene, level) = (scene?, level?);
+    let (mut scene, (accuracy, level)) = (scene?, accuracy?);
     scene.model.level = level;
     let study = Study {
         name: name?,
@@ -88,6 +92,7 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         layouts: layouts?,
         method: method?,
         level,
+        accuracy,
     };
     // Ends of single inputs are checked with the inputs; their combinations only here.
     if faults.is_empty() {
@@ -175,29 +180,37 @@ fn scene_file(
     }
 }
 
-/// The mesh level: the preset's, or the scene's own when the study doesn't ask.
-fn accuracy(fields: &Fields<'_>, scene: Option<&Scene>, faults: &mut Vec<Fault>) -> Option<Level> {
+/// What is asked of the answer, and the mesh level: the preset's, or the scene's own when the study doesn't ask. Where a
+/// tolerance is asked for, the way begins at the first level that knows its own error, and at the draft for a budget.
+fn accuracy(
+    fields: &Fields<'_>,
+    scene: Option<&Scene>,
+    faults: &mut Vec<Fault>,
+) -> Option<(Accuracy, Level)> {
     let default = scene.map_or(Level::Standard, |scene| scene.model.level);
     let Some((value, pointer)) = fields.get("accuracy") else {
-        return Some(default);
+        return Some((Accuracy::Preset, default));
     };
     let known = ["preset", "tolerance", "budget_s"];
     let fields = Fields::open(value, &pointer, &known, faults)?;
-    let presets = alternatives(Level::NAMES.iter().map(|(name, _)| *name));
-    for name in ["tolerance", "budget_s"] {
-        if fields.get(name).is_some() {
-            let detail = format!(
-                "this version doesn't choose the model by {name}; set preset to {presets} instead"
-            );
-            Fault::add(faults, &fields.at(name), detail);
-        }
-    }
-    if known.iter().all(|name| fields.get(name).is_none()) {
+    let given = known.iter().filter(|name| fields.get(name).is_some());
+    if given.count() != 1 {
+        let presets = alternatives(Level::NAMES.iter().map(|(name, _)| *name));
         let detail = format!(
             "must hold exactly one of {}; preset is {presets}",
             known.join(", ")
         );
         Fault::add(faults, &pointer, detail);
+        return None;
     }
-    fields.choice("preset", &Level::NAMES, default, faults)
+    if fields.get("tolerance").is_some() {
+        let tolerance = fields.number("tolerance", TOLERANCE, 0.0, faults)?;
+        return Some((Accuracy::Tolerance(tolerance), Level::Coarse));
+    }
+    if fields.get("budget_s").is_some() {
+        let seconds = fields.number("budget_s", BUDGET, 0.0, faults)?;
+        return Some((Accuracy::Budget(seconds), Level::Draft));
+    }
+    let level = fields.choice("preset", &Level::NAMES, default, faults)?;
+    Some((Accuracy::Preset, level))
 }

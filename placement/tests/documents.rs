@@ -5,7 +5,7 @@
 mod support;
 
 use fem_client::document::{Format, parse};
-use placement::study::{Study, presets};
+use placement::study::{Accuracy, Study, presets};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use support::{shipped, study};
@@ -97,8 +97,7 @@ fn every_fault_is_found_at_once() {
             "/method/nodes",
             "/method/check_points",
             "/method/seed",
-            "/accuracy/tolerance",
-            "/accuracy/budget_s",
+            "/accuracy",
             "/inputs/0/vary",
             "/inputs/0/distribution/max",
             "/inputs/1/name",
@@ -294,6 +293,34 @@ fn a_scene_file_is_read_through_the_callback() {
         (faults[0].pointer.as_str(), faults[0].detail.as_str()),
         ("/scene", "paths aren't read here")
     );
+}
+
+#[test]
+fn an_accuracy_is_a_level_a_tolerance_or_a_budget() {
+    let read = |accuracy: Value| {
+        let document = with("/accuracy", accuracy);
+        Study::from_value(&document, &|_| Err(String::new()))
+    };
+    let tolerance = read(json!({"tolerance": 0.03})).unwrap();
+    assert_eq!(tolerance.accuracy, Accuracy::Tolerance(0.03));
+    let budget = read(json!({"budget_s": 60})).unwrap();
+    assert_eq!(budget.accuracy, Accuracy::Budget(60.0));
+    for (study, level) in [(tolerance, "coarse"), (budget, "draft")] {
+        assert_eq!(study.level.as_str(), level);
+        let again = Study::from_document(&study.canonical(), Format::Json, &|_| Err(String::new()));
+        assert_eq!(again.unwrap(), study);
+    }
+    for (wrong, pointer) in [
+        (json!({}), "/accuracy"),
+        (json!({"preset": "draft", "budget_s": 1}), "/accuracy"),
+        (json!({"tolerance": 0}), "/accuracy/tolerance"),
+        (json!({"tolerance": 2}), "/accuracy/tolerance"),
+        (json!({"budget_s": -1}), "/accuracy/budget_s"),
+    ] {
+        let faults = read(wrong).unwrap_err();
+        assert_eq!(faults.len(), 1);
+        assert_eq!(faults[0].pointer, pointer);
+    }
 }
 
 #[test]

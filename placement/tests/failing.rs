@@ -11,7 +11,7 @@ use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{SolveError, SolveRequest, Solver};
 use gsa::method::{Kind, Method};
 use placement::plan::Plan;
-use placement::run::{Event, RunError, run};
+use placement::run::{Event, Means, RunError, run};
 use placement::study::Study;
 use support::{MemoryArchive, Twisted, answered, observed, shipped, text};
 
@@ -98,15 +98,14 @@ fn a_point_without_equilibrium_is_solved_once_and_the_result_is_the_same_to_the_
             stop.store(true, Ordering::Relaxed);
         }
     };
-    let stopped = run(
-        &study,
-        &plan,
-        &solver,
-        &archive,
-        1,
-        &stop,
-        &stop_at_the_second_failure,
-    );
+    let means = Means {
+        solver: &solver,
+        archive: &archive,
+        threads: 1,
+        stop: &stop,
+        observer: &stop_at_the_second_failure,
+    };
+    let stopped = run(&study, &plan, means);
     assert_eq!(stopped, Err(RunError::Stopped));
     let resumed = observed(&study, &solver, &archive, 3).0.unwrap();
     assert_eq!(text(&resumed), undisturbed);
@@ -129,7 +128,14 @@ fn what_a_solve_says_while_it_is_stopped_is_not_kept() {
         Some(error)
     });
     let stop = AtomicBool::new(false);
-    let stopped = run(&study, &plan, &solver, &archive, 1, &stop, &|_| {});
+    let means = Means {
+        solver: &solver,
+        archive: &archive,
+        threads: 1,
+        stop: &stop,
+        observer: &|_| {},
+    };
+    let stopped = run(&study, &plan, means);
     assert_eq!(stopped, Err(RunError::Stopped));
     let stored = archive.points.lock().unwrap();
     assert!(!stored.is_empty());

@@ -9,7 +9,7 @@ use std::time::Duration;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{SolveError, SolveRequest};
 use placement::plan::Plan;
-use placement::run::{Event, RunError, run};
+use placement::run::{Event, Means, RunError, run};
 use support::{MemoryArchive, Twisted, observed, shipped, text};
 
 const POINTS: usize = 26;
@@ -44,7 +44,14 @@ fn a_stopped_run_goes_on_where_it_ended_and_gives_the_same_bits() {
             stop.store(true, Ordering::Relaxed);
         }
     };
-    let stopped = run(&study, &plan, &solver, &archive, 2, &stop, &stop_at_nine);
+    let means = Means {
+        solver: &solver,
+        archive: &archive,
+        threads: 2,
+        stop: &stop,
+        observer: &stop_at_nine,
+    };
+    let stopped = run(&study, &plan, means);
     assert_eq!(stopped, Err(RunError::Stopped));
     // The other thread may have been in the middle of one more solve.
     let stored = archive.points.lock().unwrap().len();

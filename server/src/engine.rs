@@ -7,8 +7,9 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use fem_client::solver::Solver;
+use placement::climb;
 use placement::result::{FailedPoint, StudyResult};
-use placement::run::{self, Event, RunError};
+use placement::run::{Event, Means, RunError};
 use serde_json::{Value, json};
 use tokio::runtime::Handle;
 
@@ -86,15 +87,14 @@ impl Engine {
             }
             progress(&event);
         };
-        match run::run(
-            &study,
-            &plan,
-            self.solver.as_ref(),
-            &archive,
-            self.threads,
+        let means = Means {
+            solver: self.solver.as_ref(),
+            archive: &archive,
+            threads: self.threads,
             stop,
-            &observer,
-        ) {
+            observer: &observer,
+        };
+        match climb::answer(&study, &plan, means) {
             Ok(mut result) => {
                 result.study.id.clone_from(&row.id);
                 End::Done(Box::new(result))

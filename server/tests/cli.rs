@@ -63,6 +63,32 @@ fn a_study_runs_and_leaves_its_result_in_every_form_that_was_asked_for() {
 }
 
 #[test]
+fn a_tolerance_is_met_by_the_cheapest_rung_that_claims_it() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let study = draft(folder.path());
+    let path = folder.path().join(study);
+    let document = std::fs::read_to_string(&path).expect("the study");
+    let asking = document.replace("preset = \"draft\"", "tolerance = 0.3");
+    assert_ne!(asking, document);
+    std::fs::write(&path, asking).expect("written");
+    let output = strainsite(folder.path(), &["run", study, "--json", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let result: Value = serde_json::from_slice(&output.stdout).expect("one JSON document");
+    let climb = &result["climb"];
+    assert_eq!(climb["met"], true);
+    assert_eq!(climb["rungs"][0]["fidelity"]["level"], "coarse");
+    for output in result["outputs"].as_array().expect("a list") {
+        let error = &output["error"];
+        assert!(
+            error["total"].as_f64().is_some_and(|total| total <= 0.3),
+            "{error}"
+        );
+        assert!(error["mesh"].as_f64().is_some(), "{error}");
+    }
+    assert!(text(&output.stderr).contains("A tolerance of 0.3 is met"));
+}
+
+#[test]
 fn calculix_answers_where_it_is_installed_and_says_so_where_it_cannot() {
     let folder = tempfile::tempdir().expect("temp dir");
     let scene = "[geometry]\nouter_radius_mm = 70\nsection_radius_mm = 20\nwall_mm = 8\n[pressure]\ninternal_mpa = 0.04\n\

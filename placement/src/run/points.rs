@@ -28,6 +28,17 @@ pub(crate) struct Points<'r> {
     pub observer: Observer<'r>,
     /// Content key of each point.
     pub keys: Vec<String>,
+    /// Where they stand in the run.
+    pub place: Place,
+}
+
+/// Where the points of a plan stand among all that a run solves.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Place {
+    /// Ordinal of the plan's first point: all before are done.
+    pub first: usize,
+    /// Points of the run, as far as that is known.
+    pub of: usize,
 }
 
 /// What a solve found and what it took.
@@ -81,15 +92,15 @@ impl Points<'_> {
     pub fn answers(&self, threads: usize) -> Result<Answers, RunError> {
         let mut found = Vec::with_capacity(self.keys.len());
         for (ordinal, key) in self.keys.iter().enumerate() {
-            found.push(self.archive.load(key, ordinal)?);
+            found.push(self.archive.load(key, self.place.first + ordinal)?);
         }
         let reused = found.iter().flatten().count();
         let lacking: Vec<usize> = (0..found.len()).filter(|i| found[*i].is_none()).collect();
         (self.observer)(Event::Started {
-            points: found.len(),
-            reused,
+            points: self.place.of,
+            reused: self.place.first + reused,
         });
-        let done = Mutex::new(reused);
+        let done = Mutex::new(self.place.first + reused);
         let cut_failed = matches!(found[0], Some((Err(_), _)));
         if !lacking.is_empty() || cut_failed {
             let start = self.cut_point(&mut found[0], &done)?;
@@ -280,7 +291,7 @@ impl Points<'_> {
     ) -> Result<(), ArchiveError> {
         self.archive.save(&PointRecord {
             key: &self.keys[ordinal],
-            ordinal,
+            ordinal: self.place.first + ordinal,
             scene: &self.plan.points[ordinal].canonical_json(),
             outcome,
             cost: *cost,
@@ -292,7 +303,7 @@ impl Points<'_> {
     fn report(&self, ordinal: usize, (outcome, cost): &Answer, done: &Mutex<usize>) {
         let mut done = lock(done);
         *done += 1;
-        let of = self.keys.len();
+        let (ordinal, of) = (self.place.first + ordinal, self.place.of);
         (self.observer)(match outcome {
             Ok(_) => Event::PointSolved {
                 ordinal,
@@ -314,9 +325,9 @@ impl Points<'_> {
     fn report_broken(&self, ordinal: usize, error: &SolveError, done: &Mutex<usize>) {
         let done = lock(done);
         (self.observer)(Event::PointFailed {
-            ordinal,
+            ordinal: self.place.first + ordinal,
             done: *done,
-            of: self.keys.len(),
+            of: self.place.of,
             cause: cause(error),
         });
     }

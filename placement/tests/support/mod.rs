@@ -11,9 +11,10 @@ use fem_client::closed_form::ClosedFormSolver;
 use fem_client::document::Format;
 use fem_client::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
 use placement::archive::{Archive, ArchiveError, Outcome, PointRecord};
+use placement::climb::answer;
 use placement::plan::Plan;
 use placement::result::{StudyCost, StudyResult};
-use placement::run::{Event, RunError, run};
+use placement::run::{Event, Means, RunError};
 use placement::study::{Study, presets};
 
 /// Stores texts and bytes, as a database would, so that a test sees what storage does to numbers.
@@ -116,7 +117,14 @@ pub fn observed(
     let stop = AtomicBool::new(false);
     let plan = Plan::new(study).unwrap();
     let observer = |event| events.lock().unwrap().push(event);
-    let result = run(study, &plan, solver, archive, threads, &stop, &observer);
+    let means = Means {
+        solver,
+        archive,
+        threads,
+        stop: &stop,
+        observer: &observer,
+    };
+    let result = answer(study, &plan, means);
     (result, events.into_inner().unwrap())
 }
 

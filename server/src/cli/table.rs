@@ -17,6 +17,7 @@ const PAPER: [(&str, f64, f64); 5] = [
 pub fn report(result: &StudyResult) -> String {
     let mut text = ranked(result);
     text.push_str(&notes(result));
+    text.push_str(&climb(result));
     text.push_str(&cost(result));
     text
 }
@@ -96,10 +97,39 @@ fn notes(result: &StudyResult) -> String {
     notes.fold(String::from("\n"), |text, note| text + "- " + note + "\n")
 }
 
+/// The way to the accuracy asked for, a line for each rung.
+fn climb(result: &StudyResult) -> String {
+    let Some(climb) = &result.climb else {
+        return String::new();
+    };
+    let mut text = match (climb.tolerance, climb.budget_s) {
+        (Some(tolerance), _) if climb.met => format!("\nA tolerance of {tolerance} is met:\n"),
+        (Some(tolerance), _) => format!("\nA tolerance of {tolerance} is out of reach:\n"),
+        (None, budget) => format!("\nWithin {} s:\n", budget.unwrap_or_default()),
+    };
+    for (rung, wall_s) in climb.rungs.iter().zip(&result.cost.rungs_wall_s) {
+        let error =
+            |value: Option<f64>| value.map_or_else(|| "unknown".to_owned(), |e| format!("{e:.4}"));
+        let _ = writeln!(
+            text,
+            "- {}: {} solves, {wall_s:.2} s; largest claimed error of an index {}, of the mesh {}",
+            rung.label,
+            rung.solves,
+            error(rung.error_claimed),
+            error(rung.error_of_mesh)
+        );
+    }
+    text
+}
+
 fn cost(result: &StudyResult) -> String {
     let cost = &result.cost;
+    let coarser = match cost.coarser_solves {
+        0 => String::new(),
+        solves => format!(", {solves} more on a coarser mesh for its error"),
+    };
     format!(
-        "\nwhole study {:.2} s; {} solves, {} of them known before; {} Newton iterations, {} factorisations\n\
+        "\nwhole study {:.2} s; {} solves, {} of them known before{coarser}; {} Newton iterations, {} factorisations\n\
          of the solves' time: factorisation {:.0} %, substitution and contact {:.0} %, assembly {:.0} %, the rest \
          {:.0} %\n",
         cost.wall_s,

@@ -61,7 +61,8 @@ async fn layouts(
     Ok(Json(json!({"layouts": result.layouts})))
 }
 
-/// The points that have an outcome so far, in the order of the plan. Of one without an equilibrium the numbers are null, and
+/// The points that have an outcome so far, in the order of the plan; those after it are the same on a coarser mesh, or on the next
+/// rung of a climb. Of one without an equilibrium the numbers are null, and
 /// `reason` says why.
 async fn points(
     State(state): State<AppState>,
@@ -78,10 +79,12 @@ async fn points(
             continue;
         };
         let response = evaluation.outcome.as_ref().ok();
+        let scene = Scene::from_text(&evaluation.scene, Format::Json).ok();
         let mut row = json!({
             "ordinal": ordinal,
             "key": key,
-            "values": values_of(&evaluation.scene, &inputs),
+            "level": scene.as_ref().map(|scene| scene.model.level.as_str()),
+            "values": scene.as_ref().and_then(|scene| values_of(scene, &inputs)),
             "reaction_n": response.map(|response| response.reaction_n),
             "locations": response.map(|response| &response.locations),
             "newton_iterations": response.map(|_| evaluation.cost.newton_iterations),
@@ -96,9 +99,8 @@ async fn points(
     Ok(Json(json!({"evaluations": rows})))
 }
 
-/// The inputs' values in a stored scene; none if this version can't read it.
-fn values_of(scene: &str, inputs: &[Input]) -> Option<Vec<f64>> {
-    let scene = Scene::from_text(scene, Format::Json).ok()?;
+/// The inputs' values in a stored scene; none if this version doesn't know one of them.
+fn values_of(scene: &Scene, inputs: &[Input]) -> Option<Vec<f64>> {
     let value = |input: &Input| scene.number_at(&input.vary).ok();
     inputs.iter().map(value).collect()
 }
