@@ -5,7 +5,7 @@
 //! - [`study`]: the study document: what varies, what is asked
 //! - [`plan`]: the design points of a study, a pure function of the document
 //! - `candidate_reader`, [`distribution_reader`], `input_reader`, [`study_reader`]: read a study, with every fault at once
-//! - [`archive`]: where solved points are kept, so that none is solved twice
+//! - [`archive`], [`memory`]: where solved points are kept, so that none is solved twice
 //! - [`result`]: the answer, field by field
 //! - [`score`]: responses to indices per output
 //! - [`rank`]: indices to ranked locations
@@ -16,6 +16,7 @@
 //! - [`run`]: solves the points that the archive lacks, on all cores, and assembles the answer
 //! - [`fidelity`]: mesh and method as one value, and the ladder of them
 //! - [`climb`]: the cheapest model that meets a tolerance or a budget
+//! - [`trade`]: what accuracy a second buys
 
 pub mod archive;
 pub mod assemble;
@@ -26,6 +27,7 @@ pub mod fidelity;
 mod input_reader;
 pub mod inputs_document;
 pub mod layout;
+pub mod memory;
 mod method_reader;
 mod notes;
 pub mod plan;
@@ -36,4 +38,5 @@ pub mod run;
 pub mod score;
 pub mod study;
 pub mod study_reader;
+pub mod trade;
 pub mod usage;

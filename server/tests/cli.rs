@@ -63,6 +63,49 @@ fn a_study_runs_and_leaves_its_result_in_every_form_that_was_asked_for() {
 }
 
 #[test]
+fn the_trade_is_measured_against_its_reference() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let study = draft(folder.path());
+    let arguments = [
+        "trade",
+        study,
+        "--up-to",
+        "draft",
+        "--reference-level",
+        "coarse",
+    ];
+    let more = [
+        "--reference-method",
+        "mdrm",
+        "--out",
+        "answer",
+        "--json",
+        "-",
+    ];
+    let output = strainsite(folder.path(), &[&arguments[..], &more[..]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let trade: Value = serde_json::from_slice(&output.stdout).expect("one JSON document");
+    let rungs = trade["rungs"].as_array().expect("a list");
+    assert_eq!(rungs.len(), 5);
+    for rung in rungs {
+        assert_eq!(rung["fidelity"]["level"], "draft");
+        let (error, wall) = (rung["error_true"].as_f64(), rung["wall_s"].as_f64());
+        // Between the two levels the indices of this study move by hundredths.
+        assert!(error.is_some_and(|e| e > 0.0 && e < 0.2), "{rung}");
+        assert!(wall.is_some_and(|s| s > 0.0), "{rung}");
+    }
+    assert!(rungs.iter().any(|rung| rung["pareto"] == true));
+    assert_eq!(trade["reference"]["error_true"], 0.0);
+    assert_eq!(trade["reference"]["solves"], 52);
+    let read = |name: &str| {
+        std::fs::read_to_string(folder.path().join("answer").join(name)).expect("written")
+    };
+    assert_eq!(read("trade.csv").lines().count(), 7);
+    let plot = read("trade.svg");
+    assert!(plot.starts_with("<svg") && plot.contains("draft mdrm 5") && !plot.contains("NaN"));
+}
+
+#[test]
 fn a_tolerance_is_met_by_the_cheapest_rung_that_claims_it() {
     let folder = tempfile::tempdir().expect("temp dir");
     let study = draft(folder.path());

@@ -11,6 +11,7 @@ mod serve;
 mod signals;
 mod solve;
 mod table;
+mod trade;
 mod validate;
 mod verify;
 
@@ -39,6 +40,8 @@ enum Command {
     Solve(solve::Solve),
     /// Analyse a model of your own: print the points to run, then read their outputs back
     Gsa(gsa::Gsa),
+    /// Measure how much accuracy a second buys
+    Trade(trade::Trade),
     /// Check a study or scene file without running it
     Validate(validate::Validate),
     /// Solve problems whose answer is known, and compare
@@ -58,6 +61,7 @@ pub fn main() -> ExitCode {
         Command::Run(command) => (command.execute(), command.json),
         Command::Solve(command) => (command.execute(), command.json),
         Command::Gsa(command) => (command.execute(), command.json()),
+        Command::Trade(command) => (command.execute(), command.json),
         Command::Validate(command) => (command.execute(), None),
         // Its document holds the failed cases already.
         Command::Verify(command) => (command.execute(), None),

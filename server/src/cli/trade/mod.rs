@@ -1,0 +1,170 @@
+//! `strainsite trade`: what accuracy a second buys, measured on one study.
+
+mod plot;
+mod table;
+
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use fem_client::scene::Level;
+use gsa::method::Kind;
+use indicatif::{ProgressBar, ProgressStyle};
+use placement::fidelity::Fidelity;
+use placement::result::StudyResult;
+use placement::run::{Event, RunError};
+use placement::study::Study;
+use placement::trade::{Trade as Measured, answer, compare};
+use tokio::runtime::Runtime;
+
+use super::Failure;
+use super::output::{JsonTarget, tell, write_whole};
+use super::signals::stop_flag;
+use crate::solver::SolverChoice;
+use crate::study_document::{read_file, read_study};
+
+/// Measure the trade of speed for accuracy: the study on a ladder of meshes and methods, against the best of them
+#[derive(Debug, Args)]
+pub struct Trade {
+    /// Study file, TOML or JSON
+    study: PathBuf,
+    #[command(flatten)]
+    solver: SolverChoice,
+    /// Solves at once; all cores unless given
+    #[arg(long, value_name = "N")]
+    threads: Option<std::num::NonZeroUsize>,
+    /// Finest mesh level of the ladder
+    #[arg(long, value_name = "LEVEL", default_value = "reference",
+          value_parser = PossibleValuesParser::new(Level::NAMES.map(|(name, _)| name)))]
+    up_to: String,
+    /// Mesh level of the reference
+    #[arg(long, value_name = "LEVEL", default_value = "reference",
+          value_parser = PossibleValuesParser::new(Level::NAMES.map(|(name, _)| name)))]
+    reference_level: String,
+    /// Method of the reference, with 5 nodes for each input
+    #[arg(long, value_name = "KIND", default_value = "bivariate",
+          value_parser = PossibleValuesParser::new(Kind::ALL.map(Kind::as_str)))]
+    reference_method: String,
+    /// Write trade.csv and trade.svg into this folder
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Write the trade as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+/// Nodes of the reference's rules.
+const REFERENCE_NODES: usize = 5;
+
+impl Trade {
+    /// Runs the ladder and its reference, and prints what they took and how far off they are.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let text = read_file(&self.study).map_err(Failure::Input)?;
+        let study = read_study(&text, &self.study).map_err(Failure::Input)?;
+        let runtime = Runtime::new().map_err(Failure::other)?;
+        let stop = stop_flag(&runtime)?;
+        let trade = self.measure(&study, &stop)?;
+        if let Some(folder) = &self.out {
+            std::fs::create_dir_all(folder).map_err(|error| {
+                Failure::Other(format!("{} can't be made: {error}", folder.display()))
+            })?;
+            write_whole(&folder.join("trade.csv"), &table::csv(&trade))?;
+            let drawn = plot::svg(&trade).map_err(Failure::Other)?;
+            write_whole(&folder.join("trade.svg"), &drawn)?;
+        }
+        if let Some(target) = &self.json {
+            target.write(&trade)?;
+        }
+        tell(&table::report(&trade), self.json.as_ref())
+    }
+
+    fn measure(&self, study: &Study, stop: &AtomicBool) -> Result<Measured, Failure> {
+        let reference = self.reference();
+        let mut rungs = Vec::new();
+        let mut left_out = Vec::new();
+        let finest = level(&self.up_to);
+        for fidelity in Fidelity::ladder().filter(|rung| rung.level <= finest) {
+            match self.answer(study, fidelity, stop)? {
+                Ok(result) => rungs.push((fidelity, result)),
+                Err(RunError::Stopped) => return Err(stopped()),
+                Err(error) => left_out.push(format!("{}: {error}", fidelity.label())),
+            }
+        }
+        for rung in left_out {
+            eprintln!("left out: {rung}");
+        }
+        let truth = self.answer(study, reference, stop)?;
+        let truth = truth.map_err(|error| match error {
+            RunError::Stopped => stopped(),
+            error => Failure::Other(format!("the reference has no answer: {error}")),
+        })?;
+        Ok(compare(study, (reference, &truth), &rungs))
+    }
+
+    fn reference(&self) -> Fidelity {
+        let kind = Kind::ALL
+            .iter()
+            .find(|kind| kind.as_str() == self.reference_method);
+        Fidelity {
+            level: level(&self.reference_level),
+            kind: kind.copied().unwrap_or(Kind::Bivariate),
+            nodes: REFERENCE_NODES,
+        }
+    }
+
+    /// One rung, with a solver that has seen nothing yet.
+    fn answer(
+        &self,
+        study: &Study,
+        fidelity: Fidelity,
+        stop: &AtomicBool,
+    ) -> Result<Result<StudyResult, RunError>, Failure> {
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let bar = bar(&fidelity.label());
+        let threads = self.threads.map_or_else(
+            || std::thread::available_parallelism().map_or(1, usize::from),
+            usize::from,
+        );
+        let result = answer(study, fidelity, solver.as_ref(), threads, stop, &|event| {
+            show(&bar, &event)
+        });
+        bar.finish_and_clear();
+        Ok(result)
+    }
+}
+
+/// The level of this name, which the command line has checked.
+fn level(name: &str) -> Level {
+    let named = Level::NAMES.iter().find(|(known, _)| *known == name);
+    named.map_or(Level::Reference, |(_, level)| *level)
+}
+
+fn stopped() -> Failure {
+    Failure::Other("stopped on request".to_owned())
+}
+
+/// A bar on standard error, on a terminal only.
+fn bar(label: &str) -> ProgressBar {
+    let bar = ProgressBar::new(0);
+    if let Ok(style) = ProgressStyle::with_template("{msg:24} {wide_bar} {pos}/{len}, {eta} to go")
+    {
+        bar.set_style(style);
+    }
+    bar.set_message(label.to_owned());
+    bar
+}
+
+fn show(bar: &ProgressBar, event: &Event) {
+    let count = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
+    match event {
+        Event::Started { points, reused } => {
+            bar.set_length(count(*points));
+            bar.set_position(count(*reused));
+        }
+        Event::PointSolved { done, .. } | Event::PointFailed { done, .. } => {
+            bar.set_position(count(*done));
+        }
+        Event::Analysing => {}
+    }
+}
