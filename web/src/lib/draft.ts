@@ -1,6 +1,6 @@
 /** The document being written: its text, and what the form's own controls change in it. */
 
-export const ACCURACIES = ["draft", "standard", "reference"] as const;
+export const ACCURACIES = ["draft", "coarse", "standard", "reference"] as const;
 export type Accuracy = (typeof ACCURACIES)[number];
 
 /** Where the text stops being JSON. */
