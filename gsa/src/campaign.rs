@@ -258,7 +258,8 @@ fn first_runs(
     }
     let too_many = |asked: usize| Err(DesignError::TooManyCheckPoints { asked });
     Ok(match method.kind {
-        Kind::Mdrm | Kind::Auto => Runs::Lines(lines(method.check_points, rng)?),
+        Kind::Mdrm => Runs::Lines(lines(method.check_points, rng)?),
+        Kind::Auto => Runs::Lines(lines(method.check_points, rng)?.refined_on_demand()),
         Kind::Tensor => {
             let mut design = lines(0, rng)?;
             let all = design.off_axis_len();

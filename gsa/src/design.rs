@@ -85,6 +85,7 @@ pub struct Design {
     replaced: Vec<Vec<Line>>,
     checks: Vec<CheckPoint>,
     points: Vec<Vec<f64>>,
+    on_demand: bool,
 }
 
 impl Design {
@@ -121,6 +122,7 @@ impl Design {
             replaced: vec![Vec::new(); inputs.len()],
             checks: Vec::new(),
             points: vec![cut.to_vec()],
+            on_demand: false,
         };
         for input in 0..inputs.len() {
             let line = design.add_line(input, nodes)?;
@@ -173,6 +175,19 @@ impl Design {
         let before = std::mem::replace(&mut self.lines[input], fine);
         self.replaced[input].push(before);
         Ok(())
+    }
+
+    /// The same design, of whose lines those are refined that seem to need it.
+    pub(crate) fn refined_on_demand(self) -> Self {
+        Self {
+            on_demand: true,
+            ..self
+        }
+    }
+
+    /// Whether lines stay as they are because their error looks small.
+    pub(crate) fn is_refined_on_demand(&self) -> bool {
+        self.on_demand
     }
 
     /// The runs, one coordinate per input, in the inputs' units. Point 0 is the cut point.

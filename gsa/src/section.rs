@@ -12,15 +12,12 @@
 //! All values are held in units of 2^exponent, in which the largest of them is of order one.
 
 use crate::design::{CheckPoint, Design, Line};
+use crate::refinement::{self, Level};
 use crate::scale::{exponent, times_power_of_two};
 use crate::spectrum::{Tail, tail};
 
 /// A response rounded in its last bits has this many eps of spread without depending on anything.
 const NOISE_IN_EPS: f64 = 4.0;
-/// Kinks scatter: the finer error is seldom more than this times the coarser one and the fall of the amplitudes.
-const CHANGE: f64 = 2.5;
-/// Lines are refined until their error looks small enough, which favours those whose error looks smaller than it is.
-const STOPPING: f64 = 2.5;
 /// A section is refitted from what is left of its nodes if these are enough to judge it by.
 const LEAST_NODES: usize = 3;
 
@@ -89,35 +86,49 @@ impl Sections {
                 .map(|input| design.nodes_before(input))
                 .collect(),
         };
-        for (input, line) in design.lines().iter().enumerate() {
-            let first = design.lines_of(input).next();
-            let coarse = first.filter(|_| sections.present[input] > 0);
-            sections.add_moments(input, line, coarse, &lost);
+        let stopping = refinement::stopping(design.is_refined_on_demand());
+        for input in 0..inputs {
+            let lines: Vec<&Line> = design.lines_of(input).collect();
+            sections.add_moments(input, &lines, &lost, stopping);
         }
         sections.lost = lost;
         Ok(sections)
     }
 
-    fn add_moments(&mut self, input: usize, line: &Line, coarse: Option<&Line>, lost: &[usize]) {
-        let d = self.differences(input);
-        let (shift, variance) = moments(&line.rule().weights, d);
-        let tail = tail_of(line, d, lost);
-        let missing = match (coarse, tail) {
-            (Some(coarse), Some(fine)) => {
-                let d = &self.differences[input][..coarse.rule().len()];
-                let (_, before) = moments(&coarse.rule().weights, d);
-                let rough = tail_of(coarse, d, lost);
-                let change = (variance - before).abs() / variance;
-                Some(with_change(fine, rough, change))
-            }
-            (_, tail) => tail.map(|tail| tail.missing),
-        };
+    fn add_moments(&mut self, input: usize, lines: &[&Line], lost: &[usize], stopping: f64) {
+        let line = lines[lines.len() - 1];
+        let (shift, variance) = moments(&line.rule().weights, self.differences(input));
+        let levels = self.levels(input, lines, variance, lost);
+        let missing = levels.and_then(|levels| {
+            let (finest, coarser) = levels.split_last()?;
+            Some(finest.missing(coarser, stopping))
+        });
         self.shifts.push(shift);
         self.variances.push(variance);
         self.missing = self.missing.take().and_then(|mut shares| {
             shares.push(missing?);
             Some(shares)
         });
+    }
+
+    /// What each of an input's lines shows; `None` if one is too small to tell.
+    fn levels(
+        &self,
+        input: usize,
+        lines: &[&Line],
+        variance: f64,
+        lost: &[usize],
+    ) -> Option<Vec<Level>> {
+        let mut from = 0;
+        let of_line = |line: &&Line| {
+            let nodes = line.rule().len();
+            let d = &self.differences[input][from..from + nodes];
+            from += nodes;
+            let (_, seen) = moments(&line.rule().weights, d);
+            let error = (seen - variance).abs() / variance;
+            tail_of(line, d, lost).map(|tail| Level { nodes, tail, error })
+        };
+        lines.iter().map(of_line).collect()
     }
 
     /// n
@@ -194,23 +205,6 @@ fn tail_of(line: &Line, d: &[f64], lost: &[usize]) -> Option<Tail> {
         .map(|k| line.rule().coefficient(k, d).powi(2))
         .collect();
     tail(&energies, restored == 0)
-}
-
-/// The missing share, not below what a coarser rule suggests, by its own modes and by the change of the variance since,
-/// which is its error: errors fall at least as fast as the amplitudes at the end of the modes.
-fn with_change(fine: Tail, coarse: Option<Tail>, change: f64) -> f64 {
-    let fall = coarse.map_or(1.0, |coarse| fine.amplitude / coarse.amplitude);
-    let before = coarse
-        .map_or(0.0, |coarse| coarse.missing)
-        .max(CHANGE * change);
-    let after = before * if fall < 1.0 { fall } else { 1.0 };
-    // Not `max` alone: nothing varies where the change is no number.
-    let missing = if after.is_finite() {
-        fine.missing.max(after)
-    } else {
-        fine.missing
-    };
-    (STOPPING * missing).min(1.0)
 }
 
 /// Puts in, for nodes without a number, the polynomial through the others, and names them in `lost`.

@@ -20,8 +20,12 @@ fn quantile(mut values: Vec<f64>, share: f64) -> f64 {
     values[((values.len() - 1) as f64 * share) as usize]
 }
 
+/// What the panels leave of the models' own indices: 6e-7 for eighth powers of lognormals, by another rule.
+const REFERENCE_ERROR: f64 = 1e-6;
+
 fn covered(outcomes: &[Outcome]) -> f64 {
-    let count = outcomes.iter().filter(|(claimed, truth)| truth <= claimed);
+    let holds = |(claimed, truth): &&Outcome| *truth <= claimed + REFERENCE_ERROR;
+    let count = outcomes.iter().filter(holds);
     100.0 * count.count() as f64 / outcomes.len() as f64
 }
 
@@ -119,17 +123,17 @@ fn claimed_errors_of_the_forms_cover_the_true_ones() {
     }
 }
 
-/// Medians seen, rounded to the safe side. The grids claim more than ten times too much: five nodes can't tell a smooth
-/// section from a kink.
+/// Medians seen, rounded to the safe side. The grids claim more than ten times too much: five nodes can't tell a sine of a wave from
+/// a kink, and they don't refine their lines as `auto` does.
 #[test]
 fn claimed_errors_of_the_other_methods() {
     let seeds = 20..28;
     let rows = [
-        (Kind::Bivariate, 95.0, 25.0),
-        (Kind::Tensor, 95.0, 25.0),
+        (Kind::Bivariate, 95.0, 16.0),
+        (Kind::Tensor, 95.0, 14.0),
         (Kind::Pce, 95.0, 10.0),
         (Kind::Saltelli, 95.0, 5.0),
-        (Kind::Auto, 95.0, 15.0),
+        (Kind::Auto, 95.0, 10.0),
     ];
     for (kind, least, most) in rows {
         let (share, median) = coverage(kind.as_str(), seeds.clone(), |known, seed| {
