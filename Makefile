@@ -40,6 +40,7 @@ test-browser: setup-test test-rust
 # Every case whose answer is known, on the binary that the Rust tests drove.
 verify: test-rust
 	$(STRAINSITE) verify
+	$(STRAINSITE) verify --extremes
 
 setup-build:
 	@command -v cargo >/dev/null || { echo "Rust is missing: install rustup's stable toolchain (1.95 or newer)"; exit 1; }

@@ -3,7 +3,7 @@
 use std::sync::atomic::Ordering;
 
 use fem::newton::Cause;
-use fem::path::{PathFailure, Stability};
+use fem::path::{PathFailure, PathReport, Stability};
 use fem::problem::{Loads, State};
 
 use crate::scene::Scene;
@@ -19,29 +19,34 @@ const CRUSHED: f64 = 0.6;
 /// Halvings of the way to the depths in the search of the first self-contact.
 const SELF_CONTACT_STEPS: usize = 7;
 
-/// Why pressing ended at this state, the last equilibrium.
+/// Why pressing ended at this state, the last equilibrium; or the equilibrium at the target, if the end was another
+/// branch's, on which the tire touches itself.
 pub(crate) fn pressing_failure(
     session: &mut Session<'_>,
     inflated: &State,
     target: &Loads,
     state: &State,
     failure: &PathFailure,
-) -> SolveError {
+) -> Result<(State, PathReport), SolveError> {
     if failure.cause != Cause::Stopped && touches_itself(session.model, state) {
         return self_contact(session, inflated, target);
     }
     let inertia = session.newton.inertia_at(state, &failure.loads);
     let buckled = inertia.is_ok_and(|inertia| !inertia.is_positive());
     let squeezed = session.newton.stretch_range(state).smallest;
-    pressing_error(session.scene, failure, buckled, squeezed)
+    Err(pressing_error(session.scene, failure, buckled, squeezed))
 }
 
-/// How far a tire can be pressed from its inflated state before it touches itself, which it does at the target.
+/// Presses in small steps a tire that touches itself at the target when it is pressed in large ones.
+///
+/// # Errors
+/// How far it can be pressed from its inflated state before it touches itself. Large steps may end on another branch: where no
+/// smaller one touches, the target itself is tried again from nearby.
 pub(crate) fn self_contact(
     session: &mut Session<'_>,
     inflated: &State,
     target: &Loads,
-) -> SolveError {
+) -> Result<(State, PathReport), SolveError> {
     let unpressed = session.inflation();
     let (mut apart, mut touching) = (0.0, 1.0);
     let mut state = inflated.clone();
@@ -57,12 +62,19 @@ pub(crate) fn self_contact(
         }
         // A path that was stopped says nothing of contact.
         if session.stop.load(Ordering::Relaxed) {
-            return SolveError::Stopped;
+            return Err(SolveError::Stopped);
+        }
+    }
+    if touching == 1.0 {
+        let from = unpressed.towards(target, apart);
+        let path = session.follow(&mut state, &from, target, Stability::Ignored);
+        if let Some(report) = path.ok().filter(|_| !touches_itself(session.model, &state)) {
+            return Ok((state, report));
         }
     }
     let depths = |loads: &Loads| loads.ground.as_ref().map(|ground| ground.depths.clone());
     let reached = unpressed.towards(target, apart);
-    SolveError::NoEquilibrium {
+    Err(SolveError::NoEquilibrium {
         status: NoEquilibrium::SelfContact,
         detail: format!(
             "the inner surface touches itself between {:.1} and {:.1} % of the way to the depths {:?} mm: press less, or \
@@ -75,7 +87,7 @@ pub(crate) fn self_contact(
             pressure_mpa: reached.pressure,
             depths_mm: depths(&reached).unwrap_or_default(),
         },
-    }
+    })
 }
 
 fn pressing_error(

@@ -30,12 +30,14 @@
 //! - [`embedded`]: the solver built on `fem`
 //! - [`calculix`]: CalculiX as an external solver
 //! - [`verify`]: problems whose answer is known
+//! - [`extremes`]: the same at the ends of what a scene can ask for
 //! - [`closed_form`]: the stand-in solver for tests of what stands above
 
 pub mod calculix;
 pub mod closed_form;
 pub mod document;
 pub mod embedded;
+pub mod extremes;
 mod failure;
 pub mod far_field;
 pub mod fault;

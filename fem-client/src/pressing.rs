@@ -21,9 +21,9 @@ impl Session<'_> {
     ) -> Result<Pressed, SolveError> {
         self.newton.settings.smallest_load_step = NewtonSettings::default().smallest_load_step;
         let before = self.newton.effort.iterations;
-        let (state, report) = self.follow_depths(inflated, target, near)?;
+        let (mut state, mut report) = self.follow_depths(inflated, target, near)?;
         if touches_itself(self.model, &state) {
-            return Err(self_contact(self, inflated, target));
+            (state, report) = self_contact(self, inflated, target)?;
         }
         Ok(Pressed {
             state,
@@ -53,7 +53,7 @@ impl Session<'_> {
         }
         match self.follow(&mut state, &unpressed, target, ignored) {
             Ok(report) => Ok((state, report)),
-            Err(failure) => Err(pressing_failure(self, inflated, target, &state, &failure)),
+            Err(failure) => pressing_failure(self, inflated, target, &state, &failure),
         }
     }
 }

@@ -42,7 +42,11 @@ pub struct TireModel {
 impl TireModel {
     /// Builds the problem of a scene.
     pub fn new(scene: &Scene, plan: &MeshPlan, extent: Extent) -> Self {
-        let grid = TireGrid::new(shape(scene), plan, extent);
+        Self::on_grid(scene, TireGrid::new(shape(scene), plan, extent))
+    }
+
+    /// The same on a grid of its shape.
+    pub(crate) fn on_grid(scene: &Scene, grid: TireGrid) -> Self {
         Self {
             problem: problem(scene, &grid),
             chart: chart(&grid),
@@ -155,7 +159,7 @@ pub fn mesh_plan(scene: &Scene, level: Level) -> MeshPlan {
     }
 }
 
-fn shape(scene: &Scene) -> TireShape {
+pub(crate) fn shape(scene: &Scene) -> TireShape {
     let geometry = &scene.geometry;
     let inner = geometry.section_radius_mm - geometry.wall_mm;
     TireShape {

@@ -123,3 +123,12 @@ fn a_tire_that_folds_onto_itself_is_named() {
         "{parabola} {line}"
     );
 }
+
+/// In one step this depth ends on a branch that touches itself, in small ones it doesn't.
+#[test]
+fn a_touch_after_a_large_step_is_tried_again_in_small_ones() {
+    for depth in [12.204, 12.26] {
+        let solved = solve(&pressed(depth)).expect("an equilibrium");
+        assert!(solved.response.reaction_n > 400.0, "{depth}");
+    }
+}

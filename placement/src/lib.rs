@@ -17,12 +17,14 @@
 //! - [`fidelity`]: mesh and method as one value, and the ladder of them
 //! - [`climb`]: the cheapest model that meets a tolerance or a budget
 //! - [`trade`]: what accuracy a second buys
+//! - [`extremes`]: studies at the ends of what their inputs can spread
 
 pub mod archive;
 pub mod assemble;
 mod candidate_reader;
 pub mod climb;
 pub mod distribution_reader;
+pub mod extremes;
 pub mod fidelity;
 mod input_reader;
 pub mod inputs_document;

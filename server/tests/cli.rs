@@ -374,6 +374,42 @@ fn verification_compares_with_known_answers_and_shows_its_convergence() {
     assert_eq!(unknown.status.code(), Some(2));
 }
 
+/// What may be asked at the ends, and the page that shows it.
+#[test]
+fn extremes_end_right_or_with_a_reason_and_the_page_shows_them_all() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let output = strainsite(folder.path(), &["verify", "--extremes", "--json", "-"]);
+    let table = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{table}");
+    let document: Value =
+        serde_json::from_slice(&output.stdout).expect("one JSON document and nothing else");
+    let cases = document["cases"].as_array().expect("cases");
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/extremes.md"))
+        .expect("the page");
+    let rows = page.lines().filter(|line| line.starts_with("| "));
+    let shown: Vec<&str> = rows
+        .filter_map(|row| row.split(" | ").next()?.strip_prefix("| "))
+        .map(str::trim)
+        .collect();
+    for case in cases {
+        assert_eq!(case["verdict"], "pass", "{case}");
+        assert!(
+            case["computed"].is_number() && case["error"].is_number(),
+            "{case}"
+        );
+        let name = case["name"].as_str().expect("a name");
+        assert!(shown.contains(&name), "docs/extremes.md lacks {name:?}");
+    }
+    // Beside the cases the table has its head and the line below it.
+    assert_eq!(
+        shown.len(),
+        cases.len() + 2,
+        "docs/extremes.md shows cases that aren't there any more"
+    );
+    let unknown = strainsite(folder.path(), &["verify", "--extremes", "--only", "cook"]);
+    assert_eq!(unknown.status.code(), Some(2));
+}
+
 #[cfg(unix)]
 mod signals {
     use super::*;

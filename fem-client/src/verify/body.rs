@@ -16,16 +16,16 @@ use fem::volume_control::{Inflated, VolumeControl};
 use super::Unsolved;
 
 /// The rubber of the reference tire, MPa.
-pub(super) const RUBBER: MooneyRivlin = MooneyRivlin {
+pub(crate) const RUBBER: MooneyRivlin = MooneyRivlin {
     c10: 0.144,
     c01: 0.036,
 };
 
 /// Its shear modulus, MPa.
-pub(super) const SHEAR_MODULUS: f64 = 2.0 * (RUBBER.c10 + RUBBER.c01);
+pub(crate) const SHEAR_MODULUS: f64 = 2.0 * (RUBBER.c10 + RUBBER.c01);
 
 /// Rubber of a bulk compliance (1/MPa; 0 is incompressible).
-pub(super) fn rubber(material: MooneyRivlin, compliance: f64) -> SolidModel {
+pub(crate) fn rubber(material: MooneyRivlin, compliance: f64) -> SolidModel {
     SolidModel {
         material: Box::new(material),
         compliance,
@@ -33,7 +33,7 @@ pub(super) fn rubber(material: MooneyRivlin, compliance: f64) -> SolidModel {
 }
 
 /// A body without load, held only across its plane when it is in plane strain.
-pub(super) fn free(mesh: Mesh, layout: Vec<[f64; 3]>, solid: SolidModel) -> Problem {
+pub(crate) fn free(mesh: Mesh, layout: Vec<[f64; 3]>, solid: SolidModel) -> Problem {
     let across = mesh.order.is_plane().then_some(0.0);
     Problem {
         supports: vec![[None, across, None]; mesh.nodes.len()],
@@ -49,12 +49,12 @@ pub(super) fn free(mesh: Mesh, layout: Vec<[f64; 3]>, solid: SolidModel) -> Prob
 }
 
 /// [`free`], of one block.
-pub(super) fn free_block(block: Block, solid: SolidModel) -> Problem {
+pub(crate) fn free_block(block: Block, solid: SolidModel) -> Problem {
     free(block.mesh, block.layout, solid)
 }
 
 /// Holds each coordinate plane's nodes in the plane: a symmetry plane, or a sliding wall.
-pub(super) fn hold_coordinate_planes(problem: &mut Problem) {
+pub(crate) fn hold_coordinate_planes(problem: &mut Problem) {
     for (support, x) in problem.supports.iter_mut().zip(&problem.mesh.nodes) {
         for axis in 0..3 {
             if x[axis] == 0.0 {
@@ -66,17 +66,17 @@ pub(super) fn hold_coordinate_planes(problem: &mut Problem) {
 
 /// Orders in plane strain with their names, and the rate at which quantities that are stationary at the solution, like
 /// forces and pressures, converge: twice the degree.
-pub(super) const PLANE: [(Order, &str, f64); 2] = [
+pub(crate) const PLANE: [(Order, &str, f64); 2] = [
     (Order::PlaneLinear, "4-node", 2.0),
     (Order::PlaneQuadratic, "9-node", 4.0),
 ];
 
 /// Orders in space with their names.
-pub(super) const SPACE: [(Order, &str); 2] =
+pub(crate) const SPACE: [(Order, &str); 2] =
     [(Order::Linear, "8-node"), (Order::Quadratic, "27-node")];
 
 /// A quarter of a circle from the plane x = 0 (`s` = 0, below) to the plane z = 0, exact on both planes.
-pub(super) fn quarter_circle(s: f64, radius: f64) -> Vector {
+pub(crate) fn quarter_circle(s: f64, radius: f64) -> Vector {
     if s == 0.0 {
         return [0.0, 0.0, -radius];
     }
@@ -88,7 +88,7 @@ pub(super) fn quarter_circle(s: f64, radius: f64) -> Vector {
 }
 
 /// Follows the loads from the reference state.
-pub(super) fn load<'p>(
+pub(crate) fn load<'p>(
     problem: &'p Problem,
     loads: &Loads,
     stop: &AtomicBool,
@@ -101,7 +101,7 @@ pub(super) fn load<'p>(
 }
 
 /// Follows the loads from one equilibrium to the next.
-pub(super) fn load_on(
+pub(crate) fn load_on(
     newton: &mut Newton<'_>,
     state: &mut State,
     from: &Loads,
@@ -119,7 +119,7 @@ pub(super) fn load_on(
 const VOLUME_STEP: f64 = 0.5;
 
 /// Inflates to a multiple of the reference volume, in steps.
-pub(super) fn inflate(
+pub(crate) fn inflate(
     control: &mut VolumeControl<'_>,
     from: &Inflated,
     volume: f64,
@@ -141,7 +141,7 @@ pub(super) fn inflate(
 
 /// Mean first Piola-Kirchhoff stress of a body in equilibrium: the sum of forces times reference positions, over the
 /// volume (the virial of the supports).
-pub(super) fn mean_stress(
+pub(crate) fn mean_stress(
     newton: &mut Newton<'_>,
     mesh: &Mesh,
     volume: f64,

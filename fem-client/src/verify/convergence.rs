@@ -6,7 +6,7 @@ const SAFETY: f64 = 2.0;
 /// Points of one curve on a coarse and a fine mesh. Errors are taken over the whole curve, at their largest: where the
 /// leading term of the error changes sign along the curve, a single point has no slope.
 #[derive(Debug, Clone)]
-pub(super) struct Refinement {
+pub(crate) struct Refinement {
     coarse: Vec<f64>,
     fine: Vec<f64>,
     /// Element size of the coarse over that of the fine mesh.
@@ -44,7 +44,7 @@ fn distance(values: &[f64], reference: &[f64]) -> f64 {
 
 /// Graded division of [0, 1] into cells: cell boundaries at (k / cells)^exponent, uniform within each cell, so that
 /// middle nodes stay in the middle.
-pub(super) fn graded(s: f64, cells: usize, exponent: f64) -> f64 {
+pub(crate) fn graded(s: f64, cells: usize, exponent: f64) -> f64 {
     let cell = (s * cells as f64).floor().min(cells as f64 - 1.0);
     let boundary = |k: f64| (k / cells as f64).powf(exponent);
     let (low, high) = (boundary(cell), boundary(cell + 1.0));

@@ -15,17 +15,26 @@ use super::body::{
 use super::convergence::Refinement;
 use super::{Case, Unsolved};
 
-const SOURCE: &str =
+/// Where the pressures come from.
+pub(crate) const SOURCE: &str =
     "exact: mu (ln(B/b) - ln(A/a) + k (a^-2 - b^-2) / 2 with A, B for a, b), k = a^2 - A^2";
-const STRETCHES: [f64; 5] = [1.05, 1.1, 1.2, 1.5, 2.0];
+/// Stretches of the inner radius.
+pub(crate) const STRETCHES: [f64; 5] = [1.05, 1.1, 1.2, 1.5, 2.0];
 /// Radii A and B, mm.
 const RADII: [[f64; 2]; 3] = [[9.5, 12.5], [7.5, 12.5], [10.0, 20.0]];
 
-/// A quarter, with `n` elements through the wall and twice as many around.
-fn quarter(order: Order, n: usize, [inner, outer]: [f64; 2]) -> Problem {
+/// A quarter, with `n` elements through the wall and twice as many around, whose grid (around, through) is bent by a map of the
+/// unit square to itself.
+pub(crate) fn quarter(
+    order: Order,
+    n: usize,
+    [inner, outer]: [f64; 2],
+    bend: impl Fn([f64; 2]) -> [f64; 2],
+) -> Problem {
     let block = Block::new(order, [2 * n, 1, n], |s| {
+        let [around, through] = bend([s[0], s[2]]);
         // From the outside inwards: right-handed with the angle running from below to the side.
-        quarter_circle(s[0], outer + s[2] * (inner - outer))
+        quarter_circle(around, outer + through * (inner - outer))
     });
     let inside = block.side(2, true).flipped();
     let mut problem = free_block(block, rubber(RUBBER, 0.0));
@@ -35,7 +44,7 @@ fn quarter(order: Order, n: usize, [inner, outer]: [f64; 2]) -> Problem {
 }
 
 /// Pressure at which the inner radius `a` is its stretch times A. In plane strain Mooney-Rivlin is neo-Hookean.
-fn exact([inner, outer]: [f64; 2], stretch: f64) -> f64 {
+pub(crate) fn exact([inner, outer]: [f64; 2], stretch: f64) -> f64 {
     let a = stretch * inner;
     let k = a * a - inner * inner;
     let b = (outer * outer + k).sqrt();
@@ -44,7 +53,7 @@ fn exact([inner, outer]: [f64; 2], stretch: f64) -> f64 {
 }
 
 /// Pressures at all stretches on one mesh.
-fn pressures(problem: &Problem, stop: &AtomicBool) -> Result<Vec<f64>, Unsolved> {
+pub(crate) fn pressures(problem: &Problem, stop: &AtomicBool) -> Result<Vec<f64>, Unsolved> {
     let mut control = VolumeControl::new(problem)?;
     let start = control
         .reference(stop)
@@ -67,8 +76,9 @@ pub(super) fn cases(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     for radii in RADII {
         for (order, element, theory) in PLANE {
             let n = if order == Order::PlaneLinear { 16 } else { 4 };
-            let coarse = pressures(&quarter(order, n, radii), stop)?;
-            let fine = pressures(&quarter(order, 2 * n, radii), stop)?;
+            let even = |place| place;
+            let coarse = pressures(&quarter(order, n, radii, even), stop)?;
+            let fine = pressures(&quarter(order, 2 * n, radii, even), stop)?;
             let expected = STRETCHES.map(|stretch| exact(radii, stretch));
             let meshes = Refinement::new(coarse, fine.clone(), 2.0);
             let slope = meshes.slope(&expected);

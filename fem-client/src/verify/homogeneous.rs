@@ -22,7 +22,8 @@ const DISPLACEMENT_TOLERANCE: f64 = 1e-9;
 /// Forces of a body at rest, over shear modulus times area: sums of some hundred terms of order one, rounded.
 const ROUND_OFF: f64 = 1e-13;
 
-const HELD: Loads = Loads {
+/// Held displacements alone.
+pub(crate) const HELD: Loads = Loads {
     pressure: 0.0,
     ground: None,
     support_factor: 1.0,
@@ -74,7 +75,8 @@ fn hold_boundary(problem: &mut Problem, f: &Tensor) {
     }
 }
 
-fn moved(f: &Tensor, x: &Vector) -> Vector {
+/// Displacement of a point by x = F X.
+pub(crate) fn moved(f: &Tensor, x: &Vector) -> Vector {
     [0, 1, 2].map(|i| (0..3).map(|j| f[i][j] * x[j]).sum::<f64>() - x[i])
 }
 

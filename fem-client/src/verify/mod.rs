@@ -18,15 +18,17 @@ use fem::newton::Cause;
 use fem::setup::SetupError;
 use serde::Serialize;
 
-mod body;
-mod convergence;
+use crate::solver::SolveError;
+
+pub(crate) mod body;
+pub(crate) mod convergence;
 mod cook;
-mod cylinder;
-mod hertz;
-mod homogeneous;
-mod plate;
+pub(crate) mod cylinder;
+pub(crate) mod hertz;
+pub(crate) mod homogeneous;
+pub(crate) mod plate;
 mod ring;
-mod sphere;
+pub(crate) mod sphere;
 
 /// An observed slope must be nearer to the theoretical order than to the next lower one: two meshes are rarely asymptotic.
 const SLOPE_MARGIN: f64 = 0.5;
@@ -82,7 +84,7 @@ pub struct Case {
     pub source: &'static str,
     /// Verdict.
     pub verdict: Verdict,
-    /// Why there is no value.
+    /// Why there is no value, or how the solve ended.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub detail: Option<String>,
 }
@@ -109,16 +111,17 @@ impl Case {
     }
 
     /// A value whose error is relative.
-    fn relative(name: impl Into<String>, computed: f64, expected: f64) -> Self {
+    pub fn relative(name: impl Into<String>, computed: f64, expected: f64) -> Self {
         Self::new(name.into(), computed, expected, Measure::Relative)
     }
 
     /// A value whose error is absolute.
-    fn absolute(name: impl Into<String>, computed: f64, expected: f64) -> Self {
+    pub fn absolute(name: impl Into<String>, computed: f64, expected: f64) -> Self {
         Self::new(name.into(), computed, expected, Measure::Absolute)
     }
 
-    fn slope(mut self, observed: f64, theoretical: f64) -> Self {
+    /// Adds how fast the error falls.
+    pub fn slope(mut self, observed: f64, theoretical: f64) -> Self {
         self.slope = Some(Slope {
             observed,
             theoretical,
@@ -127,7 +130,7 @@ impl Case {
     }
 
     /// Judges the case by its tolerance and, where there is one, its slope. An error at round-off has no slope.
-    fn within(mut self, tolerance: f64, source: &'static str) -> Self {
+    pub fn within(mut self, tolerance: f64, source: &'static str) -> Self {
         self.tolerance = tolerance;
         self.source = source;
         if self.slope.is_some_and(|slope| !slope.observed.is_finite()) {
@@ -142,6 +145,12 @@ impl Case {
         self
     }
 
+    /// Adds how the solve ended.
+    pub fn ended(mut self, detail: impl Into<String>) -> Self {
+        self.detail = Some(detail.into());
+        self
+    }
+
     /// A family that has no answer.
     fn unsolved(family: &str, failure: &Unsolved) -> Self {
         Self {
@@ -152,8 +161,8 @@ impl Case {
 }
 
 /// Why a case has no answer.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-enum Unsolved {
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Unsolved {
     /// The model can't be set up.
     #[error(transparent)]
     Setup(#[from] SetupError),
@@ -185,10 +194,16 @@ enum Unsolved {
         /// Largest volume over that of the reference state.
         ratio: f64,
     },
+    /// A scene has no equilibrium.
+    #[error(transparent)]
+    Scene(#[from] SolveError),
+    /// Something else, in words.
+    #[error("{0}")]
+    Other(String),
 }
 
 /// Solves the cases of a family; `true` stops it.
-type Solve = fn(&AtomicBool) -> Result<Vec<Case>, Unsolved>;
+pub type Solve = fn(&AtomicBool) -> Result<Vec<Case>, Unsolved>;
 
 /// Cases that are solved together.
 #[derive(Debug, Clone, Copy)]
@@ -200,22 +215,23 @@ pub struct Family {
 
 /// All families, roughly from the quickest to the slowest.
 pub const FAMILIES: [Family; 9] = [
-    family("homogeneous", homogeneous::stretches),
-    family("patch", homogeneous::others),
-    family("cook", cook::cases),
-    family("cylinder", cylinder::cases),
-    family("ring", ring::cases),
-    family("hertz-line", hertz::line),
-    family("sphere", sphere::mooney_rivlin),
-    family("hertz-ball", hertz::ball),
-    family("sphere-limit", sphere::limit_points),
+    Family::new("homogeneous", homogeneous::stretches),
+    Family::new("patch", homogeneous::others),
+    Family::new("cook", cook::cases),
+    Family::new("cylinder", cylinder::cases),
+    Family::new("ring", ring::cases),
+    Family::new("hertz-line", hertz::line),
+    Family::new("sphere", sphere::mooney_rivlin),
+    Family::new("hertz-ball", hertz::ball),
+    Family::new("sphere-limit", sphere::limit_points),
 ];
 
-const fn family(name: &'static str, solve: Solve) -> Family {
-    Family { name, solve }
-}
-
 impl Family {
+    /// A family of this name.
+    pub const fn new(name: &'static str, solve: Solve) -> Self {
+        Self { name, solve }
+    }
+
     /// Solves its cases. A family without an answer is one failed case.
     pub fn cases(&self, stop: &AtomicBool) -> Vec<Case> {
         (self.solve)(stop).unwrap_or_else(|failure| vec![Case::unsolved(self.name, &failure)])

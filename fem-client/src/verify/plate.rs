@@ -20,15 +20,15 @@ const PENALTY: Penalty = Penalty {
 
 /// Where a plate may be for the other code's contact, beyond where it is, mm: that contact is smoothed, over 0.004 mm in
 /// a problem whose settings are known, and seen to reach 0.0024 to 0.0043 mm here before the bound was set.
-pub(super) const CONTACT_WIDTH: f64 = 0.005;
+pub(crate) const CONTACT_WIDTH: f64 = 0.005;
 
 /// Lets a surface of the problem, whose normals point outwards, touch the plate.
-pub(super) fn touch(problem: &mut Problem, surface: Surface) {
+pub(crate) fn touch(problem: &mut Problem, surface: Surface) {
     problem.contact = Some(ContactSurface::new(&problem.mesh, surface, PENALTY));
 }
 
 /// A body on its way through the depths of a plate.
-pub(super) struct Pressing<'p> {
+pub(crate) struct Pressing<'p> {
     problem: &'p Problem,
     newton: Newton<'p>,
     /// Its present equilibrium.

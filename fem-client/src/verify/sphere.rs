@@ -22,20 +22,20 @@ const LIMIT_TOLERANCE: f64 = 1e-3;
 /// Stretch at a limit point: where the slope of the pressure vanishes, an error e of the pressure moves it by its root.
 const STRETCH_TOLERANCE: f64 = 0.03;
 /// Neo-Hookean with a shear modulus of 1 MPa.
-const NEO_HOOKEAN: MooneyRivlin = MooneyRivlin { c10: 0.5, c01: 0.0 };
+pub(crate) const NEO_HOOKEAN: MooneyRivlin = MooneyRivlin { c10: 0.5, c01: 0.0 };
 /// Pressures are stationary: their error falls like h to twice the degree, 2.
-const SLOPE: f64 = 4.0;
+pub(crate) const SLOPE: f64 = 4.0;
 /// Elements along an edge of a patch and through the wall.
-const MESHES: [usize; 2] = [2, 3];
+pub(crate) const MESHES: [usize; 2] = [2, 3];
 /// Element size of the first mesh over that of the second.
-const RATIO: f64 = MESHES[1] as f64 / MESHES[0] as f64;
+pub(crate) const RATIO: f64 = MESHES[1] as f64 / MESHES[0] as f64;
 /// Ratio B/A from which the wall takes twice as many elements.
 const THICK: f64 = 3.0;
 /// Largest volume over that of the reference state that is searched for a limit point.
 const LARGEST_VOLUME: f64 = 30.0;
 
 /// An octant between the radii 1 and `outer`: three patches of a cube, n x n bricks each, and n or 2 n through the wall.
-fn octant(n: usize, outer: f64, material: MooneyRivlin) -> Problem {
+pub(crate) fn octant(n: usize, outer: f64, material: MooneyRivlin) -> Problem {
     let order = Order::Quadratic;
     let radial = if outer >= THICK { 2 * n } else { n };
     let blocks = [0, 1, 2].map(|axis| {
@@ -74,7 +74,7 @@ fn edge(t: f64) -> f64 {
 
 /// Pressure at which the inner radius 1 is `stretch`. With W = C10 (2 l^2 + l^-4 - 3) + C01 (l^4 + 2 l^-2 - 3) the integrand
 /// is 4 C10 (l^-2 + l^-5) + 4 C01 (1 + l^-3).
-fn exact(material: &MooneyRivlin, outer: f64, stretch: f64) -> f64 {
+pub(crate) fn exact(material: &MooneyRivlin, outer: f64, stretch: f64) -> f64 {
     let outer_stretch = (1.0 + (stretch.powi(3) - 1.0) / outer.powi(3)).cbrt();
     let integral = |l: f64| {
         -material.c10 * (4.0 / l + l.powi(-4)) + material.c01 * (4.0 * l - 2.0 * l.powi(-2))
@@ -82,7 +82,11 @@ fn exact(material: &MooneyRivlin, outer: f64, stretch: f64) -> f64 {
     integral(stretch) - integral(outer_stretch)
 }
 
-fn reference(control: &mut VolumeControl<'_>, stop: &AtomicBool) -> Result<Inflated, Unsolved> {
+/// The sphere at rest.
+pub(crate) fn reference(
+    control: &mut VolumeControl<'_>,
+    stop: &AtomicBool,
+) -> Result<Inflated, Unsolved> {
     control.reference(stop).map_err(|failure| Unsolved::Volume {
         ratio: 1.0,
         cause: failure.cause,

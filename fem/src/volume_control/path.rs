@@ -113,13 +113,37 @@ impl VolumeControl<'_> {
         match self.maximum(rising.clone(), falling, stop) {
             Ok(limit) if limit.pressure >= pressure => Ending::Reached(rising),
             Ok(limit) => Ending::LimitPoint(limit),
-            Err(lost) => *lost,
+            Err(other) => match *other {
+                Ending::Unstable { below, .. } if below.pressure >= pressure => {
+                    Ending::Reached(below)
+                }
+                other => other,
+            },
         }
     }
 
+    /// Where a body loses its stability between a stable and an unstable equilibrium of a rising path.
+    fn buckling(&mut self, stable: Inflated, unstable: &Inflated, stop: &AtomicBool) -> Ending {
+        let (mut below, mut above) = (stable, unstable.pressure);
+        let mut volume = unstable.volume;
+        while above - below.pressure > BUCKLING_TOLERANCE * above {
+            let middle = 0.5 * (below.volume + volume);
+            match self.solve(&below, middle, stop) {
+                Ok(next) if next.inertia.is_positive() => below = next,
+                Ok(next) => {
+                    above = above.min(next.pressure);
+                    volume = middle;
+                }
+                // The bracket is true as it is.
+                Err(_) => break,
+            }
+        }
+        Ending::Unstable { below, above }
+    }
+
     /// Root of the slope between a rising and a falling equilibrium, by regula falsi with the Illinois rule. The pressure
-    /// differs from the maximum's by less than slope times width of the bracket. Lost where
-    /// the path can't be followed.
+    /// differs from the maximum's by less than slope times width of the bracket. Another ending where the path can't be followed,
+    /// or the body buckles before.
     fn maximum(
         &mut self,
         mut rising: Inflated,
@@ -138,6 +162,10 @@ impl VolumeControl<'_> {
                 }
             };
             let near = next.slope.abs() * width <= LIMIT_TOLERANCE * next.pressure;
+            // At the maximum itself the sign of one pivot is a matter of round-off.
+            if !near && next.slope > 0.0 && !next.inertia.is_positive() {
+                return Err(Box::new(self.buckling(rising, &next, stop)));
+            }
             if near || width <= NARROWEST * volume {
                 return Ok(next);
             }

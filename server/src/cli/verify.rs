@@ -5,8 +5,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Instant;
 
 use clap::Args;
-use clap::builder::PossibleValuesParser;
-use fem_client::verify::{Case, FAMILIES, Family, Verdict};
+use fem_client::extremes;
+use fem_client::verify::{self, Case, Family, Verdict};
+use placement::extremes as studies;
 use serde_json::json;
 
 use super::Failure;
@@ -16,8 +17,11 @@ use super::signals::stop_flag;
 /// Solve problems whose answer is known, and compare
 #[derive(Debug, Args)]
 pub struct Verify {
+    /// The ends of what can be asked for, instead: incompressible rubber, thin walls, limit loads, first touch, other units
+    #[arg(long)]
+    extremes: bool,
     /// Only these families of cases; repeat for several
-    #[arg(long, value_name = "FAMILY", value_parser = PossibleValuesParser::new(FAMILIES.map(|family| family.name)))]
+    #[arg(long, value_name = "FAMILY")]
     only: Vec<String>,
     /// Write the cases as JSON to a file, or to standard output with -
     #[arg(long, value_name = "FILE|-")]
@@ -27,10 +31,7 @@ pub struct Verify {
 impl Verify {
     /// Solves all cases and prints them as a Markdown table. Fails when one of them does.
     pub fn execute(&self) -> Result<(), Failure> {
-        let chosen = |family: &Family| {
-            self.only.is_empty() || self.only.iter().any(|name| name == family.name)
-        };
-        let families: Vec<Family> = FAMILIES.into_iter().filter(chosen).collect();
+        let families = self.families()?;
         let runtime = tokio::runtime::Runtime::new().map_err(Failure::other)?;
         let stop = stop_flag(&runtime)?;
         let begun = Instant::now();
@@ -53,6 +54,36 @@ impl Verify {
         }
         Ok(())
     }
+
+    /// The families asked for, in their order.
+    fn families(&self) -> Result<Vec<Family>, Failure> {
+        let all = match self.extremes {
+            true => all_extremes(),
+            false => verify::FAMILIES.to_vec(),
+        };
+        let names: Vec<&str> = all.iter().map(|family| family.name).collect();
+        if let Some(unknown) = self
+            .only
+            .iter()
+            .find(|name| !names.contains(&name.as_str()))
+        {
+            let names = names.join(", ");
+            return Err(Failure::input(format!(
+                "there is no family {unknown:?} here; there are {names}"
+            )));
+        }
+        let chosen = |family: &Family| {
+            self.only.is_empty() || self.only.iter().any(|name| name == family.name)
+        };
+        Ok(all.into_iter().filter(chosen).collect())
+    }
+}
+
+/// Every family of the extremes, roughly from the quickest to the slowest.
+fn all_extremes() -> Vec<Family> {
+    let mut families = extremes::FAMILIES.to_vec();
+    families.push(studies::FAMILY);
+    families
 }
 
 /// Solves the families on all cores, the last and slowest first, and returns their cases in order.
@@ -112,7 +143,7 @@ fn table(cases: &[Case]) -> String {
 }
 
 fn row(case: &Case) -> Vec<String> {
-    let value = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), |v| format!("{v:.8}"));
+    let value = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), number);
     let small =
         |value: Option<f64>| value.map_or_else(|| "none".to_owned(), |v| format!("{v:.1e}"));
     let slope = case
@@ -130,10 +161,27 @@ fn row(case: &Case) -> Vec<String> {
         small(Some(case.tolerance)),
         slope.unwrap_or_default(),
         verdict.to_owned(),
-        case.detail
-            .clone()
-            .unwrap_or_else(|| case.source.to_owned()),
+        last(case),
     ]
+}
+
+/// Eight decimals, or four digits of what that would hide.
+fn number(value: f64) -> String {
+    const SMALL: f64 = 1e-4;
+    if value == 0.0 || value.abs() >= SMALL {
+        format!("{value:.8}")
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+/// Where the expected value comes from, and how the solve ended.
+fn last(case: &Case) -> String {
+    match &case.detail {
+        Some(detail) if case.source.is_empty() => detail.clone(),
+        Some(detail) => format!("{}; {detail}", case.source),
+        None => case.source.to_owned(),
+    }
 }
 
 #[cfg(test)]
