@@ -6,6 +6,7 @@
 mod failure;
 mod gsa;
 mod output;
+mod progress;
 mod run;
 mod serve;
 mod signals;

@@ -5,15 +5,14 @@ use std::sync::Arc;
 
 use clap::Args;
 use fem_client::solver::NoEquilibrium;
-use indicatif::{ProgressBar, ProgressStyle};
 use placement::result::{FailedPoint, StudyResult};
-use placement::run::Event;
 use placement::study::Study;
 use serde_json::json;
 use tokio::runtime::Runtime;
 
 use super::Failure;
 use super::output::{JsonTarget, tell, write_whole};
+use super::progress::{progress_bar, show};
 use super::signals::stop_flag;
 use super::table::{locations_csv, report};
 use crate::config::Config;
@@ -65,7 +64,7 @@ impl Run {
             .block_on(claim(&engine.store, study))
             .map_err(Failure::other)?;
         let stop = stop_flag(runtime)?;
-        let bar = progress_bar();
+        let bar = progress_bar("");
         let end = engine.run(&row, runtime.handle(), &stop, &|event| show(&bar, event));
         bar.finish_and_clear();
         runtime
@@ -118,49 +117,6 @@ async fn claim(store: &Store, study: &Study) -> Result<StudyRow, StoreError> {
     let row = studies::claim(&mut transaction, &id).await?;
     store.commit(transaction, 0).await?;
     row.ok_or(StoreError::Database(sqlx::Error::RowNotFound))
-}
-
-/// A bar on standard error, on a terminal only.
-fn progress_bar() -> ProgressBar {
-    let bar = ProgressBar::new(0);
-    if let Ok(style) = ProgressStyle::with_template(
-        "{wide_bar} {pos}/{len} points, {elapsed} gone, {eta} to go  {msg}",
-    ) {
-        bar.set_style(style);
-    }
-    bar
-}
-
-fn show(bar: &ProgressBar, event: &Event) {
-    let count = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
-    match event {
-        Event::Started { points, reused } => {
-            bar.set_length(count(*points));
-            bar.set_position(count(*reused));
-            bar.reset_eta();
-        }
-        Event::PointSolved {
-            done,
-            newton_iterations,
-            wall_s,
-            ..
-        } => {
-            bar.set_position(count(*done));
-            bar.set_message(format!(
-                "last: {newton_iterations} iterations, {wall_s:.1} s"
-            ));
-        }
-        Event::PointFailed {
-            ordinal,
-            done,
-            cause,
-            ..
-        } => {
-            bar.set_position(count(*done));
-            bar.println(format!("point {ordinal}: {cause}"));
-        }
-        Event::Analysing => bar.set_message("analysing"),
-    }
 }
 
 /// The physics is to blame when every point that failed has no equilibrium.

@@ -10,16 +10,16 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use fem_client::scene::Level;
 use gsa::method::Kind;
-use indicatif::{ProgressBar, ProgressStyle};
 use placement::fidelity::Fidelity;
 use placement::result::StudyResult;
-use placement::run::{Event, RunError};
+use placement::run::RunError;
 use placement::study::Study;
 use placement::trade::{Trade as Measured, answer, compare};
 use tokio::runtime::Runtime;
 
 use super::Failure;
 use super::output::{JsonTarget, tell, write_whole};
+use super::progress::{progress_bar, show};
 use super::signals::stop_flag;
 use crate::solver::SolverChoice;
 use crate::study_document::{read_file, read_study};
@@ -121,7 +121,7 @@ impl Trade {
         stop: &AtomicBool,
     ) -> Result<Result<StudyResult, RunError>, Failure> {
         let solver = self.solver.solver().map_err(Failure::other)?;
-        let bar = bar(&fidelity.label());
+        let bar = progress_bar(&format!("{:24} ", fidelity.label()));
         let threads = self.threads.map_or_else(
             || std::thread::available_parallelism().map_or(1, usize::from),
             usize::from,
@@ -142,29 +142,4 @@ fn level(name: &str) -> Level {
 
 fn stopped() -> Failure {
     Failure::Other("stopped on request".to_owned())
-}
-
-/// A bar on standard error, on a terminal only.
-fn bar(label: &str) -> ProgressBar {
-    let bar = ProgressBar::new(0);
-    if let Ok(style) = ProgressStyle::with_template("{msg:24} {wide_bar} {pos}/{len}, {eta} to go")
-    {
-        bar.set_style(style);
-    }
-    bar.set_message(label.to_owned());
-    bar
-}
-
-fn show(bar: &ProgressBar, event: &Event) {
-    let count = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
-    match event {
-        Event::Started { points, reused } => {
-            bar.set_length(count(*points));
-            bar.set_position(count(*reused));
-        }
-        Event::PointSolved { done, .. } | Event::PointFailed { done, .. } => {
-            bar.set_position(count(*done));
-        }
-        Event::Analysing => {}
-    }
 }

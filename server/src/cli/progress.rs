@@ -1,0 +1,49 @@
+//! How far a run is, on a terminal.
+
+use indicatif::{ProgressBar, ProgressStyle};
+use placement::run::Event;
+
+/// A bar on standard error, on a terminal only, after a label.
+pub fn progress_bar(label: &str) -> ProgressBar {
+    let bar = ProgressBar::new(0);
+    if let Ok(style) = ProgressStyle::with_template(
+        "{prefix}{wide_bar} {pos}/{len} points, {elapsed} gone, {eta} to go  {msg}",
+    ) {
+        bar.set_style(style);
+    }
+    bar.set_prefix(label.to_owned());
+    bar
+}
+
+/// Moves the bar, and says above it what failed.
+pub fn show(bar: &ProgressBar, event: &Event) {
+    let count = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
+    match event {
+        Event::Started { points, reused } => {
+            bar.set_length(count(*points));
+            bar.set_position(count(*reused));
+            bar.reset_eta();
+        }
+        Event::PointSolved {
+            done,
+            newton_iterations,
+            wall_s,
+            ..
+        } => {
+            bar.set_position(count(*done));
+            bar.set_message(format!(
+                "last: {newton_iterations} iterations, {wall_s:.1} s"
+            ));
+        }
+        Event::PointFailed {
+            ordinal,
+            done,
+            cause,
+            ..
+        } => {
+            bar.set_position(count(*done));
+            bar.println(format!("point {ordinal}: {cause}"));
+        }
+        Event::Analysing => bar.set_message("analysing"),
+    }
+}
