@@ -195,15 +195,35 @@ pub fn on_grid(
     nodes: usize,
     model: impl Fn(&[f64]) -> f64 + 'static,
 ) -> Known {
+    let nodes = vec![nodes; inputs.len()];
+    on_grid_of(family, inputs, &nodes, model)
+}
+
+/// The same with as many nodes along each input as given for it.
+pub fn on_grid_of(
+    family: &'static str,
+    inputs: Vec<Distribution>,
+    nodes: &[usize],
+    model: impl Fn(&[f64]) -> f64 + 'static,
+) -> Known {
     let n = inputs.len();
     let rules: Vec<_> = inputs
         .iter()
-        .map(|law| law.gauss_rule(nodes).expect("a rule"))
+        .zip(nodes)
+        .map(|(law, nodes)| law.gauss_rule(*nodes).expect("a rule"))
         .collect();
-    let mut sections = vec![vec![0.0; nodes]; n];
+    let mut sections: Vec<Vec<f64>> = nodes.iter().map(|nodes| vec![0.0; *nodes]).collect();
     let mut moments = Vec::new();
-    for cell in 0..nodes.pow(n as u32) {
-        let at: Vec<usize> = (0..n).map(|i| cell / nodes.pow(i as u32) % nodes).collect();
+    for cell in 0..nodes.iter().product() {
+        let mut rest = cell;
+        let at: Vec<usize> = nodes
+            .iter()
+            .map(|nodes| {
+                let j = rest % nodes;
+                rest /= nodes;
+                j
+            })
+            .collect();
         let x: Vec<f64> = (0..n).map(|i| rules[i].nodes[at[i]]).collect();
         let weight: f64 = (0..n).map(|i| rules[i].weights[at[i]]).product();
         let y = model(&x);

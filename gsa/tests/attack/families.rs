@@ -37,7 +37,7 @@ impl Draw {
     }
 
     /// The sum of twelve uniforms less six: near enough to a standard normal for a coefficient.
-    fn coefficient(&mut self) -> f64 {
+    pub fn coefficient(&mut self) -> f64 {
         self.many(12, 0.0, 1.0).iter().sum::<f64>() - 6.0
     }
 }

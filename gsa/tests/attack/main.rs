@@ -4,6 +4,7 @@
 mod asking;
 mod exact;
 mod families;
+mod held_out;
 #[path = "../support/known.rs"]
 mod known;
 mod shapes;
@@ -58,31 +59,30 @@ fn coverage<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> f64 {
 }
 
 /// The method's outcomes, with a table of them.
-fn attack(title: &str, method: Method, seeds: std::ops::Range<u64>) -> Vec<Outcome> {
+fn attack(title: &str, method: Method, models: &[(u64, Known)]) -> Vec<Outcome> {
     let mut table: BTreeMap<&str, Vec<Outcome>> = BTreeMap::new();
     let mut silent: BTreeMap<&str, usize> = BTreeMap::new();
-    for seed in seeds {
-        for known in families::all(seed) {
-            let Some((found, runs)) = campaign(&known, Method { seed, ..method }) else {
-                continue;
-            };
-            let (Some(first_order), Some(claimed)) = (&found.first_order, found.error.total) else {
-                *silent.entry(known.family).or_default() += 1;
-                continue;
-            };
-            assert!(
-                first_order.iter().all(|s| (0.0..=1.0 + 1e-12).contains(s)) && claimed.is_finite(),
-                "{} {seed}: {found:?}",
-                known.family
-            );
-            let truth = known.error_of(first_order).max(found.error.floor);
-            table.entry(known.family).or_default().push(Outcome {
-                seed,
-                claimed,
-                truth,
-                runs,
-            });
-        }
+    for (seed, known) in models {
+        let seed = *seed;
+        let Some((found, runs)) = campaign(known, Method { seed, ..method }) else {
+            continue;
+        };
+        let (Some(first_order), Some(claimed)) = (&found.first_order, found.error.total) else {
+            *silent.entry(known.family).or_default() += 1;
+            continue;
+        };
+        assert!(
+            first_order.iter().all(|s| (0.0..=1.0 + 1e-12).contains(s)) && claimed.is_finite(),
+            "{} {seed}: {found:?}",
+            known.family
+        );
+        let truth = known.error_of(first_order).max(found.error.floor);
+        table.entry(known.family).or_default().push(Outcome {
+            seed,
+            claimed,
+            truth,
+            runs,
+        });
     }
     print(title, &table, &silent);
     table.into_values().flatten().collect()
@@ -123,6 +123,12 @@ fn print(title: &str, table: &BTreeMap<&str, Vec<Outcome>>, silent: &BTreeMap<&s
     }
 }
 
+/// Every family by seed.
+fn models(seeds: std::ops::Range<u64>, all: fn(u64) -> Vec<Known>) -> Vec<(u64, Known)> {
+    let of_seed = |seed| all(seed).into_iter().map(move |known| (seed, known));
+    seeds.flat_map(of_seed).collect()
+}
+
 fn method(kind: Kind, nodes: usize) -> Method {
     Method {
         nodes,
@@ -148,10 +154,11 @@ fn claimed_errors_hold_on_models_they_were_not_set_on() {
         (Kind::Saltelli, 5, 95.0, 10.0),
         (Kind::Auto, 5, 95.0, 11.0),
     ];
+    let models = models(0..4, families::all);
     let mut pooled = Vec::new();
     for (kind, nodes, least_coverage, largest_ratio) in rows {
         let title = format!("{}, {nodes} nodes", kind.as_str());
-        let outcomes = attack(&title, method(kind, nodes), 0..4);
+        let outcomes = attack(&title, method(kind, nodes), &models);
         let (covered, ratio) = summary(&outcomes);
         pooled.extend(outcomes);
         assert!(
@@ -162,4 +169,26 @@ fn claimed_errors_hold_on_models_they_were_not_set_on() {
     println!("\nall methods");
     let (covered, ratio) = summary(&pooled);
     assert!(covered >= 95.0 && ratio <= 10.0);
+}
+
+/// Samples of 4096 know the indices to a few thousandths: formulas and references of the held-out models belong together. 95 % intervals
+/// of the largest of several indices are exceeded now and then, hardly ever twofold.
+#[test]
+fn held_out_references_agree_with_samples() {
+    let sampled = Method {
+        samples: 4096,
+        ..Method::of(Kind::Saltelli)
+    };
+    for known in held_out::all(0) {
+        let (found, _) = campaign(&known, sampled).expect("a campaign");
+        let (Some(first_order), Some(claimed)) = (&found.first_order, found.error.total) else {
+            panic!("{}: {found:?}", known.family);
+        };
+        let error = known.error_of(first_order);
+        assert!(
+            error <= 2.0 * claimed,
+            "{}: {error} {claimed}",
+            known.family
+        );
+    }
 }
