@@ -12,6 +12,7 @@ use crate::far_field::FarField;
 use crate::gauge;
 use crate::mesh_error::{self, Coarser};
 use crate::neighbourhood::{Neighbourhood, Neighbourhoods, Pressed};
+use crate::omission::{self, Omission};
 use crate::readout::Reader;
 use crate::scene::Scene;
 use crate::session::Session;
@@ -51,6 +52,10 @@ impl Solver for EmbeddedSolver {
 
     fn coarser(&self, scene: &Scene) -> Option<Coarser> {
         mesh_error::coarser(scene)
+    }
+
+    fn omissions(&self, scene: &Scene) -> Vec<Omission> {
+        omission::omissions(scene)
     }
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {

@@ -10,6 +10,7 @@
 //! - [`scene_reader`]: reads a scene, with the ranges and the rules that tie fields together
 //! - [`scene_edit`]: changes single fields of a scene by their path
 //! - [`gauge`]: single points with a direction, where strain is read
+//! - [`omission`]: what a scene's model leaves out, and the scene that has it
 //! - [`solver`]: the one trait between the product and any solver, with its request, response and errors
 //! - [`start_state`]: start states as bytes
 //! - `grid_lines`: where the bricks of a mesh begin and end
@@ -47,6 +48,7 @@ mod grid_lines;
 mod inflation;
 pub mod mesh_error;
 mod neighbourhood;
+pub mod omission;
 mod pressing;
 pub mod probe;
 pub mod readout;

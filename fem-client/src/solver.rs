@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::fault::Fault;
 use crate::gauge::{Gauge, GaugeReading};
 use crate::mesh_error::Coarser;
+use crate::omission::Omission;
 use crate::scene::Scene;
 
 /// Answers for one equilibrium of a scene.
@@ -17,6 +18,11 @@ pub trait Solver: Send + Sync {
     /// A coarser level on which the same scene shows what its own level misses; `None` where there is none.
     fn coarser(&self, _scene: &Scene) -> Option<Coarser> {
         None
+    }
+
+    /// What its model of the scene leaves out and could have.
+    fn omissions(&self, _scene: &Scene) -> Vec<Omission> {
+        Vec::new()
     }
 
     /// Solves one equilibrium.
@@ -278,7 +284,8 @@ pub struct Choice {
     pub what: String,
     /// The reason.
     pub why: String,
-    /// Estimated effect of leaving it out, relative; absent when the part is modelled or exact.
+    /// What leaving it out does: the largest change of a strain at P1, P2, ... at the means when it is modelled, over the largest strain
+    /// of that direction there. 0 where leaving it out is exact; absent where the part is modelled, or the effect isn't known.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub effect: Option<f64>,
 }

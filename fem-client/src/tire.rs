@@ -13,6 +13,7 @@ use fem::surface::Chart;
 use fem::surface_law::{FibreFamily, Film, SurfaceLaw};
 use fem::tensor::Vector;
 
+use crate::omission::omissions;
 use crate::scene::{self, Carcass, Ground, Level, Scene, StationFunctions};
 use crate::solver::{Choice, ModelSummary};
 use crate::tire_mesh::{Extent, MeshPlan, TireGrid, TireShape};
@@ -57,6 +58,7 @@ impl TireModel {
     /// Factor from the model's forces to the whole tire's.
     pub fn multiplicity(&self) -> f64 {
         match self.grid.extent {
+            Extent::Full => 1.0,
             Extent::Half => 2.0,
             Extent::Quarter => 4.0,
         }
@@ -87,6 +89,7 @@ impl TireModel {
     /// What is modelled and what is left out, with reasons.
     pub fn summary(&self, scene: &Scene, dofs: usize) -> ModelSummary {
         let dimension = match self.grid.extent {
+            Extent::Full => "3d",
             Extent::Half => "3d-half",
             Extent::Quarter => "3d-quarter",
         };
@@ -258,7 +261,10 @@ fn film_membrane(film: &scene::Film, grid: &TireGrid, mesh: &Mesh) -> Membrane {
 
 fn chart(grid: &TireGrid) -> Chart {
     let circumference = std::f64::consts::TAU * grid.crown_radius();
-    let mut mirrors = vec![(1, 0.0)];
+    let mut mirrors = Vec::new();
+    if grid.extent != Extent::Full {
+        mirrors.push((1, 0.0));
+    }
     if grid.extent == Extent::Quarter {
         mirrors.extend([(0, 0.0), (0, 0.5 * circumference)]);
     }
@@ -266,7 +272,7 @@ fn chart(grid: &TireGrid) -> Chart {
         surface: grid.inner_surface(),
         coordinates: grid.inner_chart(),
         mirrors,
-        period: (grid.extent == Extent::Half).then_some(circumference),
+        period: (grid.extent != Extent::Quarter).then_some(circumference),
     }
 }
 
@@ -359,36 +365,20 @@ fn left_out(scene: &Scene, extent: Extent) -> Vec<Choice> {
         why: why.into(),
         effect: Some(0.0),
     };
-    let mut list = vec![exact(
-        "y < 0",
-        "tire, ground and loads are symmetric about the wheel's middle plane: exact",
-    )];
+    let mut list = Vec::new();
+    if extent != Extent::Full {
+        list.push(exact(
+            "y < 0",
+            "tire, ground and loads are symmetric about the wheel's middle plane: exact",
+        ));
+    }
     if extent == Extent::Quarter {
         list.push(exact(
             "x < 0",
             "the depths are symmetric about the contact centre: exact",
         ));
     }
-    if scene.contact.friction == 0.0 {
-        list.push(choice("friction", "contact.friction is 0".into()));
-    }
-    list.push(match &scene.film {
-        None => choice(
-            "film stiffness",
-            "the film follows the inner surface without stiffening it: right only where its modulus times its thickness is far \
-             below the wall's. How far off, depends on the film: on the reference tire at 1 mm one of 1 MPa, 5 x 5 x 0.05 mm, at P3 lowers the \
-             strain there by 5 % and a PVDF film to less than 1 %, with 1.2 % more reaction; a [film] table models one at P3"
-                .into(),
-        ),
-        Some(_) => choice(
-            "film bending and wrinkling",
-            "neither is modelled: a film much thinner than the wall hardly bends it; in compression it resists as it does in \
-             tension, which holds only while glue and rubber keep it flat"
-                .into(),
-        ),
-    });
-    if scene.carcass.is_none() {
-        list.push(choice("carcass", "the scene has none".into()));
-    }
+    let omitted = omissions(scene).into_iter();
+    list.extend(omitted.map(|omission| choice(omission.what, omission.why)));
     list
 }

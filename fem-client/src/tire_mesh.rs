@@ -1,8 +1,8 @@
 //! The structured mesh of a toroidal tire.
 //!
 //! A point of the wall has the wheel angle theta (0 at the contact centre), the section angle phi (0 at the crown) and the
-//! section radius rho: with r = R_c + rho cos(phi), x = r sin(theta), y = rho sin(phi), z = -r cos(theta). Only y >= 0
-//! is meshed, because ground and loads are constant across the wheel; a quarter mesh keeps x >= 0 too. Bricks run
+//! section radius rho: with r = R_c + rho cos(phi), x = r sin(theta), y = rho sin(phi), z = -r cos(theta). Scenes need
+//! y >= 0 only, because ground and loads are constant across the wheel; a quarter mesh keeps x >= 0 too. Bricks run
 //! along (phi, theta, rho), which is right-handed; brick numbers run fastest along rho, then phi, then theta.
 
 use fem::element::Order;
@@ -55,6 +55,8 @@ pub struct TireShape {
 /// Which part of the tire is meshed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
+    /// All of it: no scene needs it, tests compare with it.
+    Full,
     /// y >= 0, all around the wheel.
     Half,
     /// y >= 0 and x >= 0.
@@ -83,25 +85,23 @@ impl TireGrid {
         let half = half_circle(plan.fine_angle, plan.fine, plan.coarse);
         let theta = match extent {
             Extent::Quarter => half,
-            Extent::Half => half
-                .iter()
-                .skip(1)
-                .rev()
-                .map(|t| -t)
-                .chain(half.iter().copied())
-                .collect(),
+            Extent::Half | Extent::Full => both_sides(&half),
         };
-        let phi = graded(
+        let side = graded(
             0.0,
             shape.bead_angle,
             plan.meridional,
             plan.meridional_growth,
         );
+        let phi = match extent {
+            Extent::Full => both_sides(&side),
+            Extent::Half | Extent::Quarter => side,
+        };
         Self {
             order: plan.order,
             extent,
             shape,
-            is_closed: extent == Extent::Half,
+            is_closed: extent != Extent::Quarter,
             theta,
             phi,
             rho: layers(shape.inner, shape.outer, shape.carcass, plan.layers),
@@ -200,8 +200,9 @@ impl TireGrid {
     /// Node at the outer crown of the contact centre.
     pub fn lowest_node(&self) -> u32 {
         let e = self.order.edge_nodes() - 1;
-        let centre = self.theta.iter().position(|&t| t == 0.0).unwrap_or(0);
-        self.node([0, centre * e, self.rho_nodes() - 1])
+        let zero = |edges: &[f64]| edges.iter().position(|&t| t == 0.0).unwrap_or(0);
+        let [crown, centre] = [&self.phi, &self.theta].map(|edges| zero(edges) * e);
+        self.node([crown, centre, self.rho_nodes() - 1])
     }
 
     /// Node of the inner surface on these grid lines.
@@ -216,7 +217,11 @@ impl TireGrid {
         for theta in 0..=last_theta {
             for rho in 0..self.rho_nodes() {
                 held.bead.push(self.node([last_phi, theta, rho]));
-                held.middle_plane.push(self.node([0, theta, rho]));
+                let first = self.node([0, theta, rho]);
+                match self.extent {
+                    Extent::Full => held.bead.push(first),
+                    Extent::Half | Extent::Quarter => held.middle_plane.push(first),
+                }
             }
         }
         let sections = [
@@ -231,6 +236,12 @@ impl TireGrid {
         }
         held
     }
+}
+
+/// The lines from 0 on with their mirror images.
+fn both_sides(edges: &[f64]) -> Vec<f64> {
+    let mirrored = edges.iter().skip(1).rev().map(|edge| -edge);
+    mirrored.chain(edges.iter().copied()).collect()
 }
 
 /// Nodes with supports.

@@ -28,7 +28,7 @@ pub(crate) fn near_and_far(whole: &TireGrid, angle: f64) -> Option<[TireSector; 
     };
     let (centre, half) = match whole.extent {
         Extent::Quarter => (0, count),
-        Extent::Half => (count / 2, count / 2),
+        Extent::Half | Extent::Full => (count / 2, count / 2),
     };
     let near = reached(&whole.theta);
     if near >= half {
@@ -36,7 +36,7 @@ pub(crate) fn near_and_far(whole: &TireGrid, angle: f64) -> Option<[TireSector; 
     }
     let (first, width) = match whole.extent {
         Extent::Quarter => (0, near),
-        Extent::Half => (centre - near, 2 * near),
+        Extent::Half | Extent::Full => (centre - near, 2 * near),
     };
     Some([
         TireSector::new(whole, first, width),

@@ -11,11 +11,13 @@ use fem_client::scene::Level;
 use fem_client::tire::mesh_plan;
 use gsa::method::Kind;
 
+use crate::effects;
 use crate::fidelity::Fidelity;
 use crate::plan::Plan;
 use crate::result::{Climb, ClimbRung, StudyResult};
 use crate::run::{Means, RunError, run_from};
 use crate::study::{Accuracy, Study};
+use crate::usage::cpu_s;
 
 /// Levels that are climbed. The draft doesn't know its own error, and is for a budget's first answer alone.
 const LEVELS: [Level; 4] = [
@@ -39,14 +41,38 @@ const LOOK: Duration = Duration::from_millis(10);
 /// See [`RunError`].
 pub fn answer(study: &Study, plan: &Plan, means: Means<'_>) -> Result<StudyResult, RunError> {
     match study.accuracy {
-        Accuracy::Preset => run_from(0, study, plan, means).map(|(result, _)| result),
-        Accuracy::Tolerance(_) => Climber::new(study, means).climb(),
-        Accuracy::Budget(seconds) => within(seconds, study, means),
+        Accuracy::Preset => {
+            let (mut result, points) = run_from(0, study, plan, means)?;
+            with_effects(points, study, plan, &mut result, means)?;
+            Ok(result)
+        }
+        Accuracy::Tolerance(_) => Climber::new(study, plan, means).climb(),
+        Accuracy::Budget(seconds) => within(seconds, study, plan, means),
     }
 }
 
+/// Adds the effects of what is left out, and the time that they took.
+fn with_effects(
+    first: usize,
+    study: &Study,
+    plan: &Plan,
+    result: &mut StudyResult,
+    means: Means<'_>,
+) -> Result<(), RunError> {
+    let (begun, cpu_before) = (Instant::now(), cpu_s());
+    effects::measure(first, study, plan, result, means)?;
+    result.cost.wall_s += begun.elapsed().as_secs_f64();
+    result.cost.cpu_s += (cpu_s() - cpu_before).max(0.0);
+    Ok(())
+}
+
 /// Runs until the time is up.
-fn within(seconds: f64, study: &Study, means: Means<'_>) -> Result<StudyResult, RunError> {
+fn within(
+    seconds: f64,
+    study: &Study,
+    plan: &Plan,
+    means: Means<'_>,
+) -> Result<StudyResult, RunError> {
     let deadline = Instant::now() + Duration::from_secs_f64(seconds);
     let (stop, ended) = (AtomicBool::new(false), AtomicBool::new(false));
     std::thread::scope(|scope| {
@@ -65,7 +91,7 @@ fn within(seconds: f64, study: &Study, means: Means<'_>) -> Result<StudyResult, 
         };
         let climbed = Climber {
             deadline: Some(deadline),
-            ..Climber::new(study, inner)
+            ..Climber::new(study, plan, inner)
         }
         .climb();
         ended.store(true, Ordering::Relaxed);
@@ -80,6 +106,7 @@ fn within(seconds: f64, study: &Study, means: Means<'_>) -> Result<StudyResult, 
 
 struct Climber<'c> {
     study: &'c Study,
+    plan: &'c Plan,
     means: Means<'c>,
     deadline: Option<Instant>,
     rungs: Vec<ClimbRung>,
@@ -89,9 +116,10 @@ struct Climber<'c> {
 }
 
 impl<'c> Climber<'c> {
-    fn new(study: &'c Study, means: Means<'c>) -> Self {
+    fn new(study: &'c Study, plan: &'c Plan, means: Means<'c>) -> Self {
         Self {
             study,
+            plan,
             means,
             deadline: None,
             rungs: Vec::new(),
@@ -112,6 +140,11 @@ impl<'c> Climber<'c> {
                 Err(RunError::Stopped) if self.is_late() => break,
                 Err(error) => return Err(error),
             }
+        }
+        match with_effects(self.points, self.study, self.plan, &mut best, self.means) {
+            // They are worth knowing, not worth the answer.
+            Err(RunError::Stopped) if self.is_late() => {}
+            other => other?,
         }
         best.climb = Some(Climb {
             tolerance: self.tolerance(),

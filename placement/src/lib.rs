@@ -14,6 +14,7 @@
 //! - [`assemble`]: all of it into the answer
 //! - [`usage`]: what a run takes of the machine
 //! - [`run`]: solves the points that the archive lacks, on all cores, and assembles the answer
+//! - [`effects`]: what leaving out a part of reality does
 //! - [`fidelity`]: mesh and method as one value, and the ladder of them
 //! - [`climb`]: the cheapest model that meets a tolerance or a budget
 //! - [`trade`]: what accuracy a second buys
@@ -24,6 +25,7 @@ pub mod assemble;
 mod candidate_reader;
 pub mod climb;
 pub mod distribution_reader;
+pub mod effects;
 pub mod extremes;
 pub mod fidelity;
 mod input_reader;

@@ -268,6 +268,9 @@ pub struct StudyCost {
     /// Points of the plan solved once more on a coarser mesh, for the error of the mesh.
     #[serde(default)]
     pub coarser_solves: usize,
+    /// Solves that show what the model leaves out.
+    #[serde(default)]
+    pub effect_solves: usize,
     /// Wall-clock time of each rung of the climb, s.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub rungs_wall_s: Vec<f64>,

@@ -7,7 +7,8 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use fem_client::fault::Fault;
-use fem_client::solver::{Cost, Solver};
+use fem_client::scene::Scene;
+use fem_client::solver::{Cost, Readout, Solver};
 use gsa::analysis::Status;
 
 use self::points::{Answers, Place, Points, keys};
@@ -180,31 +181,15 @@ pub(crate) fn run_from(
     means: Means<'_>,
 ) -> Result<(StudyResult, usize), RunError> {
     let Means {
-        solver,
-        archive,
-        threads,
-        stop,
-        observer,
+        solver, observer, ..
     } = means;
     let (begun, cpu_before) = (Instant::now(), cpu_s());
     let mut plan = plan.clone();
     let coarser = solver.coarser(&study.scene);
     let meshes = 1 + usize::from(coarser.is_some());
-    let answers = |plan: &Plan, place: Place| {
-        let readout = study.readout();
-        let keys = keys(plan, solver, &readout);
-        let points = Points {
-            plan,
-            readout,
-            solver,
-            archive,
-            stop,
-            observer,
-            keys,
-            place,
-        };
-        points.answers(threads)
-    };
+    let readout = study.readout();
+    let answers =
+        |plan: &Plan, place: Place| answers_of(&plan.points, plan.values(), &readout, place, means);
     let mut solved = 0;
     let (outcomes, costs) = loop {
         let place = Place {
@@ -245,6 +230,48 @@ pub(crate) fn run_from(
         ..solve_cost(&costs, reused)
     };
     Ok((result, meshes * plan.points.len()))
+}
+
+/// Loads or solves scenes that start from the first one's equilibrium.
+fn answers_of(
+    scenes: &[Scene],
+    values: &[Vec<f64>],
+    readout: &Readout,
+    place: Place,
+    means: Means<'_>,
+) -> Result<Answers, RunError> {
+    let points = Points {
+        scenes,
+        values,
+        readout,
+        solver: means.solver,
+        archive: means.archive,
+        stop: means.stop,
+        observer: means.observer,
+        keys: keys(scenes, means.solver, readout),
+        place,
+    };
+    points.answers(means.threads)
+}
+
+/// What further scenes answer that are no points of the plan: they have ordinals from `first` on.
+pub(crate) fn outcomes_of(
+    scenes: &[Scene],
+    values: &[Vec<f64>],
+    readout: &Readout,
+    first: usize,
+    means: Means<'_>,
+) -> Result<Vec<Outcome>, RunError> {
+    let place = Place {
+        first,
+        of: first + scenes.len(),
+    };
+    let answers = answers_of(scenes, values, readout, place, means)?;
+    Ok(answers
+        .points
+        .into_iter()
+        .map(|(outcome, _)| outcome)
+        .collect())
 }
 
 /// What the coarser mesh answered; nothing where a point broke or the cut point has no equilibrium there: that costs the

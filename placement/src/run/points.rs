@@ -9,19 +9,22 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
+use fem_client::scene::Scene;
 use fem_client::solver::{Cost, Readout, SolveError, SolveRequest, Solved, Solver, StartState};
 
 use super::finite::not_finite;
 use super::{Event, Observer, RunError, refusals};
 use crate::archive::{Archive, ArchiveError, Outcome, PointRecord, Unsolved};
-use crate::plan::Plan;
 use crate::result::FailedPoint;
 use crate::study::sha256_hex;
 
 /// What the points of one run share.
 pub(crate) struct Points<'r> {
-    pub plan: &'r Plan,
-    pub readout: Readout,
+    /// The scene of each; the first is the one from whose equilibrium the others start.
+    pub scenes: &'r [Scene],
+    /// Input values of each.
+    pub values: &'r [Vec<f64>],
+    pub readout: &'r Readout,
     pub solver: &'r dyn Solver,
     pub archive: &'r dyn Archive,
     pub stop: &'r AtomicBool,
@@ -61,19 +64,16 @@ pub(crate) struct Answers {
 
 /// Content keys: SHA-256 over all that determines an outcome to the bit, which is the solver's version, the scene, the
 /// readout and the start. The cut point starts from scratch, the others from the cut point, which its key stands for.
-pub(crate) fn keys(plan: &Plan, solver: &dyn Solver, readout: &Readout) -> Vec<String> {
+pub(crate) fn keys(scenes: &[Scene], solver: &dyn Solver, readout: &Readout) -> Vec<String> {
     let version = solver.version();
-    let key = |scene: &fem_client::scene::Scene, start: &str| {
+    let key = |scene: &Scene, start: &str| {
         let content = serde_json::json!({
             "solver": version, "scene": scene.to_value(), "readout": readout, "start": start,
         });
         sha256_hex(&content.to_string())
     };
-    let cut = key(&plan.points[0], "scratch");
-    let others: Vec<String> = plan.points[1..]
-        .iter()
-        .map(|scene| key(scene, &cut))
-        .collect();
+    let cut = key(&scenes[0], "scratch");
+    let others: Vec<String> = scenes[1..].iter().map(|scene| key(scene, &cut)).collect();
     std::iter::once(cut).chain(others).collect()
 }
 
@@ -260,10 +260,10 @@ impl Points<'_> {
         if self.stop.load(Ordering::Relaxed) {
             return Err(SolveError::Stopped);
         }
-        let scene = &self.plan.points[ordinal];
+        let scene = &self.scenes[ordinal];
         let request = SolveRequest {
             scene,
-            readout: &self.readout,
+            readout: self.readout,
             start,
             stop: self.stop,
         };
@@ -292,7 +292,7 @@ impl Points<'_> {
         self.archive.save(&PointRecord {
             key: &self.keys[ordinal],
             ordinal: self.place.first + ordinal,
-            scene: &self.plan.points[ordinal].canonical_json(),
+            scene: &self.scenes[ordinal].canonical_json(),
             outcome,
             cost: *cost,
             start,
@@ -335,7 +335,7 @@ impl Points<'_> {
     fn failed_point(&self, ordinal: usize, cause: String) -> FailedPoint {
         FailedPoint {
             ordinal,
-            values: self.plan.values()[ordinal].clone(),
+            values: self.values[ordinal].clone(),
             cause,
         }
     }
