@@ -1,7 +1,7 @@
 /** The only file that talks to the network. */
 
 import {
-  EVENT_KINDS, type Presets, type Problem, type StudyEvent, type StudyPage, type StudyResult, type StudySummary,
+  EVENT_KINDS, type Presets, type Problem, type StudyEvent, type StudyPage, type StudyResult, type StudySummary, type Trade,
 } from "./types.ts";
 
 const ROOT = "/v1";
@@ -45,6 +45,10 @@ export function study(id: string): Promise<StudySummary> {
 
 export function result(id: string): Promise<StudyResult> {
   return request("GET", path(id, "/result"));
+}
+
+export function trade(id: string): Promise<Trade> {
+  return request("GET", path(id, "/trade"));
 }
 
 /** Submits a document; the same key finds the same study again, so that a lost answer can be asked for twice. */

@@ -134,8 +134,9 @@ export function createFollower(store: Store, onOver: () => void): Follower {
   async function loadResult(id: string): Promise<void> {
     change(id, (study) => ({ ...study, result: { status: "loading" } }));
     try {
-      const value = await api.result(id);
-      change(id, (study) => ({ ...study, result: { status: "ready", value } }));
+      const [value, { trade_measured }] = await Promise.all([api.result(id), api.study(id)]);
+      const trade = trade_measured === true ? await api.trade(id) : null;
+      change(id, (study) => ({ ...study, result: { status: "ready", value }, trade }));
     } catch (error) {
       change(id, (study) => ({ ...study, result: { status: "failed", problem: api.problemOf(error) } }));
     }

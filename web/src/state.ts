@@ -3,7 +3,7 @@
 import { textOf } from "./lib/draft.ts";
 import type { Progress } from "./lib/progress.ts";
 import { parseRoute, type Route } from "./lib/route.ts";
-import type { Presets, Problem, StudyResult, StudySummary } from "./types.ts";
+import type { Presets, Problem, StudyResult, StudySummary, Trade } from "./types.ts";
 
 /** Something that is asked for: not here yet, here, or refused. */
 export type Loadable<T> =
@@ -37,6 +37,8 @@ export interface OpenStudy {
   link: Link;
   /** Null until the study is done. */
   result: Loadable<StudyResult> | null;
+  /** What accuracy costs; null where nobody has measured it. */
+  trade: Trade | null;
   cancelProblem: Problem | null;
 }
 
@@ -76,6 +78,7 @@ export function openStudy(id: string): OpenStudy {
     progress: null,
     link: "connecting",
     result: null,
+    trade: null,
     cancelProblem: null,
   };
 }

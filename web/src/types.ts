@@ -20,6 +20,8 @@ export interface StudySummary {
   started: string | null;
   finished: string | null;
   error: string | null;
+  /** Whether the service knows what accuracy costs for this study; only an entry asked for by itself says so. */
+  trade_measured?: boolean;
 }
 
 export interface StudyPage {
@@ -225,3 +227,25 @@ export const EVENT_KINDS: readonly StudyEvent["kind"][] = [
   "failed",
   "cancelled",
 ];
+
+/** One way to answer a study, and what it gave. Errors are absolute, the largest of the indices that the ranking goes by. */
+export interface TradeRung {
+  label: string;
+  wall_s: number;
+  cpu_s: number;
+  solves: number;
+  error_true: number | null;
+  error_claimed: number | null;
+  /** Share of the indices whose claimed error covers the true one. */
+  covered: number | null;
+  ranking_agrees: boolean;
+  pareto: boolean;
+}
+
+/** The measured trade of accuracy for time. */
+export interface Trade {
+  study: string;
+  spec_sha256: string;
+  reference: TradeRung;
+  rungs: TradeRung[];
+}

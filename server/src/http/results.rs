@@ -9,6 +9,7 @@ use fem_client::document::Format;
 use fem_client::scene::Scene;
 use placement::result::StudyResult;
 use placement::study::Input;
+use placement::trade::Trade;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -16,7 +17,7 @@ use super::AppState;
 use super::extract::{Params, StudyId};
 use super::problem::Problem;
 use super::studies::known;
-use crate::store::{Store, evaluations, results};
+use crate::store::{Store, evaluations, results, trades};
 use crate::study_document::stored_plan;
 
 /// `/v1/studies/{id}/result` and its parts.
@@ -27,6 +28,7 @@ pub fn router() -> Router<AppState> {
         .route("/v1/studies/{id}/layouts", get(layouts))
         .route("/v1/studies/{id}/evaluations", get(points))
         .route("/v1/studies/{id}/map", get(map))
+        .route("/v1/studies/{id}/trade", get(trade))
 }
 
 async fn whole(
@@ -156,6 +158,21 @@ async fn map(
         "error": layer.error,
         "status": layer.status,
     })))
+}
+
+/// The newest trade that was measured for a study of the same document.
+async fn trade(
+    State(state): State<AppState>,
+    StudyId(id): StudyId,
+) -> Result<Json<Trade>, Problem> {
+    let study = known(&state.store, &id).await?;
+    let mut connection = state.store.read().await?;
+    let found = trades::newest(&mut connection, &study.spec_sha256).await?;
+    found.map(Json).ok_or_else(|| {
+        Problem::not_found(
+            "what accuracy costs wasn't measured for this study: strainsite trade does, with the same document and database",
+        )
+    })
 }
 
 /// The result of a study, or 404 with what became of it.

@@ -14,7 +14,7 @@ use super::extract::{Params, StudyId};
 use super::problem::Problem;
 use crate::queue::SubmitError;
 use crate::store::studies::{self, State as StudyState, StudyRow};
-use crate::store::{Store, results};
+use crate::store::{Store, results, trades};
 
 /// `/v1/studies` and `/v1/studies/{id}`.
 pub fn router() -> Router<AppState> {
@@ -117,6 +117,7 @@ async fn show(State(state): State<AppState>, StudyId(id): StudyId) -> Result<Jso
     body["document"] = serde_json::from_str(&study.spec).unwrap_or(Value::Null);
     let mut connection = state.store.read().await?;
     body["result_sha256"] = json!(results::sha256_of(&mut connection, &id).await?);
+    body["trade_measured"] = json!(trades::is_measured(&mut connection, &study.spec_sha256).await?);
     Ok(Json(body))
 }
 

@@ -6,6 +6,7 @@
 //! - [`studies`]: what was asked, and the queue
 //! - [`evaluations`]: solved points and start states
 //! - [`results`]: results with their ranked rows
+//! - [`trades`]: measured trades of accuracy for time
 //! - [`events`]: what happened, in order
 //! - [`idempotency`]: keys of repeated requests
 //!
@@ -20,6 +21,7 @@ mod lock;
 mod pools;
 pub mod results;
 pub mod studies;
+pub mod trades;
 
 use std::path::{Path, PathBuf};
 

@@ -3,6 +3,7 @@
 use fem_client::closed_form::ClosedFormSolver;
 use reqwest::StatusCode;
 use serde_json::{Value, json};
+use server::store::trades;
 
 use crate::support::{Home, problem, study};
 
@@ -264,4 +265,33 @@ async fn presets_can_be_submitted_as_they_are() {
         let id = app.submit(&preset["document"]).await;
         app.wait_for(&id, "done").await;
     }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_measured_trade_is_shown_with_every_study_of_its_document() {
+    let home = Home::new();
+    let app = home.start(ClosedFormSolver::new()).await;
+    let id = app.submit(&study()).await;
+    let before = app.wait_for(&id, "done").await;
+    assert_eq!(before["trade_measured"], false);
+    let address = format!("/v1/studies/{id}/trade");
+    let missing = problem(app.get(&address).await, StatusCode::NOT_FOUND).await;
+    let detail = missing["detail"].as_str().expect("a sentence");
+    assert!(detail.contains("strainsite trade"), "{detail}");
+
+    let result = app.json(&format!("/v1/studies/{id}/result")).await;
+    let rung = json!({
+        "label": "draft mdrm 3", "wall_s": 0.2, "cpu_s": 0.3, "solves": 16, "error_true": 0.02, "error_claimed": null,
+        "fidelity": {"level": "draft", "method": "mdrm", "nodes": 3, "check_points": 5},
+        "covered": 1.0, "ranking_agrees": true, "pareto": true, "indices": [],
+    });
+    let trade = json!({
+        "study": "a study", "spec_sha256": result["study"]["spec_sha256"], "reference": rung, "rungs": [rung],
+    });
+    let measured = serde_json::from_value(trade.clone()).expect("a trade");
+    let stored = trades::insert(&mut home.sql().await, &measured).await;
+    stored.expect("stores");
+    assert_eq!(app.json(&address).await, trade);
+    let after = app.json(&format!("/v1/studies/{id}")).await;
+    assert_eq!(after["trade_measured"], true);
 }

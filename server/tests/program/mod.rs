@@ -43,6 +43,15 @@ pub fn text(bytes: &[u8]) -> &str {
 
 /// How many points of studies have their outcome in a database; none while there is no database.
 pub async fn stored_points(database: &Path) -> i64 {
+    rows(database, "select count(*) from study_points").await
+}
+
+/// How many trades a database has.
+pub async fn stored_trades(database: &Path) -> i64 {
+    rows(database, "select count(*) from trades").await
+}
+
+async fn rows(database: &Path, counting: &'static str) -> i64 {
     use sqlx::Connection;
     let options = SqliteConnectOptions::new()
         .filename(database)
@@ -50,7 +59,7 @@ pub async fn stored_points(database: &Path) -> i64 {
     let Ok(mut sql) = SqliteConnection::connect_with(&options).await else {
         return 0;
     };
-    sqlx::query_scalar("select count(*) from study_points")
+    sqlx::query_scalar(counting)
         .fetch_one(&mut sql)
         .await
         .unwrap_or(0)

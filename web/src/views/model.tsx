@@ -1,4 +1,4 @@
-import { fixed, integer, percent, significant } from "../lib/format.ts";
+import { fixed, integer, significant } from "../lib/format.ts";
 import type { Choice, StudyResult } from "../types.ts";
 
 /** What was modelled, what was left out and why, and the answer at the means. */
@@ -33,7 +33,7 @@ function Choices({ title, choices }: { title: string; choices: Choice[] }) {
               <dt>{choice.what}</dt>
               <dd>
                 {choice.why}
-                {choice.effect != null && choice.effect !== 0 && <span class="effect"> Estimated effect {percent(choice.effect, 1)} %.</span>}
+                {choice.effect != null && choice.effect !== 0 && <span class="effect"> Effect on the strains: {significant(100 * choice.effect, 2)} %.</span>}
               </dd>
             </div>
           ))}

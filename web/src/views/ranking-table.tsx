@@ -130,16 +130,17 @@ interface CellsProps {
 
 function DirectionCells({ row, rows, result, direction }: CellsProps) {
   const { gsi, mdrm, paper, mean, own } = columns(direction);
-  const error = centreOutput(result, direction)?.error;
+  const error = direction === "x" ? row.gsi_x_error_percent : row.gsi_y_error_percent;
+  const reason = centreOutput(result, direction)?.error.reason;
   const broken = productFormBroken(result, direction);
   const strong = (column: Column): string => (largest(rows, column.value) === row ? "best" : "");
   return (
     <>
       <td class={`group ${strong(gsi)}`}>
         {fixed(gsi.value(row), 2)}
-        <span class="error" title={error?.reason ?? undefined}>
+        <span class="error" title={reason ?? undefined}>
           {" "}
-          ± {error?.total == null ? "?" : fixed(100 * error.total, 2)}
+          ± {error == null ? "?" : fixed(error, 2)}
         </span>
       </td>
       <td class={`${strong(mdrm)} ${broken ? "invalid" : ""}`}>{fixed(mdrm.value(row), 2)}</td>

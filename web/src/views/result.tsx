@@ -1,6 +1,6 @@
 import { address } from "../api.ts";
 import type { Route } from "../lib/route.ts";
-import type { StudyResult } from "../types.ts";
+import type { StudyResult, Trade } from "../types.ts";
 import { CostView } from "./cost.tsx";
 import { FailedPoints } from "./failed-points.tsx";
 import { LayoutsView } from "./layouts.tsx";
@@ -9,12 +9,18 @@ import { MatrixView } from "./matrix.tsx";
 import { ModelView } from "./model.tsx";
 import { Notes } from "./notes.tsx";
 import { RankingView } from "./ranking.tsx";
+import { TradeView } from "./trade.tsx";
 
 type StudyRoute = Extract<Route, { view: "study" }>;
 
 /** The answer of a study, most important first. */
-export function ResultView(props: { result: StudyResult; route: StudyRoute; onAdjust: (route: Route) => void }) {
-  const { result, route, onAdjust } = props;
+export function ResultView(props: {
+  result: StudyResult;
+  trade: Trade | null;
+  route: StudyRoute;
+  onAdjust: (route: Route) => void;
+}) {
+  const { result, trade, route, onAdjust } = props;
   const { id, version, spec_sha256 } = result.study;
   return (
     <>
@@ -30,6 +36,7 @@ export function ResultView(props: { result: StudyResult; route: StudyRoute; onAd
       <LayoutsView layouts={result.layouts} />
       <ModelView result={result} />
       <CostView cost={result.cost} />
+      {trade !== null && <TradeView trade={trade} />}
     </>
   );
 }

@@ -41,7 +41,7 @@ function Body(props: { open: OpenStudy; now_ms: number; route: Props["route"]; a
   }
   return (
     <Loaded of={open.result} what="the result" onRetry={actions.reopen}>
-      {(result) => <ResultView result={result} route={route} onAdjust={actions.adjust} />}
+      {(result) => <ResultView result={result} trade={open.trade} route={route} onAdjust={actions.adjust} />}
     </Loaded>
   );
 }

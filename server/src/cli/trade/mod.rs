@@ -21,7 +21,9 @@ use super::Failure;
 use super::output::{JsonTarget, tell, write_whole};
 use super::progress::{progress_bar, show};
 use super::signals::stop_flag;
+use crate::config::Config;
 use crate::solver::SolverChoice;
+use crate::store::{Store, StoreError, trades};
 use crate::study_document::{read_file, read_study};
 
 /// Measure the trade of speed for accuracy: the study on a ladder of meshes and methods, against the best of them
@@ -30,10 +32,9 @@ pub struct Trade {
     /// Study file, TOML or JSON
     study: PathBuf,
     #[command(flatten)]
+    config: Config,
+    #[command(flatten)]
     solver: SolverChoice,
-    /// Solves at once; all cores unless given
-    #[arg(long, value_name = "N")]
-    threads: Option<std::num::NonZeroUsize>,
     /// Finest mesh level of the ladder
     #[arg(long, value_name = "LEVEL", default_value = "reference",
           value_parser = PossibleValuesParser::new(Level::NAMES.map(|(name, _)| name)))]
@@ -64,7 +65,19 @@ impl Trade {
         let study = read_study(&text, &self.study).map_err(Failure::Input)?;
         let runtime = Runtime::new().map_err(Failure::other)?;
         let stop = stop_flag(&runtime)?;
-        let trade = self.measure(&study, &stop)?;
+        // Opened before the work, so that a database that is in use is said at once.
+        let store = runtime
+            .block_on(Store::open(&self.config.db))
+            .map_err(Failure::other)?;
+        let measured = self.measure(&study, &stop);
+        let kept = measured.and_then(|trade| {
+            runtime
+                .block_on(keep(&store, &trade))
+                .map_err(Failure::other)?;
+            Ok(trade)
+        });
+        runtime.block_on(store.close());
+        let trade = kept?;
         if let Some(folder) = &self.out {
             std::fs::create_dir_all(folder).map_err(|error| {
                 Failure::Other(format!("{} can't be made: {error}", folder.display()))
@@ -122,16 +135,20 @@ impl Trade {
     ) -> Result<Result<StudyResult, RunError>, Failure> {
         let solver = self.solver.solver().map_err(Failure::other)?;
         let bar = progress_bar(&format!("{:24} ", fidelity.label()));
-        let threads = self.threads.map_or_else(
-            || std::thread::available_parallelism().map_or(1, usize::from),
-            usize::from,
-        );
+        let threads = self.config.threads();
         let result = answer(study, fidelity, solver.as_ref(), threads, stop, &|event| {
             show(&bar, &event)
         });
         bar.finish_and_clear();
         Ok(result)
     }
+}
+
+/// Stores a trade for the service to show.
+async fn keep(store: &Store, trade: &Measured) -> Result<(), StoreError> {
+    let mut transaction = store.begin().await?;
+    trades::insert(&mut transaction, trade).await?;
+    store.commit(transaction, 0).await
 }
 
 /// The level of this name, which the command line has checked.
