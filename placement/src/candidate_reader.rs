@@ -1,10 +1,11 @@
-//! Reads where strain is asked for: the dense map and the layouts.
+//! Reads which strains are asked for, and where: directions, the dense map and the layouts.
 
 use fem_client::fault::{Fault, entry};
 use fem_client::fields::{Fields, Range, choice, number, shown};
 use fem_client::solver::Grid;
 use serde_json::Value;
 
+use crate::directions::Directions;
 use crate::study::{Layouts, POSITIONS};
 
 /// Most points along either side of the dense map.
@@ -14,13 +15,39 @@ const DEFAULT_HALF_WIDTH_DEG: f64 = 45.0;
 const SPACING: Range = Range::new(1.0, 360.0, "degrees");
 const MOST_SPACINGS: usize = 50;
 
-/// The dense map; Some(None) when the study asks for none.
-pub(crate) fn candidates(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Option<Grid>> {
+/// Which strains, and the dense map where the study asks for one.
+pub(crate) fn candidates(
+    fields: &Fields<'_>,
+    faults: &mut Vec<Fault>,
+) -> Option<(Directions, Option<Grid>)> {
     let Some((value, pointer)) = fields.get("candidates") else {
-        return Some(None);
+        return Some((Directions::Both, None));
     };
-    let fields = Fields::open(value, &pointer, &["points", "grid"], faults)?;
+    let known = ["points", "directions", "grid"];
+    let fields = Fields::open(value, &pointer, &known, faults)?;
     fields.choice("points", &[("P1-P5", ())], (), faults);
+    let directions = directions(&fields, faults);
+    let grid = grid(&fields, faults);
+    Some((directions?, grid?))
+}
+
+fn directions(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Directions> {
+    let Some((value, pointer)) = fields.get("directions") else {
+        return Some(Directions::Both);
+    };
+    let known = [("x", "x"), ("y", "y")];
+    let names = list(value, &pointer, known.len(), faults, |value, at, faults| {
+        choice(value, at, &known, faults)
+    })?;
+    let directions = Directions::named(&names);
+    if directions.is_none() {
+        Fault::add(faults, &pointer, "must name x, y or both; it is empty");
+    }
+    directions
+}
+
+/// The dense map; Some(None) when the study asks for none.
+fn grid(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Option<Grid>> {
     let Some((value, pointer)) = fields.get("grid") else {
         return Some(None);
     };

@@ -11,10 +11,11 @@ use fem_client::scene::Level;
 use fem_client::tire::mesh_plan;
 use gsa::method::Kind;
 
+use crate::directions::Directions;
 use crate::effects;
 use crate::fidelity::Fidelity;
 use crate::plan::Plan;
-use crate::result::{Climb, ClimbRung, StudyResult};
+use crate::result::{Climb, ClimbRung, Output, StudyResult};
 use crate::run::{Means, RunError, run_from};
 use crate::study::{Accuracy, Study};
 use crate::usage::cpu_s;
@@ -149,9 +150,9 @@ impl<'c> Climber<'c> {
         best.climb = Some(Climb {
             tolerance: self.tolerance(),
             budget_s: self.budget(),
-            met: self
-                .tolerance()
-                .is_none_or(|tolerance| claimed(&best).is_some_and(|c| c <= tolerance)),
+            met: self.tolerance().is_none_or(|tolerance| {
+                claimed(&best, self.study.directions).is_some_and(|c| c <= tolerance)
+            }),
             rungs: self.rungs,
         });
         best.cost.wall_s = begun.elapsed().as_secs_f64();
@@ -172,15 +173,15 @@ impl<'c> Climber<'c> {
             label: fidelity.label(),
             fidelity: fidelity.report(&study),
             solves: result.cost.solves + result.cost.coarser_solves,
-            error_claimed: claimed(&result),
-            error_of_mesh: of_mesh(&result),
+            error_claimed: claimed(&result, self.study.directions),
+            error_of_mesh: of_mesh(&result, self.study.directions),
         });
         Ok(result)
     }
 
     /// The rung that mends the larger part of the error; `None` when the answer serves, or nothing better fits.
     fn next(&self, fidelity: Fidelity, result: &StudyResult) -> Option<Fidelity> {
-        let claim = claimed(result).unwrap_or(1.0);
+        let claim = claimed(result, self.study.directions).unwrap_or(1.0);
         if self.tolerance().is_some_and(|tolerance| claim <= tolerance) {
             return None;
         }
@@ -191,7 +192,7 @@ impl<'c> Climber<'c> {
             ..fidelity
         });
         // An unknown error of the mesh may be of any size.
-        let mesh = of_mesh(result).unwrap_or(1.0);
+        let mesh = of_mesh(result, self.study.directions).unwrap_or(1.0);
         let next = if 2.0 * mesh > claim {
             finer.or(adaptive)
         } else {
@@ -236,13 +237,10 @@ impl<'c> Climber<'c> {
     }
 }
 
-/// Largest claimed error of any first-order index at P1, P2, ..., absolute; `None` where one is missing. A strain that doesn't
-/// vary has none.
-fn claimed(result: &StudyResult) -> Option<f64> {
-    let indexed = result
-        .outputs
-        .iter()
-        .filter(|output| output.first_order.is_some());
+/// Largest claimed error of any first-order index that is asked for at P1, P2, ..., absolute; `None` where one is missing. A strain
+/// that doesn't vary has none.
+fn claimed(result: &StudyResult, directions: Directions) -> Option<f64> {
+    let indexed = asked(result, directions).filter(|output| output.first_order.is_some());
     let errors: Option<Vec<f64>> = indexed.map(|output| output.error.total).collect();
     errors
         .filter(|errors| !errors.is_empty())
@@ -250,11 +248,13 @@ fn claimed(result: &StudyResult) -> Option<f64> {
 }
 
 /// The mesh's part where the claimed error is largest.
-fn of_mesh(result: &StudyResult) -> Option<f64> {
-    let claim = |output: &&crate::result::Output| output.error.total.unwrap_or(0.0);
-    let worst = result
-        .outputs
-        .iter()
-        .max_by(|a, b| claim(a).total_cmp(&claim(b)));
+fn of_mesh(result: &StudyResult, directions: Directions) -> Option<f64> {
+    let claim = |output: &&Output| output.error.total.unwrap_or(0.0);
+    let worst = asked(result, directions).max_by(|a, b| claim(a).total_cmp(&claim(b)));
     worst?.error.mesh
+}
+
+fn asked(result: &StudyResult, directions: Directions) -> impl Iterator<Item = &Output> {
+    let outputs = result.outputs.iter();
+    outputs.filter(move |output| directions.include(&output.direction))
 }

@@ -17,6 +17,7 @@ use fem_client::verify::{Case, Family, Unsolved};
 use gsa::distribution::Distribution;
 use gsa::method::{Kind, Method};
 
+use crate::directions::Directions;
 use crate::memory::MemoryArchive;
 use crate::plan::Plan;
 use crate::result::{Output, StudyResult};
@@ -83,6 +84,7 @@ fn study(
         inputs: inputs?,
         level: scene.model.level,
         scene,
+        directions: Directions::Both,
         grid: None,
         layouts: Layouts {
             spacings_deg: Vec::new(),

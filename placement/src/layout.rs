@@ -1,6 +1,6 @@
 //! Strain rings to ranked layouts.
 //!
-//! A layout is `units` pairs of films (x and y) at equal angles around the wheel, at one meridional position. A film at
+//! A layout is `units` pairs of films (x and y, or the one that is asked for) at equal angles around the wheel, at one meridional position. A film at
 //! theta_i reads h(u) + noise with u = theta_i - phi, phi the contact angle: one contact solution gives the reading for
 //! every contact angle by rotation, and dh/dphi = -h'(u). With g = dh/dd for a uniform depth d and noise of standard
 //! deviation s in every film, the Fisher information of (phi, d) is
@@ -56,7 +56,8 @@ pub fn rank_layouts(
                 Ok(fields) => score(&fields[&position], spacing, noise),
                 Err(reason) => empty_score(noise, reason.clone()),
             };
-            scored.push((position, layout(position, spacing, score)));
+            let films = study.directions.names();
+            scored.push((position, layout(position, spacing, films, score)));
         }
     }
     scored.sort_by(|(p, a), (q, b)| order(a, b).then(p.cmp(q)));
@@ -95,13 +96,18 @@ fn noise_strain(cut: &Response) -> f64 {
     NOISE_SHARE * strains.fold(0.0, |largest: f64, strain| largest.max(strain.abs()))
 }
 
-fn layout(position: Position, spacing_deg: f64, score: LayoutScore) -> RankedLayout {
+fn layout(
+    position: Position,
+    spacing_deg: f64,
+    films: &[&str],
+    score: LayoutScore,
+) -> RankedLayout {
     RankedLayout {
         rank: 0,
         spacing_deg,
         units: units(spacing_deg),
         position: position_name(position).to_owned(),
-        films: vec!["x".to_owned(), "y".to_owned()],
+        films: films.iter().map(|film| (*film).to_owned()).collect(),
         score,
     }
 }
@@ -218,8 +224,8 @@ mod tests {
         let profile = |u: i32| (-0.5 * (f64::from(u) / width_deg).powi(2)).exp();
         let x: Vec<f64> = (-180..180).map(profile).collect();
         RingField {
-            strain: [x.clone(), vec![0.0; 360]],
-            by_depth: [x, vec![0.0; 360]],
+            strain: vec![x.clone(), vec![0.0; 360]],
+            by_depth: vec![x, vec![0.0; 360]],
         }
     }
 
@@ -250,7 +256,7 @@ mod tests {
 
     #[test]
     fn no_strain_at_all_gives_reasons_and_no_numbers() {
-        let nothing = || [vec![0.0; 360], vec![0.0; 360]];
+        let nothing = || vec![vec![0.0; 360]; 2];
         let score = score(
             &RingField {
                 strain: nothing(),

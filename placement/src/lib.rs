@@ -2,6 +2,7 @@
 //!
 //! The modules, in reading order, one arrow of the chain each:
 //!
+//! - [`directions`]: which strains are asked for, and what follows from that
 //! - [`study`]: the study document: what varies, what is asked
 //! - [`plan`]: the design points of a study, a pure function of the document
 //! - `candidate_reader`, [`distribution_reader`], `input_reader`, [`study_reader`]: read a study, with every fault at once
@@ -24,6 +25,7 @@ pub mod archive;
 pub mod assemble;
 mod candidate_reader;
 pub mod climb;
+pub mod directions;
 pub mod distribution_reader;
 pub mod effects;
 pub mod extremes;

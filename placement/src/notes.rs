@@ -3,7 +3,7 @@
 use fem_client::solver::Response;
 
 use crate::plan::Plan;
-use crate::rank::{ordered, own_inputs};
+use crate::rank::{Key, ordered, own_inputs};
 use crate::result::{FailedPoint, Output, RankedLayout, RankedLocation};
 use crate::score::{DIRECTIONS, NO_MESH_ERROR, Scores};
 use crate::study::Study;
@@ -23,6 +23,7 @@ pub(crate) fn notes(
     failed: &[FailedPoint],
 ) -> Vec<String> {
     let mut notes = Vec::new();
+    notes.extend(one_direction(study));
     notes.extend(without_equilibrium(study, plan, failed));
     notes.extend(
         DIRECTIONS
@@ -49,6 +50,17 @@ pub(crate) fn notes(
         );
     }
     notes
+}
+
+/// What the answer goes by, where one strain alone is asked for.
+fn one_direction(study: &Study) -> Option<String> {
+    let [asked] = study.directions.names() else {
+        return None;
+    };
+    let other = DIRECTIONS.iter().find(|direction| *direction != asked)?;
+    Some(format!(
+        "Only the {asked} strain is asked for: ranks, layouts and the accuracy go by it. The {other} strain is what the same points give."
+    ))
 }
 
 /// That the errors leave out the mesh, where they do.
@@ -169,8 +181,6 @@ fn mdrm_at_centre(study: &Study, scores: &Scores) -> Vec<String> {
     }
     notes
 }
-
-type Key = fn(&RankedLocation) -> Option<f64>;
 
 /// Other fair ways to rank, where they disagree with the default one.
 fn other_orders(locations: &[RankedLocation]) -> Vec<String> {

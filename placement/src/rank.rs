@@ -1,11 +1,12 @@
 //! Indices to ranked locations.
 //!
 //! A location's own input is the one that varies the depth of the station below it. The default order is by the sum of
-//! the own input's first-order indices for the x and the y strain at the contact centre; equal sums (shares within
-//! 1e-9) are ordered by x, then by name. A location without an index comes last.
+//! the own input's first-order indices for the x and the y strain at the contact centre, or by the one that is asked for; equal sums
+//! (shares within 1e-9) are ordered by x, then by name. A location without an index comes last.
 
 use gsa::certainty::{Estimate, places_certain};
 
+use crate::directions::Directions;
 use crate::result::{Output, RankedLocation};
 use crate::score::Scores;
 use crate::study::Study;
@@ -40,10 +41,7 @@ pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
         .map(|(i, input)| matrix.unranked(i, *input))
         .collect();
     for (column, place) in [
-        (
-            gsi_x as fn(&RankedLocation) -> Option<f64>,
-            set_rank_x as fn(&mut RankedLocation, usize),
-        ),
+        (gsi_x as Key, set_rank_x as fn(&mut RankedLocation, usize)),
         (gsi_y, set_rank_y),
     ] {
         for (rank, i) in ordered(&locations, &[column]).into_iter().enumerate() {
@@ -52,27 +50,37 @@ pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
             }
         }
     }
-    let order = ordered(&locations, &[default_key, gsi_x]);
+    let order = ordered(&locations, &[default_key(study.directions), gsi_x]);
     let mut ranked: Vec<RankedLocation> = order.iter().map(|i| locations[*i].clone()).collect();
     for (i, location) in ranked.iter_mut().enumerate() {
         location.rank = i + 1;
     }
-    mark_certain(&mut ranked);
+    mark_certain(&mut ranked, study.directions);
     ranked
 }
 
-/// What the default order goes by: the sum of both indices, percent.
-pub fn default_key(location: &RankedLocation) -> Option<f64> {
-    Some(location.gsi_x_percent? + location.gsi_y_percent?)
+/// A figure of a location, where it has one.
+pub(crate) type Key = fn(&RankedLocation) -> Option<f64>;
+
+/// What the default order goes by: the index that is asked for, or the sum of both, percent.
+fn default_key(directions: Directions) -> Key {
+    match directions {
+        Directions::Both => |location| Some(location.gsi_x_percent? + location.gsi_y_percent?),
+        Directions::X => gsi_x,
+        Directions::Y => gsi_y,
+    }
 }
 
-/// Error of the sum; the two come from different outputs.
-fn key_error(location: &RankedLocation) -> Option<f64> {
-    Some(
-        location
-            .gsi_x_error_percent?
-            .hypot(location.gsi_y_error_percent?),
-    )
+/// Its error; the two of a sum come from different outputs.
+fn key_error(directions: Directions) -> Key {
+    match directions {
+        Directions::Both => |location| {
+            let x = location.gsi_x_error_percent?;
+            Some(x.hypot(location.gsi_y_error_percent?))
+        },
+        Directions::X => |location| location.gsi_x_error_percent,
+        Directions::Y => |location| location.gsi_y_error_percent,
+    }
 }
 
 fn gsi_x(location: &RankedLocation) -> Option<f64> {
@@ -92,10 +100,7 @@ fn set_rank_y(location: &mut RankedLocation, rank: usize) {
 }
 
 /// Order of the locations by the keys, greatest first, missing ones last; what all keys call equal goes by name.
-pub fn ordered(
-    locations: &[RankedLocation],
-    keys: &[fn(&RankedLocation) -> Option<f64>],
-) -> Vec<usize> {
+pub fn ordered(locations: &[RankedLocation], keys: &[Key]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..locations.len()).collect();
     order.sort_by(|a, b| locations[*a].name.cmp(&locations[*b].name));
     sort_by_keys(&mut order, locations, keys);
@@ -104,11 +109,7 @@ pub fn ordered(
 
 /// Sorts by the first key, then each run of nearly equal ones by the next keys. Comparing with a tolerance inside one
 /// sort would not be an order: a ~ b and b ~ c without a ~ c.
-fn sort_by_keys(
-    order: &mut [usize],
-    locations: &[RankedLocation],
-    keys: &[fn(&RankedLocation) -> Option<f64>],
-) {
+fn sort_by_keys(order: &mut [usize], locations: &[RankedLocation], keys: &[Key]) {
     let Some((key, rest)) = keys.split_first() else {
         order.sort_by(|a, b| locations[*a].name.cmp(&locations[*b].name));
         return;
@@ -124,10 +125,11 @@ fn sort_by_keys(
 
 /// A rank is certain if its location truly outranks all others, or is outranked, with the probability of
 /// [`gsa::certainty`]; locations that tie share their place.
-fn mark_certain(ranked: &mut [RankedLocation]) {
+fn mark_certain(ranked: &mut [RankedLocation], directions: Directions) {
+    let (key, key_error) = (default_key(directions), key_error(directions));
     let known = |location: &RankedLocation| {
         Some(Estimate {
-            value: default_key(location)?,
+            value: key(location)?,
             error: key_error(location).unwrap_or(f64::INFINITY),
         })
     };
@@ -227,7 +229,7 @@ mod tests {
             location("P1", Some(10.0 + 1e-9), Some(20.0)),
             location("P4", Some(30.0), Some(30.0)),
         ];
-        let order = ordered(&locations, &[default_key, gsi_x]);
+        let order = ordered(&locations, &[default_key(Directions::Both), gsi_x]);
         let names: Vec<&str> = order
             .into_iter()
             .map(|i| locations[i].name.as_str())
@@ -242,7 +244,7 @@ mod tests {
             .map(|i| location(&format!("P{i:02}"), Some(0.6e-7 * f64::from(i)), Some(0.0)))
             .collect();
         let names = |locations: &[RankedLocation]| -> Vec<String> {
-            let order = ordered(locations, &[default_key]);
+            let order = ordered(locations, &[default_key(Directions::Both)]);
             order
                 .into_iter()
                 .map(|i| locations[i].name.clone())
@@ -260,7 +262,7 @@ mod tests {
             location.gsi_x_error_percent = error;
             location.gsi_y_error_percent = Some(0.0);
         }
-        mark_certain(ranked);
+        mark_certain(ranked, Directions::Both);
     }
 
     #[test]

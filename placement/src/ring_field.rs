@@ -8,14 +8,19 @@ use gsa::design::{Design, Line};
 use crate::archive::Outcome;
 use crate::study::Study;
 
-/// Both strains around the wheel, sampled each degree from -180.
+/// The strains that are asked for around the wheel, sampled each degree from -180.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RingField {
-    /// Strains at the cut point: x, y.
-    pub strain: [Vec<f64>; 2],
+    /// Strains at the cut point, x before y.
+    pub strain: Vec<Vec<f64>>,
     /// Their derivatives to a uniform depth, 1/mm.
-    pub by_depth: [Vec<f64>; 2],
+    pub by_depth: Vec<Vec<f64>>,
 }
+
+/// One strain of a ring.
+type Strain = fn(&Ring) -> &Vec<f64>;
+
+const STRAINS: [(&str, Strain); 2] = [("x", |ring| &ring.strain_x), ("y", |ring| &ring.strain_y)];
 
 /// The fields of all rings of a study, or why there is no derivative to the depth.
 pub(crate) fn ring_fields(
@@ -28,8 +33,13 @@ pub(crate) fn ring_fields(
         "this method has no lines through the means, so there is no derivative to the depth",
     )?;
     let differences = depth_differences(study, design, outcomes)?;
+    let strains: Vec<Strain> = STRAINS
+        .into_iter()
+        .filter(|(direction, _)| study.directions.include(direction))
+        .map(|(_, strain)| strain)
+        .collect();
     let field = |(i, ring): (usize, &Ring)| {
-        let by_depth = |strain: fn(&Ring) -> &Vec<f64>| {
+        let by_depth = |strain: &Strain| {
             let mut slope = vec![0.0; strain(ring).len()];
             for d in &differences {
                 let (below, above) = (strain(&d.below.rings[i]), strain(&d.above.rings[i]));
@@ -39,12 +49,11 @@ pub(crate) fn ring_fields(
             }
             slope
         };
-        let strain = [ring.strain_x.clone(), ring.strain_y.clone()];
-        let by_depth = [
-            by_depth(|ring| &ring.strain_x),
-            by_depth(|ring| &ring.strain_y),
-        ];
-        (ring.position, RingField { strain, by_depth })
+        let field = RingField {
+            strain: strains.iter().map(|strain| strain(ring).clone()).collect(),
+            by_depth: strains.iter().map(by_depth).collect(),
+        };
+        (ring.position, field)
     };
     Ok(cut.rings.iter().enumerate().map(field).collect())
 }

@@ -199,7 +199,8 @@ pub(crate) fn run_from(
         let Answers { points, reused } = answers(&plan, place)?;
         solved += points.len() - reused;
         let (outcomes, costs): (Vec<Outcome>, Vec<Cost>) = points.into_iter().unzip();
-        if !plan.extend(study, &score::ranked_values(&outcomes).view())? {
+        let values = score::ranked_values(&outcomes, study.directions);
+        if !plan.extend(study, &values.view())? {
             break (outcomes, costs);
         }
     };

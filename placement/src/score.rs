@@ -7,6 +7,7 @@ use gsa::campaign::Campaign;
 use ndarray::{Array2, Axis};
 
 use crate::archive::Outcome;
+use crate::directions::Directions;
 use crate::result::{IndexError, IndexMap, MapLayer, Output};
 
 /// Why an index has no error of the mesh.
@@ -28,12 +29,19 @@ pub struct Scores {
     pub map: Option<IndexMap>,
 }
 
-/// Those of them that the ranking rests on, and that an adaptive method serves: the locations'.
-pub fn ranked_values(outcomes: &[Outcome]) -> Array2<f64> {
+/// Those of them that the ranking rests on, and that an adaptive method serves: the locations', in the directions asked for.
+pub fn ranked_values(outcomes: &[Outcome], directions: Directions) -> Array2<f64> {
+    let [ranked, _] = location_columns(outcomes, directions);
+    values(outcomes).select(Axis(1), &ranked)
+}
+
+/// The locations' columns among all: those that the ranking rests on, and the others.
+fn location_columns(outcomes: &[Outcome], directions: Directions) -> [Vec<usize>; 2] {
     let first = outcomes.iter().flatten().next();
     let columns = first.map_or(0, |first| DIRECTIONS.len() * first.locations.len());
-    let all = values(outcomes);
-    all.view().split_at(Axis(1), columns).0.to_owned()
+    let is_ranked = |column: &usize| directions.include(DIRECTIONS[column % DIRECTIONS.len()]);
+    let (ranked, others) = (0..columns).partition(is_ranked);
+    [ranked, others]
 }
 
 /// The same points on a coarser mesh.
@@ -74,11 +82,12 @@ pub fn values(outcomes: &[Outcome]) -> Array2<f64> {
 /// If there is not one outcome for each point, or the responses differ in their readout.
 pub fn score(
     campaign: &Campaign,
+    directions: Directions,
     cut: &Response,
     outcomes: &[Outcome],
     coarse: Option<&Coarse>,
 ) -> Scores {
-    let analyses = analysed(campaign, outcomes, coarse);
+    let analyses = analysed(campaign, directions, outcomes, coarse);
     let (at_locations, over_map) = analyses.split_at(2 * cut.locations.len());
     let names = cut
         .locations
@@ -101,23 +110,33 @@ pub fn score(
     }
 }
 
-fn analysed(campaign: &Campaign, outcomes: &[Outcome], coarse: Option<&Coarse>) -> Vec<Analysed> {
+fn analysed(
+    campaign: &Campaign,
+    directions: Directions,
+    outcomes: &[Outcome],
+    coarse: Option<&Coarse>,
+) -> Vec<Analysed> {
     let analyse = |outcomes: &[Outcome]| {
         assert_eq!(
             outcomes.len(),
             campaign.points().len(),
             "one outcome for each point"
         );
-        let ranked = campaign.analyse(&ranked_values(outcomes).view());
         let values = values(outcomes);
-        let columns = ranked.as_ref().map_or(0, Vec::len);
-        let mapped = campaign.survey(&values.view().split_at(Axis(1), columns).1);
+        let [ranked, others] = location_columns(outcomes, directions);
+        let of_locations = ranked.len() + others.len();
         let has_rules = "a campaign that asked for points has the rules to analyse them";
-        let mut analyses = ranked.expect(has_rules);
-        analyses.extend(mapped.expect(has_rules));
-        analyses
+        let served = campaign.analyse(&values.select(Axis(1), &ranked).view());
+        let beside = campaign.survey(&values.select(Axis(1), &others).view());
+        let mapped = campaign.survey(&values.view().split_at(Axis(1), of_locations).1);
+        let served = ranked.into_iter().zip(served.expect(has_rules));
+        let beside = others.into_iter().zip(beside.expect(has_rules));
+        let mut at_locations: Vec<(usize, Analysis)> = served.chain(beside).collect();
+        at_locations.sort_by_key(|(column, _)| *column);
+        let at_locations = at_locations.into_iter().map(|(_, analysis)| analysis);
+        at_locations.chain(mapped.expect(has_rules)).collect()
     };
-    let found = analyse(outcomes);
+    let found: Vec<Analysis> = analyse(outcomes);
     let witness =
         coarse.and_then(|coarse| Some((coarse.coarser.factor, coarse.outcomes.as_ref()?)));
     let Some((factor, outcomes)) = witness else {

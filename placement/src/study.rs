@@ -7,6 +7,8 @@ use gsa::method::{Kind, Method};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
+use crate::directions::Directions;
+
 /// A checked study. Build it with [`Study::from_document`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Study {
@@ -16,6 +18,8 @@ pub struct Study {
     pub scene: Scene,
     /// What varies.
     pub inputs: Vec<Input>,
+    /// Which strains are asked for.
+    pub directions: Directions,
     /// Dense map of candidates; absent: P1-P5 alone.
     pub grid: Option<Grid>,
     /// Layouts to score.
@@ -105,6 +109,9 @@ impl Study {
     pub fn canonical(&self) -> String {
         let mut candidates = Map::new();
         candidates.insert("points".to_owned(), "P1-P5".into());
+        if self.directions != Directions::Both {
+            candidates.insert("directions".to_owned(), self.directions.names().into());
+        }
         if let Some(grid) = self.grid {
             let grid = json!({
                 "circumferential": grid.circumferential,

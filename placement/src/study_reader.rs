@@ -74,7 +74,7 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
     let fields = Fields::open(value, "", &known, faults)?;
     let name = read_name(&fields, "name", LONGEST_NAME, faults);
     let scene = scene(&fields, resolve, faults);
-    let grid = candidates(&fields, faults);
+    let candidates = candidates(&fields, faults);
     let layouts = layouts(&fields, faults);
     let method = read_method(&fields, LIMITS, faults);
     let accuracy = accuracy(&fields, scene.as_ref(), faults);
@@ -84,11 +84,13 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
     let inputs = read_inputs(&fields, scene.as_ref(), nodes, faults);
     let (mut scene, (accuracy, level)) = (scene?, accuracy?);
     scene.model.level = level;
+    let (directions, grid) = candidates?;
     let study = Study {
         name: name?,
         scene,
         inputs: inputs?,
-        grid: grid?,
+        directions,
+        grid,
         layouts: layouts?,
         method: method?,
         level,

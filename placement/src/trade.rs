@@ -1,7 +1,8 @@
 //! The trade: what accuracy a second buys, measured on one study.
 //!
 //! Each rung answers the study with another mesh and another method, from nothing, with a solver of its own. Its errors are
-//! those of what the ranking goes by: each location's own first-order index for the x and the y strain at the contact centre.
+//! those of what the ranking goes by: each location's own first-order index for the x and the y strain at the contact centre, or the
+//! one that is asked for.
 //! The true error is the largest difference from a reference of the highest fidelity, the claimed one the largest that the rung itself
 //! states. A rung is on the Pareto front when no other one takes less time and is nearer to the reference.
 
@@ -10,11 +11,13 @@ use std::sync::atomic::AtomicBool;
 use fem_client::solver::Solver;
 use serde::{Deserialize, Serialize};
 
+use crate::directions::Directions;
 use crate::fidelity::{Fidelity, FidelityReport};
 use crate::memory::MemoryArchive;
 use crate::plan::Plan;
 use crate::result::{RankedLocation, StudyResult};
 use crate::run::{Means, Observer, RunError, run};
+use crate::score::DIRECTIONS;
 use crate::study::Study;
 
 /// The measured trade of a study.
@@ -118,7 +121,7 @@ pub fn compare(
 
 fn rung(study: &Study, fidelity: Fidelity, result: &StudyResult, truth: &[Index]) -> Rung {
     let indices = indices(result);
-    let errors = errors(&indices, truth);
+    let errors = errors(&indices, truth, study.directions);
     let claims = errors.as_ref().and_then(|errors| {
         let claims = errors.iter().map(|(_, claim)| *claim);
         claims.collect::<Option<Vec<f64>>>()
@@ -140,7 +143,7 @@ fn rung(study: &Study, fidelity: Fidelity, result: &StudyResult, truth: &[Index]
             .map(|errors| largest(&errors.iter().map(|(e, _)| *e).collect::<Vec<_>>())),
         error_claimed: claims.as_deref().map(largest),
         covered,
-        ranking_agrees: agrees(&indices, truth),
+        ranking_agrees: agrees(&indices, truth, study.directions),
         pareto: false,
         indices,
     }
@@ -159,11 +162,15 @@ fn indices(result: &StudyResult) -> Vec<Index> {
     indices
 }
 
-/// True and claimed error of every index, absolute; `None` where one is missing.
-fn errors(indices: &[Index], truth: &[Index]) -> Option<Vec<(f64, Option<f64>)>> {
+/// True and claimed error of every index that is asked for, absolute; `None` where one is missing.
+fn errors(
+    indices: &[Index],
+    truth: &[Index],
+    directions: Directions,
+) -> Option<Vec<(f64, Option<f64>)>> {
     let mut errors = Vec::new();
     for (own, truth) in indices.iter().zip(truth) {
-        for direction in 0..2 {
+        for direction in asked(directions) {
             let (Some(a), Some(b)) = (own.gsi_percent[direction], truth.gsi_percent[direction])
             else {
                 // A location without an input of its own has no index by any method.
@@ -180,11 +187,11 @@ fn errors(indices: &[Index], truth: &[Index]) -> Option<Vec<(f64, Option<f64>)>>
 }
 
 /// Whether all pairs that the reference tells apart are in its order.
-fn agrees(indices: &[Index], truth: &[Index]) -> bool {
+fn agrees(indices: &[Index], truth: &[Index], directions: Directions) -> bool {
     let pairs = || indices.iter().zip(truth);
     pairs().all(|(a, true_a)| {
         pairs().all(|(b, true_b)| {
-            let is_certain = match (estimate(true_a), estimate(true_b)) {
+            let is_certain = match (estimate(true_a, directions), estimate(true_b, directions)) {
                 (Some((one, one_error)), Some((other, other_error))) => {
                     one - other > one_error.hypot(other_error)
                 }
@@ -195,11 +202,19 @@ fn agrees(indices: &[Index], truth: &[Index]) -> bool {
     })
 }
 
-/// What a location is ranked by, the sum of both indices, with its error; percent.
-fn estimate(index: &Index) -> Option<(f64, f64)> {
-    let [x, y] = index.gsi_percent;
-    let [x_error, y_error] = index.error_percent;
-    Some((x? + y?, x_error?.hypot(y_error?)))
+/// What a location is ranked by, the sum of the indices that are asked for, with its error; percent.
+fn estimate(index: &Index, directions: Directions) -> Option<(f64, f64)> {
+    let (mut sum, mut error) = (0.0, 0.0f64);
+    for direction in asked(directions) {
+        sum += index.gsi_percent[direction]?;
+        error = error.hypot(index.error_percent[direction]?);
+    }
+    Some((sum, error))
+}
+
+/// Places of the directions that are asked for.
+fn asked(directions: Directions) -> impl Iterator<Item = usize> {
+    (0..DIRECTIONS.len()).filter(move |&direction| directions.include(DIRECTIONS[direction]))
 }
 
 fn is_on_front(own: &Rung, all: &[Rung]) -> bool {
@@ -233,16 +248,18 @@ mod tests {
         ];
         let mut other = truth.clone();
         (other[0].rank, other[2].rank) = (3, 2);
-        assert!(agrees(&other, &truth));
+        let both = Directions::Both;
+        assert!(agrees(&other, &truth, both));
         (other[0].rank, other[1].rank, other[2].rank) = (1, 2, 3);
-        assert!(!agrees(&other, &truth));
+        assert!(!agrees(&other, &truth, both));
     }
 
     #[test]
     fn errors_are_differences_and_a_missing_index_has_none() {
         let truth = [index("P1", 1, 50.0, 40.0, 0.5)];
         let own = [index("P1", 1, 53.0, 39.0, 2.0)];
-        let found = errors(&own, &truth).expect("both have indices");
+        let both = Directions::Both;
+        let found = errors(&own, &truth, both).expect("both have indices");
         let expected = [(0.03, Some(0.02)), (0.01, Some(0.02))];
         for ((a, claim), (b, expected)) in found.iter().zip(expected) {
             assert!((a - b).abs() < 1e-15);
@@ -250,7 +267,8 @@ mod tests {
         }
         let mut lacking = own;
         lacking[0].gsi_percent[1] = None;
-        assert_eq!(errors(&lacking, &truth), None);
-        assert_eq!(errors(&[], &[]), None);
+        assert_eq!(errors(&lacking, &truth, both), None);
+        assert!(errors(&lacking, &truth, Directions::X).is_some());
+        assert_eq!(errors(&[], &[], both), None);
     }
 }
