@@ -29,6 +29,8 @@ const LEVELS: [Level; 4] = [
 ];
 /// Share of the tolerance that the method may take; the mesh has the rest.
 const OF_METHOD: f64 = 0.5;
+/// Share of what the finest mesh leaves of the tolerance that the method may take then.
+const OF_REST: f64 = 0.8;
 /// Exponent with which a solve's time grows with the number of cells, at most.
 const GROWTH: f64 = 1.5;
 /// Times as many solves as the plan of the lines that the adaptive method is expected to take.
@@ -114,6 +116,8 @@ struct Climber<'c> {
     walls_s: Vec<f64>,
     /// Points of the rungs so far.
     points: usize,
+    /// Error that the method may claim.
+    of_method: f64,
 }
 
 impl<'c> Climber<'c> {
@@ -126,6 +130,10 @@ impl<'c> Climber<'c> {
             rungs: Vec::new(),
             walls_s: Vec::new(),
             points: 0,
+            of_method: match study.accuracy {
+                Accuracy::Tolerance(tolerance) => OF_METHOD * tolerance,
+                _ => f64::INFINITY,
+            },
         }
     }
 
@@ -162,9 +170,7 @@ impl<'c> Climber<'c> {
 
     fn rung(&mut self, fidelity: Fidelity) -> Result<StudyResult, RunError> {
         let mut study = fidelity.raise(self.study);
-        if let Some(tolerance) = self.tolerance() {
-            study.method.tolerance = study.method.tolerance.min(OF_METHOD * tolerance);
-        }
+        study.method.tolerance = study.method.tolerance.min(self.of_method);
         let plan = Plan::new(&study)?;
         let (result, points) = run_from(self.points, &study, &plan, self.means)?;
         self.points += points;
@@ -180,7 +186,7 @@ impl<'c> Climber<'c> {
     }
 
     /// The rung that mends the larger part of the error; `None` when the answer serves, or nothing better fits.
-    fn next(&self, fidelity: Fidelity, result: &StudyResult) -> Option<Fidelity> {
+    fn next(&mut self, fidelity: Fidelity, result: &StudyResult) -> Option<Fidelity> {
         let claim = claimed(result, self.study.directions).unwrap_or(1.0);
         if self.tolerance().is_some_and(|tolerance| claim <= tolerance) {
             return None;
@@ -198,7 +204,18 @@ impl<'c> Climber<'c> {
         } else {
             adaptive.or(finer)
         };
-        next.filter(|next| self.fits(fidelity, *next))
+        next.or_else(|| self.tightened(fidelity, mesh))
+            .filter(|next| self.fits(fidelity, *next))
+    }
+
+    /// The top of the ladder once more, where the mesh leaves room for a method that errs less.
+    fn tightened(&mut self, fidelity: Fidelity, mesh: f64) -> Option<Fidelity> {
+        let rest = OF_REST * (self.tolerance()? - mesh);
+        if rest <= 0.0 || rest >= OF_REST * self.of_method {
+            return None;
+        }
+        self.of_method = rest;
+        Some(fidelity)
     }
 
     /// Whether a rung is expected to end in time.

@@ -12,6 +12,7 @@ use fem_client::mesh_error::{self, Coarser};
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use fem_client::tire::mesh_plan;
+use gsa::method::Kind;
 use placement::result::{Output, StudyResult};
 use placement::run::RunError;
 use placement::study::{Accuracy, Study};
@@ -19,13 +20,22 @@ use support::{MemoryArchive, observed, shipped, text};
 
 /// Strain at P3 that a mesh adds for each mm at P2 beyond 1 mm, over the square of its size.
 const OF_MESH: f64 = 0.03;
+/// Where the kink lies, off all nodes.
+const KINK_MM: f64 = 1.03;
 
-/// The closed form on meshes that err with the square of their size.
-struct Meshed(ClosedFormSolver);
+/// The closed form on meshes that err with the square of their size, with a kink of this slope over the depth at P2.
+struct Meshed {
+    form: ClosedFormSolver,
+    kink: f64,
+}
 
 impl Meshed {
     fn new() -> Self {
-        Self(ClosedFormSolver::new())
+        Self::of(ClosedFormSolver::new())
+    }
+
+    fn of(form: ClosedFormSolver) -> Self {
+        Self { form, kink: 0.0 }
     }
 }
 
@@ -39,11 +49,13 @@ impl Solver for Meshed {
     }
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
-        let mut solved = self.0.solve(request)?;
+        let mut solved = self.form.solve(request)?;
         let scene = request.scene;
         let cells = mesh_plan(scene, scene.model.level).cells() as f64;
         let slope = OF_MESH * cells.powf(-2.0 / 3.0);
-        solved.response.locations[2].strain_x += slope * (scene.ground.depths_mm[1] - 1.0);
+        let depth = scene.ground.depths_mm[1];
+        solved.response.locations[2].strain_x +=
+            slope * (depth - 1.0) + self.kink * (depth - KINK_MM).abs();
         Ok(solved)
     }
 }
@@ -146,6 +158,34 @@ fn a_tolerance_out_of_reach_ends_at_the_top_and_says_so() {
 }
 
 #[test]
+fn at_the_top_the_method_takes_what_the_mesh_leaves() {
+    let kinked = Meshed {
+        kink: 2e-3,
+        ..Meshed::new()
+    };
+    let mut adaptive = at_level(Level::Reference);
+    adaptive.method.kind = Kind::Auto;
+    let mesh = at_centre(&answer(&adaptive, &kinked)).error.mesh.unwrap();
+    // Half of this is more than the mesh leaves.
+    let tolerance = 1.2 * mesh;
+    let study = asking(Accuracy::Tolerance(tolerance), Level::Coarse);
+    let climb = answer(&study, &kinked).climb.unwrap();
+    let claims: Vec<(&str, f64)> = climb
+        .rungs
+        .iter()
+        .map(|rung| (rung.label.as_str(), rung.error_claimed.unwrap()))
+        .collect();
+    assert!(climb.met, "{tolerance}: {claims:?}");
+    let [.., (before, claimed), (last, _)] = claims[..] else {
+        panic!("{claims:?}");
+    };
+    assert!(
+        before == last && claimed > tolerance,
+        "{tolerance}: {claims:?}"
+    );
+}
+
+#[test]
 fn a_climb_resumes_to_the_same_bits() {
     let study = asking(Accuracy::Tolerance(0.03), Level::Coarse);
     let archive = MemoryArchive::default();
@@ -157,7 +197,7 @@ fn a_climb_resumes_to_the_same_bits() {
 
 #[test]
 fn a_budget_ends_the_climb_in_time() {
-    let slow = Meshed(ClosedFormSolver::new().with_delay(Duration::from_millis(20)));
+    let slow = Meshed::of(ClosedFormSolver::new().with_delay(Duration::from_millis(20)));
     let budget = 1.0;
     let begun = Instant::now();
     let result = answer(&asking(Accuracy::Budget(budget), Level::Draft), &slow);
@@ -171,7 +211,7 @@ fn a_budget_ends_the_climb_in_time() {
 
 #[test]
 fn a_budget_too_small_for_a_draft_is_an_error() {
-    let slow = Meshed(ClosedFormSolver::new().with_delay(Duration::from_millis(50)));
+    let slow = Meshed::of(ClosedFormSolver::new().with_delay(Duration::from_millis(50)));
     let study = asking(Accuracy::Budget(0.1), Level::Draft);
     let ended = observed(&study, &slow, &MemoryArchive::default(), 1).0;
     assert_eq!(ended, Err(RunError::Budget { seconds: 0.1 }));
