@@ -3,6 +3,7 @@
 //! Data goes to standard output, talk to standard error. Exit codes: 0 done, 2 the input is wrong, 3 the physics has
 //! no answer, 1 anything else.
 
+mod db;
 mod failure;
 mod gsa;
 mod output;
@@ -43,6 +44,8 @@ enum Command {
     Gsa(gsa::Gsa),
     /// Measure how much accuracy a second buys
     Trade(trade::Trade),
+    /// Look after the database file
+    Db(db::Db),
     /// Check a study or scene file without running it
     Validate(validate::Validate),
     /// Solve problems whose answer is known, and compare
@@ -63,6 +66,7 @@ pub fn main() -> ExitCode {
         Command::Solve(command) => (command.execute(), command.json),
         Command::Gsa(command) => (command.execute(), command.json()),
         Command::Trade(command) => (command.execute(), command.json),
+        Command::Db(command) => (command.execute(), None),
         Command::Validate(command) => (command.execute(), None),
         // Its document holds the failed cases already.
         Command::Verify(command) => (command.execute(), None),

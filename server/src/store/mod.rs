@@ -9,6 +9,7 @@
 //! - [`trades`]: measured trades of accuracy for time
 //! - [`events`]: what happened, in order
 //! - [`idempotency`]: keys of repeated requests
+//! - [`upkeep`]: checks, copies, free pages
 //!
 //! Functions take a connection, so that the caller owns the transaction. Times are RFC 3339, UTC.
 
@@ -22,6 +23,7 @@ mod pools;
 pub mod results;
 pub mod studies;
 pub mod trades;
+pub mod upkeep;
 
 use std::path::{Path, PathBuf};
 

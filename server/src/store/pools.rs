@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::Duration;
 
+use sqlx::migrate::Migrator;
 use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, SqliteSynchronous};
 use sqlx::{Connection, SqliteConnection, SqlitePool};
 
@@ -10,6 +11,7 @@ use super::StoreError;
 
 /// Before this version SQLite could corrupt a database when its write-ahead log was reset.
 const SQLITE_OLDEST: [u32; 3] = [3, 51, 3];
+static MIGRATIONS: Migrator = sqlx::migrate!("../migrations");
 const READERS: u32 = 4;
 const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
 
@@ -43,11 +45,17 @@ pub async fn bootstrap(path: &Path) -> Result<(), StoreError> {
             "it is corrupt ({verdict}); restore a copy or name another file"
         )));
     }
-    sqlx::migrate!("../migrations")
+    MIGRATIONS
         .run(&mut connection)
         .await
         .map_err(|e| failed(e.to_string()))?;
     connection.close().await.map_err(|e| failed(e.to_string()))
+}
+
+/// Number of the newest change of the tables.
+pub fn newest_migration() -> i64 {
+    let versions = MIGRATIONS.iter().map(|migration| migration.version);
+    versions.max().unwrap_or(0)
 }
 
 /// The one connection that writes.

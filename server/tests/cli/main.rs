@@ -1,6 +1,7 @@
 //! The real program on the command line.
 
 mod accuracy;
+mod db;
 #[path = "../program/mod.rs"]
 mod program;
 #[cfg(unix)]

@@ -1,0 +1,119 @@
+//! `strainsite db`: looks after the database file.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+use tokio::runtime::Runtime;
+
+use super::Failure;
+use super::output::{JsonTarget, tell};
+use crate::store::upkeep::{self, Inspection};
+
+/// Look after the database file
+#[derive(Debug, Args)]
+pub struct Db {
+    #[command(subcommand)]
+    task: Task,
+    /// Database file
+    #[arg(
+        long,
+        global = true,
+        env = "STRAINSITE_DB",
+        value_name = "FILE",
+        default_value = "strainsite.db"
+    )]
+    db: PathBuf,
+    /// Write what was found as JSON to a file, or to standard output with -
+    #[arg(long, global = true, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Task {
+    /// Read every row and compare it with its hash; also while the service runs
+    Check,
+    /// Write a copy to a file that isn't there yet; also while the service runs
+    Backup {
+        /// The copy
+        target: PathBuf,
+    },
+    /// Give free pages back to the disk; not while the service runs
+    Vacuum,
+}
+
+impl Db {
+    /// Does the task.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let runtime = Runtime::new().map_err(Failure::other)?;
+        match &self.task {
+            Task::Check => self.check(&runtime),
+            Task::Backup { target } => self.backup(&runtime, target),
+            Task::Vacuum => self.vacuum(&runtime),
+        }
+    }
+
+    fn check(&self, runtime: &Runtime) -> Result<(), Failure> {
+        let found = runtime.block_on(async {
+            let mut connection = upkeep::open(&self.db).await?;
+            upkeep::inspect(&mut connection).await
+        });
+        let found = found.map_err(Failure::other)?;
+        if let Some(target) = &self.json {
+            target.write(&found)?;
+        }
+        tell(&report(&self.db, &found), self.json.as_ref())?;
+        match found.faults.len() {
+            0 => Ok(()),
+            1 => Err(Failure::Other("the database has a fault".to_owned())),
+            faults => Err(Failure::Other(format!("the database has {faults} faults"))),
+        }
+    }
+
+    fn backup(&self, runtime: &Runtime, target: &Path) -> Result<(), Failure> {
+        let copied = runtime.block_on(async {
+            let mut connection = upkeep::open(&self.db).await?;
+            upkeep::copy_to(&mut connection, target).await
+        });
+        copied.map_err(Failure::other)?;
+        let text = format!("{} was copied to {}\n", self.db.display(), target.display());
+        tell(&text, self.json.as_ref())
+    }
+
+    fn vacuum(&self, runtime: &Runtime) -> Result<(), Failure> {
+        let before = size(&self.db)?;
+        let compacted = runtime.block_on(upkeep::compact(&self.db));
+        compacted.map_err(Failure::other)?;
+        let text = format!(
+            "{} went from {before} to {} bytes\n",
+            self.db.display(),
+            size(&self.db)?
+        );
+        tell(&text, self.json.as_ref())
+    }
+}
+
+fn size(path: &Path) -> Result<u64, Failure> {
+    let metadata = std::fs::metadata(path);
+    metadata.map(|metadata| metadata.len()).map_err(|error| {
+        Failure::Other(format!(
+            "the database {} can't be opened: {error}",
+            path.display()
+        ))
+    })
+}
+
+fn report(path: &Path, found: &Inspection) -> String {
+    let mut text = format!("{}: read", path.display());
+    for (index, (table, rows)) in found.rows.iter().enumerate() {
+        let comma = if index == 0 { "" } else { "," };
+        text.push_str(&format!("{comma} {rows} {}", table.replace('_', " ")));
+    }
+    text.push('\n');
+    for fault in &found.faults {
+        text.push_str(&format!("- {fault}\n"));
+    }
+    if found.faults.is_empty() {
+        text.push_str("every row matches its hash, every reference leads somewhere, every study has its points\n");
+    }
+    text
+}

@@ -1,0 +1,145 @@
+//! Looking after the database file: whether it is whole, a copy of it, its free pages given back.
+//!
+//! Checks and copies read a snapshot and may run beside the service.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::Serialize;
+use sqlx::sqlite::SqliteConnectOptions;
+use sqlx::{Connection, SqliteConnection};
+
+use super::{StoreError, evaluations, lock, pools, results, trades};
+
+/// What a check found.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+pub struct Inspection {
+    /// Rows that were read, by table.
+    pub rows: BTreeMap<&'static str, usize>,
+    /// What is wrong, a sentence each; none: all is well.
+    pub faults: Vec<String>,
+}
+
+/// A connection that can only read, to a database that another process may hold.
+///
+/// # Errors
+/// [`StoreError::Open`] when there is no such database, or one of another version.
+pub async fn open(path: &Path) -> Result<SqliteConnection, StoreError> {
+    let failed = |cause: String| StoreError::Open {
+        path: path.to_owned(),
+        cause,
+    };
+    let options = SqliteConnectOptions::new().filename(path).read_only(true);
+    let mut connection = SqliteConnection::connect_with(&options)
+        .await
+        .map_err(|error| failed(error.to_string()))?;
+    let newest: Option<i64> = sqlx::query_scalar("select max(version) from _sqlx_migrations")
+        .fetch_one(&mut connection)
+        .await
+        .map_err(|error| failed(format!("it isn't a database of strainsite: {error}")))?;
+    if newest == Some(pools::newest_migration()) {
+        return Ok(connection);
+    }
+    Err(failed(
+        "its tables are those of another version; serve and run bring older ones up to date"
+            .to_owned(),
+    ))
+}
+
+/// Reads everything: SQLite's own structures, every reference, every hash, and that each study has the points it counts.
+///
+/// # Errors
+/// When the database can't be read at all.
+pub async fn inspect(connection: &mut SqliteConnection) -> Result<Inspection, StoreError> {
+    let mut found = Inspection::default();
+    let verdicts: Vec<String> = sqlx::query_scalar("pragma integrity_check(20)")
+        .fetch_all(&mut *connection)
+        .await?;
+    let damages = verdicts.into_iter().filter(|verdict| verdict != "ok");
+    found.faults.extend(damages);
+    found.faults.extend(dangling(connection).await?);
+    for (table, keys) in KEYED {
+        let keys: Vec<String> = sqlx::query_scalar(keys).fetch_all(&mut *connection).await?;
+        found.rows.insert(table, keys.len());
+        for key in keys {
+            let read = match table {
+                "evaluations" => evaluations::find(connection, &key).await.err(),
+                "start_states" => evaluations::find_start(connection, &key).await.err(),
+                "results" => results::find(connection, &key).await.err(),
+                _ => trades::newest(connection, &key).await.err(),
+            };
+            match read {
+                Some(error @ StoreError::Damaged { .. }) => found.faults.push(error.to_string()),
+                Some(error) => return Err(error),
+                None => {}
+            }
+        }
+    }
+    found.faults.extend(short(connection).await?);
+    Ok(found)
+}
+
+/// Tables whose rows have a hash, with their keys.
+const KEYED: [(&str, &str); 4] = [
+    ("evaluations", "select key from evaluations"),
+    ("start_states", "select key from start_states"),
+    ("results", "select study from results"),
+    ("trades", "select distinct spec_sha256 from trades"),
+];
+
+async fn dangling(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {
+    let rows: Vec<(String, Option<i64>, String)> =
+        sqlx::query_as("select \"table\", rowid, parent from pragma_foreign_key_check limit 20")
+            .fetch_all(connection)
+            .await?;
+    let sentence = |(table, _, parent)| {
+        format!("a row of table {table} refers to one of {parent} that isn't there")
+    };
+    Ok(rows.into_iter().map(sentence).collect())
+}
+
+/// Studies that count more points than they have.
+async fn short(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {
+    let rows: Vec<(String, i64, i64)> = sqlx::query_as(
+        "select id, points_done, (select count(*) from study_points where study = id) as points
+         from studies where points_done > points",
+    )
+    .fetch_all(connection)
+    .await?;
+    let sentence = |(id, done, points)| format!("study {id} counts {done} points and has {points}");
+    Ok(rows.into_iter().map(sentence).collect())
+}
+
+/// Writes a copy as it is now, without free pages, to a file that isn't there yet.
+///
+/// # Errors
+/// [`StoreError::Open`] when the file is there; when it can't be written.
+pub async fn copy_to(connection: &mut SqliteConnection, target: &Path) -> Result<(), StoreError> {
+    if target.exists() {
+        return Err(StoreError::Open {
+            path: target.to_owned(),
+            cause: "a copy is only written to a file that isn't there yet".to_owned(),
+        });
+    }
+    sqlx::query("vacuum into ?")
+        .bind(target.to_string_lossy().into_owned())
+        .execute(connection)
+        .await?;
+    Ok(())
+}
+
+/// Gives free pages back to the disk. Nobody else may use the database meanwhile.
+///
+/// # Errors
+/// [`StoreError::InUse`] when somebody does; when the database can't be written.
+pub async fn compact(path: &Path) -> Result<(), StoreError> {
+    let _lock = lock::DatabaseLock::take(path)?;
+    open(path).await?.close().await?;
+    let options = SqliteConnectOptions::new().filename(path);
+    let mut connection = SqliteConnection::connect_with(&options).await?;
+    sqlx::query("vacuum").execute(&mut connection).await?;
+    sqlx::query("pragma wal_checkpoint(truncate)")
+        .execute(&mut connection)
+        .await?;
+    Ok(connection.close().await?)
+}
