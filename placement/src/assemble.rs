@@ -58,6 +58,7 @@ pub fn assemble(
         },
         climb: None,
         cost: StudyCost::default(),
+        estimate: None,
     }
 }
 

@@ -21,7 +21,7 @@ use crate::study::{Accuracy, Study};
 use crate::usage::cpu_s;
 
 /// Levels that are climbed. The draft doesn't know its own error, and is for a budget's first answer alone.
-const LEVELS: [Level; 4] = [
+pub(crate) const LEVELS: [Level; 4] = [
     Level::Draft,
     Level::Coarse,
     Level::Standard,

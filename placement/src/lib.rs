@@ -18,6 +18,7 @@
 //! - [`effects`]: what leaving out a part of reality does
 //! - [`fidelity`]: mesh and method as one value, and the ladder of them
 //! - [`climb`]: the cheapest model that meets a tolerance or a budget
+//! - [`estimate`]: what a study will cost, before anything is solved
 //! - [`trade`]: what accuracy a second buys
 //! - [`extremes`]: studies at the ends of what their inputs can spread
 
@@ -28,6 +29,7 @@ pub mod climb;
 pub mod directions;
 pub mod distribution_reader;
 pub mod effects;
+pub mod estimate;
 pub mod extremes;
 pub mod fidelity;
 mod input_reader;

@@ -11,7 +11,8 @@ use fem_client::scene::Scene;
 use fem_client::solver::{Cost, Readout, Solver};
 use gsa::analysis::Status;
 
-use self::points::{Answers, Place, Points, keys};
+pub(crate) use self::points::keys;
+use self::points::{Answers, Place, Points};
 use crate::archive::{Archive, ArchiveError, Outcome};
 use crate::assemble::assemble;
 use crate::plan::{Plan, PlanError};

@@ -8,12 +8,14 @@ use std::sync::atomic::AtomicBool;
 
 use fem_client::solver::Solver;
 use placement::climb;
-use placement::result::{FailedPoint, StudyResult};
+use placement::result::{Estimate, FailedPoint, StudyResult};
 use placement::run::{Event, Means, RunError};
+use placement::study::Study;
 use serde_json::{Value, json};
 use tokio::runtime::Handle;
 
 use crate::archive::StoreArchive;
+use crate::forecast::forecast;
 use crate::store::studies::{self, State, StudyRow};
 use crate::store::{Store, StoreError, events, results};
 use crate::study_document::stored_plan;
@@ -94,8 +96,10 @@ impl Engine {
             stop,
             observer: &observer,
         };
+        let estimate = runtime.block_on(self.estimated(row, &study));
         match climb::answer(&study, &plan, means) {
             Ok(mut result) => {
+                result.estimate = estimate;
                 result.study.id.clone_from(&row.id);
                 End::Done(Box::new(result))
             }
@@ -106,6 +110,26 @@ impl Engine {
                 points: error.failed_points().to_vec(),
             },
         }
+    }
+
+    /// What the study is expected to take, stored with it. Not worth a study: without it the study runs too.
+    async fn estimated(&self, row: &StudyRow, study: &Study) -> Option<Estimate> {
+        let estimate = match forecast(Some(&self.store), &self.solver, self.threads, study).await {
+            Ok(estimate) => estimate,
+            Err(error) => {
+                tracing::warn!(%error, "the study's cost could not be estimated");
+                return None;
+            }
+        };
+        let stored = async {
+            let mut transaction = self.store.begin().await?;
+            studies::set_estimate(&mut transaction, &row.id, &estimate).await?;
+            self.store.commit(transaction, 0).await
+        };
+        if let Err(error) = stored.await {
+            tracing::warn!(%error, "the study's estimate could not be stored");
+        }
+        Some(estimate)
     }
 
     async fn record(&self, study: &str, event: &Event) -> Result<(), StoreError> {

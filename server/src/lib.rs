@@ -9,6 +9,7 @@
 //! - [`store`]: the database, all SQL
 //! - [`study_document`]: study documents from files and from the database
 //! - [`archive`]: the database as the place where solved points are kept
+//! - [`forecast`]: what a study would cost
 //! - [`engine`]: runs one study from its document to its end
 //! - [`queue`]: the queue of studies
 //! - [`http`]: routes and dashboard
@@ -20,6 +21,7 @@ pub mod archive;
 pub mod cli;
 pub mod config;
 pub mod engine;
+pub mod forecast;
 pub mod http;
 pub mod queue;
 pub mod service;

@@ -79,9 +79,10 @@ impl Service {
             solver: parts.solver,
             threads: parts.threads,
         };
-        let queue = Arc::new(Queue::new(engine, stopping.clone()));
+        let queue = Arc::new(Queue::new(engine.clone(), stopping.clone()));
         let state = AppState {
             store: store.clone(),
+            engine,
             queue: queue.clone(),
             shutdown: stopping.clone(),
         };

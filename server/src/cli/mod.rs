@@ -4,6 +4,7 @@
 //! no answer, 1 anything else.
 
 mod db;
+mod estimate;
 mod failure;
 mod gsa;
 mod output;

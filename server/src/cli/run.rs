@@ -11,12 +11,14 @@ use serde_json::json;
 use tokio::runtime::Runtime;
 
 use super::Failure;
+use super::estimate::dry_run;
 use super::output::{JsonTarget, tell, write_whole};
 use super::progress::{progress_bar, show};
 use super::signals::stop_flag;
 use super::table::{locations_csv, report};
 use crate::config::Config;
 use crate::engine::{End, Engine};
+use crate::forecast::forecast;
 use crate::queue::recover;
 use crate::solver::SolverChoice;
 use crate::store::studies::{self, StudyRow};
@@ -32,6 +34,9 @@ pub struct Run {
     config: Config,
     #[command(flatten)]
     solver: SolverChoice,
+    /// Say what the study would cost, and solve nothing
+    #[arg(long, conflicts_with = "out")]
+    dry_run: bool,
     /// Write result.json and locations.csv into this folder
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -46,6 +51,9 @@ impl Run {
         let text = read_file(&self.study).map_err(Failure::Input)?;
         let study = read_study(&text, &self.study).map_err(Failure::Input)?;
         let runtime = Runtime::new().map_err(Failure::other)?;
+        if self.dry_run {
+            return self.estimate(&runtime, &study);
+        }
         let store = runtime
             .block_on(Store::open(&self.config.db))
             .map_err(Failure::other)?;
@@ -57,6 +65,28 @@ impl Run {
         let end = self.solve(&runtime, &engine, &study);
         runtime.block_on(engine.store.close());
         self.answer(end?)
+    }
+
+    /// Makes no database: where there is none, nothing is known.
+    fn estimate(&self, runtime: &Runtime, study: &Study) -> Result<(), Failure> {
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let threads = self.config.threads();
+        let estimate = runtime.block_on(async {
+            let store = match self.config.db.exists() {
+                true => Some(Store::open(&self.config.db).await?),
+                false => None,
+            };
+            let estimate = forecast(store.as_ref(), &solver, threads, study).await;
+            if let Some(store) = store {
+                store.close().await;
+            }
+            estimate
+        });
+        let estimate = estimate.map_err(Failure::other)?;
+        if let Some(target) = &self.json {
+            target.write(&estimate)?;
+        }
+        tell(&dry_run(&study.name, &estimate), self.json.as_ref())
     }
 
     fn solve(&self, runtime: &Runtime, engine: &Engine, study: &Study) -> Result<End, Failure> {

@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use placement::result::{RankedLocation, StudyResult};
 
+use super::estimate::comparison;
+
 /// Table 2 of the paper (Sensors 2025, 25, 4026): P1 to P5, x and y, percent.
 const PAPER: [(&str, f64, f64); 5] = [
     ("P1", 1.4719, 0.0662),
@@ -19,6 +21,7 @@ pub fn report(result: &StudyResult) -> String {
     text.push_str(&notes(result));
     text.push_str(&climb(result));
     text.push_str(&cost(result));
+    text.push_str(&comparison(result));
     text
 }
 

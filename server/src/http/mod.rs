@@ -35,6 +35,7 @@ use axum::response::{IntoResponse, Response};
 use axum::{Router, body::Body};
 use tower_http::catch_panic::CatchPanicLayer;
 
+use crate::engine::Engine;
 use crate::queue::Queue;
 use crate::shutdown::Shutdown;
 use crate::store::Store;
@@ -45,6 +46,8 @@ use problem::Problem;
 pub struct AppState {
     /// The database.
     pub store: Arc<Store>,
+    /// Solves, and knows on how many threads.
+    pub engine: Engine,
     /// The queue of studies.
     pub queue: Arc<Queue>,
     /// Hears when the service is to stop.

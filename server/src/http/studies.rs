@@ -1,10 +1,11 @@
-//! Submit, list, look at and cancel studies.
+//! Estimate, submit, list, look at and cancel studies.
 
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use axum::routing::get;
+use axum::routing::{get, post};
 use axum::{Json, Router};
+use placement::result::Estimate;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -12,6 +13,7 @@ use super::AppState;
 use super::document::StudyBody;
 use super::extract::{Params, StudyId};
 use super::problem::Problem;
+use crate::forecast::{ForecastError, forecast};
 use crate::queue::SubmitError;
 use crate::store::studies::{self, State as StudyState, StudyRow};
 use crate::store::{Store, results, trades};
@@ -21,6 +23,7 @@ pub fn router() -> Router<AppState> {
     Router::new()
         .route("/v1/studies", get(list).post(submit))
         .route("/v1/studies/{id}", get(show).delete(cancel))
+        .route("/v1/studies:estimate", post(estimate))
 }
 
 async fn submit(
@@ -115,10 +118,34 @@ async fn show(State(state): State<AppState>, StudyId(id): StudyId) -> Result<Jso
     let study = known(&state.store, &id).await?;
     let mut body = summary(&study);
     body["document"] = serde_json::from_str(&study.spec).unwrap_or(Value::Null);
+    let estimate = study.estimate.as_deref().map(serde_json::from_str);
+    body["estimate"] = estimate.and_then(Result::ok).unwrap_or(Value::Null);
     let mut connection = state.store.read().await?;
     body["result_sha256"] = json!(results::sha256_of(&mut connection, &id).await?);
     body["trade_measured"] = json!(trades::is_measured(&mut connection, &study.spec_sha256).await?);
     Ok(Json(body))
+}
+
+/// What a study would cost, without submitting it.
+async fn estimate(
+    State(state): State<AppState>,
+    body: StudyBody,
+) -> Result<Json<Estimate>, Problem> {
+    let engine = &state.engine;
+    let estimate = forecast(
+        Some(&state.store),
+        &engine.solver,
+        engine.threads,
+        &body.study,
+    )
+    .await;
+    estimate.map(Json).map_err(|error| match error {
+        ForecastError::Plan(error) => {
+            Problem::new(StatusCode::UNPROCESSABLE_ENTITY, error.to_string())
+        }
+        ForecastError::Store(error) => error.into(),
+        ForecastError::Broken => Problem::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string()),
+    })
 }
 
 /// Cancelling what has ended changes nothing and is no error.

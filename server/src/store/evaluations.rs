@@ -1,7 +1,12 @@
 //! Evaluated points and start states, kept by content key, written once, checked when read.
 
+use std::collections::HashSet;
+
+use fem_client::document::Format;
+use fem_client::scene::Scene;
 use fem_client::solver::{Cost, StartState};
 use placement::archive::{Outcome, PointRecord};
+use placement::estimate::Sample;
 use sqlx::{FromRow, SqliteConnection};
 
 use super::content::{encode, sha256};
@@ -204,6 +209,45 @@ pub async fn find_start(
     StartState::from_bytes(&state)
         .map(Some)
         .map_err(|_| damaged())
+}
+
+/// Which of these keys have an evaluation.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn known(
+    connection: &mut SqliteConnection,
+    keys: &[&str],
+) -> Result<HashSet<String>, StoreError> {
+    let query = "select key from evaluations where key in (select value from json_each(?))";
+    let known: Vec<String> = sqlx::query_scalar(query)
+        .bind(serde_json::json!(keys).to_string())
+        .fetch_all(connection)
+        .await?;
+    Ok(known.into_iter().collect())
+}
+
+/// The newest solves with their times: the newest cut points, and the newest of all others. What can't be read is left out.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn samples(connection: &mut SqliteConnection) -> Result<Vec<Sample>, StoreError> {
+    let query = "select * from (select e.scene, e.cost, 1 from start_states s join evaluations e on e.key = s.key
+                                order by s.rowid desc limit 20)
+                 union all
+                 select * from (select e.scene, e.cost, 0 from evaluations e
+                                where e.failure is null and not exists (select 1 from start_states s where s.key = e.key)
+                                order by e.rowid desc limit 200)";
+    let rows: Vec<(String, String, bool)> = sqlx::query_as(query).fetch_all(connection).await?;
+    let sample = |(scene, cost, cut): (String, String, bool)| {
+        let cost: Cost = serde_json::from_str(&cost).ok()?;
+        Some(Sample {
+            scene: Scene::from_text(&scene, Format::Json).ok()?,
+            wall_s: cost.wall_s,
+            cut,
+        })
+    };
+    Ok(rows.into_iter().filter_map(sample).collect())
 }
 
 /// The ordinals of a study that have an evaluation, with its key, in order.

@@ -36,7 +36,7 @@ pub async fn insert(
     Ok(())
 }
 
-/// SHA-256 of what a result says: without what it cost and without the identifier of its study, so that equal
+/// SHA-256 of what a result says: without what it cost, what it was expected to cost, and without the identifier of its study, so that equal
 /// documents give equal hashes in any database, on any number of threads, with any history of interruptions.
 ///
 /// # Errors
@@ -44,6 +44,7 @@ pub async fn insert(
 pub fn content_sha256(result: &StudyResult) -> Result<String, StoreError> {
     let mut content = result.clone();
     content.cost = StudyCost::default();
+    content.estimate = None;
     content.study.id.clear();
     Ok(sha256(&[
         encode("the result of a study", &content)?.as_bytes()

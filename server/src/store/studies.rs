@@ -4,9 +4,11 @@
 //! that it starts from, so that a late writer never overwrites an end. One process holds the database, so a study
 //! that is `running` when the process starts was left behind by a crash.
 
+use placement::result::Estimate;
 use serde::{Deserialize, Serialize};
 use sqlx::{FromRow, SqliteConnection};
 
+use super::content::encode;
 use super::{StoreError, now};
 
 /// Where a study stands.
@@ -75,6 +77,8 @@ pub struct StudyRow {
     pub started: Option<String>,
     /// When it ended.
     pub finished: Option<String>,
+    /// What it was expected to take when it last started, JSON.
+    pub estimate: Option<String>,
 }
 
 impl StudyRow {
@@ -281,6 +285,23 @@ pub async fn set_progress(
     sqlx::query("update studies set points_total = ?, points_done = ? where id = ?")
         .bind(i64::try_from(total).unwrap_or(i64::MAX))
         .bind(i64::try_from(done).unwrap_or(i64::MAX))
+        .bind(id)
+        .execute(connection)
+        .await?;
+    Ok(())
+}
+
+/// Notes what a study that starts is expected to take.
+///
+/// # Errors
+/// [`StoreError::NotFinite`] when a number isn't finite; when the database can't be written.
+pub async fn set_estimate(
+    connection: &mut SqliteConnection,
+    id: &str,
+    estimate: &Estimate,
+) -> Result<(), StoreError> {
+    sqlx::query("update studies set estimate = ? where id = ?")
+        .bind(encode("the estimate of a study", estimate)?)
         .bind(id)
         .execute(connection)
         .await?;

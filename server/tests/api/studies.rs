@@ -257,3 +257,47 @@ async fn a_study_whose_cut_point_has_no_equilibrium_fails_and_names_it() {
         "{body}"
     );
 }
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_study_is_estimated_before_and_the_estimate_is_kept_with_it() {
+    let home = Home::new();
+    let app = home.start(ClosedFormSolver::new()).await;
+    let ask = |document: Value| {
+        let request = app
+            .client
+            .post(app.url("/v1/studies:estimate"))
+            .json(&document);
+        async move { request.send().await.expect("an answer") }
+    };
+    let estimate: Value = ask(study()).await.json().await.expect("JSON");
+    assert_eq!(estimate["solves"]["left"]["expected"], 26);
+    assert_eq!(estimate["accuracy"]["fidelity"], "standard mdrm 5");
+    // Nothing is known of a solver that isn't the one whose times were measured.
+    assert!(estimate["wall_s"].is_null() && estimate["measured_solves"] == 0);
+    assert_eq!(app.json("/v1/studies").await["studies"], json!([]));
+
+    let id = app.submit(&study()).await;
+    app.wait_for(&id, "done").await;
+    assert_eq!(
+        app.json(&format!("/v1/studies/{id}")).await["estimate"],
+        estimate
+    );
+    let result = app.json(&format!("/v1/studies/{id}/result")).await;
+    assert_eq!(result["estimate"], estimate);
+    let again: Value = ask(study()).await.json().await.expect("JSON");
+    assert_eq!(again["solves"]["known"], 26);
+    assert!(
+        again["measured_solves"].as_u64() > Some(10) && again["wall_s"].is_object(),
+        "{again}"
+    );
+
+    let mut wrong = study();
+    wrong["inputs"][0]["vary"] = json!("wheel.colour");
+    wrong["method"]["nodes"] = json!(-1);
+    let refused = problem(ask(wrong).await, StatusCode::UNPROCESSABLE_ENTITY).await;
+    assert_eq!(
+        refused["errors"].as_array().map(Vec::len),
+        Some(2),
+        "{refused}"
+    );
+}

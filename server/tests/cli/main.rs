@@ -58,6 +58,16 @@ fn a_study_runs_and_leaves_its_result_in_every_form_that_was_asked_for() {
         "{csv}"
     );
 
+    // What it was expected to take stands beside what it took.
+    assert_eq!(result["estimate"]["solves"]["left"]["expected"], 26);
+    assert!(text(&first.stderr).contains("estimated before: 26 solves"));
+
+    let dry = strainsite(folder.path(), &["run", study, "--dry-run", "--json", "-"]);
+    assert_eq!(dry.status.code(), Some(0), "{}", text(&dry.stderr));
+    let estimate: Value = serde_json::from_slice(&dry.stdout).expect("JSON");
+    assert_eq!(estimate["solves"]["known"], 26);
+    assert_eq!(estimate["solves"]["left"]["most"], 0);
+
     // The same study again takes every point from the database.
     let again = strainsite(folder.path(), &["run", study]);
     assert_eq!(again.status.code(), Some(0));
@@ -66,6 +76,23 @@ fn a_study_runs_and_leaves_its_result_in_every_form_that_was_asked_for() {
         table.contains("29.97") && table.contains("26 solves, 26 of them known before"),
         "{table}"
     );
+}
+
+#[test]
+fn a_dry_run_solves_nothing_and_makes_no_database() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let study = format!("{REPOSITORY}/studies/foot-tire.toml");
+    let dry = strainsite(folder.path(), &["run", &study, "--dry-run"]);
+    assert_eq!(dry.status.code(), Some(0), "{}", text(&dry.stderr));
+    let told = text(&dry.stdout);
+    assert!(
+        told.contains(
+            "solves     55: 26 points, 26 on coarser meshes, 3 for what is left out; 0 known"
+        ),
+        "{told}"
+    );
+    assert!(told.contains("accuracy   standard mdrm 5"), "{told}");
+    assert!(!folder.path().join("strainsite.db").exists());
 }
 
 #[test]

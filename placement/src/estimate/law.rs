@@ -1,0 +1,293 @@
+//! What one solve takes, by a law fitted to measured solves, and corrected by what this machine has measured.
+//!
+//! t = a (N / 300)^b with N the cells between nodes in a quarter of the tire ([`MeshPlan::cells`]). `a` and `b` go through the processor times of the
+//! reference tire's draft (300 cells) and reference meshes (9216), one thread, from solves of whole studies with few and many points. On
+//! the coarse and standard meshes between them the laws are at most 1.6 times too long. The exponents
+//! are within those of `docs/speed.md`, 1.2 to 1.6.
+//!
+//! [`MeshPlan::cells`]: fem_client::tire_mesh::MeshPlan::cells
+
+use std::collections::{BTreeMap, HashMap};
+
+use fem_client::scene::{Level, Scene};
+use fem_client::solver::Solver;
+use fem_client::tire::mesh_plan;
+
+/// Cells of the draft mesh of the reference tire.
+const CELLS: f64 = 300.0;
+/// Inflating and pressing from nothing: s on the draft mesh, exponent.
+const AFRESH: (f64, f64) = (0.06, 1.37);
+/// From a neighbouring equilibrium with its tangent.
+const NEAR: (f64, f64) = (0.011, 1.24);
+/// Reading a mirror image's strains and storing it, s.
+const IMAGE_S: f64 = 0.003;
+/// Pressing by steps from the inflated state, as friction asks for, in solves from a neighbour.
+const FRICTION: f64 = 24.0;
+/// The tangents that the points near a cut point share, in solves from nothing.
+const TANGENTS: f64 = 0.6;
+/// Peak memory: bytes of the program, of a solve on the draft mesh, exponent. The exponent and the share of a solve go through the draft (34 MB)
+/// and the reference mesh (1.2 GB); the standard mesh (322 MB) is met within a tenth, the coarse one (102 MB) is 80 MB.
+const MEMORY: (f64, f64, f64) = (25e6, 10e6, 1.4);
+
+/// How a point is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum How {
+    /// From nothing, before all others of its mesh.
+    Cut,
+    /// From the cut point's equilibrium with its tangent.
+    Near,
+    /// It is the mirror image of another one.
+    Image,
+    /// From nothing: another inflated tire than the cut point's.
+    Afresh,
+}
+
+impl How {
+    fn law(self) -> Self {
+        match self {
+            Self::Cut => Self::Afresh,
+            other => other,
+        }
+    }
+}
+
+/// A solve by what decides how long it takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Task {
+    pub how: How,
+    pub level: Level,
+    /// Cells between nodes in a quarter of the tire.
+    pub cells: f64,
+    pub friction: bool,
+}
+
+impl Task {
+    pub fn of(scene: &Scene, how: How) -> Self {
+        let level = scene.model.level;
+        Self {
+            how,
+            level,
+            cells: mesh_plan(scene, level).cells() as f64,
+            friction: scene.contact.friction > 0.0,
+        }
+    }
+
+    /// By the law alone, s.
+    fn law_s(&self) -> f64 {
+        let power = |(a, b): (f64, f64)| a * (self.cells / CELLS).powf(b);
+        let slip = if self.friction {
+            FRICTION * power(NEAR)
+        } else {
+            0.0
+        };
+        match self.how {
+            How::Cut | How::Afresh => power(AFRESH) + slip,
+            How::Near => power(NEAR) + slip,
+            How::Image => IMAGE_S,
+        }
+    }
+
+    /// Peak memory of such a solve, bytes, without the program's own.
+    pub fn memory_bytes(&self) -> f64 {
+        let (_, draft, exponent) = MEMORY;
+        draft * (self.cells / CELLS).powf(exponent)
+    }
+}
+
+/// Whether the law is this solver's: another one's times are known by what it has solved alone.
+pub(crate) fn holds_for(solver: &dyn Solver) -> bool {
+    solver.version().starts_with("strainsite-fem ")
+}
+
+/// Memory of the program without a mesh, bytes.
+pub(crate) fn base_memory_bytes() -> f64 {
+    MEMORY.0
+}
+
+/// A solve that this machine has made.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// What was solved.
+    pub scene: Scene,
+    /// How long it took, s.
+    pub wall_s: f64,
+    /// Whether others started from it.
+    pub cut: bool,
+}
+
+/// How fast this machine solves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Machine {
+    /// Solves that run at once, each on a core.
+    pub threads: usize,
+    /// Solves by which the law was corrected.
+    pub samples: usize,
+    factors: BTreeMap<(Level, How), f64>,
+    overall: f64,
+}
+
+impl Machine {
+    /// A machine of which nothing is known but how many solves it runs at once.
+    pub fn new(threads: usize) -> Self {
+        Self::measured(threads, &[])
+    }
+
+    /// A machine that has made these solves. Each mesh and each kind of start is corrected by the median of measured over expected; what was never
+    /// measured, by the median of all.
+    pub fn measured(threads: usize, samples: &[Sample]) -> Self {
+        let mut ratios: BTreeMap<(Level, How), Vec<f64>> = BTreeMap::new();
+        for (task, wall_s) in recognised(samples) {
+            let ratio = wall_s / task.law_s();
+            if ratio.is_finite() && ratio > 0.0 {
+                let of_kind = ratios.entry((task.level, task.how.law())).or_default();
+                of_kind.push(ratio);
+            }
+        }
+        let mut all: Vec<f64> = ratios.values().flatten().copied().collect();
+        Self {
+            threads: threads.max(1),
+            samples: all.len(),
+            overall: median(&mut all).unwrap_or(1.0),
+            factors: ratios
+                .into_iter()
+                .filter_map(|(kind, mut ratios)| Some((kind, median(&mut ratios)?)))
+                .collect(),
+        }
+    }
+
+    /// Expected wall-clock time of a solve, s.
+    pub(crate) fn solve_s(&self, task: &Task) -> f64 {
+        let factor = self.factors.get(&(task.level, task.how.law()));
+        task.law_s() * factor.unwrap_or(&self.overall)
+    }
+
+    /// Expected time of the tangents that points near such a cut point share, s.
+    pub(crate) fn tangents_s(&self, task: &Task) -> f64 {
+        let cut = Task {
+            how: How::Cut,
+            friction: false,
+            ..*task
+        };
+        TANGENTS * self.solve_s(&cut)
+    }
+}
+
+/// The samples whose kind is known: cut points, and points near one of them. Of mirror images the longer one was solved.
+fn recognised(samples: &[Sample]) -> Vec<(Task, f64)> {
+    let cuts: Vec<String> = samples
+        .iter()
+        .filter(|s| s.cut)
+        .map(|s| tire(&s.scene))
+        .collect();
+    let mut near: HashMap<String, (Task, f64)> = HashMap::new();
+    let mut found = Vec::new();
+    for sample in samples {
+        let tire = tire(&sample.scene);
+        if sample.cut {
+            found.push((Task::of(&sample.scene, How::Cut), sample.wall_s));
+        } else if cuts.contains(&tire) {
+            let place = format!("{tire} {:?}", mirror_class(&sample.scene));
+            let longest = near
+                .entry(place)
+                .or_insert((Task::of(&sample.scene, How::Near), 0.0));
+            longest.1 = longest.1.max(sample.wall_s);
+        }
+    }
+    found.extend(near.into_values());
+    found
+}
+
+/// All of a scene that decides its inflated state and its mesh.
+pub(crate) fn tire(scene: &Scene) -> String {
+    let mut plain = scene.clone();
+    plain.ground.depths_mm.clear();
+    plain.contact.friction = 0.0;
+    format!("{plain:?}")
+}
+
+/// The ground's depths, the same for a ground and its mirror image.
+pub(crate) fn mirror_class(scene: &Scene) -> Vec<u64> {
+    let depths: Vec<u64> = scene.ground.depths_mm.iter().map(|d| d.to_bits()).collect();
+    let mirrored: Vec<u64> = depths.iter().rev().copied().collect();
+    depths.min(mirrored)
+}
+
+fn median(values: &mut [f64]) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn task(level: Level, how: How) -> Task {
+        let mut scene = Scene::default();
+        scene.model.level = level;
+        Task::of(&scene, how)
+    }
+
+    #[test]
+    fn the_law_is_near_what_was_measured_on_each_mesh() {
+        // Processor times on the machine of docs/speed.md; the fit goes through the outer two.
+        let measured = [
+            (Level::Draft, 0.06, 0.011),
+            (Level::Coarse, 0.32, 0.046),
+            (Level::Standard, 1.2, 0.17),
+            (Level::Reference, 6.5, 0.77),
+        ];
+        for (level, cut_s, near_s) in measured {
+            for (how, seconds) in [(How::Cut, cut_s), (How::Near, near_s)] {
+                let ratio = task(level, how).law_s() / seconds;
+                assert!((0.9..1.7).contains(&ratio), "{level:?} {how:?}: {ratio}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_machine_is_corrected_by_the_median_of_what_it_measured() {
+        let sample = |depth: f64, wall_s: f64, cut: bool| {
+            let mut scene = Scene::default();
+            scene.ground.depths_mm[0] = depth;
+            Sample { scene, wall_s, cut }
+        };
+        let near_s = task(Level::Standard, How::Near).law_s();
+        let cut_s = task(Level::Standard, How::Cut).law_s();
+        let mut samples = vec![
+            sample(1.0, 3.0 * cut_s, true),
+            sample(0.8, 2.0 * near_s, false),
+            sample(0.9, 4.0 * near_s, false),
+            sample(1.1, 90.0 * near_s, false),
+        ];
+        let machine = Machine::measured(2, &samples);
+        assert_eq!(machine.samples, 4);
+        let ratio = |machine: &Machine, level, how| {
+            machine.solve_s(&task(level, how)) / task(level, how).law_s()
+        };
+        assert!((ratio(&machine, Level::Standard, How::Near) - 4.0).abs() < 1e-12);
+        assert!((ratio(&machine, Level::Standard, How::Cut) - 3.0).abs() < 1e-12);
+        // Of 2, 3, 4 and 90 the upper of the middle two.
+        assert!((ratio(&machine, Level::Draft, How::Near) - 4.0).abs() < 1e-12);
+        // What no cut point explains is of unknown kind, and says nothing.
+        samples.retain(|sample| !sample.cut);
+        assert_eq!(Machine::measured(2, &samples), Machine::new(2));
+    }
+
+    #[test]
+    fn a_mirror_image_that_took_no_time_is_no_measurement() {
+        let side = |station: usize, wall_s: f64, cut: bool| {
+            let mut scene = Scene::default();
+            scene.ground.depths_mm[station] = 0.9;
+            Sample { scene, wall_s, cut }
+        };
+        let near_s = task(Level::Standard, How::Near).law_s();
+        let samples = [
+            side(2, 1.0, true),
+            side(0, 5.0 * near_s, false),
+            side(4, 1e-3, false),
+        ];
+        let machine = Machine::measured(1, &samples);
+        let expected = machine.solve_s(&task(Level::Standard, How::Near));
+        assert!((expected - 5.0 * near_s).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,209 @@
+//! Everything that a study will, or may, have solved: a pure function of its document and the solver's kind.
+
+use std::collections::HashSet;
+
+use fem_client::scene::{Level, Scene};
+use fem_client::solver::{Readout, Solver};
+use fem_client::tire::is_symmetric;
+use gsa::method::Kind;
+
+use super::law::{How, Task, holds_for, mirror_class, tire};
+use crate::climb::LEVELS;
+use crate::fidelity::Fidelity;
+use crate::plan::{Plan, PlanError};
+use crate::run::keys;
+use crate::study::{Accuracy, Study};
+
+/// Times as many points as it starts with that the adaptive method is expected to ask for: it took 3.9 and 4.5 times as many in the
+/// measured trades of `docs/trade.md`.
+const OF_ADAPTING: usize = 4;
+
+/// What a study will, or may, have solved, in the order in which it goes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Workload {
+    pub(crate) stages: Vec<Stage>,
+    /// The study asks for this.
+    pub(crate) accuracy: Accuracy,
+    /// Whether the law of solves' times is the solver's.
+    pub(crate) law_holds: bool,
+    /// Numbers read off each point.
+    pub(crate) readings: usize,
+}
+
+/// The study on one mesh with one method.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Stage {
+    pub fidelity: Fidelity,
+    pub own: Vec<Point>,
+    /// The same points on the coarser mesh.
+    pub coarser: Vec<Point>,
+    /// What shows the effects of what the model leaves out.
+    pub effects: Vec<Point>,
+    /// Points that an adaptive method may ask for beyond its first.
+    pub extra: Extra,
+}
+
+/// How many more points there may be.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Extra {
+    /// Whether each is solved on the coarser mesh too, and wasn't by an earlier stage.
+    pub coarser: bool,
+    pub expected: usize,
+    pub most: usize,
+}
+
+/// One solve.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Point {
+    pub key: String,
+    pub task: Task,
+}
+
+impl Workload {
+    /// What a study asks of a solver.
+    ///
+    /// # Errors
+    /// When the first stage has no plan; that of a study that [`Study::from_document`] returned has one.
+    pub fn of(study: &Study, solver: &dyn Solver) -> Result<Self, PlanError> {
+        let path = match study.accuracy {
+            Accuracy::Preset => vec![Fidelity::of(study)],
+            Accuracy::Tolerance(_) | Accuracy::Budget(_) => path(Fidelity::of(study)),
+        };
+        let (mut known, mut stages) = (HashSet::new(), Vec::new());
+        let mut effects_due = true;
+        for fidelity in path {
+            let raised = fidelity.raise(study);
+            let plan = match Plan::new(&raised) {
+                Ok(plan) => plan,
+                Err(error) if stages.is_empty() => return Err(error),
+                // A climb that gets there ends there.
+                Err(_) => break,
+            };
+            let readout = study.readout();
+            let mut fresh = |scenes: &[Scene]| -> Vec<Point> {
+                let mut points = points(scenes, solver, &readout);
+                points.retain(|point| known.insert(point.key.clone()));
+                points
+            };
+            let own = fresh(&plan.points);
+            let coarser_level = solver.coarser(&raised.scene).map(|coarser| coarser.level);
+            let coarser = coarser_level.map(|level| fresh(&plan.on_level(level).points));
+            let mut effects = Vec::new();
+            if effects_due && fidelity.level != Level::Draft {
+                effects_due = false;
+                effects = fresh(&effect_scenes(&plan, solver));
+            }
+            let solved_there =
+                |stage: &Stage| Some(stage.fidelity.level) == coarser_level && stage.extra.most > 0;
+            let extra = Extra {
+                coarser: coarser_level.is_some() && !stages.iter().any(solved_there),
+                ..extra(&raised, plan.points.len())
+            };
+            stages.push(Stage {
+                fidelity,
+                own,
+                coarser: coarser.unwrap_or_default(),
+                effects,
+                extra,
+            });
+        }
+        Ok(Self {
+            stages,
+            accuracy: study.accuracy,
+            law_holds: holds_for(solver),
+            readings: readings(study),
+        })
+    }
+
+    /// The content keys of all its points.
+    pub fn keys(&self) -> impl Iterator<Item = &str> {
+        self.stages.iter().flat_map(|stage| {
+            let series = [&stage.own, &stage.coarser, &stage.effects];
+            series.into_iter().flatten().map(|point| point.key.as_str())
+        })
+    }
+}
+
+/// The rungs of a climb as they follow each other on the paper's study: the adaptive method on the first mesh with an error, then finer meshes.
+fn path(first: Fidelity) -> Vec<Fidelity> {
+    let mut path = vec![first];
+    for level in LEVELS.into_iter().filter(|level| *level >= first.level) {
+        let own = Fidelity { level, ..first };
+        if level != first.level && level == Level::Coarse {
+            path.push(own);
+        }
+        let adaptive = Fidelity {
+            kind: Kind::Auto,
+            ..own
+        };
+        if level > Level::Draft && adaptive != first {
+            path.push(adaptive);
+        }
+    }
+    path.dedup();
+    path
+}
+
+fn extra(study: &Study, planned: usize) -> Extra {
+    if !study.method.kind.is_adaptive() {
+        return Extra::default();
+    }
+    let most = study.method.most_runs.saturating_sub(planned);
+    Extra {
+        coarser: false,
+        expected: ((OF_ADAPTING - 1) * planned).min(most),
+        most,
+    }
+}
+
+/// The plain scene and the richer ones, as `effects` solves them.
+fn effect_scenes(plan: &Plan, solver: &dyn Solver) -> Vec<Scene> {
+    let mut plain = plan.points[0].clone();
+    plain.model.level = Level::Coarse;
+    let richer = solver.omissions(&plain).into_iter();
+    let richer: Vec<Scene> = richer.filter_map(|omission| omission.richer).collect();
+    if richer.is_empty() {
+        return Vec::new();
+    }
+    std::iter::once(plain).chain(richer).collect()
+}
+
+/// Points that start from the first one; none of no scenes.
+fn points(scenes: &[Scene], solver: &dyn Solver, readout: &Readout) -> Vec<Point> {
+    let Some(cut) = scenes.first() else {
+        return Vec::new();
+    };
+    let keys = keys(scenes, solver, readout);
+    let (tire_of_cut, symmetric) = (tire(cut), is_symmetric(&cut.ground));
+    let mut classes = HashSet::new();
+    let how = |ordinal: usize, scene: &Scene, classes: &mut HashSet<Vec<u64>>| {
+        if ordinal == 0 {
+            How::Cut
+        } else if tire(scene) != tire_of_cut {
+            How::Afresh
+        } else if symmetric && scene.contact == cut.contact && !classes.insert(mirror_class(scene))
+        {
+            How::Image
+        } else {
+            How::Near
+        }
+    };
+    scenes
+        .iter()
+        .zip(keys)
+        .enumerate()
+        .map(|(ordinal, (scene, key))| Point {
+            key,
+            task: Task::of(scene, how(ordinal, scene, &mut classes)),
+        })
+        .collect()
+}
+
+/// Strains at P1, P2, ..., on the rings and on the map, two each.
+fn readings(study: &Study) -> usize {
+    let readout = study.readout();
+    let grid = readout
+        .grid
+        .map_or(0, |grid| grid.circumferential * grid.meridional);
+    2 * (study.scene.ground.stations + 360 * readout.rings.len() + grid)
+}

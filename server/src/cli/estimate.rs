@@ -1,0 +1,101 @@
+//! What a study would cost, and how that compares with what it took, for people.
+
+use std::fmt::Write;
+
+use placement::result::{Estimate, Forecast, StudyResult};
+
+/// Everything that `run --dry-run` prints.
+pub fn dry_run(name: &str, estimate: &Estimate) -> String {
+    let mut text = format!("{}\n\n{}", name.escape_debug(), solves(estimate));
+    let time = estimate.wall_s.as_ref().map_or("unknown".to_owned(), range);
+    let _ = writeln!(text, "time       {time} on {} threads", estimate.threads);
+    let _ = writeln!(
+        text,
+        "memory     {} MB",
+        megabytes(estimate.peak_memory_bytes)
+    );
+    let accuracy = &estimate.accuracy;
+    let figure = |error: Option<f64>| error.map_or("unknown".to_owned(), |e| format!("{e:.3}"));
+    let _ = writeln!(
+        text,
+        "accuracy   {}: on the paper's study its indices were off by {}, and claimed {}",
+        accuracy.fidelity,
+        figure(accuracy.error_true),
+        figure(accuracy.error_claimed)
+    );
+    text.push('\n');
+    for reason in estimate.reasons.iter().chain(&accuracy.reason) {
+        let _ = writeln!(text, "- {reason}");
+    }
+    text
+}
+
+fn solves(estimate: &Estimate) -> String {
+    let solves = &estimate.solves;
+    let left = solves.left;
+    let range = if left.least == left.most {
+        String::new()
+    } else {
+        format!(" ({} to {})", left.least, left.most)
+    };
+    format!(
+        "solves     {}{range}: {} points, {} on coarser meshes, {} for what is left out; {} known already\n",
+        left.expected, solves.own, solves.coarser, solves.effects, solves.known
+    )
+}
+
+fn range(wall_s: &Forecast) -> String {
+    format!(
+        "{} ({} to {})",
+        duration(wall_s.expected),
+        duration(wall_s.least),
+        duration(wall_s.most)
+    )
+}
+
+/// Seconds, minutes or hours, whichever reads best.
+fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 120.0 => format!("{s:.2} s"),
+        s if s < 7200.0 => format!("{:.0} min", s / 60.0),
+        s => format!("{:.1} h", s / 3600.0),
+    }
+}
+
+fn megabytes(bytes: u64) -> u64 {
+    bytes / 1_000_000
+}
+
+/// One line that compares what was expected with what it took; nothing where nobody expected anything.
+pub fn comparison(result: &StudyResult) -> String {
+    let (Some(estimate), cost) = (&result.estimate, &result.cost) else {
+        return String::new();
+    };
+    let time = match &estimate.wall_s {
+        Some(wall_s) => format!(
+            "{}, it took {:.1} times that",
+            range(wall_s),
+            cost.wall_s / wall_s.expected
+        ),
+        None => "an unknown time".to_owned(),
+    };
+    format!(
+        "estimated before: {} solves, {time}; {} MB, it took {} MB\n",
+        estimate.solves.left.expected,
+        megabytes(estimate.peak_memory_bytes),
+        megabytes(cost.peak_memory_bytes)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_told_in_the_unit_that_reads_best() {
+        assert_eq!(duration(0.25), "0.25 s");
+        assert_eq!(duration(119.0), "119.00 s");
+        assert_eq!(duration(600.0), "10 min");
+        assert_eq!(duration(9000.0), "2.5 h");
+    }
+}

@@ -1,0 +1,53 @@
+//! What a study would cost on this machine, with what this database knows.
+
+use std::collections::HashSet;
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+use fem_client::solver::Solver;
+use placement::estimate::{Machine, Workload, estimate};
+use placement::plan::PlanError;
+use placement::result::Estimate;
+use placement::study::Study;
+
+use crate::store::{Store, StoreError, evaluations};
+
+/// Why there is no estimate.
+#[derive(Debug, thiserror::Error)]
+pub enum ForecastError {
+    /// The study can't be planned.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// The database failed.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// Planning panicked.
+    #[error("the study could not be planned; the log says why")]
+    Broken,
+}
+
+/// What a study would cost. Times are corrected by the newest solves of the database; what it holds already costs nothing.
+///
+/// # Errors
+/// See [`ForecastError`].
+pub async fn forecast(
+    store: Option<&Store>,
+    solver: &Arc<dyn Solver>,
+    threads: usize,
+    study: &Study,
+) -> Result<Estimate, ForecastError> {
+    let (solver, study) = (solver.clone(), study.clone());
+    // A large design takes a second to plan, which the runtime's threads haven't.
+    let planned = tokio::task::spawn_blocking(move || Workload::of(&study, solver.as_ref()));
+    let work = planned.await.map_err(|_| ForecastError::Broken)??;
+    let (mut known, mut samples) = (HashSet::new(), Vec::new());
+    if let Some(store) = store {
+        let keys: Vec<&str> = work.keys().collect();
+        let mut connection = store.read().await?;
+        known = evaluations::known(&mut connection, &keys).await?;
+        samples = evaluations::samples(&mut connection).await?;
+    }
+    let cores = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let machine = Machine::measured(threads.min(cores), &samples);
+    Ok(estimate(&work, &known, &machine))
+}
