@@ -404,10 +404,12 @@ pub enum NoEquilibrium {
     Crushed,
     /// Newton's method didn't converge at the smallest step.
     NotConverged,
+    /// It isn't looked for any more: looking for it ended the program. No solver says so, only who keeps count.
+    Quarantined,
 }
 
 impl NoEquilibrium {
-    /// All of them.
+    /// All that the physics gives.
     pub const ALL: [Self; 5] = [
         Self::LimitPoint,
         Self::SelfContact,
@@ -424,6 +426,7 @@ impl NoEquilibrium {
             Self::Overstretched => "overstretched",
             Self::Crushed => "crushed",
             Self::NotConverged => "not-converged",
+            Self::Quarantined => "quarantined",
         }
     }
 }

@@ -27,6 +27,30 @@ pub trait Archive: Sync {
     /// When the archive can't be read, or what it holds fails its own hash.
     fn load(&self, key: &str, ordinal: usize) -> Result<Option<(Outcome, Cost)>, ArchiveError>;
 
+    /// Notes that a solve begins. Should the program die before it is saved or given up, that is a crash of this key.
+    ///
+    /// # Errors
+    /// When the archive can't be written.
+    fn begin(&self, _key: &str) -> Result<(), ArchiveError> {
+        Ok(())
+    }
+
+    /// Notes that a solve that began has ended without an outcome.
+    ///
+    /// # Errors
+    /// When the archive can't be written.
+    fn give_up(&self, _key: &str) -> Result<(), ArchiveError> {
+        Ok(())
+    }
+
+    /// How often the program died while this key was being solved.
+    ///
+    /// # Errors
+    /// When the archive can't be read.
+    fn crashes(&self, _key: &str) -> Result<usize, ArchiveError> {
+        Ok(0)
+    }
+
     /// Stores an outcome for good; storing under a present key is not an error and changes nothing.
     ///
     /// # Errors

@@ -5,10 +5,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use fem_client::solver::{Cost, StartState};
 use placement::archive::{Archive, ArchiveError, Outcome, PointRecord};
+use sqlx::SqliteConnection;
 use tokio::runtime::Handle;
 
 use crate::store::evaluations::{self, Evaluation};
-use crate::store::{Store, StoreError};
+use crate::store::{Store, StoreError, crashes};
 
 /// Keeps the points of one study. Used from solving threads, which may wait; never from a task of the runtime.
 pub struct StoreArchive {
@@ -27,6 +28,22 @@ impl StoreArchive {
             study: study.to_owned(),
             disk_full: AtomicBool::new(false),
         }
+    }
+
+    /// Writes in one transaction, and remembers a full disk.
+    fn write(
+        &self,
+        change: impl AsyncFnOnce(&mut SqliteConnection) -> Result<(), StoreError>,
+    ) -> Result<(), ArchiveError> {
+        let written = self.runtime.block_on(async {
+            let mut transaction = self.store.begin().await?;
+            change(&mut transaction).await?;
+            self.store.commit(transaction, 0).await
+        });
+        if matches!(written, Err(StoreError::Full)) {
+            self.disk_full.store(true, Ordering::Relaxed);
+        }
+        written.map_err(failed)
     }
 
     /// Whether a point could not be stored because the disk is full.
@@ -55,17 +72,28 @@ impl Archive for StoreArchive {
             .map(|evaluation| (evaluation.outcome, evaluation.cost)))
     }
 
+    fn begin(&self, key: &str) -> Result<(), ArchiveError> {
+        self.write(async |connection| crashes::begin(connection, key).await)
+    }
+
+    fn give_up(&self, key: &str) -> Result<(), ArchiveError> {
+        self.write(async |connection| crashes::end(connection, key).await)
+    }
+
+    fn crashes(&self, key: &str) -> Result<usize, ArchiveError> {
+        let found = self.runtime.block_on(async {
+            let mut connection = self.store.read().await?;
+            crashes::of(&mut connection, key).await
+        });
+        found.map_err(failed)
+    }
+
     /// One transaction for the evaluation, its start state and its place in the study: a kill leaves all or nothing.
     fn save(&self, point: &PointRecord<'_>) -> Result<(), ArchiveError> {
-        let saved = self.runtime.block_on(async {
-            let mut transaction = self.store.begin().await?;
-            evaluations::insert(&mut transaction, &self.study, point).await?;
-            self.store.commit(transaction, 0).await
-        });
-        if matches!(saved, Err(StoreError::Full)) {
-            self.disk_full.store(true, Ordering::Relaxed);
-        }
-        saved.map_err(failed)
+        self.write(async |connection| {
+            evaluations::insert(connection, &self.study, point).await?;
+            crashes::end(connection, point.key).await
+        })
     }
 
     fn load_start(&self, key: &str) -> Result<Option<StartState>, ArchiveError> {

@@ -15,7 +15,7 @@ use tokio::sync::{Notify, oneshot};
 use crate::engine::{End, Engine};
 use crate::shutdown::Shutdown;
 use crate::store::studies::{self, StudyRow};
-use crate::store::{Store, StoreError, events, idempotency};
+use crate::store::{Store, StoreError, crashes, events, idempotency};
 
 /// How long to wait before the database is tried again.
 const RETRY: Duration = Duration::from_secs(1);
@@ -232,6 +232,13 @@ impl Queue {
 /// When the database can't be written.
 pub async fn recover(store: &Store) -> Result<(), StoreError> {
     let mut transaction = store.begin().await?;
+    let blamed = crashes::count(&mut transaction).await?;
+    if blamed > 0 {
+        tracing::warn!(
+            solves = blamed,
+            "the program died in the middle of solves; they are tried again by themselves"
+        );
+    }
     let mut latest = 0;
     for id in studies::running(&mut transaction).await? {
         studies::release(&mut transaction, &id).await?;

@@ -10,7 +10,9 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use fem_client::scene::Scene;
-use fem_client::solver::{Cost, Readout, SolveError, SolveRequest, Solved, Solver, StartState};
+use fem_client::solver::{
+    Cost, NoEquilibrium, Reached, Readout, SolveError, SolveRequest, Solved, Solver, StartState,
+};
 
 use super::finite::not_finite;
 use super::{Event, Observer, RunError, refusals};
@@ -77,6 +79,29 @@ pub(crate) fn keys(scenes: &[Scene], solver: &dyn Solver, readout: &Readout) -> 
     std::iter::once(cut).chain(others).collect()
 }
 
+/// Times that the program may die of a point before it is left alone.
+const QUARANTINE: usize = 3;
+
+/// Points by how often the program died of them.
+#[derive(Default)]
+struct Suspicion {
+    clean: Vec<usize>,
+    suspect: Vec<usize>,
+    quarantined: Vec<Numbered<Answer>>,
+}
+
+/// What is said of a point that isn't solved any more.
+fn quarantined(crashes: usize) -> Answer {
+    let unsolved = Unsolved {
+        status: NoEquilibrium::Quarantined,
+        detail: format!(
+            "the program died {crashes} times while it was being solved, of memory perhaps; strainsite db release lets it be tried again"
+        ),
+        reached: Reached::default(),
+    };
+    (Err(unsolved), Cost::default())
+}
+
 /// Why one point has no answer.
 enum Lack {
     /// The solver refused it or broke: its siblings go on.
@@ -95,18 +120,30 @@ impl Points<'_> {
             found.push(self.archive.load(key, self.place.first + ordinal)?);
         }
         let reused = found.iter().flatten().count();
-        let lacking: Vec<usize> = (0..found.len()).filter(|i| found[*i].is_none()).collect();
         (self.observer)(Event::Started {
             points: self.place.of,
             reused: self.place.first + reused,
         });
         let done = Mutex::new(self.place.first + reused);
+        let lacking: Vec<usize> = (0..found.len()).filter(|i| found[*i].is_none()).collect();
+        let Suspicion {
+            clean,
+            suspect,
+            quarantined,
+        } = self.suspicion(&lacking)?;
+        for (ordinal, answer) in quarantined {
+            self.report(ordinal, &answer, &done);
+            found[ordinal] = Some(answer);
+        }
         let cut_failed = matches!(found[0], Some((Err(_), _)));
         if !lacking.is_empty() || cut_failed {
             let start = self.cut_point(&mut found[0], &done)?;
-            let rest: Vec<usize> = lacking.into_iter().filter(|i| *i != 0).collect();
-            for (ordinal, answer) in self.others(&rest, &start, threads, &done)? {
-                found[ordinal] = Some(answer);
+            // One that may end the program has no company that would be blamed with it, and nothing left to lose.
+            for (ordinals, threads) in [(clean, threads), (suspect, 1)] {
+                let rest: Vec<usize> = ordinals.into_iter().filter(|i| *i != 0).collect();
+                for (ordinal, answer) in self.others(&rest, &start, threads, &done)? {
+                    found[ordinal] = Some(answer);
+                }
             }
         }
         let points: Vec<_> = found.into_iter().flatten().collect();
@@ -116,6 +153,19 @@ impl Points<'_> {
             "every point is loaded, solved or reported"
         );
         Ok(Answers { points, reused })
+    }
+
+    /// Sorts points by how often the program died while they were being solved.
+    fn suspicion(&self, lacking: &[usize]) -> Result<Suspicion, ArchiveError> {
+        let mut sorted = Suspicion::default();
+        for &ordinal in lacking {
+            match self.archive.crashes(&self.keys[ordinal])? {
+                0 => sorted.clean.push(ordinal),
+                crashes if crashes < QUARANTINE => sorted.suspect.push(ordinal),
+                crashes => sorted.quarantined.push((ordinal, quarantined(crashes))),
+            }
+        }
+        Ok(sorted)
     }
 
     /// The equilibrium at the means, from the archive or solved now.
@@ -245,11 +295,16 @@ impl Points<'_> {
 
     /// One solve; a solver that broke is asked once more.
     fn solved(&self, ordinal: usize, start: Option<&StartState>) -> Result<Found, Lack> {
-        match self.attempt(ordinal, start) {
+        let key = &self.keys[ordinal];
+        self.archive.begin(key).map_err(Lack::Archive)?;
+        let found = match self.attempt(ordinal, start) {
             Err(SolveError::Broken { .. }) => self.attempt(ordinal, start),
             other => other,
+        };
+        if found.is_err() {
+            self.archive.give_up(key).map_err(Lack::Archive)?;
         }
-        .map_err(|error| match error {
+        found.map_err(|error| match error {
             SolveError::Stopped => Lack::Stopped,
             error => Lack::Failed(error),
         })

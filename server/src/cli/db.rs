@@ -39,6 +39,8 @@ enum Task {
     },
     /// Give free pages back to the disk; not while the service runs
     Vacuum,
+    /// Let points be solved again that the program died of three times; not while the service runs
+    Release,
 }
 
 impl Db {
@@ -49,6 +51,7 @@ impl Db {
             Task::Check => self.check(&runtime),
             Task::Backup { target } => self.backup(&runtime, target),
             Task::Vacuum => self.vacuum(&runtime),
+            Task::Release => self.release(&runtime),
         }
     }
 
@@ -76,6 +79,15 @@ impl Db {
         });
         copied.map_err(Failure::other)?;
         let text = format!("{} was copied to {}\n", self.db.display(), target.display());
+        tell(&text, self.json.as_ref())
+    }
+
+    fn release(&self, runtime: &Runtime) -> Result<(), Failure> {
+        let released = runtime.block_on(upkeep::release(&self.db));
+        let text = match released.map_err(Failure::other)? {
+            1 => "one point may be tried again\n".to_owned(),
+            points => format!("{points} points may be tried again\n"),
+        };
         tell(&text, self.json.as_ref())
     }
 

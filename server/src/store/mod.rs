@@ -5,6 +5,7 @@
 //! - [`content`]: content hashes, and JSON that reads back as what was written
 //! - [`studies`]: what was asked, and the queue
 //! - [`evaluations`]: solved points and start states
+//! - [`crashes`]: solves that the program died of
 //! - [`results`]: results with their ranked rows
 //! - [`trades`]: measured trades of accuracy for time
 //! - [`events`]: what happened, in order
@@ -14,6 +15,7 @@
 //! Functions take a connection, so that the caller owns the transaction. Times are RFC 3339, UTC.
 
 pub mod content;
+pub mod crashes;
 mod error;
 pub mod evaluations;
 pub mod events;

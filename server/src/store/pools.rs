@@ -113,4 +113,46 @@ mod tests {
         assert!(new_enough("3.51.3") && new_enough("3.100.0") && new_enough("4.0.0"));
         assert!(!new_enough("3.51.2") && !new_enough("3.6.20"));
     }
+
+    /// The first changes of the tables alone, as an earlier version had them.
+    fn first(count: usize) -> Migrator {
+        Migrator {
+            migrations: MIGRATIONS.iter().take(count).cloned().collect(),
+            ..Migrator::DEFAULT
+        }
+    }
+
+    #[tokio::test]
+    async fn every_earlier_schema_is_brought_up_to_date_with_its_rows() {
+        for count in 1..=MIGRATIONS.iter().count() {
+            let folder = tempfile::tempdir().expect("temp dir");
+            let path = folder.path().join("old.db");
+            let options = writing(&path).create_if_missing(true);
+            let mut old = SqliteConnection::connect_with(&options)
+                .await
+                .expect("opens");
+            first(count).run(&mut old).await.expect("migrates");
+            let stored = sqlx::query(
+                "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', 'x', 'queued', 't')",
+            )
+            .execute(&mut old)
+            .await;
+            stored.expect("stores");
+            old.close().await.expect("closes");
+
+            bootstrap(&path).await.expect("brings it up to date");
+            let mut new = SqliteConnection::connect_with(&options)
+                .await
+                .expect("opens");
+            let name: String = sqlx::query_scalar("select name from studies where id = 'a'")
+                .fetch_one(&mut new)
+                .await
+                .expect("the row is there");
+            let version: i64 = sqlx::query_scalar("select max(version) from _sqlx_migrations")
+                .fetch_one(&mut new)
+                .await
+                .expect("reads");
+            assert_eq!((name.as_str(), version), ("old", newest_migration()));
+        }
+    }
 }

@@ -9,7 +9,7 @@ use serde::Serialize;
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{Connection, SqliteConnection};
 
-use super::{StoreError, evaluations, lock, pools, results, trades};
+use super::{StoreError, crashes, evaluations, lock, pools, results, trades};
 
 /// What a check found.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
@@ -134,12 +134,29 @@ pub async fn copy_to(connection: &mut SqliteConnection, target: &Path) -> Result
 /// [`StoreError::InUse`] when somebody does; when the database can't be written.
 pub async fn compact(path: &Path) -> Result<(), StoreError> {
     let _lock = lock::DatabaseLock::take(path)?;
-    open(path).await?.close().await?;
-    let options = SqliteConnectOptions::new().filename(path);
-    let mut connection = SqliteConnection::connect_with(&options).await?;
+    let mut connection = open_to_write(path).await?;
     sqlx::query("vacuum").execute(&mut connection).await?;
     sqlx::query("pragma wal_checkpoint(truncate)")
         .execute(&mut connection)
         .await?;
     Ok(connection.close().await?)
+}
+
+/// Lets points be solved again that the program died of, and returns how many there were. Nobody else may use the database
+/// meanwhile.
+///
+/// # Errors
+/// As [`compact`].
+pub async fn release(path: &Path) -> Result<u64, StoreError> {
+    let _lock = lock::DatabaseLock::take(path)?;
+    let mut connection = open_to_write(path).await?;
+    let released = crashes::forget(&mut connection).await?;
+    connection.close().await?;
+    Ok(released)
+}
+
+async fn open_to_write(path: &Path) -> Result<SqliteConnection, StoreError> {
+    open(path).await?.close().await?;
+    let options = SqliteConnectOptions::new().filename(path);
+    Ok(SqliteConnection::connect_with(&options).await?)
 }

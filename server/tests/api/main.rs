@@ -1,5 +1,6 @@
 //! The service from outside: a real listener, a fresh database, the closed-form solver behind it.
 
+mod crashes;
 mod dashboard;
 mod events;
 mod guard;

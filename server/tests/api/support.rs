@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::document::{Format, parse};
+use fem_client::solver::Solver;
 use reqwest::{Client, Response, StatusCode};
 use serde_json::{Value, json};
 use server::service::{Service, ServiceParts, StartError};
@@ -39,16 +40,7 @@ impl Home {
     }
 
     pub async fn try_start(&self, solver: ClosedFormSolver) -> Result<App, StartError> {
-        let parts = ServiceParts {
-            address: "127.0.0.1:0".parse().expect("address"),
-            database: self.database(),
-            solver: Arc::new(solver),
-            threads: 2,
-        };
-        Ok(App {
-            service: Service::start(parts).await?,
-            client: Client::new(),
-        })
+        serve(self.database(), Arc::new(solver)).await
     }
 
     pub async fn start(&self, solver: ClosedFormSolver) -> App {
@@ -59,6 +51,20 @@ impl Home {
     pub async fn sql(&self) -> SqliteConnection {
         open(&self.database()).await
     }
+}
+
+/// A service on a database, on two threads.
+pub async fn serve(database: PathBuf, solver: Arc<dyn Solver>) -> Result<App, StartError> {
+    let parts = ServiceParts {
+        address: "127.0.0.1:0".parse().expect("address"),
+        database,
+        solver,
+        threads: 2,
+    };
+    Ok(App {
+        service: Service::start(parts).await?,
+        client: Client::new(),
+    })
 }
 
 async fn open(path: &Path) -> SqliteConnection {
