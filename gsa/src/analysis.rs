@@ -83,7 +83,7 @@ pub fn analyse(design: &Design, values: &ArrayView2<f64>) -> Vec<Analysis> {
         rows == points,
         "{rows} rows of values for the {points} points of the design"
     );
-    let pair_weight = design.pair_weight();
+    let pair_weight = design.weight_of_interactions(2);
     // One output after the other, each contiguous.
     let by_output = values.t().as_standard_layout().into_owned();
     by_output
@@ -303,10 +303,9 @@ fn note_missing(analysis: &mut Analysis, design: &Design, values: &[f64], sectio
             listed(&sections.lost)
         ));
     }
-    let missing: Vec<usize> = design
-        .checks()
-        .iter()
-        .map(|check| check.ordinal())
+    let checks = design.checks().iter().map(|check| check.ordinal());
+    let missing: Vec<usize> = checks
+        .chain(design.probes().iter().copied())
         .filter(|&ordinal| !values[ordinal].is_finite())
         .collect();
     if !missing.is_empty() {

@@ -8,20 +8,24 @@
 //! multidimensional integration in stochastic mechanics", International Journal for Numerical Methods in Engineering 61 (2004)
 //! 1992-2019), which is cut-HDMR of second order; with a product F what a product does to three and more inputs at once is kept.
 //! Of the forms the one with the least misfit at the check points is taken. Exact where no more than two inputs interact
-//! beyond F. Cost: n(n-1)/2 grids of (N-1)^2 runs for odd N where the mean is a node, else N^2.
+//! beyond F. Cost: n(n-1)/2 grids of (N-1)^2 runs for odd N where the mean is a node, else N^2; check points on the nodes, which see
+//! interactions of three and more, and as many off them, which see whether the nodes resolve the model.
 
 use std::collections::HashMap;
 
 use crate::analysis::{Analysis, analyse_output};
 use crate::climb;
 use crate::composite::{Composite, Decomposed, Missing};
-use crate::corrected::Frame;
+use crate::corrected::{Frame, add_unresolved};
 use crate::design::{Design, Line};
 use crate::evidence::{Checks, Evidence};
 use crate::mdrm::{Mdrm, departure};
 use crate::scale::times_power_of_two;
 use crate::section::Sections;
 use crate::verdict::Form;
+
+/// What pairs leave has three inputs and more, and a smaller share in main effects than pairs have.
+const OF_TRIPLES: f64 = 0.5;
 
 /// The runs of one pair of inputs.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,15 +103,26 @@ pub(crate) fn analyse(
         add(&mut composite, design.lines(), frame, *pair, table);
     }
     let found = composite.decompose()?;
-    let decomposition =
-        (!checks.is_empty()).then(|| frame.errors(&composite, &found, checks, (&unseen, 0)));
+    let mut decomposition = (!checks.is_empty()).then(|| {
+        frame.errors(
+            OF_TRIPLES * design.weight_of_interactions(3),
+            &composite,
+            &found,
+            checks,
+            (&unseen, 0),
+        )
+    });
     let sizes: Vec<usize> = design
         .lines()
         .iter()
         .map(|line| line.rule().len())
         .collect();
+    let beyond = frame.beyond(&composite, &found, sections, values);
+    if let Some(errors) = &mut decomposition {
+        add_unresolved(errors, beyond.as_ref());
+    }
     Some(Bivariate {
-        missing: composite.missing(&sizes),
+        missing: composite.missing(&sizes, beyond.map(|b| b.by_input).as_deref()),
         found,
         decomposition,
         lost,

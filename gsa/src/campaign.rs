@@ -168,8 +168,8 @@ impl Campaign {
             Runs::Lines(design) => {
                 let frame = Frame::new(design);
                 let tolerance = match self.method.kind {
-                    Kind::Tensor => 0.0,
-                    _ => self.method.tolerance,
+                    Kind::Tensor => None,
+                    _ => Some(self.method.tolerance),
                 };
                 Box::new(move |values| climb::analyse(design, &frame, values, tolerance))
             }
@@ -267,6 +267,7 @@ fn first_runs(
                 return too_many(all);
             }
             design.add_checks(all, rng)?;
+            design.add_probes(method.check_points, rng);
             Runs::Lines(design)
         }
         Kind::Bivariate => {
@@ -277,6 +278,7 @@ fn first_runs(
             }
             let mut design = lines(method.check_points, rng)?;
             let grids = bivariate::add_pairs(&mut design);
+            design.add_probes(method.check_points, rng);
             Runs::Pairs(design, grids)
         }
         Kind::Pce if method.samples > MAX_CHECK_POINTS => return too_many(method.samples),

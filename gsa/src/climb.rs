@@ -39,10 +39,15 @@ const A_LITTLE_MORE: f64 = 0.25;
 const CONFIRMING: f64 = 0.34;
 const MOST_TO_CONFIRM: usize = 16;
 
-/// The best answer for one output from lines and check points.
-pub(crate) fn analyse(design: &Design, frame: &Frame, values: &[f64], tolerance: f64) -> Analysis {
+/// The best answer for one output from lines and check points. Without a tolerance no form is good enough where the grid is known.
+pub(crate) fn analyse(
+    design: &Design,
+    frame: &Frame,
+    values: &[f64],
+    tolerance: Option<f64>,
+) -> Analysis {
     let analysis = analyse_output(design, values, frame.pair_weight);
-    let misses = |e: f64| e > GOOD_ENOUGH * tolerance;
+    let misses = |e: f64| tolerance.is_none_or(|tolerance| e > GOOD_ENOUGH * tolerance);
     let improvable = match analysis.status {
         Status::Ok | Status::ProductFormBroken => analysis.error.decomposition.is_none_or(misses),
         _ => false,
@@ -54,7 +59,7 @@ pub(crate) fn analyse(design: &Design, frame: &Frame, values: &[f64], tolerance:
         return analysis;
     };
     match best_correction(design, frame, values, &sections) {
-        Some(corrected) if is_better(&corrected, &analysis) => {
+        Some(corrected) if tolerance.is_none() || is_better(&corrected, &analysis) => {
             with_correction(analysis, &sections, corrected)
         }
         _ => analysis,
@@ -86,7 +91,7 @@ fn best_correction(
     };
     let attempts = forms
         .into_iter()
-        .filter_map(|t| frame.correct(sections, &evidence.checks, t));
+        .filter_map(|t| frame.correct(sections, (values, &evidence.checks), t));
     attempts.min_by(|a, b| a.largest_error().total_cmp(&b.largest_error()))
 }
 

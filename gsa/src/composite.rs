@@ -26,7 +26,7 @@ use std::collections::BTreeMap;
 use crate::error::{self, ByInput};
 use crate::mdrm::departure;
 use crate::section::Sections;
-use crate::spectrum::tail;
+use crate::spectrum::tail_with;
 
 /// Most inputs whose pairs are listed.
 pub const MOST_FOR_PAIRS: usize = 50;
@@ -121,10 +121,25 @@ impl<'a> Composite<'a> {
         (1..=self.modes[input].len()).map(coefficient).collect()
     }
 
+    /// At a point, given p_1, p_2, .. of each input there.
+    pub(crate) fn predict(&self, polynomials: &[Vec<f64>]) -> f64 {
+        let section = |(input, p): (usize, &Vec<f64>)| {
+            let terms = self.modes[input].iter().zip(p);
+            self.sections.shifts[input] + terms.map(|(m, p)| m * p).sum::<f64>()
+        };
+        let form = departure(self.t, polynomials.iter().enumerate().map(section));
+        let term = |(index, c): (&MultiIndex, &f64)| {
+            let factors = index.iter().map(|&(input, k)| polynomials[input][k - 1]);
+            c * factors.product::<f64>()
+        };
+        let corrections = self.corrections.iter().map(term);
+        self.sections.centre + form + corrections.sum::<f64>()
+    }
+
     /// What the rules miss of each input's variance, as a share of it: of its section's, as judged on its line, and of the
     /// interactions among the corrections, as judged by their own modes, of which `coordinates` of their points, by input,
-    /// tell one less apart.
-    pub(crate) fn missing(&self, coordinates: &[usize]) -> Option<Missing> {
+    /// tell one less apart. `beyond`: what is missed off the nodes, over the part of the standard deviation that the input has.
+    pub(crate) fn missing(&self, coordinates: &[usize], beyond: Option<&[f64]>) -> Option<Missing> {
         let of_lines = self.sections.missing.as_ref()?;
         let mut energies: Vec<Vec<f64>> = self.modes.iter().map(|m| vec![0.0; m.len()]).collect();
         let interactions = self.corrections.iter().filter(|(index, _)| index.len() > 1);
@@ -137,12 +152,14 @@ impl<'a> Composite<'a> {
             // A refined line resolves more than the interactions' points do.
             let resolved = energies.iter().rposition(|e| *e > 0.0).map_or(0, |k| k + 1);
             let resolved = resolved.max(energies.len().min(coordinates[input].max(LEAST) - 1));
-            let of_grid = tail(&energies[..resolved], true)?.missing;
+            let beyond = beyond.map(|beyond| beyond[input]);
+            let of_grid = tail_with(&energies[..resolved], true, beyond)?.missing;
             let main: f64 = self.main_effect(input).iter().map(|c| c * c).sum();
             let rest: f64 = energies.iter().sum();
             let all = main + rest;
             Some(if all > 0.0 {
-                (main * of_lines[input] / all, rest * of_grid / all)
+                let of_line = self.of_line(input, beyond).min(of_lines[input]);
+                (main * of_line / all, rest * of_grid / all)
             } else {
                 (0.0, 0.0)
             })
@@ -153,6 +170,15 @@ impl<'a> Composite<'a> {
             all: shares.iter().map(|(main, rest)| main + rest).collect(),
             of_interactions: shares.iter().map(|(_, rest)| *rest).collect(),
         })
+    }
+
+    /// What a line's own modes and those beyond say; infinite if these are unknown.
+    fn of_line(&self, input: usize, beyond: Option<f64>) -> f64 {
+        if beyond.is_none() || !self.sections.lost.is_empty() {
+            return f64::INFINITY;
+        }
+        let energies: Vec<f64> = self.modes[input].iter().map(|m| m * m).collect();
+        tail_with(&energies, true, beyond).map_or(f64::INFINITY, |tail| tail.missing)
     }
 
     /// `None` if the form overflows or nothing varies.

@@ -19,12 +19,15 @@ use crate::evidence::Checks;
 use crate::factors::Tables;
 use crate::mdrm::departure;
 use crate::regression;
+use crate::scale::times_power_of_two;
 use crate::section::Sections;
 
 /// Fewer check points say nothing about what was fitted to them.
 const LEAST_POINTS: usize = 4;
 /// The least of several corrected forms' errors is taken, which favours one that looks better than it is.
 const BEST_OF_SEVERAL: f64 = 1.5;
+/// Share of the mean square missed off the nodes by which an index may be wrong: all of it in one main effect would be 1.
+const OFF_NODES: f64 = 0.25;
 /// Misfit of rounding size is not to be explained.
 const NOISE_IN_EPS: f64 = 16.0;
 
@@ -38,6 +41,24 @@ pub(crate) struct Frame {
     whole_grid: Option<WholeGrid>,
     /// by input, how many coordinates the check points have
     coordinates: Vec<usize>,
+    /// points off the nodes: ordinal, and p_1, p_2, .. of each input there
+    probes: Vec<(usize, Vec<Vec<f64>>)>,
+}
+
+/// What is missed off the nodes.
+pub(crate) struct Beyond {
+    /// mean square over the variance
+    pub(crate) variance: f64,
+    /// root mean square over the part of the standard deviation that each input has
+    pub(crate) by_input: Vec<f64>,
+}
+
+/// Adds to the errors of the indices what is missed off the nodes, in whichever effects it is.
+pub(crate) fn add_unresolved(errors: &mut [f64], beyond: Option<&Beyond>) {
+    let unresolved = beyond.map_or(0.0, |beyond| OFF_NODES * beyond.variance);
+    for error in errors {
+        *error = error::at_most_one(*error + unresolved);
+    }
 }
 
 /// A grid that check points fill.
@@ -144,9 +165,32 @@ impl Frame {
             },
             whole_grid,
             dictionary: Dictionary::new(&tables, design.inputs().len()),
-            pair_weight: design.pair_weight(),
+            pair_weight: design.weight_of_interactions(2),
+            probes: probes(design),
             tables,
         }
+    }
+
+    /// What a surrogate misses off the nodes; `None` if no point there has a value.
+    pub(crate) fn beyond(
+        &self,
+        composite: &Composite<'_>,
+        found: &Decomposed,
+        sections: &Sections,
+        values: &[f64],
+    ) -> Option<Beyond> {
+        let known = self.probes.iter().filter(|(k, _)| values[*k].is_finite());
+        let miss = |(k, polynomials): &(usize, Vec<Vec<f64>>)| {
+            let value = times_power_of_two(values[*k], -sections.exponent);
+            (value - composite.predict(polynomials)).powi(2)
+        };
+        let squares: Vec<f64> = known.map(miss).collect();
+        let mean = squares.iter().sum::<f64>() / squares.len() as f64;
+        let of_input = |total: &f64| (mean / (total * found.variance)).sqrt();
+        mean.is_finite().then(|| Beyond {
+            variance: mean / found.variance,
+            by_input: found.total.iter().map(of_input).collect(),
+        })
     }
 
     /// Whether the check points fill their grid.
@@ -158,7 +202,7 @@ impl Frame {
     pub(crate) fn correct(
         &self,
         sections: &Sections,
-        checks: &Checks<'_>,
+        (values, checks): (&[f64], &Checks<'_>),
         t: f64,
     ) -> Option<Corrected> {
         if self.whole_grid.is_none() && checks.len() < LEAST_POINTS {
@@ -183,7 +227,13 @@ impl Frame {
         let found = composite.decompose()?;
         let grid = self.whole_grid.as_ref();
         let missed = grid.map_or(0.0, |grid| grid.weight_missing(checks));
-        let mut decomposition = self.errors(&composite, &found, checks, (&unseen, fitted));
+        let mut decomposition = self.errors(
+            self.pair_weight,
+            &composite,
+            &found,
+            checks,
+            (&unseen, fitted),
+        );
         for error in &mut decomposition {
             *error = error::at_most_one(BEST_OF_SEVERAL * *error);
         }
@@ -195,8 +245,10 @@ impl Frame {
                 .iter_mut()
                 .for_each(|e| *e = error::at_most_one(*e + error));
         }
+        let beyond = self.beyond(&composite, &found, sections, values);
+        add_unresolved(&mut decomposition, beyond.as_ref());
         Some(Corrected {
-            missing: composite.missing(&self.coordinates),
+            missing: composite.missing(&self.coordinates, beyond.map(|b| b.by_input).as_deref()),
             found,
             decomposition,
             exhaustive: self.whole_grid.is_some(),
@@ -226,8 +278,10 @@ impl Frame {
         (unseen, fit.terms.len())
     }
 
+    /// `weight`: of the residuals' interactions.
     pub(crate) fn errors(
         &self,
+        weight: f64,
         composite: &Composite<'_>,
         found: &Decomposed,
         checks: &Checks<'_>,
@@ -250,8 +304,18 @@ impl Frame {
             main: &main,
         };
         let values: Vec<f64> = checks.iter().map(|(_, h)| *h).collect();
-        error::decomposition(&values, &predictions, &effects, self.pair_weight, fitted)
+        error::decomposition(&values, &predictions, &effects, weight, fitted)
     }
+}
+
+fn probes(design: &Design) -> Vec<(usize, Vec<Vec<f64>>)> {
+    let at = |&ordinal: &usize| {
+        let inputs = design.points()[ordinal].iter().zip(design.lines());
+        let polynomials =
+            inputs.map(|(&x, line)| line.polynomials().evaluate(x, line.rule().len() - 1));
+        (ordinal, polynomials.collect())
+    };
+    design.probes().iter().map(at).collect()
 }
 
 /// Applies a matrix of `size` rows and columns along one axis, `after` entries apart.

@@ -14,11 +14,12 @@ use std::collections::HashSet;
 use rand::Rng;
 
 use crate::distribution::Distribution;
-use crate::grid::Grid;
 use crate::polynomials::Polynomials;
 use crate::rule::GaussRule;
 
+mod distance;
 mod error;
+mod probes;
 
 pub use error::DesignError;
 
@@ -84,6 +85,8 @@ pub struct Design {
     /// By input, the lines whose place a finer one has taken, in the order they were added.
     replaced: Vec<Vec<Line>>,
     checks: Vec<CheckPoint>,
+    /// Points off all nodes, by ordinal.
+    probes: Vec<usize>,
     points: Vec<Vec<f64>>,
     on_demand: bool,
 }
@@ -121,6 +124,7 @@ impl Design {
             lines: Vec::with_capacity(inputs.len()),
             replaced: vec![Vec::new(); inputs.len()],
             checks: Vec::new(),
+            probes: Vec::new(),
             points: vec![cut.to_vec()],
             on_demand: false,
         };
@@ -144,7 +148,7 @@ impl Design {
         }
         let rules = self.rules();
         let known = self.checks.iter().filter_map(|check| self.on_grid(check));
-        let drawn = Grid::new(&rules, &self.points[0]).off_axis(count, known.collect(), rng);
+        let drawn = self.grid(&rules).off_axis(count, known.collect(), rng);
         let points: Vec<Vec<f64>> = drawn
             .iter()
             .map(|nodes| {
@@ -249,18 +253,9 @@ impl Design {
         self.lines.iter().enumerate().map(node).collect()
     }
 
-    /// What a mean over the check points counts for in a mean over the law, if interactions are of pairs.
-    pub(crate) fn pair_weight(&self) -> f64 {
-        let off = |check: &CheckPoint| {
-            let coordinates = self.points[check.ordinal].iter().zip(&self.points[0]);
-            coordinates.filter(|(x, cut)| x != cut).count()
-        };
-        Grid::new(&self.rules(), &self.points[0]).pair_weight(self.checks.iter().map(off))
-    }
-
     /// How many check points the grid of the present lines has in all.
     pub(crate) fn off_axis_len(&self) -> usize {
-        Grid::new(&self.rules(), &self.points[0]).off_axis_len()
+        self.grid(&self.rules()).off_axis_len()
     }
 
     /// How many of them are not check points yet.

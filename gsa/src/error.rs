@@ -27,6 +27,9 @@
 //! where the second term covers the chance in K points, and the last what is of second order in r. Residuals that no
 //! main effect has a share in, as those of pure interactions, cost an index far less than their size.
 //!
+//! Where a whole grid or all pairs are known, points off all nodes show what the nodes don't resolve: it lowers or confirms what the
+//! modes make suspect (`spectrum`), and a share of its mean square is part of the decomposition error.
+//!
 //! The sum is an estimate, not a bound: few check points may all miss an interaction. Indicators that cost nothing
 //! (1 - sum S_i, the difference between two forms) were found to carry no information and are not used.
 

@@ -15,7 +15,8 @@ pub(crate) type Checks<'a> = Vec<(&'a CheckPoint, f64)>;
 /// A fit of one number to fewer points would prove nothing.
 const LEAST_FOR_SHIFT: usize = 3;
 /// The shifted form must lower the misfit this many times to be preferred: being fitted, it lowers it a little for any
-/// model, and near-products it makes worse.
+/// model, and near-products it makes worse. It must do so at the other points too, without the one that the sum misses most: of a
+/// kink that shows at a single point, one number explains all.
 const SHIFT_GAIN: f64 = 10.0;
 
 /// How each form fares at the check points. Misfits are root mean squares in the units of the sections, infinite where a
@@ -79,9 +80,21 @@ impl<'a> Evidence<'a> {
             return None;
         }
         let t = shift::fit(sections, &self.checks);
-        let misfit = misfit(&self.checks, |check| shift::predict(sections, check, t));
+        let fitted = |checks: &[(&CheckPoint, f64)]| {
+            misfit(checks, |check| shift::predict(sections, check, t))
+        };
+        let of_sum = |check: &CheckPoint| additive::predict(sections, check);
         let form = Mdrm::shifted(sections, 1.0 / t - sections.centre).ok()?;
-        (misfit * SHIFT_GAIN < others).then_some((form, misfit))
+        let mut rest = self.checks.clone();
+        let missed = |(check, h): &(&CheckPoint, f64)| (h - of_sum(check)).abs();
+        let most =
+            (0..rest.len()).max_by(|a, b| missed(&rest[*a]).total_cmp(&missed(&rest[*b])))?;
+        rest.swap_remove(most);
+        let others_there = misfit(&rest, of_sum);
+        let holds_there =
+            fitted(&rest) * SHIFT_GAIN < others_there && others_there > SHIFT_GAIN * self.rounding;
+        let misfit = fitted(&self.checks);
+        (holds_there && misfit * SHIFT_GAIN < others).then_some((form, misfit))
     }
 
     /// Whether the product misses the model by more than the additive form does, and by more than rounding; one that
@@ -142,6 +155,23 @@ mod tests {
                 assert!(*misfit < 1e-14 && shifted.product > 1e-3);
             },
         );
+    }
+
+    #[test]
+    fn a_number_fitted_to_one_point_explains_nothing() {
+        // max(x, y) - 1 beside a sum that misses it where both are above the cut, here at one of the points
+        let inputs = vec![Distribution::uniform(0.5, 1.5).unwrap(); 2];
+        let design = Design::new(&inputs, 5, 5, &mut ChaCha8Rng::seed_from_u64(5)).unwrap();
+        let run = |x: &Vec<f64>| x[0].max(1.0).max(x[1]);
+        let mut values: Vec<f64> = design.points().iter().map(run).collect();
+        let above = |check: &CheckPoint| design.points()[check.ordinal()].iter().all(|x| *x > 1.0);
+        for check in design.checks().iter().filter(|check| above(check)).skip(1) {
+            values[check.ordinal()] = f64::NAN;
+        }
+        let sections = Sections::new(&design, &values).unwrap();
+        let evidence = Evidence::new(&design, &values, &sections, None).unwrap();
+        assert!(evidence.checks.len() >= LEAST_FOR_SHIFT && evidence.additive > 0.01);
+        assert!(evidence.shifted.is_none());
     }
 
     #[test]

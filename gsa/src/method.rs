@@ -54,7 +54,8 @@ pub struct Method {
     pub kind: Kind,
     /// Gauss nodes of each input (`mdrm`, `bivariate`, `tensor`; `auto` starts with them)
     pub nodes: usize,
-    /// off-axis points at which forms are checked (`mdrm`, `bivariate`; `auto` starts with them)
+    /// off-axis points at which forms are checked (`mdrm`, `bivariate`; `auto` starts with them), and points off the nodes at
+    /// which grids are (`bivariate`, `tensor`)
     pub check_points: usize,
     /// points of `pce`, base points of `saltelli`
     pub samples: usize,

@@ -11,7 +11,7 @@
 //! At a step s falls like N^-1 and at a kink like N^-2, and the bound is N_k/N: a step's error does fall so, a kink's faster. Of an
 //! analytic section s falls like its modes, and the bound with it.
 
-use crate::spectrum::Tail;
+use crate::spectrum::{MOST_MISSING, Tail};
 
 /// Errors at kinks and steps scatter by their place between the nodes: that of a rule is seldom more than this times the error
 /// seen of a coarser one and its fall.
@@ -47,7 +47,7 @@ impl Level {
             1 => by_modes.max(observed),
             _ => by_modes.min(observed),
         };
-        missing.min(1.0)
+        missing.min(MOST_MISSING)
     }
 
     /// How much smaller the error is than a coarser line's: at least by 1/N, as at a step, and as much more as the amplitudes at

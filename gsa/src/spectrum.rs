@@ -15,7 +15,9 @@
 //! missing share = C (sum over both parities of s min(1, (r/r_0)^8))
 //! ```
 //!
-//! Five nodes can't tell a kink from a sine of half a period and more; then this errs on the kink's side.
+//! Five nodes can't tell a kink from a sine of half a period and more; then this errs on the kink's side. A few points off the nodes
+//! can: what is missed there, b in standard deviations, are the modes beyond. With s the last two modes now, the kink's claim is
+//! multiplied by (3 b/s)^2 where that is less than one, and those of the analytic section go on falling by no less than 3 b/s.
 
 /// C: at steps and kinks in random places the error of 5 to 17 nodes was at most 2 s for nine in ten. Where each parity has a
 /// ratio, the analytic claim holds for most of them too.
@@ -29,6 +31,16 @@ const OF_ANALYTIC: f64 = 3.0;
 const LEAST_OF_ONE: f64 = 1.25;
 /// Largest b: less than any entire function's, since one of the ratios may be small by chance.
 const STEEPENING: f64 = 0.5;
+/// Most of it. A section whose modes don't fall may have several times the variance that its nodes happen to show: of waves of
+/// several periods at five nodes, one in eight has more than twice as much.
+pub(crate) const MOST_MISSING: f64 = 3.0;
+/// Modes seen at a few points off the nodes are seldom more than this times what they seem. Beyond a kink's or a step's resolved modes
+/// lies about half of what ends these, so that it counts as no fall at all.
+const OF_CHANCE: f64 = 3.0;
+/// Kinks whose modes beyond seem to fall are rare.
+const POWER_OF_FALL: i32 = 2;
+/// Ratio of the last two modes to the two before from which modes don't fall: a step has 0.4 to 1.3, a sine of half a period 0.1.
+const HARDLY_FALLING: f64 = 0.6;
 /// A mode this small is rounding.
 const NOTHING: f64 = 1e-10;
 /// Steep: kinks with r much below r_0 are rare.
@@ -45,13 +57,18 @@ const ENOUGH: usize = 4;
 pub(crate) struct Tail {
     /// the last two modes (of two or three the last) over the standard deviation
     pub(crate) amplitude: f64,
-    /// missing share of the variance
+    /// missing share of the variance that the nodes show
     pub(crate) missing: f64,
 }
 
 /// From the squared coefficients of the modes k = 1, 2, .., `whole` if no node was lost; `None` for fewer than two modes, which
 /// cannot tell.
 pub(crate) fn tail(energies: &[f64], whole: bool) -> Option<Tail> {
+    tail_with(energies, whole, None)
+}
+
+/// The same where points off the nodes show the modes beyond: their root sum of squares over the standard deviation.
+pub(crate) fn tail_with(energies: &[f64], whole: bool, beyond: Option<f64>) -> Option<Tail> {
     let modes = energies.len();
     if modes < 2 {
         return None;
@@ -67,13 +84,36 @@ pub(crate) fn tail(energies: &[f64], whole: bool) -> Option<Tail> {
     let missing = if modes < ENOUGH {
         of_few(&c, if whole { POWER_OF_FEW } else { POWER_OF_LOST })
     } else {
-        of_both_parities(c.clone(), if whole { POWER } else { POWER_OF_LOST })
+        let power = if whole { POWER } else { POWER_OF_LOST };
+        of_both_parities(c.clone(), power, fall(&c, beyond))
     };
-    let last = c[if modes < ENOUGH { modes - 1 } else { modes - 2 }..].iter();
     Some(Tail {
-        amplitude: last.map(|c| c * c).sum::<f64>().sqrt(),
-        missing: missing.min(1.0),
+        amplitude: last_amplitude(&c),
+        missing: missing.min(MOST_MISSING),
     })
+}
+
+/// The last two modes, of two or three the last.
+fn last_amplitude(c: &[f64]) -> f64 {
+    let last = if c.len() < ENOUGH { 1 } else { 2 };
+    c[c.len() - last..]
+        .iter()
+        .map(|c| c * c)
+        .sum::<f64>()
+        .sqrt()
+}
+
+/// By how much the modes beyond fall below those that end the resolved ones, on the safe side; infinite where nothing is known. Where
+/// the resolved ones hardly fall, few points prove nothing: a rare corner is met by none of them.
+fn fall(c: &[f64], beyond: Option<f64>) -> f64 {
+    let last = last_amplitude(c);
+    let before: f64 = c[c.len() - 4..c.len() - 2].iter().map(|c| c * c).sum();
+    let resolved = last / before.sqrt() / HARDLY_FALLING;
+    let fall = beyond.map(|beyond| OF_CHANCE * beyond / last);
+    match fall {
+        Some(fall) if fall.is_finite() && resolved.is_finite() => fall.max(resolved * resolved),
+        _ => f64::INFINITY,
+    }
 }
 
 /// The kink's claim over C for an amplitude of degree k, `ratio` times the one before by `step` degrees.
@@ -112,7 +152,7 @@ fn steepening(c: &[f64]) -> f64 {
     smaller.clamp(0.0, STEEPENING)
 }
 
-fn of_both_parities(mut c: Vec<f64>, power: i32) -> f64 {
+fn of_both_parities(mut c: Vec<f64>, power: i32, fall: f64) -> f64 {
     let modes = c.len();
     let nodes = modes + 1;
     let mut kinks = 0.0;
@@ -127,7 +167,7 @@ fn of_both_parities(mut c: Vec<f64>, power: i32) -> f64 {
         if s > 0.0 {
             kinks += OF_KINKS * of_kink(s, ratio, (k, 2), power);
         }
-        let falls = if ratio < 1.0 { ratio } else { 1.0 };
+        let falls = if ratio < 1.0 { ratio } else { 1.0 }.min(fall);
         for beyond in (k + 2..2 * nodes).step_by(2) {
             let steeper = (k - 2) as f64 / (beyond - 2) as f64;
             c[beyond - 1] = c[beyond - 3] * falls * steeper.powf(steepening);
@@ -135,7 +175,7 @@ fn of_both_parities(mut c: Vec<f64>, power: i32) -> f64 {
     }
     let pairs = (1..nodes).map(|j| 2.0 * c[j - 1] * c[2 * nodes - j - 1]);
     let analytic = pairs.sum::<f64>() + c[nodes - 1] * c[nodes - 1];
-    kinks.max(OF_ANALYTIC * analytic)
+    (kinks * fall.min(1.0).powi(POWER_OF_FALL)).max(OF_ANALYTIC * analytic)
 }
 
 #[cfg(test)]
@@ -168,10 +208,23 @@ mod tests {
     }
 
     #[test]
+    fn points_off_the_nodes_tell_a_sine_from_a_kink() {
+        // odd and even modes that end at a fifth: a kink by its nodes, unless what follows is a hundredth
+        let energies = [1.0, 1.0, 0.04, 0.04];
+        let claim = |beyond| tail_with(&energies, true, beyond).unwrap().missing;
+        let alone = claim(None);
+        assert!(alone > 0.1 && claim(Some(0.1)) == alone);
+        assert!(claim(Some(0.01)) < 0.2 * alone);
+        // modes that don't fall aren't believed to end
+        let rough = [1.0, 1.0, 0.5, 0.5];
+        assert_eq!(tail_with(&rough, true, Some(1e-6)), tail(&rough, true));
+    }
+
+    #[test]
     fn two_modes_are_the_least() {
         assert_eq!(tail(&[1.0], true), None);
         assert_eq!(missing(&[0.0, 0.0]), 0.0);
-        assert_eq!(missing(&[0.0, 1.0]), 1.0);
+        assert_eq!(missing(&[0.0, 1.0]), OF_KINKS_BY_FEW);
         assert_eq!(missing(&[1.0, 0.0]), 0.0);
     }
 

@@ -138,37 +138,53 @@ fn method(kind: Kind, nodes: usize) -> Method {
     }
 }
 
-/// Shares and medians seen, rounded to the safe side: they are there so that the claims don't get worse. The aim is 95 %,
-/// of which 3 % are lost to one family, "rare corner": an effect in 1/600 of the volume meets no point, and everything else
-/// is reproduced to rounding. No sample of this size can tell.
-#[test]
-fn claimed_errors_hold_on_models_they_were_not_set_on() {
-    let rows = [
-        (Kind::Mdrm, 3, 94.0, 10.0),
-        (Kind::Mdrm, 5, 92.0, 10.0),
-        (Kind::Mdrm, 7, 93.0, 10.0),
-        (Kind::Mdrm, 9, 93.0, 10.0),
-        (Kind::Bivariate, 5, 95.0, 10.0),
-        (Kind::Tensor, 5, 95.0, 10.0),
-        (Kind::Pce, 5, 95.0, 10.0),
-        (Kind::Saltelli, 5, 95.0, 10.0),
-        (Kind::Auto, 5, 95.0, 11.0),
-    ];
-    let models = models(0..4, families::all);
-    let mut pooled = Vec::new();
-    for (kind, nodes, least_coverage, largest_ratio) in rows {
+/// Method, nodes and seeds, with the least coverage and the largest median ratio allowed.
+type Row = (Kind, usize, std::ops::Range<u64>, f64, f64);
+
+/// Runs the rows on their models, and returns what misses its limits; pools them all at the end.
+fn judge(rows: &[Row], all: fn(u64) -> Vec<Known>) -> Vec<String> {
+    let most = rows.iter().map(|(_, _, seeds, ..)| seeds.end).max();
+    let models = models(0..most.unwrap_or(0), all);
+    let (mut pooled, mut beyond) = (Vec::new(), Vec::new());
+    for (kind, nodes, seeds, least_coverage, largest_ratio) in rows {
         let title = format!("{}, {nodes} nodes", kind.as_str());
-        let outcomes = attack(&title, method(kind, nodes), &models);
+        let count = models
+            .iter()
+            .filter(|(seed, _)| seeds.contains(seed))
+            .count();
+        let outcomes = attack(&title, method(*kind, *nodes), &models[..count]);
         let (covered, ratio) = summary(&outcomes);
         pooled.extend(outcomes);
-        assert!(
-            covered >= least_coverage && ratio <= largest_ratio,
-            "{title}"
-        );
+        if covered < *least_coverage || ratio > *largest_ratio {
+            beyond.push(title);
+        }
     }
     println!("\nall methods");
     let (covered, ratio) = summary(&pooled);
-    assert!(covered >= 95.0 && ratio <= 10.0);
+    if covered < 95.0 || ratio > 10.0 {
+        beyond.push("all methods".to_owned());
+    }
+    beyond
+}
+
+/// The aim is 95 % at a median of ten. One family is out of reach, "rare corner": an effect in 1/600 of the volume meets no point, and
+/// everything else is reproduced to rounding. It is 3 % of the outputs, and 5 % of those that a full grid is affordable for, of which
+/// its nodes see the corner and claim too little.
+#[test]
+fn claimed_errors_hold_on_models_they_were_not_set_on() {
+    let rows = [
+        (Kind::Mdrm, 3, 0..20, 95.0, 10.0),
+        (Kind::Mdrm, 5, 0..20, 95.0, 10.0),
+        (Kind::Mdrm, 7, 0..20, 95.0, 10.0),
+        (Kind::Mdrm, 9, 0..20, 95.0, 10.0),
+        (Kind::Bivariate, 5, 0..20, 95.0, 10.0),
+        (Kind::Tensor, 5, 0..20, 94.0, 10.0),
+        (Kind::Pce, 5, 0..4, 95.0, 10.0),
+        (Kind::Saltelli, 5, 0..4, 95.0, 10.0),
+        (Kind::Auto, 5, 0..8, 95.0, 10.0),
+    ];
+    let beyond = judge(&rows, families::all);
+    assert!(beyond.is_empty(), "{beyond:?}");
 }
 
 /// Samples of 4096 know the indices to a few thousandths: formulas and references of the held-out models belong together. 95 % intervals
