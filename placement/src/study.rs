@@ -188,8 +188,6 @@ fn method_value(method: &Method) -> Value {
     put("kind", method.kind.as_str().into());
     if !matches!(method.kind, Kind::Pce | Kind::Saltelli) {
         put("nodes", method.nodes.into());
-    }
-    if matches!(method.kind, Kind::Mdrm | Kind::Bivariate | Kind::Auto) {
         put("check_points", method.check_points.into());
     }
     if matches!(method.kind, Kind::Pce | Kind::Saltelli) {

@@ -1,4 +1,4 @@
-//! Models that no constant of `gsa` was set on: test functions of the field, and shapes chosen to mislead.
+//! Test functions of the field, and shapes chosen to mislead. They came after the claims, which were since judged by them.
 //!
 //! Sources: "morris" M. D. Morris, Technometrics 33 (1991) 161; "oakley-o'hagan" J. Oakley and A. O'Hagan, J. R. Statist. Soc. B
 //! 66 (2004) 751, coefficients drawn; "bratley" P. Bratley, B. L. Fox, H. Niederreiter, ACM TOMACS 2 (1992) 195; "welch"

@@ -1,5 +1,5 @@
 //! A second set of models, written before the claims were last changed and tried once after that: no constant was set on it,
-//! and none may be. Whoever changes a claim looks at `families` and the models of `coverage`, and here only at the end.
+//! and none may be. Whoever changes a claim looks at `families` and the models of `coverage`, and here at the end alone.
 
 mod engineering;
 mod random;

@@ -1,4 +1,4 @@
-//! An attack on the claimed errors: every method on models that none of its constants was set on.
+//! An attack on the claimed errors: every method on models chosen to mislead, and on a held-out set.
 
 #[path = "../support/asking.rs"]
 mod asking;
@@ -171,7 +171,7 @@ fn judge(rows: &[Row], all: fn(u64) -> Vec<Known>) -> Vec<String> {
 /// everything else is reproduced to rounding. It is 3 % of the outputs, and 5 % of those that a full grid is affordable for, of which
 /// its nodes see the corner and claim too little.
 #[test]
-fn claimed_errors_hold_on_models_they_were_not_set_on() {
+fn claimed_errors_hold_on_misleading_models() {
     let rows = [
         (Kind::Mdrm, 3, 0..20, 95.0, 10.0),
         (Kind::Mdrm, 5, 0..20, 95.0, 10.0),
@@ -207,4 +207,24 @@ fn held_out_references_agree_with_samples() {
             known.family
         );
     }
+}
+
+/// Shares and medians seen when the models were new, after all constants had been set, rounded to the safe side: they say what to
+/// expect of claims on models that nothing was set on. All methods together cover 98 % at a median of 9.5. Smooth models are the many
+/// here, and five nodes claim a kink's error for them.
+#[test]
+fn claimed_errors_hold_on_held_out_models() {
+    let rows = [
+        (Kind::Mdrm, 3, 0..4, 95.0, 10.0),
+        (Kind::Mdrm, 5, 0..4, 95.0, 11.0),
+        (Kind::Mdrm, 7, 0..4, 95.0, 14.0),
+        (Kind::Mdrm, 9, 0..4, 95.0, 11.0),
+        (Kind::Bivariate, 5, 0..4, 95.0, 21.0),
+        (Kind::Tensor, 5, 0..4, 94.0, 26.0),
+        (Kind::Pce, 5, 0..4, 95.0, 10.0),
+        (Kind::Saltelli, 5, 0..4, 94.0, 10.0),
+        (Kind::Auto, 5, 0..4, 95.0, 12.0),
+    ];
+    let beyond = judge(&rows, held_out::all);
+    assert!(beyond.is_empty(), "{beyond:?}");
 }

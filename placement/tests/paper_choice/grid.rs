@@ -46,17 +46,16 @@ impl Grid {
         }
     }
 
-    /// Strains at depths on the grid: P1 x, P1 y, P2 x, ...
+    /// Strains at depths: P1 x, P1 y, P2 x, ... Off the grid they are unknown.
     pub fn strains(&self, depths: &[f64]) -> &[f64; OUTPUTS] {
-        let node = |depth: &f64| {
-            let found = self.nodes.iter().position(|node| node == depth);
-            found.expect("a node of the grid")
-        };
-        let at: Vec<usize> = depths.iter().map(node).collect();
-        &self.strains[position(at.iter())]
+        let node = |depth: &f64| self.nodes.iter().position(|node| node == depth);
+        let at: Option<Vec<usize>> = depths.iter().map(node).collect();
+        at.map_or(&[f64::NAN; OUTPUTS], |at| {
+            &self.strains[position(at.iter())]
+        })
     }
 
-    /// What a method makes of its points, all of which must be on the grid, and how many there are.
+    /// What a method makes of its points, and how many there are.
     pub fn analysed(&self, method: Method) -> (Vec<Analysis>, usize) {
         let campaign = Campaign::new(&self.inputs, method).expect("a design");
         let rows: Vec<f64> = campaign
@@ -102,6 +101,7 @@ fn position<'a>(nodes: impl Iterator<Item = &'a usize>) -> usize {
 pub fn tensor() -> Method {
     Method {
         nodes: NODES,
+        check_points: 0,
         ..Method::of(Kind::Tensor)
     }
 }
