@@ -214,7 +214,9 @@ mod tests {
         let claim = |beyond| tail_with(&energies, true, beyond).unwrap().missing;
         let alone = claim(None);
         assert!(alone > 0.05 && claim(Some(0.1)) == alone);
-        assert!(claim(Some(0.01)) < 0.2 * alone);
+        // modes go on falling by 3 (0.01)/0.196 = 0.153 then: 3 (c_5^2 + 2 c_4 c_6 + ..), with c_4 = 0.139 and c_1 = 0.69, is 0.037
+        let told = claim(Some(0.01));
+        assert!((told - 0.037).abs() < 1e-3, "{told}");
         // modes that don't fall aren't believed to end
         let rough = [1.0, 1.0, 0.5, 0.5];
         assert_eq!(tail_with(&rough, true, Some(1e-6)), tail(&rough, true));
