@@ -7,6 +7,7 @@ pub const MAX_FAULTS: usize = 100;
 
 /// One fault of a document: where it is, and what would be right.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Fault {
     /// JSON pointer (RFC 6901) to the faulty value; empty for the document itself.
     pub pointer: String,

@@ -146,6 +146,7 @@ pub struct Response {
 
 /// Strain at a named location.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct LocationStrain {
     /// P1, P2, ...
     pub name: String,
@@ -164,6 +165,7 @@ pub struct LocationStrain {
 
 /// Estimated discretisation errors at a location, absolute: see [`crate::gauge::GaugeError`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct LocationError {
     /// Of the circumferential strain.
     pub strain_x: f64,
@@ -262,6 +264,7 @@ pub struct ResponseError {
 
 /// What was modelled and what was left out.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ModelSummary {
     /// `3d`, `3d-half` or `3d-quarter`.
     pub dimension: String,
@@ -279,6 +282,7 @@ pub struct ModelSummary {
 
 /// One modelling choice with its reason.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Choice {
     /// The part.
     pub what: String,
@@ -433,6 +437,7 @@ impl NoEquilibrium {
 
 /// How far a failed solve got.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Reached {
     /// Internal pressure of the last equilibrium, MPa.
     pub pressure_mpa: f64,

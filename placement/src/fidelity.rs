@@ -19,6 +19,7 @@ pub struct Fidelity {
 
 /// A fidelity as it stands in documents.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct FidelityReport {
     /// Mesh level.
     pub level: String,

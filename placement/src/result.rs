@@ -9,6 +9,7 @@ use crate::fidelity::FidelityReport;
 
 /// The whole answer.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct StudyResult {
     /// Which study.
     pub study: StudyIdentity,
@@ -42,6 +43,7 @@ pub struct StudyResult {
 
 /// The way from a draft to the accuracy asked for.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Climb {
     /// Largest error of an index that was asked for.
     pub tolerance: Option<f64>,
@@ -55,6 +57,7 @@ pub struct Climb {
 
 /// One step of the way.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ClimbRung {
     /// In a few words.
     pub label: String,
@@ -70,6 +73,7 @@ pub struct ClimbRung {
 
 /// Which study, which document, which program.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct StudyIdentity {
     /// Identifier in the database.
     pub id: String,
@@ -83,17 +87,20 @@ pub struct StudyIdentity {
 
 /// One input as it was understood.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct InputReport {
     /// Its name.
     pub name: String,
     /// Path of the scene's field.
     pub vary: String,
     /// Its distribution as in the document.
+    #[cfg_attr(feature = "openapi", schema(value_type = Object))]
     pub distribution: serde_json::Value,
 }
 
 /// Indices of one strain.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Output {
     /// P1, P2, ...
     pub location: String,
@@ -123,6 +130,7 @@ pub struct Output {
 
 /// Parts of the error of an index, absolute.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct IndexError {
     /// From the mesh.
     pub mesh: Option<f64>,
@@ -139,6 +147,7 @@ pub struct IndexError {
 
 /// One candidate location in the ranking.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct RankedLocation {
     /// P1, P2, ...
     pub name: String,
@@ -176,6 +185,7 @@ pub struct RankedLocation {
 
 /// One layout in the ranking.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct RankedLayout {
     /// 1 is best.
     pub rank: usize,
@@ -193,6 +203,7 @@ pub struct RankedLayout {
 
 /// How well a layout sees the contact, over all angles at which it can touch down.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct LayoutScore {
     /// Strain of the film that sees most, at the contact angle where that is least.
     pub weakest_signal: Option<f64>,
@@ -211,6 +222,7 @@ pub struct LayoutScore {
 
 /// First-order indices over the dense grid.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct IndexMap {
     /// Angles of the columns from the contact centre, degrees.
     pub theta_deg: Vec<f64>,
@@ -222,6 +234,7 @@ pub struct IndexMap {
 
 /// One direction of the map; all lists are rows x columns.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct MapLayer {
     /// `x` or `y`.
     pub direction: String,
@@ -239,6 +252,7 @@ pub struct MapLayer {
 
 /// A point without a response.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct FailedPoint {
     /// Ordinal in the plan.
     pub ordinal: usize,
@@ -250,6 +264,7 @@ pub struct FailedPoint {
 
 /// The response at the means.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct CutPoint {
     /// Input values.
     pub values: Vec<f64>,
@@ -265,6 +280,7 @@ pub struct CutPoint {
 
 /// What a study took.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct StudyCost {
     /// Points of the plan.
     pub solves: usize,
@@ -303,6 +319,7 @@ pub struct StudyCost {
 
 /// What a study is expected to cost, and to be worth.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Estimate {
     /// Equilibria to solve.
     pub solves: SolveForecast,
@@ -322,6 +339,7 @@ pub struct Estimate {
 
 /// Equilibria that are expected to be solved.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct SolveForecast {
     /// Points on the meshes of the answer and of the rungs before it.
     pub own: usize,
@@ -337,6 +355,7 @@ pub struct SolveForecast {
 
 /// A number of solves with its range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct CountForecast {
     /// At least.
     pub least: usize,
@@ -348,6 +367,7 @@ pub struct CountForecast {
 
 /// A figure with its range.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Forecast {
     /// At least.
     pub least: f64,
@@ -359,6 +379,7 @@ pub struct Forecast {
 
 /// What studies of this kind were worth where that was measured: the largest error of the ten indices that the paper's study ranks by, absolute.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ExpectedAccuracy {
     /// Mesh and method of the answer, in a few words.
     pub fidelity: String,

@@ -22,6 +22,7 @@ use crate::study::Study;
 
 /// The measured trade of a study.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Trade {
     /// Name of the study.
     pub study: String,
@@ -35,6 +36,7 @@ pub struct Trade {
 
 /// One way to answer the study, and what it gave.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Rung {
     /// In a few words.
     pub label: String,
@@ -62,6 +64,7 @@ pub struct Rung {
 
 /// What one location is ranked by.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Index {
     /// Name of the location.
     pub location: String,

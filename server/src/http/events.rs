@@ -9,20 +9,22 @@ use std::convert::Infallible;
 use std::sync::Arc;
 use std::time::Duration;
 
-use axum::Router;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode};
 use axum::response::sse::{Event, KeepAlive, Sse};
 use axum::response::{IntoResponse, Response};
-use axum::routing::get;
 use futures_util::stream;
 use serde_json::{Value, json};
 use tokio::sync::watch;
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
 
 use super::AppState;
-use super::extract::StudyId;
+use super::examples;
+use super::extract::{StudyId, StudyPath};
 use super::problem::Problem;
 use super::studies::known;
+use super::wire::ProblemDocument;
 use crate::shutdown::Shutdown;
 use crate::store::events::EventRow;
 use crate::store::{Store, StoreError, events};
@@ -32,10 +34,20 @@ const BATCH: u32 = 100;
 const KEEP_ALIVE: Duration = Duration::from_secs(15);
 
 /// `/v1/studies/{id}/events`.
-pub fn router() -> Router<AppState> {
-    Router::new().route("/v1/studies/{id}/events", get(follow))
+pub fn router() -> OpenApiRouter<AppState> {
+    OpenApiRouter::new().routes(routes!(follow))
 }
 
+/// Follow a study
+///
+/// Server-sent events: `queued`, `started`, `point-solved`, `point-failed`, `analysing`, then one of `done`, `failed` and `cancelled`, which ends the stream. Each
+/// has a number; a client that comes back with `Last-Event-ID` gets what it missed.
+#[utoipa::path(get, path = "/v1/studies/{id}/events", tag = "studies",
+    params(StudyPath, ("Last-Event-ID" = Option<String>, Header, description = "Number of the last event seen", example = "17")),
+    responses((status = 200, description = "The events", content_type = "text/event-stream", body = String,
+                  example = json!("id: 17\nevent: point-solved\ndata: {\"kind\":\"point-solved\",\"time\":\"2026-11-22T01:02:03.456Z\",\"ordinal\":3,\"done\":4,\"of\":26}\n\n")),
+              (status = 204, description = "The study has ended and there is nothing more to tell"),
+              (status = 404, description = "There is no such study", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn follow(
     State(state): State<AppState>,
     StudyId(id): StudyId,

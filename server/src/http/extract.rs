@@ -5,6 +5,7 @@ use axum::extract::{FromRequestParts, Path, Query};
 use axum::http::StatusCode;
 use axum::http::request::Parts;
 use serde::de::DeserializeOwned;
+use utoipa::IntoParams;
 
 use super::problem::Problem;
 
@@ -38,4 +39,14 @@ impl<S: Send + Sync> FromRequestParts<S> for StudyId {
             .map(|Path(id)| Self(id))
             .map_err(refused)
     }
+}
+
+/// How the study's identifier is described.
+#[derive(Debug, IntoParams)]
+#[into_params(parameter_in = Path)]
+#[expect(dead_code, reason = "it describes; StudyId reads")]
+pub struct StudyPath {
+    /// Identifier of the study, as its submission answered
+    #[param(example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b")]
+    id: String,
 }

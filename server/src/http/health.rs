@@ -1,28 +1,43 @@
 //! Is the service up, and can it work.
 
+use axum::Json;
 use axum::extract::State;
-use axum::routing::get;
-use axum::{Json, Router};
-use serde_json::{Value, json};
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
 
 use super::AppState;
 use super::problem::Problem;
+use super::wire::{Health, Readiness};
 use crate::store::studies;
 
 /// `/healthz` and `/readyz`.
-pub fn router() -> Router<AppState> {
-    Router::new()
-        .route("/healthz", get(alive))
-        .route("/readyz", get(ready))
+pub fn router() -> OpenApiRouter<AppState> {
+    OpenApiRouter::new()
+        .routes(routes!(alive))
+        .routes(routes!(ready))
 }
 
-async fn alive() -> Json<Value> {
-    Json(json!({"status": "ok", "version": env!("CARGO_PKG_VERSION")}))
+/// Is the service up
+///
+/// It answers, whether or not it can work.
+#[utoipa::path(get, path = "/healthz", tag = "service",
+    responses((status = 200, description = "It is", body = Health, example = json!({"status": "ok", "version": "0.1.0"}))))]
+async fn alive() -> Json<Health> {
+    Json(Health {
+        status: "ok".to_owned(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+    })
 }
 
-/// Ready means that the database answers.
-async fn ready(State(state): State<AppState>) -> Result<Json<Value>, Problem> {
+/// Can the service work
+///
+/// Its database answers.
+#[utoipa::path(get, path = "/readyz", tag = "service",
+    responses((status = 200, description = "It can", body = Readiness, example = json!({"status": "ready"}))))]
+async fn ready(State(state): State<AppState>) -> Result<Json<Readiness>, Problem> {
     let mut connection = state.store.read().await?;
     studies::oldest_queued(&mut connection).await?;
-    Ok(Json(json!({"status": "ready"})))
+    Ok(Json(Readiness {
+        status: "ready".to_owned(),
+    }))
 }

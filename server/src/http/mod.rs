@@ -3,6 +3,7 @@
 //! - [`problem`]: what a client is told when a request can't be answered
 //! - [`request_id`]: every request has an identifier
 //! - [`guard`]: who may ask
+//! - [`wire`], [`examples`]: the documents that go in and out
 //! - [`extract`]: reads addresses and queries
 //! - [`document`]: reads the body of a submitted study
 //! - [`studies`]: submit, list, look at, cancel
@@ -10,21 +11,26 @@
 //! - [`results`]: result, locations, layouts, evaluations, map
 //! - [`presets`]: studies and scenes to start from
 //! - [`health`]: is it up, can it work
+//! - [`openapi`], [`docs`]: the description of all this
 //! - [`assets`]: the dashboard
 //! - [`listener`]: accepts connections
 
 pub mod assets;
+pub mod docs;
 pub mod document;
 pub mod events;
+pub mod examples;
 pub mod extract;
 pub mod guard;
 pub mod health;
 pub mod listener;
+pub mod openapi;
 pub mod presets;
 pub mod problem;
 pub mod request_id;
 pub mod results;
 pub mod studies;
+pub mod wire;
 
 use std::any::Any;
 use std::sync::Arc;
@@ -34,6 +40,7 @@ use axum::middleware::{from_fn, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::{Router, body::Body};
 use tower_http::catch_panic::CatchPanicLayer;
+use utoipa_axum::router::OpenApiRouter;
 
 use crate::engine::Engine;
 use crate::queue::Queue;
@@ -54,14 +61,21 @@ pub struct AppState {
     pub shutdown: Shutdown,
 }
 
-/// All routes, guarded: the innermost layer stands first.
-pub fn app(state: AppState, hosts: guard::HostList) -> Router {
-    Router::new()
+/// All routes with their operations.
+fn routes() -> OpenApiRouter<AppState> {
+    openapi::described()
         .merge(studies::router())
         .merge(events::router())
         .merge(results::router())
         .merge(presets::router())
         .merge(health::router())
+        .merge(openapi::router())
+}
+
+/// All routes, guarded: the innermost layer stands first.
+pub fn app(state: AppState, hosts: guard::HostList) -> Router {
+    let (router, _) = routes().split_for_parts();
+    router
         .method_not_allowed_fallback(wrong_method)
         .fallback(assets::fallback)
         .with_state(state)

@@ -1,32 +1,45 @@
 //! Studies and scenes to start from: the documents that ship.
 
-use axum::routing::get;
-use axum::{Json, Router};
+use axum::Json;
 use fem_client::document::{Format, parse};
 use fem_client::scene::PRESETS;
-use serde_json::{Value, json};
+use serde_json::Value;
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
 
 use super::AppState;
+use super::examples;
+use super::wire::{Preset, Presets};
 
 /// `/v1/presets`.
-pub fn router() -> Router<AppState> {
-    Router::new().route("/v1/presets", get(list))
+pub fn router() -> OpenApiRouter<AppState> {
+    OpenApiRouter::new().routes(routes!(presets))
 }
 
-async fn list() -> Json<Value> {
-    let studies: Vec<Value> = placement::study::presets()
+/// List the shipped documents
+///
+/// Studies and scenes to start from, to show, to change and to submit.
+#[utoipa::path(get, path = "/v1/presets", tag = "service",
+    responses((status = 200, description = "The documents", body = Presets, example = json!({"studies": [examples::preset()], "scenes": []}))))]
+async fn presets() -> Json<Presets> {
+    let studies = placement::study::presets()
         .into_iter()
         .filter_map(preset)
         .collect();
-    let scenes: Vec<Value> = PRESETS.into_iter().filter_map(preset).collect();
-    Json(json!({"studies": studies, "scenes": scenes}))
+    let scenes = PRESETS.into_iter().filter_map(preset).collect();
+    Json(Presets { studies, scenes })
 }
 
 /// A shipped document as JSON, so that a page can show it, change it and submit it.
-fn preset((name, text): (&str, &str)) -> Option<Value> {
+fn preset((name, text): (&str, &str)) -> Option<Preset> {
     let document = parse(text, Format::Toml).ok()?;
     let title = document.get("name").and_then(Value::as_str).unwrap_or(name);
-    Some(json!({"name": name, "title": title, "document": document, "comment": comment(text)}))
+    Some(Preset {
+        name: name.to_owned(),
+        title: title.to_owned(),
+        comment: comment(text),
+        document,
+    })
 }
 
 /// The comment at the head of a shipped document.

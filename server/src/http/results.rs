@@ -1,36 +1,47 @@
 //! What a study found: the result, its ranked rows, its points, its map.
 
+use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use axum::routing::get;
-use axum::{Json, Router};
 use fem_client::document::Format;
 use fem_client::scene::Scene;
 use placement::result::StudyResult;
 use placement::study::Input;
 use placement::trade::Trade;
 use serde::Deserialize;
-use serde_json::{Value, json};
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
 
 use super::AppState;
-use super::extract::{Params, StudyId};
+use super::examples;
+use super::extract::{Params, StudyId, StudyPath};
 use super::problem::Problem;
 use super::studies::known;
+use super::wire::{EvaluationView, Evaluations, Layouts, Locations, MapView, ProblemDocument};
+use crate::store::evaluations::Evaluation;
 use crate::store::{Store, evaluations, results, trades};
 use crate::study_document::stored_plan;
 
 /// `/v1/studies/{id}/result` and its parts.
-pub fn router() -> Router<AppState> {
-    Router::new()
-        .route("/v1/studies/{id}/result", get(whole))
-        .route("/v1/studies/{id}/locations", get(locations))
-        .route("/v1/studies/{id}/layouts", get(layouts))
-        .route("/v1/studies/{id}/evaluations", get(points))
-        .route("/v1/studies/{id}/map", get(map))
-        .route("/v1/studies/{id}/trade", get(trade))
+pub fn router() -> OpenApiRouter<AppState> {
+    OpenApiRouter::new()
+        .routes(routes!(whole))
+        .routes(routes!(locations))
+        .routes(routes!(layouts))
+        .routes(routes!(points))
+        .routes(routes!(map))
+        .routes(routes!(trade))
 }
 
+/// Get the result
+///
+/// The whole answer: indices with their errors, ranked locations and layouts, the map, what was modelled, what it took and what was expected.
+#[utoipa::path(get, path = "/v1/studies/{id}/result", tag = "answers",
+    params(StudyPath, ("If-None-Match" = Option<String>, Header, description = "ETag of the result that the client has")),
+    responses((status = 304, description = "The client has it"),
+              (status = 200, description = "The answer", body = StudyResult, example = json!(examples::result())),
+              (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn whole(
     State(state): State<AppState>,
     StudyId(id): StudyId,
@@ -47,29 +58,44 @@ async fn whole(
     Ok(([(header::ETAG, etag)], Json(result)).into_response())
 }
 
+/// Get the ranked locations
+///
+/// Best first.
+#[utoipa::path(get, path = "/v1/studies/{id}/locations", tag = "answers", params(StudyPath),
+    responses((status = 200, description = "The answer", body = Locations, example = json!({"locations": [examples::location()]})),
+              (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn locations(
     State(state): State<AppState>,
     StudyId(id): StudyId,
-) -> Result<Json<Value>, Problem> {
-    let (result, _) = ready(&state.store, &id).await?;
-    Ok(Json(json!({"locations": result.locations})))
+) -> Result<Json<Locations>, Problem> {
+    let (StudyResult { locations, .. }, _) = ready(&state.store, &id).await?;
+    Ok(Json(Locations { locations }))
 }
 
+/// Get the ranked layouts
+///
+/// Best first.
+#[utoipa::path(get, path = "/v1/studies/{id}/layouts", tag = "answers", params(StudyPath),
+    responses((status = 200, description = "The answer", body = Layouts, example = json!({"layouts": [examples::layout()]})),
+              (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn layouts(
     State(state): State<AppState>,
     StudyId(id): StudyId,
-) -> Result<Json<Value>, Problem> {
-    let (result, _) = ready(&state.store, &id).await?;
-    Ok(Json(json!({"layouts": result.layouts})))
+) -> Result<Json<Layouts>, Problem> {
+    let (StudyResult { layouts, .. }, _) = ready(&state.store, &id).await?;
+    Ok(Json(Layouts { layouts }))
 }
 
-/// The points that have an outcome so far, in the order of the plan; those after it are the same on a coarser mesh, or on the next
-/// rung of a climb. Of one without an equilibrium the numbers are null, and
-/// `reason` says why.
+/// Get the solved points
+///
+/// Those that have an outcome so far, while the study runs too. Of one without an equilibrium the numbers are null, and `reason` says why.
+#[utoipa::path(get, path = "/v1/studies/{id}/evaluations", tag = "answers", params(StudyPath),
+    responses((status = 200, description = "The answer", body = Evaluations, example = json!({"evaluations": [examples::evaluation()]})),
+              (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn points(
     State(state): State<AppState>,
     StudyId(id): StudyId,
-) -> Result<Json<Value>, Problem> {
+) -> Result<Json<Evaluations>, Problem> {
     let study = known(&state.store, &id).await?;
     let inputs = stored_plan(&study)
         .map(|(study, _)| study.inputs)
@@ -80,25 +106,32 @@ async fn points(
         let Some(evaluation) = evaluations::find(&mut connection, &key).await? else {
             continue;
         };
-        let response = evaluation.outcome.as_ref().ok();
-        let scene = Scene::from_text(&evaluation.scene, Format::Json).ok();
-        let mut row = json!({
-            "ordinal": ordinal,
-            "key": key,
-            "level": scene.as_ref().map(|scene| scene.model.level.as_str()),
-            "values": scene.as_ref().and_then(|scene| values_of(scene, &inputs)),
-            "reaction_n": response.map(|response| response.reaction_n),
-            "locations": response.map(|response| &response.locations),
-            "newton_iterations": response.map(|_| evaluation.cost.newton_iterations),
-            "wall_s": evaluation.cost.wall_s,
-        });
-        if let Err(unsolved) = &evaluation.outcome {
-            row["reason"] = json!(unsolved.to_string());
-            row["reached"] = json!(unsolved.reached);
-        }
-        rows.push(row);
+        rows.push(view(ordinal, key, evaluation, &inputs));
     }
-    Ok(Json(json!({"evaluations": rows})))
+    Ok(Json(Evaluations { evaluations: rows }))
+}
+
+fn view(ordinal: usize, key: String, evaluation: Evaluation, inputs: &[Input]) -> EvaluationView {
+    let scene = Scene::from_text(&evaluation.scene, Format::Json).ok();
+    let solved = evaluation.outcome.is_ok();
+    let (response, unsolved) = match evaluation.outcome {
+        Ok(response) => (Some(response), None),
+        Err(unsolved) => (None, Some(unsolved)),
+    };
+    EvaluationView {
+        ordinal,
+        key,
+        level: scene
+            .as_ref()
+            .map(|scene| scene.model.level.as_str().to_owned()),
+        values: scene.as_ref().and_then(|scene| values_of(scene, inputs)),
+        reaction_n: response.as_ref().map(|response| response.reaction_n),
+        locations: response.map(|response| response.locations),
+        newton_iterations: solved.then_some(evaluation.cost.newton_iterations),
+        wall_s: evaluation.cost.wall_s,
+        reason: unsolved.as_ref().map(ToString::to_string),
+        reached: unsolved.map(|unsolved| unsolved.reached),
+    }
 }
 
 /// The inputs' values in a stored scene; none if this version doesn't know one of them.
@@ -113,12 +146,19 @@ struct MapQuery {
     input: Option<String>,
 }
 
-/// One layer of the map; x and the first input unless asked otherwise.
+/// Get a layer of the map
+///
+/// First-order index of one input over the inner surface, for one direction.
+#[utoipa::path(get, path = "/v1/studies/{id}/map", tag = "answers", params(StudyPath,
+        ("direction" = Option<String>, Query, description = "x circumferential, y meridional; x when left out", example = "x"),
+        ("input" = Option<String>, Query, description = "Name of the input; the first one when left out", example = "P3")),
+    responses((status = 200, description = "The answer", body = MapView, example = json!(examples::map())),
+              (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn map(
     State(state): State<AppState>,
     StudyId(id): StudyId,
     Params(query): Params<MapQuery>,
-) -> Result<Json<Value>, Problem> {
+) -> Result<Json<MapView>, Problem> {
     let (result, _) = ready(&state.store, &id).await?;
     let Some(map) = &result.map else {
         return Err(Problem::not_found(
@@ -147,20 +187,25 @@ async fn map(
             format!("input is one of {}", names.join(", ")),
         ));
     };
-    Ok(Json(json!({
-        "direction": direction,
-        "input": names[index],
-        "theta_deg": map.theta_deg,
-        "phi_deg": map.phi_deg,
-        "first_order": layer.first_order.get(index),
-        "std": layer.std,
-        "strain": layer.strain,
-        "error": layer.error,
-        "status": layer.status,
-    })))
+    Ok(Json(MapView {
+        input: names[index].to_owned(),
+        theta_deg: map.theta_deg.clone(),
+        phi_deg: map.phi_deg.clone(),
+        first_order: layer.first_order.get(index).cloned(),
+        std: layer.std.clone(),
+        strain: layer.strain.clone(),
+        error: layer.error.clone(),
+        status: layer.status.clone(),
+        direction,
+    }))
 }
 
-/// The newest trade that was measured for a study of the same document.
+/// Get what accuracy costs
+///
+/// The newest trade that `strainsite trade` measured for the same document.
+#[utoipa::path(get, path = "/v1/studies/{id}/trade", tag = "answers", params(StudyPath),
+    responses((status = 200, description = "The answer", body = Trade, example = json!(examples::trade())),
+              (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn trade(
     State(state): State<AppState>,
     StudyId(id): StudyId,

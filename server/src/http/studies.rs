@@ -1,31 +1,54 @@
 //! Estimate, submit, list, look at and cancel studies.
 
+use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use axum::routing::{get, post};
-use axum::{Json, Router};
 use placement::result::Estimate;
 use serde::Deserialize;
-use serde_json::{Value, json};
+use serde_json::Value;
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
 
 use super::AppState;
 use super::document::StudyBody;
-use super::extract::{Params, StudyId};
+use super::examples;
+use super::extract::{Params, StudyId, StudyPath};
 use super::problem::Problem;
+use super::wire::{ProblemDocument, StudyDetail, StudyDocument, StudyPage, StudySummary};
 use crate::forecast::{ForecastError, forecast};
 use crate::queue::SubmitError;
 use crate::store::studies::{self, State as StudyState, StudyRow};
 use crate::store::{Store, results, trades};
 
 /// `/v1/studies` and `/v1/studies/{id}`.
-pub fn router() -> Router<AppState> {
-    Router::new()
-        .route("/v1/studies", get(list).post(submit))
-        .route("/v1/studies/{id}", get(show).delete(cancel))
-        .route("/v1/studies:estimate", post(estimate))
+pub fn router() -> OpenApiRouter<AppState> {
+    OpenApiRouter::new()
+        .routes(routes!(list, submit))
+        .routes(routes!(show, cancel))
+        .routes(routes!(estimate))
 }
 
+/// Submit a study
+///
+/// Takes the document in and answers at once; the study waits for its turn. The same document sent again under the same `Idempotency-Key` finds the same
+/// study. Points that any study solved before are shared, not solved again.
+#[utoipa::path(post, path = "/v1/studies", tag = "studies",
+    params(("Idempotency-Key" = Option<String>, Header, description = "1 to 255 visible ASCII characters that stand for this submission", example = "night-run-17")),
+    request_body(description = "A study, as JSON or TOML", content(
+        (StudyDocument = "application/json", example = json!(examples::study())),
+        (String = "application/toml", example = json!(examples::study_toml())))),
+    responses(
+        (status = 202, description = "Taken in; `Location` says where to look", body = StudySummary, headers(("Location" = String, description = "Address of the study"), ("Retry-After" = String, description = "Seconds after which to look")),
+            links(
+                ("study" = (operation_id = "show", parameters(("id" = "$response.body#/id")))),
+                ("cancel" = (operation_id = "cancel", parameters(("id" = "$response.body#/id")))),
+                ("events" = (operation_id = "follow", parameters(("id" = "$response.body#/id")))),
+                ("result" = (operation_id = "whole", parameters(("id" = "$response.body#/id")))),
+                ("evaluations" = (operation_id = "points", parameters(("id" = "$response.body#/id"))))
+            ), example = json!(examples::summary())),
+        (status = 422, description = "The document has faults: all of them, each with its JSON pointer; or the key stands for another document",
+            body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]
 async fn submit(
     State(state): State<AppState>,
     headers: HeaderMap,
@@ -70,7 +93,7 @@ fn accepted(study: &StudyRow) -> Response {
         (header::LOCATION, location),
         (header::RETRY_AFTER, "1".to_owned()),
     ];
-    (StatusCode::ACCEPTED, headers, Json(summary(study))).into_response()
+    (StatusCode::ACCEPTED, headers, Json(StudySummary::of(study))).into_response()
 }
 
 #[derive(Deserialize)]
@@ -83,10 +106,19 @@ struct PageQuery {
 const PAGE: u32 = 50;
 const LARGEST_PAGE: u32 = 200;
 
+/// List studies
+///
+/// Newest first, a page at a time.
+#[utoipa::path(get, path = "/v1/studies", tag = "studies",
+    params(
+        ("limit" = Option<u32>, Query, description = "Studies of a page, 50 when left out", minimum = 1, maximum = 200, example = 20),
+        ("cursor" = Option<String>, Query, description = "`next_cursor` of the page before", example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b"),
+        ("state" = Option<StudyState>, Query, description = "Studies of this state alone")),
+    responses((status = 200, description = "A page", body = StudyPage, example = json!({"studies": [examples::summary()], "next_cursor": null}))))]
 async fn list(
     State(state): State<AppState>,
     Params(query): Params<PageQuery>,
-) -> Result<Response, Problem> {
+) -> Result<Json<StudyPage>, Problem> {
     let wrong = |detail: &str| Problem::new(StatusCode::BAD_REQUEST, detail);
     let limit = query
         .limit
@@ -108,25 +140,46 @@ async fn list(
         .last()
         .filter(|_| rows.len() > page.len())
         .map(|row| &row.id);
-    Ok(
-        Json(json!({"studies": page.iter().map(summary).collect::<Vec<_>>(), "next_cursor": next}))
-            .into_response(),
-    )
+    Ok(Json(StudyPage {
+        studies: page.iter().map(StudySummary::of).collect(),
+        next_cursor: next.cloned(),
+    }))
 }
 
-async fn show(State(state): State<AppState>, StudyId(id): StudyId) -> Result<Json<Value>, Problem> {
+/// Look at a study
+///
+/// Its state, its progress, its document, and what it is expected to take.
+#[utoipa::path(get, path = "/v1/studies/{id}", tag = "studies", params(StudyPath),
+    responses((status = 200, description = "The study", body = StudyDetail, example = json!(examples::detail())),
+              (status = 404, description = "There is no such study", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
+async fn show(
+    State(state): State<AppState>,
+    StudyId(id): StudyId,
+) -> Result<Json<StudyDetail>, Problem> {
     let study = known(&state.store, &id).await?;
-    let mut body = summary(&study);
-    body["document"] = serde_json::from_str(&study.spec).unwrap_or(Value::Null);
     let estimate = study.estimate.as_deref().map(serde_json::from_str);
-    body["estimate"] = estimate.and_then(Result::ok).unwrap_or(Value::Null);
     let mut connection = state.store.read().await?;
-    body["result_sha256"] = json!(results::sha256_of(&mut connection, &id).await?);
-    body["trade_measured"] = json!(trades::is_measured(&mut connection, &study.spec_sha256).await?);
-    Ok(Json(body))
+    Ok(Json(StudyDetail {
+        summary: StudySummary::of(&study),
+        document: serde_json::from_str(&study.spec).unwrap_or(Value::Null),
+        estimate: estimate.and_then(Result::ok),
+        result_sha256: results::sha256_of(&mut connection, &id).await?,
+        trade_measured: trades::is_measured(&mut connection, &study.spec_sha256).await?,
+    }))
 }
 
-/// What a study would cost, without submitting it.
+/// Estimate a study
+///
+/// What the document would cost, before anything is solved: solves, time, memory, and the accuracy to expect. Nothing is stored. What the database has
+/// already costs nothing, and the times of its solves correct the estimate for this machine.
+#[utoipa::path(post, path = "/v1/studies:estimate", tag = "studies",
+    request_body(description = "A study, as JSON or TOML", content(
+        (StudyDocument = "application/json", example = json!(examples::study())),
+        (String = "application/toml", example = json!(examples::study_toml())))),
+    responses(
+        (status = 200, description = "The estimate", body = Estimate, example = json!(examples::estimate())),
+        (status = 422, description = "The document has faults: all of them, each with its JSON pointer",
+            body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]
 async fn estimate(
     State(state): State<AppState>,
     body: StudyBody,
@@ -148,7 +201,13 @@ async fn estimate(
     })
 }
 
-/// Cancelling what has ended changes nothing and is no error.
+/// Cancel a study
+///
+/// One that runs ends within a Newton iteration; what it has solved is kept. Cancelling what has ended changes nothing and is no error.
+#[utoipa::path(delete, path = "/v1/studies/{id}", tag = "studies", params(StudyPath),
+    responses((status = 202, description = "Cancelled, or ended before", body = StudySummary, headers(("Location" = String, description = "Address of the study"), ("Retry-After" = String, description = "Seconds after which to look")),
+            example = json!(examples::summary())),
+              (status = 404, description = "There is no such study", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn cancel(State(state): State<AppState>, StudyId(id): StudyId) -> Result<Response, Problem> {
     known(&state.store, &id).await?;
     state.queue.cancel(&id).await?;
@@ -160,19 +219,4 @@ pub async fn known(store: &Store, id: &str) -> Result<StudyRow, Problem> {
     let mut connection = store.read().await?;
     let study = studies::find(&mut connection, id).await?;
     study.ok_or_else(|| Problem::not_found(format!("there is no study {id:?}")))
-}
-
-fn summary(study: &StudyRow) -> Value {
-    json!({
-        "id": study.id,
-        "name": study.name,
-        "state": study.state(),
-        "spec_sha256": study.spec_sha256,
-        "points_total": study.points_total,
-        "points_done": study.points_done,
-        "error": study.error,
-        "created": study.created,
-        "started": study.started,
-        "finished": study.finished,
-    })
 }

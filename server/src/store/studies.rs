@@ -12,7 +12,7 @@ use super::content::encode;
 use super::{StoreError, now};
 
 /// Where a study stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum State {
     /// Waits for its turn, from the start or for what it still lacks.

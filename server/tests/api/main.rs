@@ -4,6 +4,7 @@ mod crashes;
 mod dashboard;
 mod events;
 mod guard;
+mod openapi;
 mod queue;
 mod results;
 mod studies;
