@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// The shipped study, a thick tire without cords under deeper contact, and one whose pressure varies with two depths.
+/// The shipped study, a thick tire without cords under deeper contact, and one whose pressure varies with a depth.
 fn studies() -> [(&'static str, Value); 3] {
     let uniform = |min: f64, max: f64| json!({"kind": "uniform", "min": min, "max": max});
     let input = |name: &str, vary: &str, law: Value| json!({"name": name, "vary": vary, "distribution": law});
@@ -69,7 +69,6 @@ fn studies() -> [(&'static str, Value); 3] {
     });
     let pressed = [
         input("pressure", "pressure.internal_mpa", uniform(0.15, 0.25)),
-        depth(1, 0.7, 1.3),
         depth(2, 0.7, 1.3),
     ];
     let shipped = json!({"preset": "foot-tire"});
