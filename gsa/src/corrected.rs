@@ -9,7 +9,7 @@
 //! regression (G. Blatman, B. Sudret, "Adaptive sparse polynomial chaos expansion based on least angle regression", Journal of
 //! Computational Physics 230 (2011) 2345-2367) in place of grids.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use crate::composite::{Composite, Decomposed, Missing};
 use crate::design::{Design, Line};
@@ -66,7 +66,7 @@ pub(crate) fn add_unresolved(errors: &mut [f64], beyond: Option<&Beyond>) {
 struct WholeGrid {
     sizes: Vec<usize>,
     /// for the check points by ordinal, which nodes of the rules they are
-    nodes: HashMap<usize, Vec<usize>>,
+    nodes: BTreeMap<usize, Vec<usize>>,
     /// by input, rows over the rule's nodes: w_j, then w_j p_k(x_j)
     projection: Vec<Vec<Vec<f64>>>,
 }
