@@ -22,10 +22,11 @@ build: setup-build
 
 test: lint test-rust test-web test-browser verify
 
+# In release mode like the tests, so that what both need is built once.
 lint: setup-build
 	cargo fmt --all --check
-	cargo clippy --workspace --all-targets --locked -- -D warnings
-	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
+	cargo clippy --release --workspace --all-targets --locked -- -D warnings
+	RUSTDOCFLAGS="-D warnings" cargo doc --release --workspace --no-deps --locked --quiet
 
 test-rust: setup-build setup-calculix
 	cargo test --release --workspace --locked

@@ -31,7 +31,7 @@ pub trait Solver: Send + Sync {
     /// and start together.
     ///
     /// # Errors
-    /// See [`SolveError`]; only [`SolveError::Broken`] is worth a retry.
+    /// See [`SolveError`]; only [`SolveError::Broken`] is worth a retry at once.
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError>;
 }
 
@@ -382,6 +382,22 @@ pub enum SolveError {
         /// What happened.
         detail: String,
     },
+    /// No answer came within the time that a solve may take. No solver says so, only who watches it.
+    #[error("{}", over_time(*.limit_s, *.left_behind))]
+    OverTime {
+        /// The time that a solve may take, s.
+        limit_s: f64,
+        /// It didn't heed its stop flag either: its thread runs on until the program ends.
+        left_behind: bool,
+    },
+}
+
+fn over_time(limit_s: f64, left_behind: bool) -> String {
+    let heed = match left_behind {
+        true => ", and it did not heed the wish to stop: its thread is left behind",
+        false => "",
+    };
+    format!("no answer within the {limit_s} s that a solve may take{heed}")
 }
 
 impl SolveError {
@@ -410,6 +426,8 @@ pub enum NoEquilibrium {
     NotConverged,
     /// It isn't looked for any more: looking for it ended the program. No solver says so, only who keeps count.
     Quarantined,
+    /// The solver broke, or took too long: whether there is one isn't known. No solver says so, only who asked it.
+    SolverFailed,
 }
 
 impl NoEquilibrium {
@@ -431,6 +449,7 @@ impl NoEquilibrium {
             Self::Crushed => "crushed",
             Self::NotConverged => "not-converged",
             Self::Quarantined => "quarantined",
+            Self::SolverFailed => "solver-failed",
         }
     }
 }

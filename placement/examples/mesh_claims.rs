@@ -107,6 +107,7 @@ fn answered(study: &Study, plan: fn(&Scene) -> MeshPlan) -> Result<StudyResult, 
         archive: &MemoryArchive::default(),
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         stop: &stop,
+        pause: None,
         observer: &|_| (),
     };
     run(study, &Plan::new(study)?, means)

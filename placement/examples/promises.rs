@@ -119,6 +119,7 @@ fn answered(study: &Study) -> Result<StudyResult, RunError> {
         archive: &MemoryArchive::default(),
         threads: threads(),
         stop: &stop,
+        pause: None,
         observer: &|_| (),
     };
     climb::answer(study, &Plan::new(study)?, means)

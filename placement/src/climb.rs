@@ -90,6 +90,7 @@ fn within(
         });
         let inner = Means {
             stop: &stop,
+            pause: None,
             ..means
         };
         let climbed = Climber {

@@ -106,6 +106,7 @@ fn answer(
         archive: &MemoryArchive::default(),
         threads: 1,
         stop,
+        pause: None,
         observer: &|_| {},
     };
     run(study, &plan, means).map_err(|fault| Unsolved::Other(fault.to_string()))

@@ -1,5 +1,6 @@
 //! Runs a study: solves the points that the archive lacks, then analyses and ranks.
 
+mod attempt;
 mod finite;
 mod points;
 
@@ -46,7 +47,8 @@ pub enum Event {
         /// Newton iterations of the solve.
         newton_iterations: usize,
     },
-    /// A point has no response: no equilibrium, which is in the archive and counts as done, or its solve broke.
+    /// A point has no response: no equilibrium, which is in the archive, or its solve broke. Both count as done, a refused one
+    /// doesn't.
     PointFailed {
         /// Its ordinal in the plan.
         ordinal: usize,
@@ -67,7 +69,7 @@ pub type Observer<'o> = &'o (dyn Fn(Event) + Sync);
 /// Why a run gave no result. What was solved is in the archive in every case.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum RunError {
-    /// The cut point has no equilibrium, or solves broke twice.
+    /// The cut point has no equilibrium or none was found, or the solver refused points.
     #[error("{}", failures(.failed))]
     PointsFailed {
         /// Each of them, in the order of the plan; at least one.
@@ -91,6 +93,9 @@ pub enum RunError {
     /// The caller asked to stop; the same run later goes on where this one ended.
     #[error("stopped on request")]
     Stopped,
+    /// The caller asked for a pause; the same run later goes on where this one ended.
+    #[error("paused on request")]
+    Paused,
     /// The time allowed is over before the cheapest model has answered.
     #[error(
         "a budget of {seconds} s is over before the draft has answered; what is solved is kept"
@@ -147,10 +152,11 @@ fn refusals(faults: &[Fault]) -> String {
 
 /// Runs a study on `threads` threads and gives its result.
 ///
-/// A point without an equilibrium costs accuracy, not the study, as long as it isn't the cut point and the others give indices.
+/// A point without an equilibrium, or whose solve broke twice or took too long, costs accuracy, not the study, as long as it
+/// isn't the cut point and the others give indices.
 ///
 /// Each outcome is in the archive before it is reported, so a run that ends in any way loses no solve. The result
-/// is the same to the bit, its cost aside, on any number of threads and however often the run was interrupted. Its
+/// is the same to the bit, its cost aside, on any number of threads and however often the run was interrupted, unless a solve broke. Its
 /// `study.id` is left empty for the caller to fill.
 ///
 /// # Errors
@@ -170,6 +176,9 @@ pub struct Means<'r> {
     pub threads: usize,
     /// Set to true by the caller to end the run; what is solved is kept.
     pub stop: &'r AtomicBool,
+    /// Set to true by the caller to end the run once the solves in flight have ended, after one at least. A run with a budget of
+    /// time goes on.
+    pub pause: Option<&'r AtomicBool>,
     /// Is told what happens.
     pub observer: Observer<'r>,
 }
@@ -249,6 +258,7 @@ fn answers_of(
         solver: means.solver,
         archive: means.archive,
         stop: means.stop,
+        pause: means.pause,
         observer: means.observer,
         keys: keys(scenes, means.solver, readout),
         place,

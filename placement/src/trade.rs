@@ -96,6 +96,7 @@ pub fn answer(
         archive: &archive,
         threads,
         stop,
+        pause: None,
         observer,
     };
     run(&study, &plan, means)

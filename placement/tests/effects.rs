@@ -48,6 +48,7 @@ fn stated_and_true(study: &Study) -> Vec<(String, f64, f64)> {
         archive: &MemoryArchive::default(),
         threads: 2,
         stop: &stop,
+        pause: None,
         observer: &|_| (),
     };
     let result = climb::answer(study, &plan, means).expect("an answer");

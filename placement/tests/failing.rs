@@ -103,6 +103,7 @@ fn a_point_without_equilibrium_is_solved_once_and_the_result_is_the_same_to_the_
         archive: &archive,
         threads: 1,
         stop: &stop,
+        pause: None,
         observer: &stop_at_the_second_failure,
     };
     let stopped = run(&study, &plan, means);
@@ -133,6 +134,7 @@ fn what_a_solve_says_while_it_is_stopped_is_not_kept() {
         archive: &archive,
         threads: 1,
         stop: &stop,
+        pause: None,
         observer: &|_| {},
     };
     let stopped = run(&study, &plan, means);
@@ -259,21 +261,21 @@ fn a_panic_costs_its_point_alone() {
         None
     });
     let archive = MemoryArchive::default();
-    let (result, _) = observed(&study, &solver, &archive, 2);
-    let Err(RunError::PointsFailed { failed }) = result else {
-        panic!("{result:?}")
-    };
+    let (result, events) = observed(&study, &solver, &archive, 2);
+    let failed = result.unwrap().failed_points;
     assert_eq!((failed.len(), failed[0].ordinal), (1, 7));
-    assert!(
-        failed[0].cause.contains("element 12 is inside out"),
-        "{}",
-        failed[0].cause
+    assert_eq!(
+        failed[0].cause,
+        "solver-failed: panic: element 12 is inside out"
     );
+    let told = |event: &&Event| matches!(event, Event::PointFailed { ordinal: 7, .. });
+    assert_eq!(events.iter().filter(told).count(), 1);
     assert_eq!(archive.points.lock().unwrap().len(), POINTS - 1);
     let repaired = observed(&study, &ClosedFormSolver::new(), &archive, 2)
         .0
         .unwrap();
     assert_eq!(repaired.cost.reused, POINTS - 1);
+    assert!(repaired.failed_points.is_empty());
 }
 
 #[test]
@@ -313,7 +315,7 @@ fn a_response_that_is_not_finite_is_never_stored() {
     }
     let archive = MemoryArchive::default();
     let result = observed(&shipped("foot-tire"), &NotANumber, &archive, 1).0;
-    let Err(RunError::PointsFailed { failed }) = result else {
+    let Err(RunError::TooManyFailed { failed }) = result else {
         panic!("{result:?}")
     };
     assert_eq!(failed.len(), POINTS - 1);

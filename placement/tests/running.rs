@@ -49,6 +49,7 @@ fn a_stopped_run_goes_on_where_it_ended_and_gives_the_same_bits() {
         archive: &archive,
         threads: 2,
         stop: &stop,
+        pause: None,
         observer: &stop_at_nine,
     };
     let stopped = run(&study, &plan, means);
@@ -77,6 +78,38 @@ fn a_stopped_run_goes_on_where_it_ended_and_gives_the_same_bits() {
         .0
         .unwrap();
     assert_eq!(text(&resumed), text(&undisturbed));
+}
+
+/// Even when the wish is there from the start, a pause lets every run do something: it comes to its end, and to the same bits.
+#[test]
+fn a_run_that_is_paused_again_and_again_comes_to_its_end() {
+    let study = shipped("foot-tire");
+    let plan = Plan::new(&study).unwrap();
+    let solver = Twisted::new(|_: &SolveRequest<'_>| None);
+    let archive = MemoryArchive::default();
+    let (stop, pause) = (AtomicBool::new(false), AtomicBool::new(true));
+    let means = Means {
+        solver: &solver,
+        archive: &archive,
+        threads: 2,
+        stop: &stop,
+        pause: Some(&pause),
+        observer: &|_| {},
+    };
+    let mut stored = Vec::new();
+    let result = loop {
+        match run(&study, &plan, means) {
+            Err(RunError::Paused) => stored.push(archive.points.lock().unwrap().len()),
+            other => break other.unwrap(),
+        }
+    };
+    let steps = || stored.windows(2).map(|pair| pair[1] - pair[0]);
+    assert!(steps().all(|step| (1..=2).contains(&step)), "{stored:?}");
+    assert_eq!(solver.solves.load(Ordering::Relaxed), POINTS);
+    let undisturbed = observed(&study, &solver, &MemoryArchive::default(), 1)
+        .0
+        .unwrap();
+    assert_eq!(text(&result), text(&undisturbed));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::Args;
 
@@ -33,6 +34,18 @@ impl Config {
 }
 
 const MAX_THREADS: usize = 256;
+
+/// Reads a time, s.
+///
+/// # Errors
+/// A sentence that says what would be right.
+pub fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds: Option<f64> = text.parse().ok();
+    let seconds = seconds.filter(|seconds| (1.0..=1e6).contains(seconds));
+    seconds
+        .map(Duration::from_secs_f64)
+        .ok_or_else(|| "a time is a number of seconds from 1 to 1e6".to_owned())
+}
 
 /// Reads `IP:PORT` or `localhost:PORT`, and refuses what other machines could reach.
 ///

@@ -17,7 +17,7 @@ use tokio::runtime::Handle;
 use crate::archive::StoreArchive;
 use crate::forecast::forecast;
 use crate::store::studies::{self, State, StudyRow};
-use crate::store::{Store, StoreError, events, results};
+use crate::store::{Store, StoreError, events, results, turns};
 use crate::study_document::stored_plan;
 
 /// What a study is run with.
@@ -45,6 +45,8 @@ pub enum End {
     },
     /// On request; what was solved is kept.
     Stopped,
+    /// Because it was another study's turn; what was solved is kept.
+    Paused,
     /// Because the disk is full; what was solved before is kept.
     DiskFull,
 }
@@ -56,6 +58,7 @@ impl End {
             Self::Done(_) => "done",
             Self::Failed { .. } => "failed",
             Self::Stopped => "stopped",
+            Self::Paused => "paused",
             Self::DiskFull => "disk full",
         }
     }
@@ -70,12 +73,14 @@ impl End {
 }
 
 impl Engine {
-    /// Runs a claimed study until it ends or `stop` is set. Blocks: call it on a plain thread.
+    /// Runs a claimed study until it ends, `stop` is set, or `pause` is and the solves in flight have ended. Blocks: call it on a
+    /// plain thread.
     pub fn run(
         &self,
         row: &StudyRow,
         runtime: &Handle,
         stop: &AtomicBool,
+        pause: Option<&AtomicBool>,
         progress: &(dyn Fn(&Event) + Sync),
     ) -> End {
         let (study, plan) = match stored_plan(row) {
@@ -94,6 +99,7 @@ impl Engine {
             archive: &archive,
             threads: self.threads,
             stop,
+            pause,
             observer: &observer,
         };
         let estimate = runtime.block_on(self.estimated(row, &study));
@@ -104,6 +110,7 @@ impl Engine {
                 End::Done(Box::new(result))
             }
             Err(RunError::Stopped) => End::Stopped,
+            Err(RunError::Paused) => End::Paused,
             Err(RunError::Archive(_)) if archive.disk_full() => End::DiskFull,
             Err(error) => End::Failed {
                 error: error.to_string(),
@@ -169,7 +176,11 @@ impl Engine {
                 )
             }
             End::Stopped | End::DiskFull => {
-                let changed = studies::release(&mut transaction, &row.id).await?;
+                let changed = turns::release(&mut transaction, &row.id).await?;
+                (changed, "queued", json!({"resumed": true}))
+            }
+            End::Paused => {
+                let changed = turns::pass_on(&mut transaction, &row.id).await?;
                 (changed, "queued", json!({"resumed": true}))
             }
         };

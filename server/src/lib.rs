@@ -4,6 +4,7 @@
 //!
 //! - [`config`]: settings from flags and environment
 //! - [`telemetry`]: the log
+//! - [`watched`]: solves that come to an end in time
 //! - [`solver`]: which solver answers
 //! - [`shutdown`]: the wish to stop
 //! - [`store`]: the database, all SQL
@@ -31,3 +32,4 @@ pub mod store;
 pub mod study_document;
 pub mod telemetry;
 pub mod value_table;
+pub mod watched;

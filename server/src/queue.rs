@@ -1,11 +1,16 @@
-//! The queue of studies: one at a time, oldest first, each on all threads.
+//! The queue of studies: one at a time, each on all threads, in turns.
+//!
+//! A study keeps its turn while nobody waits. Otherwise it ends at a point's end, and the study goes to the end of the line:
+//! what it has solved is in the database, so that taking it up again costs little and changes no bit of its result.
 //!
 //! One process holds the database, so nobody else can take a study: a guarded change of its state is all the claim
 //! that is needed. No transaction is open while a study runs.
 
+use std::convert::Infallible;
+use std::future::pending;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use placement::study::Study;
 use serde_json::json;
@@ -15,16 +20,19 @@ use tokio::sync::{Notify, oneshot};
 use crate::engine::{End, Engine};
 use crate::shutdown::Shutdown;
 use crate::store::studies::{self, StudyRow};
-use crate::store::{Store, StoreError, crashes, events, idempotency};
+use crate::store::{Store, StoreError, crashes, events, idempotency, turns};
 
 /// How long to wait before the database is tried again.
 const RETRY: Duration = Duration::from_secs(1);
 /// How long to wait for space on the disk.
 const SPACE: Duration = Duration::from_secs(5);
+/// How often a study that runs looks whether another one waits, at least.
+const LOOK: Duration = Duration::from_secs(1);
 
 /// Takes studies in, runs them, cancels them.
 pub struct Queue {
     engine: Engine,
+    turn: Duration,
     news: Notify,
     current: Mutex<Option<Current>>,
     shutdown: Shutdown,
@@ -47,21 +55,27 @@ pub enum SubmitError {
 }
 
 impl Queue {
-    /// A queue that works until `shutdown`.
-    pub fn new(engine: Engine, shutdown: Shutdown) -> Self {
+    /// A queue that works until `shutdown`; a study's turn is this long when others wait.
+    pub fn new(engine: Engine, turn: Duration, shutdown: Shutdown) -> Self {
         Self {
             engine,
+            turn,
             news: Notify::new(),
             current: Mutex::new(None),
             shutdown,
         }
     }
 
-    /// Takes a study in and returns its identifier. The same study under the same key is taken in once.
+    /// Takes a study in and returns its identifier. The same study under the same key is taken in once, with its first priority.
     ///
     /// # Errors
     /// [`SubmitError::KeyTaken`] when the key stands for another document; when the database can't be written.
-    pub async fn submit(&self, study: &Study, key: Option<&str>) -> Result<String, SubmitError> {
+    pub async fn submit(
+        &self,
+        study: &Study,
+        priority: i64,
+        key: Option<&str>,
+    ) -> Result<String, SubmitError> {
         let store = &self.engine.store;
         let sha256 = study.spec_sha256();
         let mut transaction = store.begin().await?;
@@ -76,6 +90,7 @@ impl Queue {
         }
         let id =
             studies::insert(&mut transaction, &study.name, &study.canonical(), &sha256).await?;
+        turns::set_priority(&mut transaction, &id, priority).await?;
         if let Some(key) = key {
             idempotency::insert(&mut transaction, key, &id, &sha256).await?;
         }
@@ -124,9 +139,9 @@ impl Queue {
         }
     }
 
-    /// Runs the study that waits longest; false when none waits.
+    /// Runs the study whose turn it is; false when none waits.
     async fn run_next(&self) -> Result<bool, StoreError> {
-        let Some(row) = self.claim_oldest().await? else {
+        let Some(row) = self.claim_next().await? else {
             return Ok(false);
         };
         let stop = Arc::new(AtomicBool::new(false));
@@ -149,12 +164,12 @@ impl Queue {
         Ok(true)
     }
 
-    async fn claim_oldest(&self) -> Result<Option<StudyRow>, StoreError> {
+    async fn claim_next(&self) -> Result<Option<StudyRow>, StoreError> {
         let mut transaction = self.engine.store.begin().await?;
-        let Some(id) = studies::oldest_queued(&mut transaction).await? else {
+        let Some(id) = turns::next(&mut transaction).await? else {
             return Ok(None);
         };
-        let row = studies::claim(&mut transaction, &id).await?;
+        let row = turns::claim(&mut transaction, &id).await?;
         self.engine.store.commit(transaction, 0).await?;
         Ok(row)
     }
@@ -164,14 +179,17 @@ impl Queue {
         studies::is_running(&mut connection, id).await
     }
 
-    /// Runs a study on a thread of its own, so that the runtime stays free.
+    /// Runs a study on a thread of its own, so that the runtime stays free, until its end, a shutdown or the end of its turn.
     async fn run(&self, row: StudyRow, stop: Arc<AtomicBool>) -> End {
         let (tell, told) = oneshot::channel();
-        let (engine, runtime, flag) = (self.engine.clone(), Handle::current(), stop.clone());
+        let pause = Arc::new(AtomicBool::new(false));
+        let priority = row.priority;
+        let (engine, runtime) = (self.engine.clone(), Handle::current());
+        let flags = (stop.clone(), pause.clone());
         let thread = std::thread::Builder::new()
             .name("study".to_owned())
             .spawn(move || {
-                let end = engine.run(&row, &runtime, &flag, &|_| {});
+                let end = engine.run(&row, &runtime, &flags.0, Some(&flags.1), &|_| {});
                 // The receiver is gone only when the whole service is.
                 let _ = tell.send(end);
             });
@@ -179,15 +197,41 @@ impl Queue {
             return End::failed(format!("no thread could be started for the study: {error}"));
         }
         let mut shutdown = self.shutdown.clone();
-        let mut told = std::pin::pin!(told);
+        let stopping = async {
+            shutdown.wait().await;
+            stop.store(true, Ordering::Relaxed);
+            pending::<Infallible>().await
+        };
+        let pausing = async {
+            self.turn_over(priority).await;
+            pause.store(true, Ordering::Relaxed);
+            pending::<Infallible>().await
+        };
         let told = tokio::select! {
-            told = &mut told => told,
-            () = shutdown.wait() => {
-                stop.store(true, Ordering::Relaxed);
-                told.await
-            }
+            told = told => told,
+            never = stopping => match never {},
+            never = pausing => match never {},
         };
         told.unwrap_or_else(|_| End::failed("the study's thread panicked; the log says where"))
+    }
+
+    /// Waits until a study of higher priority waits or, once the turn has lasted long enough, one of the same.
+    async fn turn_over(&self, priority: i64) {
+        let begun = Instant::now();
+        loop {
+            tokio::time::sleep(LOOK.min(self.turn)).await;
+            let rival = priority + i64::from(begun.elapsed() < self.turn);
+            match self.is_awaited(rival).await {
+                Ok(true) => return,
+                Ok(false) => {}
+                Err(error) => tracing::warn!(%error, "whether a study waits isn't known"),
+            }
+        }
+    }
+
+    async fn is_awaited(&self, priority: i64) -> Result<bool, StoreError> {
+        let mut connection = self.engine.store.read().await?;
+        turns::is_awaited(&mut connection, priority).await
     }
 
     /// Records the end, however long the database takes to be writable again; at a shutdown the study is left as
@@ -240,8 +284,8 @@ pub async fn recover(store: &Store) -> Result<(), StoreError> {
         );
     }
     let mut latest = 0;
-    for id in studies::running(&mut transaction).await? {
-        studies::release(&mut transaction, &id).await?;
+    for id in turns::running(&mut transaction).await? {
+        turns::release(&mut transaction, &id).await?;
         latest = events::insert(&mut transaction, &id, "queued", &json!({"resumed": true})).await?;
         tracing::info!(study = id, "study resumes after a crash");
     }

@@ -30,6 +30,8 @@ pub struct ServiceParts {
     pub solver: Arc<dyn Solver>,
     /// Solves that run at once.
     pub threads: usize,
+    /// How long a study runs before another one that waits has its turn.
+    pub turn: Duration,
 }
 
 /// A service that runs until it is stopped.
@@ -79,7 +81,7 @@ impl Service {
             solver: parts.solver,
             threads: parts.threads,
         };
-        let queue = Arc::new(Queue::new(engine.clone(), stopping.clone()));
+        let queue = Arc::new(Queue::new(engine.clone(), parts.turn, stopping.clone()));
         let state = AppState {
             store: store.clone(),
             engine,

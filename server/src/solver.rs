@@ -9,8 +9,11 @@ use fem_client::calculix::{CalculixSolver, NotInstalled};
 use fem_client::embedded::EmbeddedSolver;
 use fem_client::solver::Solver;
 
-/// Longest time of one run of CalculiX: a quarter tire on the standard mesh takes about a minute.
-const CALCULIX_TIME_LIMIT: Duration = Duration::from_secs(3600);
+use crate::config::seconds;
+use crate::watched::Watched;
+
+/// A Newton iteration on the largest mesh that is allowed takes seconds; what hasn't ended then won't.
+const GRACE: Duration = Duration::from_secs(60);
 
 /// Who solves.
 #[derive(Debug, Clone, Args)]
@@ -32,6 +35,15 @@ pub struct SolverChoice {
         default_value = "ccx"
     )]
     ccx: PathBuf,
+    /// Longest time of one solve, seconds: a point that takes longer goes without an answer
+    #[arg(
+        long,
+        env = "STRAINSITE_SOLVE_LIMIT_S",
+        value_name = "SECONDS",
+        default_value = "3600",
+        value_parser = seconds
+    )]
+    solve_limit_s: Duration,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -46,9 +58,11 @@ impl SolverChoice {
     /// # Errors
     /// When CalculiX is asked for and isn't installed.
     pub fn solver(&self) -> Result<Arc<dyn Solver>, NotInstalled> {
-        Ok(match self.solver {
+        let limit = self.solve_limit_s;
+        let solver: Arc<dyn Solver> = match self.solver {
             SolverName::Embedded => Arc::new(EmbeddedSolver::default()),
-            SolverName::Calculix => Arc::new(CalculixSolver::new(&self.ccx, CALCULIX_TIME_LIMIT)?),
-        })
+            SolverName::Calculix => Arc::new(CalculixSolver::new(&self.ccx, limit + GRACE)?),
+        };
+        Ok(Arc::new(Watched::new(solver, limit, GRACE)))
     }
 }

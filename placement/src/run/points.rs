@@ -4,19 +4,17 @@
 //! a start from whichever neighbour happens to be ready would make the answer depend on the order of the work. So a
 //! point's answer is the same to the bit on any number of threads and after any interruption.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
 
 use fem_client::scene::Scene;
 use fem_client::solver::{
-    Cost, NoEquilibrium, Reached, Readout, SolveError, SolveRequest, Solved, Solver, StartState,
+    Cost, NoEquilibrium, Reached, Readout, SolveError, SolveRequest, Solver, StartState,
 };
 
-use super::finite::not_finite;
+use super::attempt::{Answer, Found, ask};
 use super::{Event, Observer, RunError, refusals};
-use crate::archive::{Archive, ArchiveError, Outcome, PointRecord, Unsolved};
+use crate::archive::{Archive, ArchiveError, PointRecord, Unsolved};
 use crate::result::FailedPoint;
 use crate::study::sha256_hex;
 
@@ -30,6 +28,7 @@ pub(crate) struct Points<'r> {
     pub solver: &'r dyn Solver,
     pub archive: &'r dyn Archive,
     pub stop: &'r AtomicBool,
+    pub pause: Option<&'r AtomicBool>,
     pub observer: Observer<'r>,
     /// Content key of each point.
     pub keys: Vec<String>,
@@ -44,15 +43,6 @@ pub(crate) struct Place {
     pub first: usize,
     /// Points of the run, as far as that is known.
     pub of: usize,
-}
-
-/// What a solve found and what it took.
-type Answer = (Outcome, Cost);
-
-/// An answer, with the state from which others may start if there is one.
-struct Found {
-    answer: Answer,
-    state: Option<StartState>,
 }
 
 /// Something of the point with this ordinal.
@@ -104,8 +94,8 @@ fn quarantined(crashes: usize) -> Answer {
 
 /// Why one point has no answer.
 enum Lack {
-    /// The solver refused it or broke: its siblings go on.
-    Failed(SolveError),
+    /// The solver refused it: its siblings go on.
+    Refused(SolveError),
     /// The run ends.
     Stopped,
     /// The run ends.
@@ -175,11 +165,17 @@ impl Points<'_> {
         done: &Mutex<usize>,
     ) -> Result<StartState, RunError> {
         if found.is_none() {
-            let Found { answer, state } = match self.solved(0, None) {
+            let Found {
+                answer,
+                state,
+                lasting,
+            } = match self.solved(0, None) {
                 Ok(solved) => solved,
                 Err(lack) => return Err(self.cut_error(lack, done)),
             };
-            self.save(0, &answer, state.as_ref())?;
+            if lasting {
+                self.save(0, &answer, state.as_ref())?;
+            }
             self.report(0, &answer, done);
             *found = Some(answer);
             if let Some(state) = state {
@@ -205,9 +201,9 @@ impl Points<'_> {
         match lack {
             Lack::Stopped => RunError::Stopped,
             Lack::Archive(error) => RunError::Archive(error),
-            Lack::Failed(SolveError::Refused { faults }) => RunError::Refused { faults },
-            Lack::Failed(error) => {
-                self.report_broken(0, &error, done);
+            Lack::Refused(SolveError::Refused { faults }) => RunError::Refused { faults },
+            Lack::Refused(error) => {
+                self.report_refused(0, &error, done);
                 self.without_cut(cause(&error))
             }
         }
@@ -222,16 +218,20 @@ impl Points<'_> {
         done: &Mutex<usize>,
     ) -> Result<Vec<Numbered<Answer>>, RunError> {
         let next = AtomicUsize::new(0);
-        let broken = AtomicBool::new(false);
+        let over = AtomicBool::new(false);
         let outcomes = Mutex::new(Vec::with_capacity(ordinals.len()));
         let work = || {
-            while !broken.load(Ordering::Relaxed) {
+            while !over.load(Ordering::Relaxed) {
                 let Some(&ordinal) = ordinals.get(next.fetch_add(1, Ordering::Relaxed)) else {
                     return;
                 };
                 let outcome = self.point(ordinal, start, done);
-                if matches!(outcome, Err(Lack::Stopped | Lack::Archive(_))) {
-                    broken.store(true, Ordering::Relaxed);
+                // Asked after a point, so that a run that is paused again and again still comes to its end.
+                let paused = self
+                    .pause
+                    .is_some_and(|pause| pause.load(Ordering::Relaxed));
+                if paused || matches!(outcome, Err(Lack::Stopped | Lack::Archive(_))) {
+                    over.store(true, Ordering::Relaxed);
                 }
                 lock(&outcomes).push((ordinal, outcome));
             }
@@ -245,7 +245,13 @@ impl Points<'_> {
             .into_inner()
             .unwrap_or_else(PoisonError::into_inner);
         outcomes.sort_by_key(|(ordinal, _)| *ordinal);
-        self.sorted_out(outcomes)
+        let whole = outcomes.len() == ordinals.len();
+        let answers = self.sorted_out(outcomes)?;
+        if whole {
+            Ok(answers)
+        } else {
+            Err(RunError::Paused)
+        }
     }
 
     /// Solves, saves and reports one point, in this order: what is reported survives.
@@ -256,21 +262,25 @@ impl Points<'_> {
         done: &Mutex<usize>,
     ) -> Result<Answer, Lack> {
         match self.solved(ordinal, Some(start)) {
-            Ok(Found { answer, .. }) => {
-                self.save(ordinal, &answer, None).map_err(Lack::Archive)?;
+            Ok(Found {
+                answer, lasting, ..
+            }) => {
+                if lasting {
+                    self.save(ordinal, &answer, None).map_err(Lack::Archive)?;
+                }
                 self.report(ordinal, &answer, done);
                 Ok(answer)
             }
             Err(lack) => {
-                if let Lack::Failed(error) = &lack {
-                    self.report_broken(ordinal, error, done);
+                if let Lack::Refused(error) = &lack {
+                    self.report_refused(ordinal, error, done);
                 }
                 Err(lack)
             }
         }
     }
 
-    /// An archive's failure comes before a stop, a stop before failed points.
+    /// An archive's failure comes before a stop, a stop before refused points.
     fn sorted_out(
         &self,
         outcomes: Vec<Numbered<Result<Answer, Lack>>>,
@@ -280,7 +290,7 @@ impl Points<'_> {
         for (ordinal, outcome) in outcomes {
             match outcome {
                 Ok(answer) => answers.push((ordinal, answer)),
-                Err(Lack::Failed(error)) => failed.push(self.failed_point(ordinal, cause(&error))),
+                Err(Lack::Refused(error)) => failed.push(self.failed_point(ordinal, cause(&error))),
                 Err(Lack::Stopped) => stopped = true,
                 Err(Lack::Archive(error)) => archive = Some(error),
             }
@@ -293,49 +303,24 @@ impl Points<'_> {
         }
     }
 
-    /// One solve; a solver that broke is asked once more.
+    /// One solve, from its note in the archive to its answer.
     fn solved(&self, ordinal: usize, start: Option<&StartState>) -> Result<Found, Lack> {
         let key = &self.keys[ordinal];
         self.archive.begin(key).map_err(Lack::Archive)?;
-        let found = match self.attempt(ordinal, start) {
-            Err(SolveError::Broken { .. }) => self.attempt(ordinal, start),
-            other => other,
-        };
-        if found.is_err() {
-            self.archive.give_up(key).map_err(Lack::Archive)?;
-        }
-        found.map_err(|error| match error {
-            SolveError::Stopped => Lack::Stopped,
-            error => Lack::Failed(error),
-        })
-    }
-
-    /// A panic costs this point alone.
-    fn attempt(&self, ordinal: usize, start: Option<&StartState>) -> Result<Found, SolveError> {
-        if self.stop.load(Ordering::Relaxed) {
-            return Err(SolveError::Stopped);
-        }
-        let scene = &self.scenes[ordinal];
         let request = SolveRequest {
-            scene,
+            scene: &self.scenes[ordinal],
             readout: self.readout,
             start,
             stop: self.stop,
         };
-        let begun = Instant::now();
-        // Nothing of ours is half-changed by an unwinding solve: it only reads what it was given.
-        let outcome = catch_unwind(AssertUnwindSafe(|| self.solver.solve(&request)));
-        let broken = |detail| SolveError::Broken { detail };
-        let outcome = outcome.map_err(|panic| broken(format!("panic: {}", message(&*panic))))?;
-        let found = found(outcome, begun)?;
-        // What a solve says while it is being stopped may not be what it would have said.
-        if found.answer.0.is_err() && self.stop.load(Ordering::Relaxed) {
-            return Err(SolveError::Stopped);
+        let found = ask(self.solver, &request);
+        if !found.as_ref().is_ok_and(|found| found.lasting) {
+            self.archive.give_up(key).map_err(Lack::Archive)?;
         }
-        match not_finite(&found.answer.0) {
-            Some(what) => Err(broken(format!("{what} isn't a finite number"))),
-            None => Ok(found),
-        }
+        found.map_err(|error| match error {
+            SolveError::Stopped => Lack::Stopped,
+            error => Lack::Refused(error),
+        })
     }
 
     fn save(
@@ -376,8 +361,8 @@ impl Points<'_> {
         });
     }
 
-    /// A point without an outcome isn't done.
-    fn report_broken(&self, ordinal: usize, error: &SolveError, done: &Mutex<usize>) {
+    /// A point that was refused isn't done.
+    fn report_refused(&self, ordinal: usize, error: &SolveError, done: &Mutex<usize>) {
         let done = lock(done);
         (self.observer)(Event::PointFailed {
             ordinal: self.place.first + ordinal,
@@ -396,47 +381,11 @@ impl Points<'_> {
     }
 }
 
-/// What a solve that began at this instant has found, unless it refused, broke or was stopped.
-fn found(outcome: Result<Solved, SolveError>, begun: Instant) -> Result<Found, SolveError> {
-    match outcome {
-        Ok(solved) => Ok(Found {
-            answer: (Ok(solved.response), solved.cost),
-            state: Some(solved.state),
-        }),
-        Err(SolveError::NoEquilibrium {
-            status,
-            detail,
-            reached,
-        }) => {
-            let unsolved = Unsolved {
-                status,
-                detail,
-                reached,
-            };
-            let cost = Cost {
-                wall_s: begun.elapsed().as_secs_f64(),
-                ..Cost::default()
-            };
-            Ok(Found {
-                answer: (Err(unsolved), cost),
-                state: None,
-            })
-        }
-        Err(error) => Err(error),
-    }
-}
-
 fn cause(error: &SolveError) -> String {
     match error {
         SolveError::Refused { faults } => format!("{error}: {}", refusals(faults)),
         other => other.to_string(),
     }
-}
-
-fn message(panic: &(dyn std::any::Any + Send)) -> &str {
-    let text = panic.downcast_ref::<String>().map(String::as_str);
-    text.or_else(|| panic.downcast_ref::<&str>().copied())
-        .unwrap_or("no message")
 }
 
 /// A counter or list is whole even when an observer panicked while it was locked.

@@ -122,6 +122,7 @@ pub fn observed(
         archive,
         threads,
         stop: &stop,
+        pause: None,
         observer: &observer,
     };
     let result = answer(study, &plan, means);

@@ -22,7 +22,7 @@ use crate::forecast::forecast;
 use crate::queue::recover;
 use crate::solver::SolverChoice;
 use crate::store::studies::{self, StudyRow};
-use crate::store::{Store, StoreError, events};
+use crate::store::{Store, StoreError, events, turns};
 use crate::study_document::{read_file, read_study};
 
 /// Run one study without the service
@@ -95,7 +95,9 @@ impl Run {
             .map_err(Failure::other)?;
         let stop = stop_flag(runtime)?;
         let bar = progress_bar("");
-        let end = engine.run(&row, runtime.handle(), &stop, &|event| show(&bar, event));
+        let end = engine.run(&row, runtime.handle(), &stop, None, &|event| {
+            show(&bar, event)
+        });
         bar.finish_and_clear();
         runtime
             .block_on(engine.settle(&row, &end))
@@ -108,7 +110,7 @@ impl Run {
             End::Done(result) => self.publish(&result),
             End::Failed { error, points } => Err(failure(error, &points)),
             End::DiskFull => Err(Failure::other(StoreError::Full)),
-            End::Stopped => Err(Failure::Other(format!(
+            End::Stopped | End::Paused => Err(Failure::Other(format!(
                 "stopped; what is solved is kept in {}, and the next run of this study resumes there",
                 self.config.db.display()
             ))),
@@ -144,7 +146,7 @@ async fn claim(store: &Store, study: &Study) -> Result<StudyRow, StoreError> {
             id
         }
     };
-    let row = studies::claim(&mut transaction, &id).await?;
+    let row = turns::claim(&mut transaction, &id).await?;
     store.commit(transaction, 0).await?;
     row.ok_or(StoreError::Database(sqlx::Error::RowNotFound))
 }

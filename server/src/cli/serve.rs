@@ -1,13 +1,14 @@
 //! `strainsite serve`: the service and the dashboard.
 
 use std::net::SocketAddr;
+use std::time::Duration;
 
 use clap::Args;
 
 use super::Failure;
 use super::output::print;
 use super::signals::Signals;
-use crate::config::{Config, loopback_address};
+use crate::config::{Config, loopback_address, seconds};
 use crate::service::{Service, ServiceParts};
 use crate::solver::SolverChoice;
 
@@ -18,6 +19,9 @@ pub struct Serve {
     #[arg(long, env = "STRAINSITE_ADDR", value_name = "IP:PORT", default_value = "127.0.0.1:8080",
           value_parser = loopback_address)]
     addr: SocketAddr,
+    /// How long a study runs before another one that waits has its turn, seconds
+    #[arg(long, env = "STRAINSITE_TURN_S", value_name = "SECONDS", default_value = "10", value_parser = seconds)]
+    turn_s: Duration,
     #[command(flatten)]
     config: Config,
     #[command(flatten)]
@@ -37,6 +41,7 @@ impl Serve {
             database: self.config.db.clone(),
             solver: self.solver.solver().map_err(Failure::other)?,
             threads: self.config.threads(),
+            turn: self.turn_s,
         };
         let mut signals = Signals::listen()?;
         let service = Service::start(parts).await.map_err(Failure::other)?;

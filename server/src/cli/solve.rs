@@ -102,7 +102,7 @@ fn failure(error: SolveError) -> Failure {
             known: json!({"reached": reached}),
         },
         SolveError::Stopped => Failure::Other("stopped on request; nothing was solved".to_owned()),
-        SolveError::Broken { .. } => Failure::other(error),
+        SolveError::Broken { .. } | SolveError::OverTime { .. } => Failure::other(error),
     }
 }
 

@@ -23,7 +23,7 @@ pub fn study() -> Value {
 pub fn summary() -> Value {
     json!({
         "id": ID, "name": "two depths", "state": "running", "spec_sha256": SHA256, "points_total": 10, "points_done": 4,
-        "error": null, "created": "2026-11-22T01:02:03.456Z", "started": "2026-11-22T01:02:03.460Z", "finished": null,
+        "error": null, "priority": 0, "created": "2026-11-22T01:02:03.456Z", "started": "2026-11-22T01:02:03.460Z", "finished": null,
     })
 }
 

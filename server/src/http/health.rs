@@ -8,7 +8,7 @@ use utoipa_axum::routes;
 use super::AppState;
 use super::problem::Problem;
 use super::wire::{Health, Readiness};
-use crate::store::studies;
+use crate::store::turns;
 
 /// `/healthz` and `/readyz`.
 pub fn router() -> OpenApiRouter<AppState> {
@@ -36,7 +36,7 @@ async fn alive() -> Json<Health> {
     responses((status = 200, description = "It can", body = Readiness, example = json!({"status": "ready"}))))]
 async fn ready(State(state): State<AppState>) -> Result<Json<Readiness>, Problem> {
     let mut connection = state.store.read().await?;
-    studies::oldest_queued(&mut connection).await?;
+    turns::next(&mut connection).await?;
     Ok(Json(Readiness {
         status: "ready".to_owned(),
     }))

@@ -34,7 +34,9 @@ pub fn router() -> OpenApiRouter<AppState> {
 /// Takes the document in and answers at once; the study waits for its turn. The same document sent again under the same `Idempotency-Key` finds the same
 /// study. Points that any study solved before are shared, not solved again.
 #[utoipa::path(post, path = "/v1/studies", tag = "studies",
-    params(("Idempotency-Key" = Option<String>, Header, description = "1 to 255 visible ASCII characters that stand for this submission", example = "night-run-17")),
+    params(
+        ("priority" = Option<i64>, Query, description = "Studies of higher priority go first, those of the same in turns; 0 when left out", minimum = -100, maximum = 100, example = 10),
+        ("Idempotency-Key" = Option<String>, Header, description = "1 to 255 visible ASCII characters that stand for this submission", example = "night-run-17")),
     request_body(description = "A study, as JSON or TOML", content(
         (StudyDocument = "application/json", example = json!(examples::study())),
         (String = "application/toml", example = json!(examples::study_toml())))),
@@ -51,13 +53,15 @@ pub fn router() -> OpenApiRouter<AppState> {
             body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]
 async fn submit(
     State(state): State<AppState>,
+    Params(query): Params<SubmitQuery>,
     headers: HeaderMap,
     body: StudyBody,
 ) -> Result<Response, Problem> {
     let key = idempotency_key(&headers)?;
+    let priority = priority(query.priority.as_deref())?;
     let id = state
         .queue
-        .submit(&body.study, key)
+        .submit(&body.study, priority, key)
         .await
         .map_err(|error| match error {
             SubmitError::KeyTaken => Problem::new(
@@ -68,6 +72,20 @@ async fn submit(
         })?;
     let study = known(&state.store, &id).await?;
     Ok(accepted(&study))
+}
+
+#[derive(Deserialize)]
+struct SubmitQuery {
+    priority: Option<String>,
+}
+
+fn priority(text: Option<&str>) -> Result<i64, Problem> {
+    let number = text.map_or(Some(0), |text| text.parse().ok());
+    let in_range = number.filter(|number| (-100..=100).contains(number));
+    in_range.ok_or_else(|| {
+        let detail = "priority is a whole number from -100 to 100";
+        Problem::new(StatusCode::BAD_REQUEST, detail)
+    })
 }
 
 /// A key is 1 to 255 visible ASCII characters.

@@ -26,6 +26,8 @@ pub struct StudySummary {
     pub points_done: i64,
     /// Why it failed, a sentence.
     pub error: Option<String>,
+    /// Those of higher priority go first, those of the same in turns.
+    pub priority: i64,
     /// When it was submitted.
     pub created: String,
     /// When it was first started.
@@ -45,6 +47,7 @@ impl StudySummary {
             points_total: study.points_total,
             points_done: study.points_done,
             error: study.error.clone(),
+            priority: study.priority,
             created: study.created.clone(),
             started: study.started.clone(),
             finished: study.finished.clone(),

@@ -3,7 +3,8 @@
 //! - `lock`: one process per database
 //! - `pools`: connections: one that writes, a few that read
 //! - [`content`]: content hashes, and JSON that reads back as what was written
-//! - [`studies`]: what was asked, and the queue
+//! - [`studies`]: what was asked, and how far it got
+//! - [`turns`]: whose turn it is
 //! - [`evaluations`]: solved points and start states
 //! - [`crashes`]: solves that the program died of
 //! - [`results`]: results with their ranked rows
@@ -25,6 +26,7 @@ mod pools;
 pub mod results;
 pub mod studies;
 pub mod trades;
+pub mod turns;
 pub mod upkeep;
 
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! What was asked, and the queue.
+//! What was asked, and how far it got.
 //!
 //! A study is `queued`, `running`, then `done`, `failed` or `cancelled`. Every change of state is guarded by the state
 //! that it starts from, so that a late writer never overwrites an end. One process holds the database, so a study
@@ -79,6 +79,8 @@ pub struct StudyRow {
     pub finished: Option<String>,
     /// What it was expected to take when it last started, JSON.
     pub estimate: Option<String>,
+    /// Those of higher priority go first.
+    pub priority: i64,
 }
 
 impl StudyRow {
@@ -96,7 +98,7 @@ impl StudyRow {
     }
 }
 
-/// Stores a new study in the queue and returns its identifier.
+/// Stores a new study at the end of the queue and returns its identifier.
 ///
 /// # Errors
 /// When the database can't be written.
@@ -107,7 +109,9 @@ pub async fn insert(
     spec_sha256: &str,
 ) -> Result<String, StoreError> {
     let id = uuid::Uuid::now_v7().to_string();
-    sqlx::query("insert into studies (id, name, spec, spec_sha256, state, created) values (?, ?, ?, ?, 'queued', ?)")
+    let query = "insert into studies (id, name, spec, spec_sha256, state, created, place)
+                 values (?, ?, ?, ?, 'queued', ?, (select coalesce(max(place), 0) + 1 from studies))";
+    sqlx::query(query)
         .bind(&id)
         .bind(name)
         .bind(spec)
@@ -169,37 +173,6 @@ pub async fn queued_twin(
         .await?)
 }
 
-/// The identifier of the study that waits longest.
-///
-/// # Errors
-/// When the database can't be read.
-pub async fn oldest_queued(
-    connection: &mut SqliteConnection,
-) -> Result<Option<String>, StoreError> {
-    Ok(
-        sqlx::query_scalar("select id from studies where state = 'queued' order by id limit 1")
-            .fetch_optional(connection)
-            .await?,
-    )
-}
-
-/// Takes a queued study to run it; `None` when it isn't queued any more.
-///
-/// # Errors
-/// When the database can't be written.
-pub async fn claim(
-    connection: &mut SqliteConnection,
-    id: &str,
-) -> Result<Option<StudyRow>, StoreError> {
-    let query = "update studies set state = 'running', started = coalesce(started, ?)
-                 where id = ? and state = 'queued' returning *";
-    Ok(sqlx::query_as(query)
-        .bind(now())
-        .bind(id)
-        .fetch_optional(connection)
-        .await?)
-}
-
 /// Whether a study is running.
 ///
 /// # Errors
@@ -207,32 +180,6 @@ pub async fn claim(
 pub async fn is_running(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
     let running = find(connection, id).await?.map(|row| row.state());
     Ok(running == Some(State::Running))
-}
-
-/// Puts a running study back into the queue; false when it isn't running any more.
-///
-/// # Errors
-/// When the database can't be written.
-pub async fn release(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
-    let query = "update studies set state = 'queued' where id = ? and state = 'running'";
-    Ok(sqlx::query(query)
-        .bind(id)
-        .execute(connection)
-        .await?
-        .rows_affected()
-        == 1)
-}
-
-/// The studies that a crash left running.
-///
-/// # Errors
-/// When the database can't be read.
-pub async fn running(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {
-    Ok(
-        sqlx::query_scalar("select id from studies where state = 'running' order by id")
-            .fetch_all(connection)
-            .await?,
-    )
 }
 
 /// Ends a running study; false when it isn't running any more.
@@ -312,36 +259,14 @@ pub async fn set_estimate(
 mod tests {
     use super::*;
     use crate::store::tests::fresh;
-
-    #[tokio::test]
-    async fn the_queue_hands_out_each_study_once_oldest_first() {
-        let (_folder, store) = fresh().await;
-        let mut tx = store.begin().await.expect("begins");
-        let first = insert(&mut tx, "a", "{}", "x").await.expect("inserts");
-        let second = insert(&mut tx, "b", "{}", "y").await.expect("inserts");
-        assert_eq!(
-            oldest_queued(&mut tx).await.expect("reads"),
-            Some(first.clone())
-        );
-        assert_eq!(
-            claim(&mut tx, &first)
-                .await
-                .expect("claims")
-                .map(|row| row.state()),
-            Some(State::Running)
-        );
-        assert_eq!(claim(&mut tx, &first).await.expect("claims"), None);
-        assert_eq!(oldest_queued(&mut tx).await.expect("reads"), Some(second));
-        assert!(release(&mut tx, &first).await.expect("releases"));
-        assert_eq!(oldest_queued(&mut tx).await.expect("reads"), Some(first));
-    }
+    use crate::store::turns;
 
     #[tokio::test]
     async fn an_end_is_never_overwritten() {
         let (_folder, store) = fresh().await;
         let mut tx = store.begin().await.expect("begins");
         let id = insert(&mut tx, "a", "{}", "x").await.expect("inserts");
-        claim(&mut tx, &id).await.expect("claims");
+        turns::claim(&mut tx, &id).await.expect("claims");
         assert!(cancel(&mut tx, &id).await.expect("cancels"));
         assert!(!cancel(&mut tx, &id).await.expect("cancels"));
         assert!(
@@ -349,7 +274,7 @@ mod tests {
                 .await
                 .expect("finishes")
         );
-        assert!(!release(&mut tx, &id).await.expect("releases"));
+        assert!(!turns::release(&mut tx, &id).await.expect("releases"));
         assert_eq!(
             find(&mut tx, &id)
                 .await

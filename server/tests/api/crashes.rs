@@ -1,12 +1,14 @@
-//! A point that brings the program down costs itself alone, after three times.
+//! A point that panics, never ends or brings the program down costs itself alone, the last after three times.
 
 use std::path::PathBuf;
 use std::process::Command;
 use std::sync::Arc;
+use std::time::Duration;
 
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use serde_json::Value;
+use server::watched::Watched;
 
 use crate::support::{App, Home, serve, study};
 
@@ -15,21 +17,48 @@ const DATABASE: &str = "STRAINSITE_CRASHING_TEST_DATABASE";
 /// Starts that the study may take: three that die, one that ends, and some to show that it isn't more.
 const MOST_STARTS: usize = 8;
 
-/// Ends the process at the deepest node of the middle station.
-struct Deadly(ClosedFormSolver);
+/// Does something at the deepest node of the middle station instead of solving.
+struct Trapped {
+    solver: ClosedFormSolver,
+    trap: fn(),
+}
 
-impl Solver for Deadly {
+impl Trapped {
+    fn new(trap: fn()) -> Self {
+        let solver = ClosedFormSolver::new();
+        Self { solver, trap }
+    }
+}
+
+impl Solver for Trapped {
     fn version(&self) -> String {
-        self.0.version()
+        self.solver.version()
     }
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
         let depths = &request.scene.ground.depths_mm;
         if depths[2] > 1.25 && [0, 1, 3, 4].iter().all(|k| depths[*k] == 1.0) {
-            std::process::abort();
+            (self.trap)();
         }
-        self.0.solve(request)
+        self.solver.solve(request)
     }
+}
+
+/// The one point of a done study's result that failed, and its cause; all strains have indices from the others.
+async fn failed_point(app: &App, id: &str) -> String {
+    let result = app.json(&format!("/v1/studies/{id}/result")).await;
+    let failed = result["failed_points"].as_array().expect("a list");
+    assert_eq!(failed.len(), 1, "{failed:?}");
+    let depth = failed[0]["values"][2].as_f64();
+    assert!(depth.is_some_and(|depth| depth > 1.25), "{failed:?}");
+    let outputs = result["outputs"].as_array().expect("a list");
+    let indexed = |output: &Value| output["first_order"] != Value::Null;
+    assert!(outputs.iter().all(indexed));
+    let note = result["notes"][0].as_str().expect("a sentence");
+    let cause = failed[0]["cause"].as_str().expect("a sentence");
+    let status = cause.split(':').next().expect("a word");
+    assert!(note.contains(status), "{note}");
+    cause.to_owned()
 }
 
 async fn first_study(app: &App) -> Option<String> {
@@ -44,7 +73,7 @@ async fn service_that_dies() {
     let Ok(database) = std::env::var(DATABASE) else {
         return;
     };
-    let solver = Arc::new(Deadly(ClosedFormSolver::new()));
+    let solver = Arc::new(Trapped::new(|| std::process::abort()));
     let app = serve(PathBuf::from(database), solver).await;
     let app = app.expect("starts after every crash");
     let id = match first_study(&app).await {
@@ -71,28 +100,44 @@ async fn a_point_that_kills_the_program_is_left_alone_after_three_times() {
 
     let app = home.start(ClosedFormSolver::new()).await;
     let id = first_study(&app).await.expect("the study");
-    let result = app.json(&format!("/v1/studies/{id}/result")).await;
-    let failed = result["failed_points"].as_array().expect("a list");
-    assert_eq!(failed.len(), 1, "{failed:?}");
-    let cause = failed[0]["cause"].as_str().expect("a sentence");
+    let cause = failed_point(&app, &id).await;
     assert!(
         cause.starts_with("quarantined: the program died 3 times"),
         "{cause}"
     );
-    assert!(
-        failed[0]["values"][2]
-            .as_f64()
-            .is_some_and(|depth| depth > 1.25)
-    );
-    let note = result["notes"][0].as_str().expect("a sentence");
-    assert!(note.contains("quarantined"), "{note}");
     // The one that was being solved beside it at the first crash was tried again by itself, and is there.
     let points = app.json(&format!("/v1/studies/{id}/evaluations")).await;
     assert_eq!(points["evaluations"].as_array().map(Vec::len), Some(25));
-    let outputs = result["outputs"].as_array().expect("a list");
-    assert!(
-        outputs
-            .iter()
-            .all(|output| output["first_order"] != Value::Null)
-    );
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_panic_or_an_endless_loop_costs_its_point_alone() {
+    let endless = || loop {
+        std::thread::park_timeout(Duration::from_secs(3600));
+    };
+    let traps: [(fn(), &str); 2] = [
+        (|| panic!("lost"), "solver-failed: panic: lost"),
+        (endless, "solver-failed: no answer within the 0.5 s"),
+    ];
+    for (trap, expected) in traps {
+        let (limit, grace) = (Duration::from_millis(500), Duration::from_millis(100));
+        let solver = Watched::new(Arc::new(Trapped::new(trap)), limit, grace);
+        let home = Home::new();
+        let app = serve(home.database(), Arc::new(solver)).await;
+        let app = app.expect("starts");
+        let id = app.submit(&study()).await;
+        app.wait_for(&id, "done").await;
+        let cause = failed_point(&app, &id).await;
+        assert!(cause.starts_with(expected), "{cause}");
+        // It isn't stored as if it were known, and a sound solver is asked for it alone.
+        let points = app.json(&format!("/v1/studies/{id}/evaluations")).await;
+        assert_eq!(points["evaluations"].as_array().map(Vec::len), Some(25));
+        app.service.stop().await;
+        let app = home.start(ClosedFormSolver::new()).await;
+        let again = app.submit(&study()).await;
+        app.wait_for(&again, "done").await;
+        let result = app.json(&format!("/v1/studies/{again}/result")).await;
+        assert_eq!(result["cost"]["reused"], 25);
+        assert_eq!(result["failed_points"].as_array().map(Vec::len), Some(0));
+    }
 }

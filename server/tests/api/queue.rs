@@ -1,11 +1,13 @@
 //! What survives a stop, a crash, and a second service.
 
 use fem_client::closed_form::ClosedFormSolver;
+use reqwest::StatusCode;
+use serde_json::{Value, json};
 use server::service::StartError;
 use server::store::StoreError;
 use sqlx::SqliteConnection;
 
-use crate::support::{App, Home, slow, study};
+use crate::support::{App, Home, problem, slow, study};
 
 type Row = (i64, String, String);
 
@@ -116,19 +118,66 @@ async fn a_point_that_another_study_solved_is_not_solved_again() {
     );
 }
 
+/// The same study with other depths, so that it shares no point with the first.
+fn other_study(largest_mm: f64) -> Value {
+    let mut other = study();
+    for input in other["inputs"].as_array_mut().expect("inputs") {
+        input["distribution"]["max"] = json!(largest_mm);
+    }
+    other
+}
+
 #[tokio::test(flavor = "multi_thread")]
-async fn studies_run_one_after_the_other_oldest_first() {
+async fn studies_take_turns_and_give_what_they_give_alone() {
+    let (big, small) = (study(), other_study(1.2));
+    let mut alone = Vec::new();
+    for document in [&big, &small] {
+        let home = Home::new();
+        let app = home.start(ClosedFormSolver::new()).await;
+        let id = app.submit(document).await;
+        alone.push(result_hash(&app, &id).await);
+    }
     let home = Home::new();
     let app = home.start(slow()).await;
-    let (first, second) = (app.submit(&study()).await, app.submit(&study()).await);
-    app.wait_for(&first, "running").await;
-    assert_eq!(
-        app.json(&format!("/v1/studies/{second}")).await["state"],
-        "queued"
+    let (first, second) = (app.submit(&big).await, app.submit(&small).await);
+    // Each takes longer than a turn, so that the second has had one before the first has ended.
+    let seen = app
+        .wait(&second, |study| study["points_done"].as_i64() > Some(0))
+        .await;
+    assert_eq!(seen["finished"], Value::Null);
+    assert_ne!(
+        app.json(&format!("/v1/studies/{first}")).await["state"],
+        "done"
     );
-    let (first, second) = (
-        app.wait_for(&first, "done").await,
-        app.wait_for(&second, "done").await,
-    );
-    assert!(first["finished"].as_str() <= second["started"].as_str());
+    let together = [
+        result_hash(&app, &first).await,
+        result_hash(&app, &second).await,
+    ];
+    assert_eq!(together.as_slice(), alone);
+    let points = evaluations(&mut home.sql().await).await;
+    assert_eq!(points.len(), 52, "a turn's end repeats nothing");
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn higher_priority_goes_first() {
+    let home = Home::new();
+    let app = home.start(slow()).await;
+    let running = app.submit(&study()).await;
+    app.wait_for(&running, "running").await;
+    let low = app.submit(&other_study(1.2)).await;
+    let request = app.client.post(app.url("/v1/studies?priority=5"));
+    let answer = request.json(&other_study(1.1)).send().await;
+    let high: Value = answer.expect("an answer").json().await.expect("JSON");
+    assert_eq!(high["priority"], 5);
+    let high = high["id"].as_str().expect("an id").to_owned();
+    let high = app.wait_for(&high, "done").await;
+    let low = app.wait_for(&low, "done").await;
+    assert!(high["finished"].as_str() < low["started"].as_str());
+
+    for wrong in ["101", "-101", "1.5", "urgent", ""] {
+        let address = app.url(&format!("/v1/studies?priority={wrong}"));
+        let answer = app.client.post(address).json(&study()).send().await;
+        let body = problem(answer.expect("an answer"), StatusCode::BAD_REQUEST).await;
+        assert!(body["detail"].as_str().expect("text").contains("priority"));
+    }
 }

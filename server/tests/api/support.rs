@@ -17,6 +17,9 @@ use tempfile::TempDir;
 /// Far beyond what any of these studies takes, so that only a study that hangs meets it.
 pub const PATIENCE: Duration = Duration::from_secs(60);
 
+/// As short as to come often.
+const TURN: Duration = Duration::from_millis(300);
+
 /// A service with a client.
 pub struct App {
     pub service: Service,
@@ -60,6 +63,7 @@ pub async fn serve(database: PathBuf, solver: Arc<dyn Solver>) -> Result<App, St
         database,
         solver,
         threads: 2,
+        turn: TURN,
     };
     Ok(App {
         service: Service::start(parts).await?,

@@ -1,0 +1,110 @@
+//! Asks a solver for one equilibrium, and makes an answer of whatever comes of it.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+use fem_client::solver::{
+    Cost, NoEquilibrium, Reached, SolveError, SolveRequest, Solved, Solver, StartState,
+};
+
+use super::finite::not_finite;
+use crate::archive::{Outcome, Unsolved};
+
+/// What a solve found and what it took.
+pub(super) type Answer = (Outcome, Cost);
+
+/// An answer, with the state from which others may start if there is one.
+pub(super) struct Found {
+    pub answer: Answer,
+    pub state: Option<StartState>,
+    /// True of the request, whoever asks and whenever: worth keeping. What a broken solver left isn't.
+    pub lasting: bool,
+}
+
+/// One solve. A solver that broke is asked once more; breaking again, or not coming to an end, costs this point alone.
+///
+/// # Errors
+/// [`SolveError::Refused`] and [`SolveError::Stopped`].
+pub(super) fn ask(solver: &dyn Solver, request: &SolveRequest<'_>) -> Result<Found, SolveError> {
+    let begun = Instant::now();
+    let found = match attempt(solver, request) {
+        Err(SolveError::Broken { .. }) => attempt(solver, request),
+        other => other,
+    };
+    let stopped = request.stop.load(Ordering::Relaxed);
+    match found {
+        // What a solve says while it is being stopped may not be what it would have said.
+        Ok(found) if found.answer.0.is_err() && stopped => Err(SolveError::Stopped),
+        Err(SolveError::Broken { .. } | SolveError::OverTime { .. }) if stopped => {
+            Err(SolveError::Stopped)
+        }
+        Err(SolveError::Broken { detail }) => Ok(given_up(detail, begun)),
+        Err(error @ SolveError::OverTime { .. }) => Ok(given_up(error.to_string(), begun)),
+        other => other,
+    }
+}
+
+fn attempt(solver: &dyn Solver, request: &SolveRequest<'_>) -> Result<Found, SolveError> {
+    if request.stop.load(Ordering::Relaxed) {
+        return Err(SolveError::Stopped);
+    }
+    let begun = Instant::now();
+    // Nothing of ours is half-changed by an unwinding solve: it only reads what it was given.
+    let outcome = catch_unwind(AssertUnwindSafe(|| solver.solve(request)));
+    let broken = |detail| SolveError::Broken { detail };
+    let outcome = outcome.map_err(|panic| broken(format!("panic: {}", message(&*panic))))?;
+    let found = found(outcome, begun)?;
+    match not_finite(&found.answer.0) {
+        Some(what) => Err(broken(format!("{what} isn't a finite number"))),
+        None => Ok(found),
+    }
+}
+
+/// What a solve that began at this instant has found, unless it refused, broke or was stopped.
+fn found(outcome: Result<Solved, SolveError>, begun: Instant) -> Result<Found, SolveError> {
+    match outcome {
+        Ok(solved) => Ok(Found {
+            answer: (Ok(solved.response), solved.cost),
+            state: Some(solved.state),
+            lasting: true,
+        }),
+        Err(SolveError::NoEquilibrium {
+            status,
+            detail,
+            reached,
+        }) => Ok(Found {
+            lasting: true,
+            ..unsolved(status, detail, reached, begun)
+        }),
+        Err(error) => Err(error),
+    }
+}
+
+fn given_up(detail: String, begun: Instant) -> Found {
+    let status = NoEquilibrium::SolverFailed;
+    unsolved(status, detail, Reached::default(), begun)
+}
+
+fn unsolved(status: NoEquilibrium, detail: String, reached: Reached, begun: Instant) -> Found {
+    let unsolved = Unsolved {
+        status,
+        detail,
+        reached,
+    };
+    let cost = Cost {
+        wall_s: begun.elapsed().as_secs_f64(),
+        ..Cost::default()
+    };
+    Found {
+        answer: (Err(unsolved), cost),
+        state: None,
+        lasting: false,
+    }
+}
+
+fn message(panic: &(dyn std::any::Any + Send)) -> &str {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    text.or_else(|| panic.downcast_ref::<&str>().copied())
+        .unwrap_or("no message")
+}
