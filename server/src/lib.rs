@@ -9,6 +9,8 @@
 //! - [`shutdown`]: the wish to stop
 //! - [`store`]: the database, all SQL
 //! - [`study_document`]: study documents from files and from the database
+//! - [`points`]: the points of a study as a reader sees them
+//! - [`export`]: answers as tables for other programs
 //! - [`archive`]: the database as the place where solved points are kept
 //! - [`forecast`]: what a study would cost
 //! - [`engine`]: runs one study from its document to its end
@@ -22,8 +24,10 @@ pub mod archive;
 pub mod cli;
 pub mod config;
 pub mod engine;
+pub mod export;
 pub mod forecast;
 pub mod http;
+pub mod points;
 pub mod queue;
 pub mod service;
 pub mod shutdown;

@@ -7,6 +7,7 @@ mod db;
 mod estimate;
 mod failure;
 mod gsa;
+mod library;
 mod output;
 mod progress;
 mod run;
@@ -45,6 +46,12 @@ enum Command {
     Gsa(gsa::Gsa),
     /// Measure how much accuracy a second buys
     Trade(trade::Trade),
+    /// List the studies of a database, newest first
+    List(library::List),
+    /// Show a study: its ranked table, or how far it is
+    Show(library::Show),
+    /// Write a study's answer as a table or as JSON
+    Export(library::Export),
     /// Look after the database file
     Db(db::Db),
     /// Check a study or scene file without running it
@@ -67,6 +74,9 @@ pub fn main() -> ExitCode {
         Command::Solve(command) => (command.execute(), command.json),
         Command::Gsa(command) => (command.execute(), command.json()),
         Command::Trade(command) => (command.execute(), command.json),
+        Command::List(command) => (command.execute(), command.json),
+        Command::Show(command) => (command.execute(), command.json),
+        Command::Export(command) => (command.execute(), None),
         Command::Db(command) => (command.execute(), None),
         Command::Validate(command) => (command.execute(), None),
         // Its document holds the failed cases already.

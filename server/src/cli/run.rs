@@ -15,9 +15,10 @@ use super::estimate::dry_run;
 use super::output::{JsonTarget, tell, write_whole};
 use super::progress::{progress_bar, show};
 use super::signals::stop_flag;
-use super::table::{locations_csv, report};
+use super::table::report;
 use crate::config::Config;
 use crate::engine::{End, Engine};
+use crate::export::{Table, csv};
 use crate::forecast::forecast;
 use crate::queue::recover;
 use crate::solver::SolverChoice;
@@ -123,7 +124,10 @@ impl Run {
                 Failure::Other(format!("{} can't be made: {error}", folder.display()))
             })?;
             JsonTarget::File(folder.join("result.json")).write(result)?;
-            write_whole(&folder.join("locations.csv"), &locations_csv(result))?;
+            write_whole(
+                &folder.join("locations.csv"),
+                &csv(Table::Locations, result, &[]),
+            )?;
         }
         if let Some(target) = &self.json {
             target.write(result)?;

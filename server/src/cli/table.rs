@@ -146,36 +146,3 @@ fn cost(result: &StudyResult) -> String {
         100.0 * cost.other_share,
     )
 }
-
-/// The ranked locations as comma-separated values; an index that doesn't exist is an empty field.
-pub fn locations_csv(result: &StudyResult) -> String {
-    let mut text = String::from(
-        "rank,name,gsi_x_percent,gsi_y_percent,mean_gsi_x_percent,mean_gsi_y_percent,own_gsi_x_percent,\
-         own_gsi_y_percent,mdrm_gsi_x_percent,mdrm_gsi_y_percent,rank_x,rank_y,rank_certain,gsi_x_error_percent,\
-         gsi_y_error_percent\n",
-    );
-    let number = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
-    let rank = |value: Option<usize>| value.map(|value| value.to_string()).unwrap_or_default();
-    for l in &result.locations {
-        let fields = [
-            l.rank.to_string(),
-            l.name.clone(),
-            number(l.gsi_x_percent),
-            number(l.gsi_y_percent),
-            number(l.mean_gsi_x_percent),
-            number(l.mean_gsi_y_percent),
-            number(l.own_gsi_x_percent),
-            number(l.own_gsi_y_percent),
-            number(l.mdrm_gsi_x_percent),
-            number(l.mdrm_gsi_y_percent),
-            rank(l.rank_x),
-            rank(l.rank_y),
-            l.rank_certain.to_string(),
-            number(l.gsi_x_error_percent),
-            number(l.gsi_y_error_percent),
-        ];
-        text.push_str(&fields.join(","));
-        text.push('\n');
-    }
-    text
-}

@@ -105,6 +105,11 @@ pub fn result() -> Value {
     })
 }
 
+/// The first rows of a table.
+pub fn csv() -> &'static str {
+    "rank,name,gsi_x_percent,gsi_y_percent\n1,P3,72.86,55.33\n"
+}
+
 /// A trade of one rung.
 pub fn trade() -> Value {
     let rung = json!({
@@ -141,6 +146,7 @@ mod tests {
 
     use super::super::wire;
     use super::*;
+    use crate::points::EvaluationView;
 
     fn reads<T: DeserializeOwned>(example: Value) {
         serde_json::from_value::<T>(example.clone())
@@ -151,7 +157,7 @@ mod tests {
     fn examples_are_of_their_types() {
         reads::<wire::StudySummary>(summary());
         reads::<wire::StudyDetail>(detail());
-        reads::<wire::EvaluationView>(evaluation());
+        reads::<EvaluationView>(evaluation());
         reads::<wire::MapView>(map());
         reads::<wire::Preset>(preset());
         reads::<wire::StudyDocument>(study());

@@ -9,6 +9,7 @@
 //! - [`studies`]: submit, list, look at, cancel
 //! - [`events`]: progress as server-sent events
 //! - [`results`]: result, locations, layouts, evaluations, map
+//! - [`export`]: the same as tables
 //! - [`presets`]: studies and scenes to start from
 //! - [`health`]: is it up, can it work
 //! - [`openapi`], [`docs`]: the description of all this
@@ -20,6 +21,7 @@ pub mod docs;
 pub mod document;
 pub mod events;
 pub mod examples;
+pub mod export;
 pub mod extract;
 pub mod guard;
 pub mod health;
@@ -67,6 +69,7 @@ fn routes() -> OpenApiRouter<AppState> {
         .merge(studies::router())
         .merge(events::router())
         .merge(results::router())
+        .merge(export::router())
         .merge(presets::router())
         .merge(health::router())
         .merge(openapi::router())

@@ -13,6 +13,7 @@ use utoipa_axum::routes;
 
 use super::wire::ProblemDocument;
 use super::{AppState, docs, examples};
+use crate::export::Table;
 
 #[derive(OpenApi)]
 #[openapi(
@@ -24,7 +25,7 @@ use super::{AppState, docs, examples};
                        them. Every answer has an `x-request-id`.",
         license(name = "MIT OR Apache-2.0", identifier = "MIT OR Apache-2.0")
     ),
-    components(schemas(ProblemDocument)),
+    components(schemas(ProblemDocument, Table)),
     tags(
         (name = "studies", description = "Estimate, submit, follow and cancel"),
         (name = "answers", description = "What a study found"),

@@ -4,10 +4,7 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use fem_client::document::Format;
-use fem_client::scene::Scene;
 use placement::result::StudyResult;
-use placement::study::Input;
 use placement::trade::Trade;
 use serde::Deserialize;
 use utoipa_axum::router::OpenApiRouter;
@@ -18,10 +15,9 @@ use super::examples;
 use super::extract::{Params, StudyId, StudyPath};
 use super::problem::Problem;
 use super::studies::known;
-use super::wire::{EvaluationView, Evaluations, Layouts, Locations, MapView, ProblemDocument};
-use crate::store::evaluations::Evaluation;
-use crate::store::{Store, evaluations, results, trades};
-use crate::study_document::stored_plan;
+use super::wire::{Evaluations, Layouts, Locations, MapView, ProblemDocument};
+use crate::points;
+use crate::store::{Store, results, trades};
 
 /// `/v1/studies/{id}/result` and its parts.
 pub fn router() -> OpenApiRouter<AppState> {
@@ -29,7 +25,7 @@ pub fn router() -> OpenApiRouter<AppState> {
         .routes(routes!(whole))
         .routes(routes!(locations))
         .routes(routes!(layouts))
-        .routes(routes!(points))
+        .routes(routes!(evaluations))
         .routes(routes!(map))
         .routes(routes!(trade))
 }
@@ -92,52 +88,14 @@ async fn layouts(
 #[utoipa::path(get, path = "/v1/studies/{id}/evaluations", tag = "answers", params(StudyPath),
     responses((status = 200, description = "The answer", body = Evaluations, example = json!({"evaluations": [examples::evaluation()]})),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
-async fn points(
+async fn evaluations(
     State(state): State<AppState>,
     StudyId(id): StudyId,
 ) -> Result<Json<Evaluations>, Problem> {
     let study = known(&state.store, &id).await?;
-    let inputs = stored_plan(&study)
-        .map(|(study, _)| study.inputs)
-        .unwrap_or_default();
     let mut connection = state.store.read().await?;
-    let mut rows = Vec::new();
-    for (ordinal, key) in evaluations::points_of(&mut connection, &id).await? {
-        let Some(evaluation) = evaluations::find(&mut connection, &key).await? else {
-            continue;
-        };
-        rows.push(view(ordinal, key, evaluation, &inputs));
-    }
-    Ok(Json(Evaluations { evaluations: rows }))
-}
-
-fn view(ordinal: usize, key: String, evaluation: Evaluation, inputs: &[Input]) -> EvaluationView {
-    let scene = Scene::from_text(&evaluation.scene, Format::Json).ok();
-    let solved = evaluation.outcome.is_ok();
-    let (response, unsolved) = match evaluation.outcome {
-        Ok(response) => (Some(response), None),
-        Err(unsolved) => (None, Some(unsolved)),
-    };
-    EvaluationView {
-        ordinal,
-        key,
-        level: scene
-            .as_ref()
-            .map(|scene| scene.model.level.as_str().to_owned()),
-        values: scene.as_ref().and_then(|scene| values_of(scene, inputs)),
-        reaction_n: response.as_ref().map(|response| response.reaction_n),
-        locations: response.map(|response| response.locations),
-        newton_iterations: solved.then_some(evaluation.cost.newton_iterations),
-        wall_s: evaluation.cost.wall_s,
-        reason: unsolved.as_ref().map(ToString::to_string),
-        reached: unsolved.map(|unsolved| unsolved.reached),
-    }
-}
-
-/// The inputs' values in a stored scene; none if this version doesn't know one of them.
-fn values_of(scene: &Scene, inputs: &[Input]) -> Option<Vec<f64>> {
-    let value = |input: &Input| scene.number_at(&input.vary).ok();
-    inputs.iter().map(value).collect()
+    let evaluations = points::of(&mut connection, &study).await?;
+    Ok(Json(Evaluations { evaluations }))
 }
 
 #[derive(Deserialize)]
@@ -221,7 +179,7 @@ async fn trade(
 }
 
 /// The result of a study, or 404 with what became of it.
-async fn ready(store: &Store, id: &str) -> Result<(StudyResult, String), Problem> {
+pub(super) async fn ready(store: &Store, id: &str) -> Result<(StudyResult, String), Problem> {
     let study = known(store, id).await?;
     let mut connection = store.read().await?;
     let found = results::find(&mut connection, id).await?;

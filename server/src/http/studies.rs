@@ -47,7 +47,7 @@ pub fn router() -> OpenApiRouter<AppState> {
                 ("cancel" = (operation_id = "cancel", parameters(("id" = "$response.body#/id")))),
                 ("events" = (operation_id = "follow", parameters(("id" = "$response.body#/id")))),
                 ("result" = (operation_id = "whole", parameters(("id" = "$response.body#/id")))),
-                ("evaluations" = (operation_id = "points", parameters(("id" = "$response.body#/id"))))
+                ("evaluations" = (operation_id = "evaluations", parameters(("id" = "$response.body#/id"))))
             ), example = json!(examples::summary())),
         (status = 422, description = "The document has faults: all of them, each with its JSON pointer; or the key stands for another document",
             body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]

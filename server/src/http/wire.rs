@@ -1,12 +1,12 @@
 //! The documents that the service answers with, and those that it takes.
 
 use fem_client::fault::Fault;
-use fem_client::solver::{LocationStrain, Reached};
 use placement::result::{Estimate, RankedLayout, RankedLocation};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
 
+use crate::points::EvaluationView;
 use crate::store::studies::{State, StudyRow};
 
 /// A study in the queue, at work, or at its end. Times are RFC 3339, UTC.
@@ -100,33 +100,6 @@ pub struct Layouts {
 pub struct Evaluations {
     /// In the order of the plan; those after it are the same on a coarser mesh, or on the next rung of a climb.
     pub evaluations: Vec<EvaluationView>,
-}
-
-/// One point that has an outcome.
-#[derive(Debug, Serialize, Deserialize, ToSchema)]
-pub struct EvaluationView {
-    /// Its place.
-    pub ordinal: usize,
-    /// Hash of all that determines its outcome.
-    pub key: String,
-    /// Mesh level.
-    pub level: Option<String>,
-    /// The inputs' values; null when this version doesn't know one of them.
-    pub values: Option<Vec<f64>>,
-    /// Vertical force, N; null without an equilibrium.
-    pub reaction_n: Option<f64>,
-    /// Strains at P1, P2, ...; null without an equilibrium.
-    pub locations: Option<Vec<LocationStrain>>,
-    /// Newton iterations; null without an equilibrium.
-    pub newton_iterations: Option<usize>,
-    /// Wall-clock time of the solve, s.
-    pub wall_s: f64,
-    /// Why there is no equilibrium.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub reason: Option<String>,
-    /// Loads of the last equilibrium before.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub reached: Option<Reached>,
 }
 
 /// One layer of the map; lists are rows x columns, all angles of the first row first.

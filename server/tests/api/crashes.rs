@@ -8,6 +8,7 @@ use std::time::Duration;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use serde_json::Value;
+use server::store::upkeep;
 use server::watched::Watched;
 
 use crate::support::{App, Home, serve, study};
@@ -61,6 +62,13 @@ async fn failed_point(app: &App, id: &str) -> String {
     cause.to_owned()
 }
 
+/// A point that left nothing isn't taken for one that was lost.
+async fn assert_whole(home: &Home) {
+    let opened = upkeep::open(&home.database()).await;
+    let found = upkeep::inspect(&mut opened.expect("opens")).await;
+    assert_eq!(found.expect("reads").faults, Vec::<String>::new());
+}
+
 async fn first_study(app: &App) -> Option<String> {
     let list = app.json("/v1/studies").await;
     list["studies"][0]["id"].as_str().map(str::to_owned)
@@ -100,6 +108,7 @@ async fn a_point_that_kills_the_program_is_left_alone_after_three_times() {
 
     let app = home.start(ClosedFormSolver::new()).await;
     let id = first_study(&app).await.expect("the study");
+    assert_whole(&home).await;
     let cause = failed_point(&app, &id).await;
     assert!(
         cause.starts_with("quarantined: the program died 3 times"),
@@ -129,6 +138,7 @@ async fn a_panic_or_an_endless_loop_costs_its_point_alone() {
         app.wait_for(&id, "done").await;
         let cause = failed_point(&app, &id).await;
         assert!(cause.starts_with(expected), "{cause}");
+        assert_whole(&home).await;
         // It isn't stored as if it were known, and a sound solver is asked for it alone.
         let points = app.json(&format!("/v1/studies/{id}/evaluations")).await;
         assert_eq!(points["evaluations"].as_array().map(Vec::len), Some(25));

@@ -3,6 +3,7 @@
 mod crashes;
 mod dashboard;
 mod events;
+mod export;
 mod guard;
 mod openapi;
 mod queue;

@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod db;
+mod library;
 #[path = "../program/mod.rs"]
 mod program;
 #[cfg(unix)]

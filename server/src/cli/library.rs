@@ -1,0 +1,218 @@
+//! `strainsite list`, `show` and `export`: the database without a service, also while one runs.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use placement::result::StudyResult;
+use serde_json::{Value, json};
+use sqlx::SqliteConnection;
+use tokio::runtime::Runtime;
+
+use super::Failure;
+use super::output::{JsonTarget, print, tell, write_whole};
+use super::table::report;
+use crate::export::{Table, csv};
+use crate::http::wire::StudySummary;
+use crate::points;
+use crate::store::studies::{self, State, StudyRow};
+use crate::store::{results, upkeep};
+
+/// The database to read.
+#[derive(Debug, Args)]
+struct Database {
+    /// Database file
+    #[arg(
+        long,
+        env = "STRAINSITE_DB",
+        value_name = "FILE",
+        default_value = "strainsite.db"
+    )]
+    db: PathBuf,
+}
+
+impl Database {
+    /// Lends a connection that can only read.
+    fn read<T>(
+        &self,
+        task: impl AsyncFnOnce(&mut SqliteConnection) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        let runtime = Runtime::new().map_err(Failure::other)?;
+        runtime.block_on(async {
+            let mut connection = upkeep::open(&self.db).await.map_err(Failure::other)?;
+            task(&mut connection).await
+        })
+    }
+}
+
+/// The study of this identifier, or of the only one that begins so.
+async fn study(connection: &mut SqliteConnection, id: &str) -> Result<StudyRow, Failure> {
+    let mut found = studies::beginning_with(connection, id, 2)
+        .await
+        .map_err(Failure::other)?;
+    match (found.pop(), found.is_empty()) {
+        (Some(study), true) => Ok(study),
+        (Some(_), false) => Err(Failure::input(format!(
+            "several studies begin with {id:?}: give more of the identifier"
+        ))),
+        (None, _) => Err(Failure::input(format!(
+            "there is no study {id:?}; strainsite list shows those there are"
+        ))),
+    }
+}
+
+async fn result(
+    connection: &mut SqliteConnection,
+    study: &StudyRow,
+) -> Result<StudyResult, Failure> {
+    let found = results::find(connection, &study.id).await;
+    let Some((result, _)) = found.map_err(Failure::other)? else {
+        let why = study.error.as_deref().unwrap_or("it hasn't ended");
+        return Err(Failure::Other(format!(
+            "study {} is {} and has no result: {}",
+            study.id,
+            study.state().as_str(),
+            why.escape_debug()
+        )));
+    };
+    Ok(result)
+}
+
+/// List the studies of a database, newest first
+#[derive(Debug, Args)]
+pub struct List {
+    #[command(flatten)]
+    database: Database,
+    /// Studies of this state alone: queued, running, done, failed, cancelled
+    #[arg(long, value_name = "STATE", value_parser = state)]
+    state: Option<State>,
+    /// Most studies to list
+    #[arg(long, value_name = "N", default_value_t = 50)]
+    limit: u32,
+    /// Write the list as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+fn state(name: &str) -> Result<State, String> {
+    State::named(name)
+        .ok_or_else(|| "a state is queued, running, done, failed or cancelled".to_owned())
+}
+
+impl List {
+    /// Prints a line for each study.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let rows = self.database.read(async |connection| {
+            let page = studies::page(connection, self.state, None, self.limit).await;
+            page.map_err(Failure::other)
+        })?;
+        if let Some(target) = &self.json {
+            let studies: Vec<StudySummary> = rows.iter().map(StudySummary::of).collect();
+            target.write(&json!({"studies": studies}))?;
+        }
+        tell(&lines(&rows), self.json.as_ref())
+    }
+}
+
+fn lines(rows: &[StudyRow]) -> String {
+    let mut text = String::new();
+    for row in rows {
+        let total = row
+            .points_total
+            .map_or("?".to_owned(), |total| total.to_string());
+        let _ = writeln!(
+            text,
+            "{}  {:<9}  {:>6} of {total:<6}  {}  {}",
+            row.id,
+            row.state().as_str(),
+            row.points_done,
+            row.created,
+            row.name.escape_debug()
+        );
+    }
+    text
+}
+
+/// Show a study: its ranked table, or how far it is
+#[derive(Debug, Args)]
+pub struct Show {
+    /// Identifier of the study, or its beginning
+    id: String,
+    #[command(flatten)]
+    database: Database,
+    /// Write study and result as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+impl Show {
+    /// Prints the study.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let (row, found) = self.database.read(async |connection| {
+            let row = study(connection, &self.id).await?;
+            let found = results::find(connection, &row.id).await;
+            Ok((row, found.map_err(Failure::other)?))
+        })?;
+        let found = found.map(|(result, _)| result);
+        if let Some(target) = &self.json {
+            let document: Value = serde_json::from_str(&row.spec).map_err(Failure::other)?;
+            let study = StudySummary::of(&row);
+            target.write(&json!({"study": study, "document": document, "result": found}))?;
+        }
+        let mut text = lines(std::slice::from_ref(&row));
+        if let Some(error) = &row.error {
+            let _ = writeln!(text, "{}", error.escape_debug());
+        }
+        if let Some(result) = &found {
+            text = format!("{text}\n{}", report(result));
+        }
+        tell(&text, self.json.as_ref())
+    }
+}
+
+/// Write a study's answer as a table or as JSON
+#[derive(Debug, Args)]
+pub struct Export {
+    /// Identifier of the study, or its beginning
+    id: String,
+    #[command(flatten)]
+    database: Database,
+    /// What to write
+    #[arg(long, value_enum, value_name = "FORMAT", default_value = "csv")]
+    format: Format,
+    /// What the CSV holds
+    #[arg(long, value_enum, value_name = "TABLE", default_value = "indices")]
+    table: Table,
+    /// File to write; standard output when absent
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Csv,
+    Json,
+}
+
+impl Export {
+    /// Writes the answer.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let text = self.database.read(async |connection| {
+            let row = study(connection, &self.id).await?;
+            let result = result(connection, &row).await?;
+            if self.format == Format::Json {
+                let text = serde_json::to_string_pretty(&result);
+                return text.map(|text| text + "\n").map_err(Failure::other);
+            }
+            let points = match self.table {
+                Table::Points => points::of(connection, &row).await.map_err(Failure::other)?,
+                _ => Vec::new(),
+            };
+            Ok(csv(self.table, &result, &points))
+        })?;
+        match &self.output {
+            Some(path) => write_whole(path, &text),
+            None => print(&text),
+        }
+    }
+}
