@@ -26,14 +26,20 @@ fn cpu_ticks(stat: &str) -> Option<f64> {
 pub fn peak_memory_bytes() -> u64 {
     read_to_string("/proc/self/status")
         .ok()
-        .and_then(|text| peak_kib(&text))
+        .and_then(|text| kib(&text, "VmHWM:"))
         .map_or(0, |kib| kib * 1024)
 }
 
-fn peak_kib(status: &str) -> Option<u64> {
-    let line = status
-        .lines()
-        .find_map(|line| line.strip_prefix("VmHWM:"))?;
+/// Resident memory of this process now, bytes; 0 where `/proc` is absent.
+pub fn memory_bytes() -> u64 {
+    read_to_string("/proc/self/status")
+        .ok()
+        .and_then(|text| kib(&text, "VmRSS:"))
+        .map_or(0, |kib| kib * 1024)
+}
+
+fn kib(status: &str, field: &str) -> Option<u64> {
+    let line = status.lines().find_map(|line| line.strip_prefix(field))?;
     line.split_whitespace().next()?.parse().ok()
 }
 
@@ -51,17 +57,18 @@ mod tests {
     #[test]
     fn peak_memory_is_in_kib() {
         assert_eq!(
-            peak_kib("VmPeak:\t 9 kB\nVmHWM:\t    1234 kB\n"),
+            kib("VmPeak:\t 9 kB\nVmHWM:\t    1234 kB\n", "VmHWM:"),
             Some(1234)
         );
-        assert_eq!(peak_kib(""), None);
+        assert_eq!(kib("", "VmHWM:"), None);
     }
 
     #[cfg(target_os = "linux")]
     #[test]
     fn this_process_takes_memory() {
         // A test binary maps more than a megabyte of itself.
-        assert!(peak_memory_bytes() > 1 << 20);
+        assert!(memory_bytes() > 1 << 20);
+        assert!(peak_memory_bytes() >= memory_bytes());
         assert!(cpu_s() >= 0.0);
     }
 }

@@ -8,6 +8,7 @@ use placement::archive::{Archive, ArchiveError, Outcome, PointRecord};
 use sqlx::SqliteConnection;
 use tokio::runtime::Handle;
 
+use crate::metrics::{Metrics, PointOutcome};
 use crate::store::evaluations::{self, Evaluation};
 use crate::store::{Store, StoreError, crashes};
 
@@ -16,16 +17,18 @@ pub struct StoreArchive {
     store: Arc<Store>,
     runtime: Handle,
     study: String,
+    metrics: Arc<Metrics>,
     disk_full: AtomicBool,
 }
 
 impl StoreArchive {
     /// The archive of this study.
-    pub fn new(store: Arc<Store>, runtime: Handle, study: &str) -> Self {
+    pub fn new(store: Arc<Store>, runtime: Handle, study: &str, metrics: Arc<Metrics>) -> Self {
         Self {
             store,
             runtime,
             study: study.to_owned(),
+            metrics,
             disk_full: AtomicBool::new(false),
         }
     }
@@ -59,6 +62,7 @@ impl StoreArchive {
             let mut transaction = self.store.begin().await?;
             evaluations::link(&mut transaction, &self.study, ordinal, key).await?;
             self.store.commit(transaction, 0).await?;
+            self.metrics.point(PointOutcome::Reused);
         }
         Ok(found)
     }
@@ -93,7 +97,9 @@ impl Archive for StoreArchive {
         self.write(async |connection| {
             evaluations::insert(connection, &self.study, point).await?;
             crashes::end(connection, point.key).await
-        })
+        })?;
+        self.metrics.solve(point.cost.wall_s);
+        Ok(())
     }
 
     fn load_start(&self, key: &str) -> Result<Option<StartState>, ArchiveError> {

@@ -16,6 +16,7 @@ use tokio::runtime::Handle;
 
 use crate::archive::StoreArchive;
 use crate::forecast::forecast;
+use crate::metrics::Metrics;
 use crate::store::studies::{self, State, StudyRow};
 use crate::store::{Store, StoreError, events, results, turns};
 use crate::study_document::stored_plan;
@@ -29,6 +30,8 @@ pub struct Engine {
     pub solver: Arc<dyn Solver>,
     /// Solves that run at once.
     pub threads: usize,
+    /// Counts points.
+    pub metrics: Arc<Metrics>,
 }
 
 /// How a run ended.
@@ -87,11 +90,17 @@ impl Engine {
             Ok(read) => read,
             Err(error) => return End::failed(error),
         };
-        let archive = StoreArchive::new(self.store.clone(), runtime.clone(), &row.id);
+        let archive = StoreArchive::new(
+            self.store.clone(),
+            runtime.clone(),
+            &row.id,
+            self.metrics.clone(),
+        );
         let observer = |event: Event| {
             if let Err(error) = runtime.block_on(self.record(&row.id, &event)) {
                 tracing::warn!(study = row.id, %error, "an event could not be recorded");
             }
+            self.metrics.event(&event);
             progress(&event);
         };
         let means = Means {

@@ -5,12 +5,14 @@
 //! - [`config`]: settings from flags and environment
 //! - [`telemetry`]: the log
 //! - [`watched`]: solves that come to an end in time
+//! - [`token`]: the secret that lets a client in
 //! - [`solver`]: which solver answers
 //! - [`shutdown`]: the wish to stop
 //! - [`store`]: the database, all SQL
 //! - [`study_document`]: study documents from files and from the database
 //! - [`points`]: the points of a study as a reader sees them
 //! - [`export`]: answers as tables for other programs
+//! - [`metrics`]: what is counted and measured
 //! - [`archive`]: the database as the place where solved points are kept
 //! - [`forecast`]: what a study would cost
 //! - [`engine`]: runs one study from its document to its end
@@ -28,6 +30,7 @@ pub mod export;
 pub mod forecast;
 pub mod http;
 pub mod points;
+pub mod metrics;
 pub mod queue;
 pub mod service;
 pub mod shutdown;
@@ -35,5 +38,6 @@ pub mod solver;
 pub mod store;
 pub mod study_document;
 pub mod telemetry;
+pub mod token;
 pub mod value_table;
 pub mod watched;

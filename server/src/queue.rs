@@ -33,6 +33,7 @@ const LOOK: Duration = Duration::from_secs(1);
 pub struct Queue {
     engine: Engine,
     turn: Duration,
+    most_waiting: u32,
     news: Notify,
     current: Mutex<Option<Current>>,
     shutdown: Shutdown,
@@ -49,17 +50,24 @@ pub enum SubmitError {
     /// The key stands for another document.
     #[error("the idempotency key was used with another document")]
     KeyTaken,
+    /// So many wait that another one is not taken in.
+    #[error("{most} studies wait already, which is the most: send it again when some are done")]
+    TooMany {
+        /// How many may wait.
+        most: u32,
+    },
     /// The database failed.
     #[error(transparent)]
     Store(#[from] StoreError),
 }
 
 impl Queue {
-    /// A queue that works until `shutdown`; a study's turn is this long when others wait.
-    pub fn new(engine: Engine, turn: Duration, shutdown: Shutdown) -> Self {
+    /// A queue of so many studies that works until `shutdown`; a study's turn is this long when others wait.
+    pub fn new(engine: Engine, turn: Duration, most_waiting: u32, shutdown: Shutdown) -> Self {
         Self {
             engine,
             turn,
+            most_waiting,
             news: Notify::new(),
             current: Mutex::new(None),
             shutdown,
@@ -69,7 +77,7 @@ impl Queue {
     /// Takes a study in and returns its identifier. The same study under the same key is taken in once, with its first priority.
     ///
     /// # Errors
-    /// [`SubmitError::KeyTaken`] when the key stands for another document; when the database can't be written.
+    /// See [`SubmitError`].
     pub async fn submit(
         &self,
         study: &Study,
@@ -87,6 +95,10 @@ impl Queue {
             } else {
                 Err(SubmitError::KeyTaken)
             };
+        }
+        if turns::waiting(&mut transaction).await? >= self.most_waiting {
+            let most = self.most_waiting;
+            return Err(SubmitError::TooMany { most });
         }
         let id =
             studies::insert(&mut transaction, &study.name, &study.canonical(), &sha256).await?;

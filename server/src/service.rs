@@ -11,11 +11,15 @@ use tokio::sync::watch;
 use tokio::task::JoinHandle;
 
 use crate::engine::Engine;
-use crate::http::guard::HostList;
+use crate::http::access::Access;
+use crate::http::events::Streams;
+use crate::http::guard::{HostList, HostName};
 use crate::http::{AppState, app, listener};
+use crate::metrics::Metrics;
 use crate::queue::{self, Queue};
 use crate::shutdown;
 use crate::store::{Store, StoreError};
+use crate::token::{Token, TokenError};
 
 /// A solver that does not heed its stop flag is not waited for longer.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -32,11 +36,68 @@ pub struct ServiceParts {
     pub threads: usize,
     /// How long a study runs before another one that waits has its turn.
     pub turn: Duration,
+    /// Whom it answers.
+    pub outside: Outside,
+}
+
+/// Whom a service answers.
+#[derive(Debug, Default)]
+pub struct Outside {
+    /// What a client has to know; without it every program on this machine is let in, and none elsewhere.
+    pub token: Option<Token>,
+    /// Names under which others reach the service.
+    pub hosts: Vec<HostName>,
+    /// How much it takes on.
+    pub limits: Limits,
+}
+
+/// What clients may make grow, and how far.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// Studies that wait in the queue.
+    pub waiting_studies: u32,
+    /// Event streams at once.
+    pub event_streams: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            waiting_studies: 20_000,
+            event_streams: 256,
+        }
+    }
+}
+
+impl Outside {
+    /// Refuses to be reached from other machines by everybody.
+    ///
+    /// # Errors
+    /// [`Exposed`].
+    pub fn check(&self, address: SocketAddr) -> Result<(), Exposed> {
+        if self.token.is_some() || (address.ip().is_loopback() && self.hosts.is_empty()) {
+            return Ok(());
+        }
+        Err(Exposed { address })
+    }
+}
+
+/// A service that other machines could reach, and no token.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "a service at {address} or under names of its own can be reached from other machines: that takes a token (--token); \
+     without one it serves 127.0.0.1 and [::1] under their own names, and a forwarded port is reached as in \
+     ssh -L 8080:localhost:8080"
+)]
+pub struct Exposed {
+    /// Where it would listen.
+    pub address: SocketAddr,
 }
 
 /// A service that runs until it is stopped.
 pub struct Service {
     address: SocketAddr,
+    login: Option<String>,
     store: Arc<Store>,
     shutdown: watch::Sender<bool>,
     http: JoinHandle<()>,
@@ -57,14 +118,26 @@ pub enum StartError {
     /// The database can't be used.
     #[error(transparent)]
     Store(#[from] StoreError),
+    /// Other machines could reach it, and there is no token.
+    #[error(transparent)]
+    Exposed(#[from] Exposed),
+    /// There is no secret for a browser.
+    #[error(transparent)]
+    Token(#[from] TokenError),
 }
 
 impl Service {
     /// Starts a service and returns when it answers. What a crash left running goes on.
     ///
     /// # Errors
-    /// When the address is taken, or the database can't be used.
+    /// See [`StartError`].
     pub async fn start(parts: ServiceParts) -> Result<Self, StartError> {
+        let Outside {
+            token,
+            hosts,
+            limits,
+        } = &parts.outside;
+        parts.outside.check(parts.address)?;
         let listen_error = |cause| StartError::Listen {
             address: parts.address,
             cause,
@@ -76,26 +149,36 @@ impl Service {
         let address = listener.local_addr().map_err(listen_error)?;
         queue::recover(&store).await?;
         let (shutdown, stopping) = shutdown::channel();
+        let metrics = Metrics::new();
         let engine = Engine {
             store: store.clone(),
             solver: parts.solver,
             threads: parts.threads,
+            metrics: metrics.clone(),
         };
-        let queue = Arc::new(Queue::new(engine.clone(), parts.turn, stopping.clone()));
+        let queue = Arc::new(Queue::new(
+            engine.clone(),
+            parts.turn,
+            limits.waiting_studies,
+            stopping.clone(),
+        ));
+        let access = Access::of(token.clone(), address.port());
+        let login = access.link()?;
+        let hosts = HostList::of(address, hosts);
         let state = AppState {
             store: store.clone(),
             engine,
             queue: queue.clone(),
             shutdown: stopping.clone(),
+            access,
+            metrics,
+            streams: Streams::new(limits.event_streams),
         };
-        let http = tokio::spawn(listener::serve(
-            listener,
-            app(state, HostList::of(address)),
-            stopping,
-        ));
+        let http = tokio::spawn(listener::serve(listener, app(state, hosts), stopping));
         let worker = tokio::spawn(async move { queue.work().await });
         Ok(Self {
             address,
+            login,
             store,
             shutdown,
             http,
@@ -106,6 +189,11 @@ impl Service {
     /// Where it listens.
     pub fn address(&self) -> SocketAddr {
         self.address
+    }
+
+    /// The path that lets one browser in, once; `None` where no token is asked for.
+    pub fn login(&self) -> Option<&str> {
+        self.login.as_deref()
     }
 
     /// The database file.

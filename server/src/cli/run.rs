@@ -20,6 +20,7 @@ use crate::config::Config;
 use crate::engine::{End, Engine};
 use crate::export::{Table, csv};
 use crate::forecast::forecast;
+use crate::metrics::Metrics;
 use crate::queue::recover;
 use crate::solver::SolverChoice;
 use crate::store::studies::{self, StudyRow};
@@ -62,6 +63,7 @@ impl Run {
             store: Arc::new(store),
             solver: self.solver.solver().map_err(Failure::other)?,
             threads: self.config.threads(),
+            metrics: Metrics::new(),
         };
         let end = self.solve(&runtime, &engine, &study);
         runtime.block_on(engine.store.close());

@@ -6,6 +6,7 @@ use axum::http::{HeaderMap, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use rust_embed::{Embed, EmbeddedFile};
 
+use super::conditional::tagged;
 use super::problem::Problem;
 
 #[derive(Embed)]
@@ -55,26 +56,12 @@ fn serve(name: &str, file: EmbeddedFile, headers: &HeaderMap) -> Response {
         .take(16)
         .map(|byte| format!("{byte:02x}"))
         .collect();
-    let etag = format!("\"{hash}\"");
     // Files under assets/ have their content's hash in their names.
     let caching = if name.starts_with("assets/") {
         "public, max-age=31536000, immutable"
     } else {
         "no-cache"
     };
-    let known = headers
-        .get(header::IF_NONE_MATCH)
-        .and_then(|value| value.to_str().ok());
-    let cache_headers = [
-        (header::ETAG, etag.clone()),
-        (header::CACHE_CONTROL, caching.to_owned()),
-    ];
-    if known.is_some_and(|tags| {
-        tags.split(',')
-            .any(|tag| tag.trim().trim_start_matches("W/") == etag)
-    }) {
-        return (StatusCode::NOT_MODIFIED, cache_headers).into_response();
-    }
     let kind = [(header::CONTENT_TYPE, file.metadata.mimetype().to_owned())];
-    (cache_headers, kind, Body::from(file.data)).into_response()
+    tagged(headers, &hash, caching, (kind, Body::from(file.data)))
 }

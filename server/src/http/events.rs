@@ -15,7 +15,7 @@ use axum::response::sse::{Event, KeepAlive, Sse};
 use axum::response::{IntoResponse, Response};
 use futures_util::stream;
 use serde_json::{Value, json};
-use tokio::sync::watch;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
@@ -47,6 +47,8 @@ pub fn router() -> OpenApiRouter<AppState> {
     responses((status = 200, description = "The events", content_type = "text/event-stream", body = String,
                   example = json!("id: 17\nevent: point-solved\ndata: {\"kind\":\"point-solved\",\"time\":\"2026-11-22T01:02:03.456Z\",\"ordinal\":3,\"done\":4,\"of\":26}\n\n")),
               (status = 204, description = "The study has ended and there is nothing more to tell"),
+              (status = 429, description = "Too many streams are open already; `Retry-After` says when to look again", body = ProblemDocument, content_type = "application/problem+json",
+                  headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(examples::crowded())),
               (status = 404, description = "There is no such study", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn follow(
     State(state): State<AppState>,
@@ -54,6 +56,7 @@ async fn follow(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let last = last_event_id(&headers)?;
+    let place = state.streams.take()?;
     let study = known(&state.store, &id).await?;
     let mut follower = Follower {
         seen: state.store.events_seen(),
@@ -63,6 +66,7 @@ async fn follow(
         last,
         waiting: VecDeque::new(),
         ended: false,
+        _place: place,
     };
     follower.fetch().await?;
     if study.ended() && follower.waiting.is_empty() {
@@ -95,6 +99,37 @@ fn last_event_id(headers: &HeaderMap) -> Result<i64, Problem> {
     number.filter(|id| *id >= 0).ok_or_else(wrong)
 }
 
+/// Places for streams: each costs a connection for hours.
+#[derive(Debug, Clone)]
+pub struct Streams {
+    places: Arc<Semaphore>,
+    most: usize,
+}
+
+impl Streams {
+    /// Room for so many.
+    pub fn new(most: usize) -> Self {
+        let most = most.min(Semaphore::MAX_PERMITS);
+        Self {
+            places: Arc::new(Semaphore::new(most)),
+            most,
+        }
+    }
+
+    /// How many are open.
+    pub fn open(&self) -> usize {
+        self.most - self.places.available_permits()
+    }
+
+    fn take(&self) -> Result<OwnedSemaphorePermit, Problem> {
+        let place = self.places.clone().try_acquire_owned();
+        place.map_err(|_| {
+            let detail = format!("{} event streams are open already, which is the most: look at the study now and then instead", self.most);
+            Problem::new(StatusCode::TOO_MANY_REQUESTS, detail)
+        })
+    }
+}
+
 struct Follower {
     store: Arc<Store>,
     seen: watch::Receiver<i64>,
@@ -103,6 +138,8 @@ struct Follower {
     last: i64,
     waiting: VecDeque<EventRow>,
     ended: bool,
+    /// Free again when the stream ends.
+    _place: OwnedSemaphorePermit,
 }
 
 impl Follower {

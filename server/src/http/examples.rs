@@ -129,6 +129,27 @@ pub fn absent() -> Value {
     json!({"type": "about:blank", "title": "Not Found", "status": 404, "detail": "there is no study \"x\"", "request_id": ID})
 }
 
+/// Somebody without the token.
+pub fn locked() -> Value {
+    json!({"type": "about:blank", "title": "Unauthorized", "status": 401, "detail": "this service asks for its token", "request_id": ID})
+}
+
+/// More than a service takes on.
+pub fn crowded() -> Value {
+    json!({
+        "type": "about:blank", "title": "Too Many Requests", "status": 429,
+        "detail": "20000 studies wait already, which is the most: send it again when some are done", "request_id": ID,
+    })
+}
+
+/// A service that can't work.
+pub fn unready() -> Value {
+    json!({
+        "type": "about:blank", "title": "Service Unavailable", "status": 503, "detail": "the database does not answer; the service's log says why",
+        "request_id": ID,
+    })
+}
+
 /// A document with a fault.
 pub fn faults() -> Value {
     json!({

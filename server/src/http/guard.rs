@@ -4,7 +4,7 @@
 //! name that its owner points at 127.0.0.1. So the Host must be one of ours, and a write that a browser sends must
 //! come from our own page.
 
-use std::net::SocketAddr;
+use std::net::{Ipv6Addr, SocketAddr};
 use std::sync::Arc;
 
 use axum::extract::{Request, State};
@@ -14,13 +14,53 @@ use axum::response::{IntoResponse, Response};
 
 use super::problem::Problem;
 
+/// A name under which others reach the service, and the port when it isn't the service's own.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct HostName(String);
+
+impl HostName {
+    /// Reads `NAME`, `NAME:PORT`, or the same with an address of either family.
+    ///
+    /// # Errors
+    /// A sentence that says what would be right.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let (name, port) = match text.rsplit_once(':') {
+            Some((name, port)) if !port.ends_with(']') => (name, Some(port)),
+            _ => (text, None),
+        };
+        let numbered = name.strip_prefix('[').and_then(|n| n.strip_suffix(']'));
+        let named = !name.is_empty()
+            && name
+                .bytes()
+                .all(|byte| byte.is_ascii_alphanumeric() || b"-._".contains(&byte));
+        let fits = numbered.map_or(named, |ip| ip.parse::<Ipv6Addr>().is_ok())
+            && port.is_none_or(|port| port.parse::<u16>().is_ok_and(|port| port > 0));
+        fits.then(|| Self(text.to_owned())).ok_or_else(|| {
+            "a host is NAME or NAME:PORT, as in tires.example or 192.168.1.2:8080".to_owned()
+        })
+    }
+
+    /// The values of Host that mean this name: without a port both the scheme's own and the service's.
+    fn values(&self, port: u16) -> Vec<String> {
+        let bare = self.0.clone();
+        match bare.rsplit_once(':') {
+            Some((_, port)) if !port.ends_with(']') => vec![bare],
+            _ => vec![format!("{bare}:{port}"), bare],
+        }
+    }
+}
+
 /// The values of Host under which the service answers.
 #[derive(Debug, Clone)]
-pub struct HostList(Arc<[String]>);
+pub struct HostList {
+    own: Arc<[String]>,
+    /// Names that the service was given. A proxy may stand before it and speak TLS under them.
+    given: Arc<[String]>,
+}
 
 impl HostList {
-    /// Loopback names and the bound address, each with the bound port.
-    pub fn of(address: SocketAddr) -> Self {
+    /// Loopback names and the bound address, each with the bound port; and the names given.
+    pub fn of(address: SocketAddr, given: &[HostName]) -> Self {
         let port = address.port();
         let own = match address {
             SocketAddr::V4(v4) => v4.ip().to_string(),
@@ -30,7 +70,10 @@ impl HostList {
         let with_port = names.iter().map(|name| format!("{name}:{port}"));
         // A browser leaves the port out when it is the scheme's own.
         let bare = names.iter().filter(|_| port == 80).cloned();
-        Self(with_port.chain(bare).collect())
+        Self {
+            own: with_port.chain(bare).collect(),
+            given: given.iter().flat_map(|name| name.values(port)).collect(),
+        }
     }
 
     fn check(&self, method: &Method, headers: &HeaderMap) -> Result<(), Problem> {
@@ -41,14 +84,16 @@ impl HostList {
                 "a request needs exactly one Host header",
             ));
         };
-        let known = self
-            .0
-            .iter()
-            .any(|name| host.as_bytes().eq_ignore_ascii_case(name.as_bytes()));
-        if !known {
+        let among = |names: &[String]| {
+            let is_host = |name: &String| host.as_bytes().eq_ignore_ascii_case(name.as_bytes());
+            names.iter().any(is_host)
+        };
+        let given = among(&self.given);
+        if !given && !among(&self.own) {
+            let names = [&*self.own, &*self.given].concat().join(", ");
             return Err(Problem::new(
                 StatusCode::FORBIDDEN,
-                format!("this service answers as {} only", self.0.join(", ")),
+                format!("this service answers as {names} only"),
             ));
         }
         if headers.contains_key(header::CONTENT_LENGTH)
@@ -57,9 +102,18 @@ impl HostList {
             let detail = "a request can't have both Content-Length and Transfer-Encoding";
             return Err(Problem::new(StatusCode::BAD_REQUEST, detail));
         }
+        if headers.len() > MOST_HEADERS {
+            let detail = format!("a request has at most {MOST_HEADERS} headers");
+            return Err(Problem::new(
+                StatusCode::REQUEST_HEADER_FIELDS_TOO_LARGE,
+                detail,
+            ));
+        }
         let reads = matches!(*method, Method::GET | Method::HEAD | Method::OPTIONS);
         let own_origin = |origin: &HeaderValue| {
-            origin.as_bytes().strip_prefix(b"http://") == Some(host.as_bytes())
+            let says =
+                |scheme: &[u8]| origin.as_bytes().strip_prefix(scheme) == Some(host.as_bytes());
+            says(b"http://") || (given && says(b"https://"))
         };
         if !reads && !headers.get_all(header::ORIGIN).iter().all(own_origin) {
             return Err(Problem::new(
@@ -70,6 +124,9 @@ impl HostList {
         Ok(())
     }
 }
+
+/// Browsers send about twenty.
+const MOST_HEADERS: usize = 100;
 
 /// Refuses requests that don't mean this service.
 pub async fn admit(State(hosts): State<HostList>, request: Request, next: Next) -> Response {
@@ -114,7 +171,8 @@ mod tests {
         for (name, value) in pairs {
             headers.append(*name, HeaderValue::from_str(value).expect("header"));
         }
-        let hosts = HostList::of("127.0.0.1:8080".parse().expect("address"));
+        let given = HostName::read("tires.example").expect("a name");
+        let hosts = HostList::of("127.0.0.1:8080".parse().expect("address"), &[given]);
         hosts
             .check(&method, &headers)
             .err()
@@ -128,6 +186,8 @@ mod tests {
             "localhost:8080",
             "LOCALHOST:8080",
             "[::1]:8080",
+            "tires.example",
+            "Tires.Example:8080",
         ] {
             assert_eq!(status(Method::GET, &[("host", host)]), None, "{host}");
         }
@@ -137,6 +197,8 @@ mod tests {
             "127.0.0.1",
             "127.0.0.1:80",
             "localhost.evil.example:8080",
+            "tires.example:80",
+            "tires.example.evil.example",
         ] {
             assert_eq!(
                 status(Method::GET, &[("host", host)]),
@@ -150,10 +212,42 @@ mod tests {
     }
 
     #[test]
+    fn names_of_hosts_are_read_and_others_are_refused() {
+        for text in [
+            "tires.example",
+            "tires.example:443",
+            "10.0.0.7",
+            "[fe80::1]:8080",
+            "[fe80::1]",
+        ] {
+            assert!(HostName::read(text).is_ok(), "{text}");
+        }
+        for text in [
+            "",
+            ":80",
+            "a b",
+            "tires.example:",
+            "tires.example:0",
+            "tires.example:99999",
+            "http://tires.example",
+            "*",
+            "fe80::1",
+            "[x]",
+        ] {
+            assert!(HostName::read(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
     fn only_our_own_page_may_write() {
         let from = |origin| [("host", "localhost:8080"), ("origin", origin)];
         assert_eq!(status(Method::POST, &from("http://localhost:8080")), None);
         assert_eq!(status(Method::POST, &[("host", "localhost:8080")]), None);
+        let behind_a_proxy = [
+            ("host", "tires.example"),
+            ("origin", "https://tires.example"),
+        ];
+        assert_eq!(status(Method::POST, &behind_a_proxy), None);
         for origin in [
             "http://localhost:3000",
             "https://localhost:8080",

@@ -2,13 +2,14 @@
 
 use axum::Json;
 use axum::extract::State;
+use axum::http::StatusCode;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
-use super::AppState;
 use super::problem::Problem;
-use super::wire::{Health, Readiness};
-use crate::store::turns;
+use super::wire::{Health, ProblemDocument, Readiness};
+use super::{AppState, examples};
+use crate::store::{StoreError, turns};
 
 /// `/healthz` and `/readyz`.
 pub fn router() -> OpenApiRouter<AppState> {
@@ -20,7 +21,7 @@ pub fn router() -> OpenApiRouter<AppState> {
 /// Is the service up
 ///
 /// It answers, whether or not it can work.
-#[utoipa::path(get, path = "/healthz", tag = "service",
+#[utoipa::path(get, path = "/healthz", tag = "service", security(()),
     responses((status = 200, description = "It is", body = Health, example = json!({"status": "ok", "version": "0.1.0"}))))]
 async fn alive() -> Json<Health> {
     Json(Health {
@@ -32,11 +33,19 @@ async fn alive() -> Json<Health> {
 /// Can the service work
 ///
 /// Its database answers.
-#[utoipa::path(get, path = "/readyz", tag = "service",
-    responses((status = 200, description = "It can", body = Readiness, example = json!({"status": "ready"}))))]
+#[utoipa::path(get, path = "/readyz", tag = "service", security(()),
+    responses((status = 200, description = "It can", body = Readiness, example = json!({"status": "ready"})),
+              (status = 503, description = "Its database doesn't answer", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::unready()))))]
 async fn ready(State(state): State<AppState>) -> Result<Json<Readiness>, Problem> {
-    let mut connection = state.store.read().await?;
-    turns::next(&mut connection).await?;
+    let readable = async {
+        let mut connection = state.store.read().await?;
+        turns::next(&mut connection).await
+    };
+    readable.await.map_err(|error: StoreError| {
+        tracing::error!(%error, "the service is not ready");
+        let detail = "the database does not answer; the service's log says why";
+        Problem::new(StatusCode::SERVICE_UNAVAILABLE, detail)
+    })?;
     Ok(Json(Readiness {
         status: "ready".to_owned(),
     }))

@@ -19,6 +19,8 @@ const HEADER_TIMEOUT: Duration = Duration::from_secs(5);
 /// Requests in flight may take this long when the service stops.
 const GRACE: Duration = Duration::from_secs(5);
 const MAX_CONNECTIONS: usize = 512;
+/// Beyond what the service takes, so that it can say so itself: hyper's refusal has no body.
+const MAX_HEADERS: usize = 1000;
 
 /// Serves until `shutdown`, then waits for requests in flight, but not for long.
 pub async fn serve(listener: TcpListener, app: Router, mut shutdown: Shutdown) {
@@ -55,6 +57,7 @@ async fn converse(stream: TcpStream, app: Router, mut shutdown: Shutdown) {
         http1::Builder::new()
             .timer(TokioTimer::new())
             .header_read_timeout(HEADER_TIMEOUT)
+            .max_headers(MAX_HEADERS)
             .serve_connection(TokioIo::new(stream), TowerToHyperService::new(app))
     );
     let ended = tokio::select! {

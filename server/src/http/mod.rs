@@ -3,8 +3,10 @@
 //! - [`problem`]: what a client is told when a request can't be answered
 //! - [`request_id`]: every request has an identifier
 //! - [`guard`]: who may ask
+//! - [`access`]: the token, where one is asked for
 //! - [`wire`], [`examples`]: the documents that go in and out
 //! - [`extract`]: reads addresses and queries
+//! - [`conditional`]: answers that needn't be sent again
 //! - [`document`]: reads the body of a submitted study
 //! - [`studies`]: submit, list, look at, cancel
 //! - [`events`]: progress as server-sent events
@@ -12,11 +14,14 @@
 //! - [`export`]: the same as tables
 //! - [`presets`]: studies and scenes to start from
 //! - [`health`]: is it up, can it work
+//! - [`metrics`]: how it does
 //! - [`openapi`], [`docs`]: the description of all this
 //! - [`assets`]: the dashboard
 //! - [`listener`]: accepts connections
 
+pub mod access;
 pub mod assets;
+pub mod conditional;
 pub mod docs;
 pub mod document;
 pub mod events;
@@ -26,6 +31,7 @@ pub mod extract;
 pub mod guard;
 pub mod health;
 pub mod listener;
+pub mod metrics;
 pub mod openapi;
 pub mod presets;
 pub mod problem;
@@ -45,9 +51,12 @@ use tower_http::catch_panic::CatchPanicLayer;
 use utoipa_axum::router::OpenApiRouter;
 
 use crate::engine::Engine;
+use crate::metrics::Metrics;
 use crate::queue::Queue;
 use crate::shutdown::Shutdown;
 use crate::store::Store;
+use access::Access;
+use events::Streams;
 use problem::Problem;
 
 /// What every handler may use.
@@ -61,6 +70,12 @@ pub struct AppState {
     pub queue: Arc<Queue>,
     /// Hears when the service is to stop.
     pub shutdown: Shutdown,
+    /// Who is let in.
+    pub access: Access,
+    /// Counts requests and whatever else.
+    pub metrics: Arc<Metrics>,
+    /// Places for event streams.
+    pub streams: Streams,
 }
 
 /// All routes with their operations.
@@ -72,20 +87,25 @@ fn routes() -> OpenApiRouter<AppState> {
         .merge(export::router())
         .merge(presets::router())
         .merge(health::router())
+        .merge(access::router())
+        .merge(metrics::router())
         .merge(openapi::router())
 }
 
 /// All routes, guarded: the innermost layer stands first.
 pub fn app(state: AppState, hosts: guard::HostList) -> Router {
     let (router, _) = routes().split_for_parts();
+    let (access, counted) = (state.access.clone(), state.metrics.clone());
     router
         .method_not_allowed_fallback(wrong_method)
         .fallback(assets::fallback)
         .with_state(state)
         .layer(CatchPanicLayer::custom(panicked))
+        .layer(from_fn_with_state(access, access::authorise))
         .layer(from_fn_with_state(hosts, guard::admit))
         .layer(from_fn(guard::harden))
         .layer(from_fn(request_id::assign))
+        .layer(from_fn_with_state(counted, metrics::measure))
 }
 
 async fn wrong_method() -> Problem {

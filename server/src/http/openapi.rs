@@ -5,12 +5,14 @@
 use std::sync::LazyLock;
 
 use axum::Json;
+use axum::extract::State;
 use axum::response::Html;
 use serde_json::{Value, json};
 use utoipa::OpenApi;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
+use super::access::Access;
 use super::wire::ProblemDocument;
 use super::{AppState, docs, examples};
 use crate::export::Table;
@@ -60,8 +62,8 @@ pub fn router() -> OpenApiRouter<AppState> {
 /// OpenAPI 3.1, for people's programs and for generators of clients.
 #[utoipa::path(get, path = "/openapi.json", tag = "service",
     responses((status = 200, description = "The description", body = Object, example = json!({"openapi": "3.1.0", "paths": {}}))))]
-async fn description() -> Json<&'static Value> {
-    Json(&DOCUMENT)
+async fn description(State(state): State<AppState>) -> Json<Value> {
+    Json(document(&state.access))
 }
 
 /// Read this description
@@ -69,8 +71,15 @@ async fn description() -> Json<&'static Value> {
 /// The same as a page, without scripts and without anything from elsewhere.
 #[utoipa::path(get, path = "/docs", tag = "service",
     responses((status = 200, description = "The page", content_type = "text/html", body = String, example = json!("<!doctype html>..."))))]
-async fn page() -> Html<String> {
-    Html(docs::page(&DOCUMENT))
+async fn page(State(state): State<AppState>) -> Html<String> {
+    Html(docs::page(&document(&state.access)))
+}
+
+/// The description, with what lets a client in.
+fn document(access: &Access) -> Value {
+    let mut document = DOCUMENT.clone();
+    access.describe(&mut document);
+    document
 }
 
 /// Every operation of a document.
@@ -91,7 +100,7 @@ pub(super) const METHODS: [&str; 3] = ["get", "post", "delete"];
 fn problem() -> Value {
     json!({
         "description": "A problem: 400 for what can't be read, 401 without the token where one is asked for, 403 for a foreign Host or Origin, 404, 405, 408, \
-                        413, 415, 500, 503 and 507, as their names say",
+                        413, 415, 429, 431, 500, 503 and 507, as their names say; 429, 503 and 507 say in `Retry-After` when to ask again",
         "content": {"application/problem+json": {
             "schema": {"$ref": "#/components/schemas/ProblemDocument"},
             "example": examples::absent(),

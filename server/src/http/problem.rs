@@ -1,7 +1,7 @@
 //! What a client is told when a request can't be answered: RFC 9457 problem documents.
 
 use axum::Json;
-use axum::http::{HeaderValue, StatusCode, header};
+use axum::http::{HeaderName, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use fem_client::fault::Fault;
 use serde_json::json;
@@ -69,7 +69,24 @@ impl IntoResponse for Problem {
         let mut response = (self.status, Json(body)).into_response();
         let kind = HeaderValue::from_static("application/problem+json");
         response.headers_mut().insert(header::CONTENT_TYPE, kind);
+        if let Some((name, value)) = advice(self.status) {
+            let value = HeaderValue::from_static(value);
+            response.headers_mut().insert(name, value);
+        }
         response
+    }
+}
+
+/// What a client may do about it: how to be let in, or after how many seconds to ask again.
+fn advice(status: StatusCode) -> Option<(HeaderName, &'static str)> {
+    match status {
+        StatusCode::UNAUTHORIZED => Some((header::WWW_AUTHENTICATE, "Bearer")),
+        // A study or a stream takes at least that long to end.
+        StatusCode::TOO_MANY_REQUESTS => Some((header::RETRY_AFTER, "10")),
+        StatusCode::SERVICE_UNAVAILABLE => Some((header::RETRY_AFTER, "2")),
+        // As often as the queue looks whether there is space again.
+        StatusCode::INSUFFICIENT_STORAGE => Some((header::RETRY_AFTER, "5")),
+        _ => None,
     }
 }
 
@@ -78,6 +95,7 @@ impl From<StoreError> for Problem {
         tracing::error!(error = %error, "the database could not answer");
         match error {
             StoreError::Full => Self::new(StatusCode::INSUFFICIENT_STORAGE, error.to_string()),
+            StoreError::Busy => Self::new(StatusCode::SERVICE_UNAVAILABLE, error.to_string()),
             StoreError::Damaged { .. } => {
                 Self::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string())
             }

@@ -2,8 +2,8 @@
 
 use axum::Json;
 use axum::extract::State;
-use axum::http::{HeaderMap, StatusCode, header};
-use axum::response::{IntoResponse, Response};
+use axum::http::{HeaderMap, StatusCode};
+use axum::response::Response;
 use placement::result::StudyResult;
 use placement::trade::Trade;
 use serde::Deserialize;
@@ -11,6 +11,7 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use super::AppState;
+use super::conditional::tagged;
 use super::examples;
 use super::extract::{Params, StudyId, StudyPath};
 use super::problem::Problem;
@@ -44,14 +45,7 @@ async fn whole(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let (result, sha256) = ready(&state.store, &id).await?;
-    let etag = format!("\"{sha256}\"");
-    let known = headers
-        .get(header::IF_NONE_MATCH)
-        .and_then(|value| value.to_str().ok());
-    if known.is_some_and(|tags| tags.split(',').any(|tag| tag.trim() == etag)) {
-        return Ok((StatusCode::NOT_MODIFIED, [(header::ETAG, etag)]).into_response());
-    }
-    Ok(([(header::ETAG, etag)], Json(result)).into_response())
+    Ok(tagged(&headers, &sha256, "no-cache", Json(result)))
 }
 
 /// Get the ranked locations

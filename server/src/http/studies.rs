@@ -11,6 +11,7 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use super::AppState;
+use super::conditional;
 use super::document::StudyBody;
 use super::examples;
 use super::extract::{Params, StudyId, StudyPath};
@@ -49,6 +50,8 @@ pub fn router() -> OpenApiRouter<AppState> {
                 ("result" = (operation_id = "whole", parameters(("id" = "$response.body#/id")))),
                 ("evaluations" = (operation_id = "evaluations", parameters(("id" = "$response.body#/id"))))
             ), example = json!(examples::summary())),
+        (status = 429, description = "Too many studies wait already; `Retry-After` says when to look again", body = ProblemDocument, content_type = "application/problem+json",
+            headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(examples::crowded())),
         (status = 422, description = "The document has faults: all of them, each with its JSON pointer; or the key stands for another document",
             body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]
 async fn submit(
@@ -68,6 +71,9 @@ async fn submit(
                 StatusCode::UNPROCESSABLE_ENTITY,
                 "this Idempotency-Key was used with another document",
             ),
+            SubmitError::TooMany { .. } => {
+                Problem::new(StatusCode::TOO_MANY_REQUESTS, error.to_string())
+            }
             SubmitError::Store(error) => error.into(),
         })?;
     let study = known(&state.store, &id).await?;
@@ -129,14 +135,17 @@ const LARGEST_PAGE: u32 = 200;
 /// Newest first, a page at a time.
 #[utoipa::path(get, path = "/v1/studies", tag = "studies",
     params(
+        ("If-None-Match" = Option<String>, Header, description = "ETag of the page that the client has"),
         ("limit" = Option<u32>, Query, description = "Studies of a page, 50 when left out", minimum = 1, maximum = 200, example = 20),
         ("cursor" = Option<String>, Query, description = "`next_cursor` of the page before", example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b"),
         ("state" = Option<StudyState>, Query, description = "Studies of this state alone")),
-    responses((status = 200, description = "A page", body = StudyPage, example = json!({"studies": [examples::summary()], "next_cursor": null}))))]
+    responses((status = 304, description = "The client has it"),
+              (status = 200, description = "A page", body = StudyPage, example = json!({"studies": [examples::summary()], "next_cursor": null}))))]
 async fn list(
     State(state): State<AppState>,
     Params(query): Params<PageQuery>,
-) -> Result<Json<StudyPage>, Problem> {
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
     let wrong = |detail: &str| Problem::new(StatusCode::BAD_REQUEST, detail);
     let limit = query
         .limit
@@ -158,32 +167,37 @@ async fn list(
         .last()
         .filter(|_| rows.len() > page.len())
         .map(|row| &row.id);
-    Ok(Json(StudyPage {
+    let page = StudyPage {
         studies: page.iter().map(StudySummary::of).collect(),
         next_cursor: next.cloned(),
-    }))
+    };
+    conditional::json(&headers, &page)
 }
 
 /// Look at a study
 ///
 /// Its state, its progress, its document, and what it is expected to take.
-#[utoipa::path(get, path = "/v1/studies/{id}", tag = "studies", params(StudyPath),
-    responses((status = 200, description = "The study", body = StudyDetail, example = json!(examples::detail())),
+#[utoipa::path(get, path = "/v1/studies/{id}", tag = "studies",
+    params(StudyPath, ("If-None-Match" = Option<String>, Header, description = "ETag of the study as the client has it")),
+    responses((status = 304, description = "The client has it"),
+              (status = 200, description = "The study", body = StudyDetail, example = json!(examples::detail())),
               (status = 404, description = "There is no such study", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn show(
     State(state): State<AppState>,
     StudyId(id): StudyId,
-) -> Result<Json<StudyDetail>, Problem> {
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
     let study = known(&state.store, &id).await?;
     let estimate = study.estimate.as_deref().map(serde_json::from_str);
     let mut connection = state.store.read().await?;
-    Ok(Json(StudyDetail {
+    let detail = StudyDetail {
         summary: StudySummary::of(&study),
         document: serde_json::from_str(&study.spec).unwrap_or(Value::Null),
         estimate: estimate.and_then(Result::ok),
         result_sha256: results::sha256_of(&mut connection, &id).await?,
         trade_measured: trades::is_measured(&mut connection, &study.spec_sha256).await?,
-    }))
+    };
+    conditional::json(&headers, &detail)
 }
 
 /// Estimate a study

@@ -164,6 +164,13 @@ pub struct Readiness {
     pub status: String,
 }
 
+/// An address that lets a browser in.
+#[derive(Debug, Serialize, Deserialize, ToSchema)]
+pub struct LoginLink {
+    /// To be opened once, after the service's own address.
+    pub path: String,
+}
+
 /// What a client is told when a request can't be answered: RFC 9457.
 #[derive(Debug, Serialize, ToSchema)]
 pub struct ProblemDocument {

@@ -25,6 +25,9 @@ pub enum StoreError {
     /// The disk is full.
     #[error("the disk that holds the database is full: free some space and try again")]
     Full,
+    /// The database did not answer in time.
+    #[error("the database is busy: try again in a moment")]
+    Busy,
     /// A row does not match the hash stored with it.
     #[error("row {row:?} of table {table} is damaged: its content does not match its hash")]
     Damaged {
@@ -44,19 +47,25 @@ pub enum StoreError {
     Database(sqlx::Error),
 }
 
-/// SQLite's primary result code for a full disk.
-const SQLITE_FULL: &str = "13";
+/// SQLite's primary result codes for a full disk, and for a lock that was waited for in vain.
+const SQLITE_FULL: i32 = 13;
+const SQLITE_BUSY: i32 = 5;
 
 impl From<sqlx::Error> for StoreError {
     fn from(error: sqlx::Error) -> Self {
-        let full = error
-            .as_database_error()
-            .and_then(|e| e.code())
-            .is_some_and(|code| code == SQLITE_FULL);
-        if full {
-            Self::Full
-        } else {
-            Self::Database(error)
+        if matches!(error, sqlx::Error::PoolTimedOut) {
+            return Self::Busy;
+        }
+        match primary_code(&error) {
+            Some(SQLITE_FULL) => Self::Full,
+            Some(SQLITE_BUSY) => Self::Busy,
+            _ => Self::Database(error),
         }
     }
+}
+
+/// SQLite's result code without what extends it.
+fn primary_code(error: &sqlx::Error) -> Option<i32> {
+    let code = error.as_database_error()?.code()?;
+    code.parse().ok().map(|code: i32| code & 0xff)
 }

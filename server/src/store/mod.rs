@@ -70,6 +70,14 @@ impl Store {
         &self.path
     }
 
+    /// Size of the file and its write-ahead log; 0 for what can't be looked at.
+    pub fn bytes(&self) -> u64 {
+        let mut log = self.path.clone().into_os_string();
+        log.push("-wal");
+        let size = |path: &Path| std::fs::metadata(path).map_or(0, |file| file.len());
+        size(&self.path) + size(Path::new(&log))
+    }
+
     /// A connection that can only read. Return it soon: there are few.
     ///
     /// # Errors

@@ -39,17 +39,18 @@ impl State {
         }
     }
 
+    /// All of them.
+    pub const ALL: [Self; 5] = [
+        Self::Queued,
+        Self::Running,
+        Self::Done,
+        Self::Failed,
+        Self::Cancelled,
+    ];
+
     /// The state of this name.
     pub fn named(name: &str) -> Option<Self> {
-        [
-            Self::Queued,
-            Self::Running,
-            Self::Done,
-            Self::Failed,
-            Self::Cancelled,
-        ]
-        .into_iter()
-        .find(|state| state.as_str() == name)
+        Self::ALL.into_iter().find(|state| state.as_str() == name)
     }
 }
 
@@ -175,6 +176,20 @@ pub async fn beginning_with(
         .bind(limit)
         .fetch_all(connection)
         .await?)
+}
+
+/// How many studies are in each state.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn counts(connection: &mut SqliteConnection) -> Result<Vec<(State, i64)>, StoreError> {
+    let query = "select state, count(*) from studies group by state";
+    let rows: Vec<(String, i64)> = sqlx::query_as(query).fetch_all(connection).await?;
+    let count = |state: State| {
+        let row = rows.iter().find(|(name, _)| name == state.as_str());
+        (state, row.map_or(0, |(_, count)| *count))
+    };
+    Ok(State::ALL.into_iter().map(count).collect())
 }
 
 /// The newest queued study of the same document: one that was interrupted, or still waits.

@@ -18,6 +18,15 @@ pub async fn next(connection: &mut SqliteConnection) -> Result<Option<String>, S
     Ok(sqlx::query_scalar(query).fetch_optional(connection).await?)
 }
 
+/// How many studies wait.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn waiting(connection: &mut SqliteConnection) -> Result<u32, StoreError> {
+    let query = "select count(*) from studies where state = 'queued'";
+    Ok(sqlx::query_scalar(query).fetch_one(connection).await?)
+}
+
 /// Whether a study of this priority or a higher one waits.
 ///
 /// # Errors

@@ -7,9 +7,10 @@ use std::time::{Duration, Instant};
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::document::{Format, parse};
 use fem_client::solver::Solver;
+use reqwest::redirect::Policy;
 use reqwest::{Client, Response, StatusCode};
 use serde_json::{Value, json};
-use server::service::{Service, ServiceParts, StartError};
+use server::service::{Limits, Outside, Service, ServiceParts, StartError};
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{Connection, SqliteConnection};
 use tempfile::TempDir;
@@ -46,6 +47,22 @@ impl Home {
         serve(self.database(), Arc::new(solver)).await
     }
 
+    /// A service that answers these alone.
+    pub async fn start_for(&self, outside: Outside) -> App {
+        let solver = Arc::new(ClosedFormSolver::new());
+        let app = serve_to(self.database(), solver, outside).await;
+        app.expect("the service starts")
+    }
+
+    pub async fn start_with(&self, solver: ClosedFormSolver, limits: Limits) -> App {
+        let outside = Outside {
+            limits,
+            ..Outside::default()
+        };
+        let app = serve_to(self.database(), Arc::new(solver), outside).await;
+        app.expect("the service starts")
+    }
+
     pub async fn start(&self, solver: ClosedFormSolver) -> App {
         self.try_start(solver).await.expect("the service starts")
     }
@@ -58,17 +75,32 @@ impl Home {
 
 /// A service on a database, on two threads.
 pub async fn serve(database: PathBuf, solver: Arc<dyn Solver>) -> Result<App, StartError> {
+    serve_to(database, solver, Outside::default()).await
+}
+
+async fn serve_to(
+    database: PathBuf,
+    solver: Arc<dyn Solver>,
+    outside: Outside,
+) -> Result<App, StartError> {
     let parts = ServiceParts {
         address: "127.0.0.1:0".parse().expect("address"),
         database,
         solver,
         threads: 2,
         turn: TURN,
+        outside,
     };
     Ok(App {
         service: Service::start(parts).await?,
-        client: Client::new(),
+        client: client(),
     })
+}
+
+/// A client that shows redirections instead of following them.
+fn client() -> Client {
+    let client = Client::builder().redirect(Policy::none()).build();
+    client.expect("a client")
 }
 
 async fn open(path: &Path) -> SqliteConnection {

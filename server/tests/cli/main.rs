@@ -1,5 +1,6 @@
 //! The real program on the command line.
 
+mod access;
 mod accuracy;
 mod db;
 mod library;

@@ -12,12 +12,14 @@ use sqlx::sqlite::{SqliteConnectOptions, SqliteConnection};
 /// Far beyond what a few points of a draft study take.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-fn command(folder: &Path, arguments: &[&str]) -> Command {
+/// The program with these arguments.
+pub fn command(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_strainsite"));
     command
         .args(arguments)
         .current_dir(folder)
-        .env_remove("STRAINSITE_DB");
+        .env_remove("STRAINSITE_DB")
+        .env_remove("STRAINSITE_TOKEN");
     command
 }
 
