@@ -105,6 +105,9 @@ test("a study runs from the preset to the ranking and its map", { timeout: STUDY
   for (const row of rows) assert.ok(row.cells.includes(PAPER_X[row.name]), `${row.name}: ${row.cells.join(" ")}`);
   assert.match(rows[0].cells[3], /^\d+\.\d\d ± (\d+\.\d\d|\?)$/, "an index stands with its error");
 
+  const compared = await page.locator("table.estimate").innerText();
+  assert.match(compared, /Wall time.* s.*Peak memory.*MB/s, "what was expected stands beside what it took");
+
   const drawn = await readCanvas(page);
   // A blank canvas has one colour at most; a field of 61 by 21 cells has dozens.
   assert.ok(drawn.colours > 20, `the map shows ${drawn.colours} colours`);

@@ -191,6 +191,15 @@ export interface StudyCost {
   other_share: number;
 }
 
+/** What a study was expected to take before it started. */
+export interface Estimate {
+  /** Null where the reasons say why. */
+  wall_s: { least: number; expected: number; most: number } | null;
+  peak_memory_bytes: number;
+  /** Why figures are ranges or null, whole sentences. */
+  reasons: string[];
+}
+
 /** The whole answer of a study. */
 export interface StudyResult {
   study: { id: string; name: string; spec_sha256: string; version: string };
@@ -204,6 +213,8 @@ export interface StudyResult {
   failed_points: FailedPoint[];
   cut_point: CutPoint;
   cost: StudyCost;
+  /** Missing in results of earlier versions. */
+  estimate?: Estimate | null;
 }
 
 /** What the stream of a study says, by kind. */

@@ -1,8 +1,9 @@
 import { bytes, duration, integer, percent } from "../lib/format.ts";
-import type { StudyCost } from "../types.ts";
+import { compare } from "../lib/estimate.ts";
+import type { Estimate, StudyCost } from "../types.ts";
 
-/** What the answer took. */
-export function CostView({ cost }: { cost: StudyCost }) {
+/** What the answer took, and what it was expected to take. */
+export function CostView({ cost, estimate }: { cost: StudyCost; estimate: Estimate | null }) {
   const facts: [string, string][] = [
     ["Points", integer(cost.solves)],
     ["Reused", integer(cost.reused)],
@@ -23,7 +24,40 @@ export function CostView({ cost }: { cost: StudyCost }) {
         ))}
       </dl>
       <Shares cost={cost} />
+      {estimate !== null && <Expected estimate={estimate} cost={cost} />}
     </section>
+  );
+}
+
+function Expected({ estimate, cost }: { estimate: Estimate; cost: StudyCost }) {
+  return (
+    <>
+      <div class="scroll">
+        <table class="estimate">
+          <thead>
+            <tr>
+              <th scope="col">Estimated before</th>
+              <th scope="col">expected</th>
+              <th scope="col">took</th>
+            </tr>
+          </thead>
+          <tbody>
+            {compare(estimate, cost).map(({ what, expected, took }) => (
+              <tr key={what}>
+                <th scope="row">{what}</th>
+                <td>{expected}</td>
+                <td>{took}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      {estimate.reasons.map((reason) => (
+        <p key={reason} class="quiet">
+          {reason}
+        </p>
+      ))}
+    </>
   );
 }
 

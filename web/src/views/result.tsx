@@ -35,7 +35,7 @@ export function ResultView(props: {
       <MatrixView result={result} />
       <LayoutsView layouts={result.layouts} />
       <ModelView result={result} />
-      <CostView cost={result.cost} />
+      <CostView cost={result.cost} estimate={result.estimate ?? null} />
       {trade !== null && <TradeView trade={trade} />}
     </>
   );
