@@ -7,6 +7,7 @@ use fem_client::solver::{Cost, StartState};
 use placement::archive::{Archive, ArchiveError, Outcome, PointRecord};
 use sqlx::SqliteConnection;
 use tokio::runtime::Handle;
+use tracing::{Instrument, Span};
 
 use crate::metrics::{Metrics, PointOutcome};
 use crate::store::evaluations::{self, Evaluation};
@@ -18,17 +19,19 @@ pub struct StoreArchive {
     runtime: Handle,
     study: String,
     metrics: Arc<Metrics>,
+    span: Span,
     disk_full: AtomicBool,
 }
 
 impl StoreArchive {
-    /// The archive of this study.
+    /// The archive of this study, whose span is the current one.
     pub fn new(store: Arc<Store>, runtime: Handle, study: &str, metrics: Arc<Metrics>) -> Self {
         Self {
             store,
             runtime,
             study: study.to_owned(),
             metrics,
+            span: Span::current(),
             disk_full: AtomicBool::new(false),
         }
     }
@@ -38,7 +41,7 @@ impl StoreArchive {
         &self,
         change: impl AsyncFnOnce(&mut SqliteConnection) -> Result<(), StoreError>,
     ) -> Result<(), ArchiveError> {
-        let written = self.runtime.block_on(async {
+        let written = self.wait(async {
             let mut transaction = self.store.begin().await?;
             change(&mut transaction).await?;
             self.store.commit(transaction, 0).await
@@ -47,6 +50,11 @@ impl StoreArchive {
             self.disk_full.store(true, Ordering::Relaxed);
         }
         written.map_err(failed)
+    }
+
+    /// Waits for the database, on whichever thread: what is logged of it belongs to the study.
+    fn wait<T>(&self, work: impl Future<Output = T>) -> T {
+        self.runtime.block_on(work.instrument(self.span.clone()))
     }
 
     /// Whether a point could not be stored because the disk is full.
@@ -70,7 +78,7 @@ impl StoreArchive {
 
 impl Archive for StoreArchive {
     fn load(&self, key: &str, ordinal: usize) -> Result<Option<(Outcome, Cost)>, ArchiveError> {
-        let found = self.runtime.block_on(self.find(key, ordinal));
+        let found = self.wait(self.find(key, ordinal));
         Ok(found
             .map_err(failed)?
             .map(|evaluation| (evaluation.outcome, evaluation.cost)))
@@ -85,7 +93,7 @@ impl Archive for StoreArchive {
     }
 
     fn crashes(&self, key: &str) -> Result<usize, ArchiveError> {
-        let found = self.runtime.block_on(async {
+        let found = self.wait(async {
             let mut connection = self.store.read().await?;
             crashes::of(&mut connection, key).await
         });
@@ -103,7 +111,7 @@ impl Archive for StoreArchive {
     }
 
     fn load_start(&self, key: &str) -> Result<Option<StartState>, ArchiveError> {
-        let found = self.runtime.block_on(async {
+        let found = self.wait(async {
             let mut connection = self.store.read().await?;
             evaluations::find_start(&mut connection, key).await
         });

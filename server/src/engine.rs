@@ -20,6 +20,7 @@ use crate::metrics::Metrics;
 use crate::store::studies::{self, State, StudyRow};
 use crate::store::{Store, StoreError, events, results, turns};
 use crate::study_document::stored_plan;
+use crate::traced::Traced;
 
 /// What a study is run with.
 #[derive(Clone)]
@@ -86,6 +87,9 @@ impl Engine {
         pause: Option<&AtomicBool>,
         progress: &(dyn Fn(&Event) + Sync),
     ) -> End {
+        // Of the highest level, so that no filter takes the study's name from a line that it lets through.
+        let span = tracing::error_span!("study", study = row.id);
+        let _entered = span.enter();
         let (study, plan) = match stored_plan(row) {
             Ok(read) => read,
             Err(error) => return End::failed(error),
@@ -97,14 +101,16 @@ impl Engine {
             self.metrics.clone(),
         );
         let observer = |event: Event| {
+            let _entered = span.enter();
             if let Err(error) = runtime.block_on(self.record(&row.id, &event)) {
                 tracing::warn!(study = row.id, %error, "an event could not be recorded");
             }
             self.metrics.event(&event);
             progress(&event);
         };
+        let solver = Traced::new(self.solver.clone(), span.clone());
         let means = Means {
-            solver: self.solver.as_ref(),
+            solver: &solver,
             archive: &archive,
             threads: self.threads,
             stop,

@@ -4,6 +4,7 @@
 //!
 //! - [`config`]: settings from flags and environment
 //! - [`telemetry`]: the log
+//! - [`traced`]: solves whose lines in the log say for which study
 //! - [`watched`]: solves that come to an end in time
 //! - [`token`]: the secret that lets a client in
 //! - [`solver`]: which solver answers
@@ -29,8 +30,8 @@ pub mod engine;
 pub mod export;
 pub mod forecast;
 pub mod http;
-pub mod points;
 pub mod metrics;
+pub mod points;
 pub mod queue;
 pub mod service;
 pub mod shutdown;
@@ -39,5 +40,6 @@ pub mod store;
 pub mod study_document;
 pub mod telemetry;
 pub mod token;
+pub mod traced;
 pub mod value_table;
 pub mod watched;

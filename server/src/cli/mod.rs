@@ -12,6 +12,7 @@ mod output;
 mod progress;
 mod run;
 mod serve;
+mod settings;
 mod signals;
 mod solve;
 mod table;
@@ -25,6 +26,7 @@ use clap::{Parser, Subcommand};
 
 use crate::telemetry;
 pub use failure::Failure;
+use output::JsonTarget;
 
 /// Ranks strain-sensor locations in a smart tire
 #[derive(Debug, Parser)]
@@ -62,12 +64,14 @@ enum Command {
 
 /// Runs the program: the one place that prints failures and chooses the exit code.
 pub fn main() -> ExitCode {
-    let command = Cli::parse().command;
-    telemetry::start(if matches!(command, Command::Serve(_)) {
-        "info"
-    } else {
-        "warn"
-    });
+    let command = match settings::parse::<Cli>() {
+        Ok(cli) => cli.command,
+        Err(faults) => return ended(Err(Failure::Input(faults)), None),
+    };
+    match &command {
+        Command::Serve(command) => command.start_log(),
+        _ => telemetry::start(),
+    }
     let (done, json) = match command {
         Command::Serve(command) => (command.execute(), None),
         Command::Run(command) => (command.execute(), command.json),
@@ -82,6 +86,10 @@ pub fn main() -> ExitCode {
         // Its document holds the failed cases already.
         Command::Verify(command) => (command.execute(), None),
     };
+    ended(done, json)
+}
+
+fn ended(done: Result<(), Failure>, json: Option<JsonTarget>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {

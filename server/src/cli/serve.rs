@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
+use fem_client::fault::Fault;
 
 use super::Failure;
 use super::output::print;
@@ -14,6 +15,7 @@ use crate::config::{Config, address, seconds};
 use crate::http::guard::HostName;
 use crate::service::{Limits, Outside, Service, ServiceParts};
 use crate::solver::SolverChoice;
+use crate::telemetry::{self, LogFilter, LogFormat};
 use crate::token::{Token, TokenError};
 
 /// The environment variable that may hold the token: unlike an argument, it is in no list of processes.
@@ -46,6 +48,31 @@ pub struct Serve {
     /// Event streams that may be open at once; further ones are refused with 429
     #[arg(long, env = "STRAINSITE_MAX_STREAMS", value_name = "N", default_value_t = Limits::default().event_streams)]
     max_streams: usize,
+    /// What is logged: a level, or levels of parts of the program, as in info,server::http=debug
+    #[arg(
+        long,
+        env = "STRAINSITE_LOG",
+        value_name = "FILTER",
+        default_value = "info"
+    )]
+    log: LogFilter,
+    /// How it is logged: for people, or as one JSON object a line
+    #[arg(
+        long,
+        env = "STRAINSITE_LOG_FORMAT",
+        value_enum,
+        value_name = "FORMAT",
+        default_value = "text"
+    )]
+    log_format: LogFormat,
+    /// File of settings, TOML: its keys are the names of these flags, with _ for -. Flags and environment go before it
+    #[arg(
+        long = "config",
+        id = "config",
+        env = "STRAINSITE_CONFIG",
+        value_name = "FILE"
+    )]
+    file: Option<PathBuf>,
     #[command(flatten)]
     config: Config,
     #[command(flatten)]
@@ -59,9 +86,32 @@ struct Secret {
 }
 
 impl Serve {
+    /// Starts the log as the settings say.
+    pub fn start_log(&self) {
+        telemetry::start_service(&self.log, self.log_format);
+        if let Some(file) = &self.file {
+            tracing::info!(?file, "settings were read");
+        }
+    }
+
     /// Serves until Ctrl-C or SIGTERM.
     pub fn execute(&self) -> Result<(), Failure> {
-        let secret = self.secret().map_err(Failure::input)?;
+        let (parts, drawn) = self.parts().map_err(Failure::Input)?;
+        let runtime = tokio::runtime::Runtime::new().map_err(Failure::other)?;
+        runtime.block_on(serve(parts, drawn))
+    }
+
+    /// What the service is made of, and a token that nobody knows yet; or every setting that can't be used with the others or on this
+    /// machine.
+    fn parts(&self) -> Result<(ServiceParts, Option<Token>), Vec<Fault>> {
+        let mut faults = Vec::new();
+        let mut note = |detail: String| {
+            faults.push(Fault {
+                pointer: String::new(),
+                detail,
+            });
+        };
+        let secret = self.secret().map_err(&mut note).ok().flatten();
         let outside = Outside {
             token: secret.as_ref().map(|secret| secret.token.clone()),
             hosts: self.hosts.clone(),
@@ -70,18 +120,29 @@ impl Serve {
                 event_streams: self.max_streams,
             },
         };
-        let exposed = outside.check(self.addr);
-        exposed.map_err(|error| Failure::input(error.to_string()))?;
+        if let Err(error) = outside.check(self.addr) {
+            note(error.to_string());
+        }
+        let solver = self
+            .solver
+            .solver()
+            .map_err(|error| note(error.to_string()));
+        let Ok(solver) = solver else {
+            return Err(faults);
+        };
+        if !faults.is_empty() {
+            return Err(faults);
+        }
         let parts = ServiceParts {
             address: self.addr,
             database: self.config.db.clone(),
-            solver: self.solver.solver().map_err(Failure::other)?,
+            solver,
             threads: self.config.threads(),
             turn: self.turn_s,
             outside,
         };
-        let runtime = tokio::runtime::Runtime::new().map_err(Failure::other)?;
-        runtime.block_on(serve(parts, secret.filter(|secret| secret.drawn)))
+        let drawn = secret.filter(|secret| secret.drawn);
+        Ok((parts, drawn.map(|secret| secret.token)))
     }
 
     /// The token that clients are asked for. One that is given is asked for, with `--token` or without.
@@ -106,11 +167,11 @@ impl Serve {
     }
 }
 
-async fn serve(parts: ServiceParts, drawn: Option<Secret>) -> Result<(), Failure> {
+async fn serve(parts: ServiceParts, drawn: Option<Token>) -> Result<(), Failure> {
     let mut signals = Signals::listen()?;
     let service = Service::start(parts).await.map_err(Failure::other)?;
     print(&format!("listening on http://{}\n", service.address()))?;
-    if let Some(Secret { token, .. }) = drawn {
+    if let Some(token) = drawn {
         print(&format!("token {}\n", token.reveal()))?;
     }
     if let Some(path) = service.login() {

@@ -16,6 +16,7 @@ use axum::response::{IntoResponse, Response};
 use futures_util::stream;
 use serde_json::{Value, json};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
+use tracing::{Instrument, Span};
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
@@ -73,9 +74,13 @@ async fn follow(
         // An event source that gets 204 stops coming back.
         return Ok(StatusCode::NO_CONTENT.into_response());
     }
-    let stream = stream::unfold(follower, |mut follower| async move {
-        let event = follower.next().await?;
-        Some((Ok::<_, Infallible>(event), follower))
+    let request = Span::current();
+    let stream = stream::unfold(follower, move |mut follower| {
+        let next = async move {
+            let event = follower.next().await?;
+            Some((Ok::<_, Infallible>(event), follower))
+        };
+        next.instrument(request.clone())
     });
     Ok(Sse::new(stream)
         .keep_alive(KeepAlive::new().interval(KEEP_ALIVE))

@@ -115,12 +115,8 @@ async fn wrong_method() -> Problem {
     )
 }
 
-fn panicked(cause: Box<dyn Any + Send>) -> Response<Body> {
-    let said = cause.downcast_ref::<&str>().map(|text| (*text).to_owned());
-    let said = said
-        .or_else(|| cause.downcast_ref::<String>().cloned())
-        .unwrap_or_default();
-    tracing::error!(panic = ?said, "a request handler panicked");
+/// The panic itself is in the log already.
+fn panicked(_: Box<dyn Any + Send>) -> Response<Body> {
     Problem::new(
         StatusCode::INTERNAL_SERVER_ERROR,
         "the service has a fault; its log says where",

@@ -6,6 +6,7 @@ use axum::extract::Request;
 use axum::http::{HeaderName, HeaderValue};
 use axum::middleware::Next;
 use axum::response::Response;
+use tracing::Instrument;
 
 const X_REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 
@@ -26,11 +27,15 @@ pub async fn assign(request: Request, next: Next) -> Response {
         request.uri().path().to_owned(),
         Instant::now(),
     );
-    let mut response = REQUEST_ID.scope(id.clone(), next.run(request)).await;
+    // Of the highest level, so that no filter takes the identifier from a line that it lets through.
+    let span = tracing::error_span!("request", request_id = id);
+    let answer = REQUEST_ID.scope(id.clone(), next.run(request));
+    let mut response = answer.instrument(span.clone()).await;
     if let Ok(value) = HeaderValue::from_str(&id) {
         response.headers_mut().insert(X_REQUEST_ID, value);
     }
     let duration_ms = started.elapsed().as_secs_f64() * 1e3;
-    tracing::debug!(request_id = id, %method, ?path, status = response.status().as_u16(), duration_ms, "request");
+    let status = response.status().as_u16();
+    span.in_scope(|| tracing::debug!(?method, ?path, status, duration_ms, "request"));
     response
 }

@@ -76,6 +76,7 @@ async fn submit(
             }
             SubmitError::Store(error) => error.into(),
         })?;
+    tracing::info!(study = id, name = ?body.study.name, "study accepted");
     let study = known(&state.store, &id).await?;
     Ok(accepted(&study))
 }

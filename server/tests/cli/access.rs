@@ -1,75 +1,27 @@
 //! The token of the real program: where it comes from, and where it never goes.
 
-use std::fs::{self, File};
-use std::io::{BufRead, BufReader};
-use std::path::Path;
-use std::process::{Child, Stdio};
+use std::fs;
 
 use reqwest::redirect::Policy;
 use reqwest::{Client, StatusCode};
 
 use crate::program::{command, strainsite, text};
+use crate::served::Served;
 
 const SECRET: &str = "a-token-that-is-in-no-log";
 
-/// The running program, its address and what else it prints; killed when dropped.
-struct Served {
-    child: Child,
-    url: String,
-    printed: BufReader<std::process::ChildStdout>,
-}
-
-impl Served {
-    /// Starts it with all that it can log going to `log`.
-    fn start(folder: &Path, arguments: &[&str], token: Option<&str>) -> Self {
-        let log = File::create(folder.join("log")).expect("a file");
-        let mut command = command(
-            folder,
-            &[&["serve", "--addr", "127.0.0.1:0"], arguments].concat(),
-        );
-        if let Some(token) = token {
-            command.env("STRAINSITE_TOKEN", token);
-        }
-        let command = command
-            .env("STRAINSITE_LOG", "trace")
-            .stdout(Stdio::piped());
-        let mut child = command.stderr(log).spawn().expect("the program starts");
-        let stdout = child.stdout.take().expect("a pipe");
-        let mut served = Self {
-            child,
-            url: String::new(),
-            printed: BufReader::new(stdout),
-        };
-        served.url = served.line("listening on ");
-        served
-    }
-
-    /// The next line, which begins like this.
-    fn line(&mut self, begin: &str) -> String {
-        let mut line = String::new();
-        self.printed.read_line(&mut line).expect("a line");
-        let rest = line.trim().strip_prefix(begin);
-        rest.unwrap_or_else(|| panic!("{line:?}")).to_owned()
-    }
-
-    async fn status(&self, token: &str) -> StatusCode {
-        let request = Client::new().get(format!("{}/v1/studies", self.url));
-        let answer = request.bearer_auth(token).send().await;
-        answer.expect("an answer").status()
-    }
-}
-
-impl Drop for Served {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
+/// All that it can log.
+const LOG: (&str, &str) = ("STRAINSITE_LOG", "trace");
+const FREE_PORT: [&str; 2] = ["--addr", "127.0.0.1:0"];
 
 #[tokio::test]
 async fn the_token_is_in_no_log_and_neither_is_the_address_that_works_once() {
     let folder = tempfile::tempdir().expect("temp dir");
-    let mut service = Served::start(folder.path(), &["--token"], Some(SECRET));
+    let mut service = Served::start(
+        folder.path(),
+        &[&FREE_PORT[..], &["--token"]].concat(),
+        &[LOG, ("STRAINSITE_TOKEN", SECRET)],
+    );
     // A token that is known already is not printed: the address for a browser comes next.
     let link = service.line("in a browser, once: ");
     assert!(link.starts_with(&service.url), "{link}");
@@ -84,9 +36,7 @@ async fn the_token_is_in_no_log_and_neither_is_the_address_that_works_once() {
     let cookie = cookie.split(['=', ';']).nth(1).expect("a value").to_owned();
     let second = client.get(&link).send().await.expect("an answer");
     assert_eq!(second.status(), StatusCode::UNAUTHORIZED);
-    drop(service);
-
-    let log = fs::read_to_string(folder.path().join("log")).expect("a log");
+    let log = service.log();
     assert!(
         log.contains("/v1/studies") && log.contains("/login"),
         "requests are logged: {log}"
@@ -100,14 +50,18 @@ async fn the_token_is_in_no_log_and_neither_is_the_address_that_works_once() {
 #[tokio::test]
 async fn a_drawn_token_is_printed_once_and_a_file_s_is_not() {
     let folder = tempfile::tempdir().expect("temp dir");
-    let mut service = Served::start(folder.path(), &["--token"], None);
+    let mut service = Served::start(folder.path(), &[&FREE_PORT[..], &["--token"]].concat(), &[]);
     let token = service.line("token ");
     assert_eq!(token.len(), 64, "256 bits in hexadecimal digits");
     assert_eq!(service.status(&token).await, StatusCode::OK);
     drop(service);
 
     fs::write(folder.path().join("secret"), format!("{SECRET}\n")).expect("writes");
-    let mut service = Served::start(folder.path(), &["--token-file", "secret"], None);
+    let mut service = Served::start(
+        folder.path(),
+        &[&FREE_PORT[..], &["--token-file", "secret"]].concat(),
+        &[],
+    );
     service.line("in a browser, once: ");
     assert_eq!(service.status(SECRET).await, StatusCode::OK);
     assert_eq!(service.status(&token).await, StatusCode::UNAUTHORIZED);
@@ -122,30 +76,9 @@ async fn other_machines_are_served_only_with_a_token() {
         let why = text(&refused.stderr);
         assert!(why.contains("--token") && why.contains("ssh -L"), "{why}");
     }
-    let log = File::create(folder.path().join("log")).expect("a file");
-    let mut exposed = command(
-        folder.path(),
-        &[
-            "serve",
-            "--token",
-            "--addr",
-            "0.0.0.0:0",
-            "--host",
-            "tires.example",
-        ],
-    );
-    let mut child = exposed
-        .stdout(Stdio::piped())
-        .stderr(log)
-        .spawn()
-        .expect("starts");
-    let stdout = child.stdout.take().expect("a pipe");
-    let mut served = Served {
-        child,
-        url: String::new(),
-        printed: BufReader::new(stdout),
-    };
-    let port = served.line("listening on http://0.0.0.0:");
+    let exposed = ["--token", "--addr", "0.0.0.0:0", "--host", "tires.example"];
+    let mut served = Served::start(folder.path(), &exposed, &[]);
+    let port = served.url.rsplit(':').next().expect("a port").to_owned();
     let token = served.line("token ");
     assert!(
         served

@@ -4,8 +4,11 @@ mod access;
 mod accuracy;
 mod db;
 mod library;
+mod logs;
 #[path = "../program/mod.rs"]
 mod program;
+mod served;
+mod settings;
 #[cfg(unix)]
 mod signals;
 mod verification;
