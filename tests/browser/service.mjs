@@ -10,19 +10,23 @@ const binary = process.env.STRAINSITE_BIN ?? join(root, "target", "release", "st
 const READY_MS = 30_000;
 const STOP_MS = 30_000;
 
-export async function startService() {
+/** With further arguments of `serve`, if any. */
+export async function startService(...more) {
   const folder = mkdtempSync(join(tmpdir(), "strainsite-browser-"));
-  const child = spawn(binary, ["serve", "--addr", "127.0.0.1:0", "--db", join(folder, "studies.db")], {
+  const child = spawn(binary, ["serve", "--addr", "127.0.0.1:0", "--db", join(folder, "studies.db"), ...more], {
     cwd: root,
     stdio: ["ignore", "pipe", "pipe"],
   });
   let log = "";
+  let printed = "";
+  child.stdout.on("data", (chunk) => (printed += chunk));
   child.stderr.on("data", (chunk) => (log += chunk));
   const exited = new Promise((resolve) => child.on("close", (code, signal) => resolve({ code, signal })));
   const url = await readUrl(child, exited, () => log);
   return {
     url,
     log: () => log,
+    printed: () => printed,
     /** Interrupts the service and gives its exit code. */
     async stop() {
       child.kill("SIGINT");

@@ -153,6 +153,26 @@ test("a running study is cancelled from the page", { timeout: STUDY_MS }, async 
   await page.context().close();
 });
 
+test("a browser is let in by the printed address, once, and follows a study by its cookie", { timeout: STUDY_MS }, async () => {
+  const locked = await startService("--token");
+  const { page, complaints } = await openPage(browser, { viewport: { width: 1280, height: 900 } });
+  let link;
+  while ((link = /in a browser, once: (\S+)/.exec(locked.printed())?.[1]) === undefined) await page.waitForTimeout(20);
+  await page.goto(link);
+  assert.equal(page.url(), `${locked.url}/`, "the address that worked once is left behind");
+  await page.locator('.preset input[value="foot-tire"]').check();
+  await page.getByLabel("Accuracy").selectOption("draft");
+  await page.getByRole("button", { name: "Run study" }).click();
+  await page.locator("table.ranking").waitFor({ timeout: STUDY_MS });
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+
+  const { page: stranger } = await openPage(browser, { viewport: { width: 1280, height: 900 } });
+  for (const address of [link, locked.url]) assert.equal((await stranger.goto(address))?.status(), 401);
+  await stranger.context().close();
+  assert.deepEqual(await locked.stop(), { code: 0, signal: null }, locked.log());
+});
+
 test("the service ends cleanly when it is interrupted", async () => {
   await browser.close();
   const end = await service.stop();
