@@ -2,7 +2,7 @@
 
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
-.PHONY: run build test lint test-rust test-web test-browser verify setup-build setup-calculix setup-test help
+.PHONY: run build test lint test-rust test-web test-browser test-conformance verify setup-build setup-calculix setup-test setup-conformance help
 
 STRAINSITE := $(or $(CARGO_TARGET_DIR),target)/release/strainsite
 export STRAINSITE_BIN := $(abspath $(STRAINSITE))
@@ -20,7 +20,7 @@ run: build
 build: setup-build
 	cargo build --release --locked --bin strainsite
 
-test: lint test-rust test-web test-browser verify
+test: lint test-rust test-web test-browser test-conformance verify
 
 # In release mode like the tests, so that what both need is built once.
 lint: setup-build
@@ -38,6 +38,10 @@ test-web: setup-test
 test-browser: setup-test test-rust
 	cd tests/browser && npm ci && npm test
 
+# The running service against its own description, for two minutes.
+test-conformance: setup-conformance test-rust
+	tests/conformance/run
+
 # Every case whose answer is known, on the binary that the Rust tests drove; these ran the extremes.
 verify: test-rust
 	$(STRAINSITE) verify
@@ -53,3 +57,6 @@ setup-calculix:
 setup-test: setup-calculix
 	@command -v npm >/dev/null || { echo "Node.js is missing: install version 20.19 or newer with npm"; exit 1; }
 	@test -x /usr/bin/chromium || { $(APT_GET) update -q && $(APT_GET) install -y -q --no-install-recommends chromium; }
+
+setup-conformance:
+	@python3 -c 'import ensurepip, venv' 2>/dev/null || { $(APT_GET) update -q && $(APT_GET) install -y -q --no-install-recommends python3-venv; }

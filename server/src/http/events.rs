@@ -25,7 +25,7 @@ use super::examples;
 use super::extract::{StudyId, StudyPath};
 use super::problem::Problem;
 use super::studies::known;
-use super::wire::ProblemDocument;
+use super::wire::{ProblemDocument, StreamEvent};
 use crate::shutdown::Shutdown;
 use crate::store::events::EventRow;
 use crate::store::{Store, StoreError, events};
@@ -45,8 +45,8 @@ pub fn router() -> OpenApiRouter<AppState> {
 /// has a number; a client that comes back with `Last-Event-ID` gets what it missed.
 #[utoipa::path(get, path = "/v1/studies/{id}/events", tag = "studies",
     params(StudyPath, ("Last-Event-ID" = Option<String>, Header, description = "Number of the last event seen", example = "17")),
-    responses((status = 200, description = "The events", content_type = "text/event-stream", body = String,
-                  example = json!("id: 17\nevent: point-solved\ndata: {\"kind\":\"point-solved\",\"time\":\"2026-11-22T01:02:03.456Z\",\"ordinal\":3,\"done\":4,\"of\":26}\n\n")),
+    responses((status = 200, description = "The events", content_type = "text/event-stream", body = StreamEvent,
+                  example = json!(examples::event())),
               (status = 204, description = "The study has ended and there is nothing more to tell"),
               (status = 429, description = "Too many streams are open already; `Retry-After` says when to look again", body = ProblemDocument, content_type = "application/problem+json",
                   headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(examples::crowded())),

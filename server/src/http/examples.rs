@@ -78,6 +78,12 @@ pub fn evaluation() -> Value {
     })
 }
 
+/// A point of a study, as its stream tells it.
+pub fn event() -> Value {
+    let data = json!({"kind": "point-solved", "time": "2026-11-22T01:02:03.456Z", "ordinal": 3, "done": 4, "of": 10, "wall_s": 0.07, "newton_iterations": 5});
+    json!({"id": "17", "event": "point-solved", "data": data.to_string()})
+}
+
 /// A layer of a map of one point.
 pub fn map() -> Value {
     json!({
@@ -179,6 +185,7 @@ mod tests {
         reads::<wire::StudySummary>(summary());
         reads::<wire::StudyDetail>(detail());
         reads::<EvaluationView>(evaluation());
+        reads::<wire::StreamEvent>(event());
         reads::<wire::MapView>(map());
         reads::<wire::Preset>(preset());
         reads::<wire::StudyDocument>(study());

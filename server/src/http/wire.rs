@@ -72,6 +72,17 @@ pub struct StudyDetail {
     pub trade_measured: bool,
 }
 
+/// One of the events that a stream consists of.
+#[derive(Debug, Serialize, Deserialize, ToSchema)]
+pub struct StreamEvent {
+    /// Its number, for `Last-Event-ID`.
+    pub id: String,
+    /// What happened.
+    pub event: String,
+    /// A JSON object with `kind`, `time` and what else belongs to it.
+    pub data: String,
+}
+
 /// One page of studies, newest first.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
 pub struct StudyPage {
