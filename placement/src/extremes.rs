@@ -191,7 +191,7 @@ fn tiny_case(spread: f64, direction: &str, output: &Output, linear: &[f64]) -> C
             .within(0.0, "a spread that the solver doesn't see ranks nothing")
             .ended(output.status.clone());
     };
-    let claimed = output.error.total.unwrap_or(0.0);
+    let claimed = output.error.of_method();
     let name = format!("{name}: largest error of an index");
     let case = Case::absolute(name, distance(indices, linear), 0.0)
         .within(claimed, "linearised model; tolerance: the error claimed");
@@ -266,7 +266,7 @@ fn wide(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
         let (Some(indices), Some(rough), Some(true_ones)) = lists else {
             continue;
         };
-        let claimed = found.error.total.unwrap_or(0.0);
+        let claimed = found.error.of_method();
         let name = format!(
             "depths from 0 to 2 mm, {} strain at {}: largest error of an index",
             found.direction, found.location

@@ -63,13 +63,17 @@ fn one_direction(study: &Study) -> Option<String> {
     ))
 }
 
-/// That the errors leave out the mesh, where they do.
+/// That the mesh's part of the errors is missing, where it is.
 fn without_mesh_error(scores: &Scores) -> Option<String> {
     let indexed = |output: &&Output| output.first_order.is_some();
     let mut outputs = scores.outputs.iter().filter(indexed);
-    outputs
-        .any(|output| output.error.mesh.is_none())
-        .then(|| format!("The errors of the indices leave out the mesh: {NO_MESH_ERROR}."))
+    let without = outputs.find(|output| output.error.mesh.is_none())?;
+    Some(match without.error.total {
+        Some(_) => format!("The errors of the indices leave out the mesh: {NO_MESH_ERROR}."),
+        None => format!(
+            "How far the indices are off isn't known, and no rank is certain: {NO_MESH_ERROR}, as on the draft level. The next level knows."
+        ),
+    })
 }
 
 /// `P1`, `P1 and P2`, `P1, P2 and P3`.

@@ -138,11 +138,18 @@ pub struct IndexError {
     pub quadrature: Option<f64>,
     /// From the decomposition.
     pub decomposition: Option<f64>,
-    /// Sum of the parts that are known, the largest over the inputs.
+    /// Sum of the parts, the largest over the inputs; null where the mesh's part isn't known.
     pub total: Option<f64>,
     /// Why a part is null.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
+}
+
+impl IndexError {
+    /// What quadrature and decomposition add, for comparisons on one mesh.
+    pub(crate) fn of_method(&self) -> f64 {
+        self.quadrature.unwrap_or(0.0) + self.decomposition.unwrap_or(0.0)
+    }
 }
 
 /// One candidate location in the ranking.

@@ -53,8 +53,28 @@ pub struct Coarse {
     pub outcomes: Option<Vec<Outcome>>,
 }
 
-/// Analyses of every output, each with the mesh error of its first-order indices where that is known.
-type Analysed = (Analysis, Option<Vec<f64>>);
+/// What the mesh does to the first-order indices of one output.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum MeshError {
+    /// There is no mesh.
+    Exact,
+    /// There is one, and no other to compare with.
+    Unknown,
+    /// No index is off by more, as far as another mesh shows.
+    Within(f64),
+}
+
+impl MeshError {
+    fn known(self) -> Option<f64> {
+        match self {
+            Self::Within(error) => Some(error),
+            Self::Exact | Self::Unknown => None,
+        }
+    }
+}
+
+/// Analyses of every output, each with what the mesh does to it.
+type Analysed = (Analysis, MeshError);
 
 /// The outputs of all points, a row each: locations first, then the map. A point without an equilibrium has a row of NaN.
 ///
@@ -87,7 +107,11 @@ pub fn score(
     outcomes: &[Outcome],
     coarse: Option<&Coarse>,
 ) -> Scores {
-    let analyses = analysed(campaign, directions, outcomes, coarse);
+    let unseen = match cut.model.elements {
+        0 => MeshError::Exact,
+        _ => MeshError::Unknown,
+    };
+    let analyses = analysed(campaign, directions, outcomes, coarse, unseen);
     let (at_locations, over_map) = analyses.split_at(2 * cut.locations.len());
     let names = cut
         .locations
@@ -115,6 +139,7 @@ fn analysed(
     directions: Directions,
     outcomes: &[Outcome],
     coarse: Option<&Coarse>,
+    unseen: MeshError,
 ) -> Vec<Analysed> {
     let analyse = |outcomes: &[Outcome]| {
         assert_eq!(
@@ -140,39 +165,39 @@ fn analysed(
     let witness =
         coarse.and_then(|coarse| Some((coarse.coarser.factor, coarse.outcomes.as_ref()?)));
     let Some((factor, outcomes)) = witness else {
-        return found.into_iter().map(|analysis| (analysis, None)).collect();
+        let unseen = found.into_iter().map(|analysis| (analysis, unseen));
+        return unseen.collect();
     };
     let coarse = analyse(outcomes);
     let pairs = found.into_iter().zip(&coarse);
     pairs
         .map(|(analysis, coarse)| {
             let error = mesh_error(&analysis, coarse, factor);
-            (analysis, error)
+            (analysis, error.map_or(unseen, MeshError::Within))
         })
         .collect()
 }
 
-/// Mesh error of each first-order index: its difference from the coarser mesh's, times what that says of the finer one.
-fn mesh_error(fine: &Analysis, coarse: &Analysis, factor: f64) -> Option<Vec<f64>> {
+/// Mesh error of the first-order indices of one strain: their largest difference from the coarser mesh's, times what that says of the
+/// finer one. The largest, because a single index may agree on two meshes by chance: one in five did on the coarse level, and
+/// was off by up to seventeen times its own difference.
+fn mesh_error(fine: &Analysis, coarse: &Analysis, factor: f64) -> Option<f64> {
     let indices = fine.first_order.iter().flatten();
     let pairs = indices.zip(coarse.first_order.as_ref()?);
-    Some(
-        pairs
-            .map(|(a, b)| (factor * (a - b).abs()).min(1.0))
-            .collect(),
-    )
+    let differences = pairs.map(|(a, b)| factor * (a - b).abs());
+    Some(differences.fold(0.0, f64::max).min(1.0))
 }
 
-/// Error of each first-order index, the mesh's included where it is known.
+/// Error of each first-order index, the mesh's included; none where that is unknown.
 fn total_by_input((analysis, mesh): &Analysed) -> Option<Vec<f64>> {
     analysis.first_order.as_ref()?;
-    let errors = analysis.error.by_input.as_ref()?.iter().enumerate();
-    let of_mesh = |input: usize| mesh.as_ref().map_or(0.0, |mesh| mesh[input]);
-    Some(
-        errors
-            .map(|(i, error)| (error + of_mesh(i)).min(1.0))
-            .collect(),
-    )
+    let of_mesh = match mesh {
+        MeshError::Exact => 0.0,
+        MeshError::Unknown => return None,
+        MeshError::Within(error) => *error,
+    };
+    let errors = analysis.error.by_input.as_ref()?.iter();
+    Some(errors.map(|error| (error + of_mesh).min(1.0)).collect())
 }
 
 fn largest(errors: &[f64]) -> f64 {
@@ -217,7 +242,7 @@ fn output(location: &str, direction: &str, analysed: &Analysed) -> Output {
 
 fn index_error(analysed: &Analysed) -> IndexError {
     let (analysis, mesh) = analysed;
-    let mesh = mesh.as_deref().map(largest);
+    let mesh = mesh.known();
     let missing = |part: Option<f64>, why: &str| part.is_none().then(|| why.to_owned());
     let reasons = [
         missing(mesh, NO_MESH_ERROR),

@@ -52,7 +52,7 @@ pub struct Rung {
     pub error_true: Option<f64>,
     /// The largest that the rung claims.
     pub error_claimed: Option<f64>,
-    /// Share of the indices whose claimed error covers the true one.
+    /// Share of the indices whose claimed error covers the true one; null where nothing is claimed.
     pub covered: Option<f64>,
     /// Whether the locations rank as by the reference, where that one's own errors leave no doubt which of two is better.
     pub ranking_agrees: bool,
@@ -130,12 +130,14 @@ fn rung(study: &Study, fidelity: Fidelity, result: &StudyResult, truth: &[Index]
         let claims = errors.iter().map(|(_, claim)| *claim);
         claims.collect::<Option<Vec<f64>>>()
     });
-    let covered = errors.as_ref().map(|errors| {
-        let covered = errors
-            .iter()
-            .filter(|(error, claim)| claim.is_some_and(|claim| *error <= claim));
-        covered.count() as f64 / errors.len() as f64
-    });
+    let covered = errors
+        .as_ref()
+        .zip(claims.as_ref())
+        .map(|(errors, claims)| {
+            let pairs = errors.iter().zip(claims);
+            let covered = pairs.filter(|((error, _), claim)| error <= claim);
+            covered.count() as f64 / errors.len() as f64
+        });
     let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
     Rung {
         label: fidelity.label(),

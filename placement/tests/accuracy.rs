@@ -13,7 +13,7 @@ use fem_client::scene::{Level, Scene};
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use fem_client::tire::mesh_plan;
 use gsa::method::Kind;
-use placement::result::{Output, StudyResult};
+use placement::result::{Output, RankedLocation, StudyResult};
 use placement::run::RunError;
 use placement::study::{Accuracy, Study};
 use support::{MemoryArchive, observed, shipped, text};
@@ -56,6 +56,7 @@ impl Solver for Meshed {
         let depth = scene.ground.depths_mm[1];
         solved.response.locations[2].strain_x +=
             slope * (depth - 1.0) + self.kink * (depth - KINK_MM).abs();
+        solved.response.model.elements = cells as usize;
         Ok(solved)
     }
 }
@@ -118,13 +119,12 @@ fn a_draft_does_not_know_its_own() {
     let result = answer(&at_level(Level::Draft), &Meshed::new());
     let output = at_centre(&result);
     assert!(output.error.mesh.is_none() && output.error.reason.is_some());
+    assert!(output.error.total.is_none() && output.error.quadrature.is_some());
+    let claims_nothing = |l: &RankedLocation| l.gsi_x_error_percent.is_none() && !l.rank_certain;
+    assert!(result.locations.iter().all(claims_nothing));
     assert_eq!(result.cost.coarser_solves, 0);
-    assert!(
-        result
-            .notes
-            .iter()
-            .any(|note| note.contains("leave out the mesh"))
-    );
+    let mut notes = result.notes.iter();
+    assert!(notes.any(|note| note.contains("off isn't known")));
 }
 
 #[test]

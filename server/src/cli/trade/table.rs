@@ -14,7 +14,7 @@ pub fn report(trade: &Trade) -> String {
     }
     let _ = writeln!(
         text,
-        "\nTrue errors are differences from {} ({} solves, {:.1} s), whose own claim is {}. Errors are absolute; an index lies between 0 and 1. A draft's claim leaves out its mesh.",
+        "\nTrue errors are differences from {} ({} solves, {:.1} s), whose own claim is {}. Errors are absolute; an index lies between 0 and 1. A draft claims nothing: it doesn't know what its mesh does.",
         trade.reference.label,
         trade.reference.solves,
         trade.reference.wall_s,
