@@ -106,7 +106,7 @@ test("a study runs from the preset to the ranking and its map", { timeout: STUDY
   assert.match(rows[0].cells[3], /^\d+\.\d\d ± (\d+\.\d\d|\?)$/, "an index stands with its error");
 
   const compared = await page.locator("table.estimate").innerText();
-  assert.match(compared, /Wall time.* s.*Peak memory.*MB/s, "what was expected stands beside what it took");
+  assert.match(compared, /Wall time.* s.*Peak memory.*[MG]B/s, "what was expected stands beside what it took");
 
   const drawn = await readCanvas(page);
   // A blank canvas has one colour at most; a field of 61 by 21 cells has dozens.
