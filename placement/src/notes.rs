@@ -236,10 +236,11 @@ fn other_orders(locations: &[RankedLocation]) -> Vec<String> {
     notes
 }
 
+/// Ranks that known errors leave open; where none is known another note says so.
 fn uncertain(locations: &[RankedLocation]) -> Option<String> {
     let unsure: Vec<&str> = locations
         .iter()
-        .filter(|location| !location.rank_certain)
+        .filter(|location| !location.rank_certain && location.knows_error())
         .map(|location| location.name.as_str())
         .collect();
     (!unsure.is_empty()).then(|| {

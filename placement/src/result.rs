@@ -190,6 +190,15 @@ pub struct RankedLocation {
     pub rank_certain: bool,
 }
 
+impl RankedLocation {
+    /// Whether an index that it is ranked by has a known error.
+    pub(crate) fn knows_error(&self) -> bool {
+        self.gsi_x_error_percent
+            .or(self.gsi_y_error_percent)
+            .is_some()
+    }
+}
+
 /// One layout in the ranking.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]

@@ -11,6 +11,9 @@ import { Notes } from "./notes.tsx";
 import { RankingView } from "./ranking.tsx";
 import { TradeView } from "./trade.tsx";
 
+/** Tables that the service exports. */
+const TABLES = ["indices", "locations", "layouts", "points"] as const;
+
 type StudyRoute = Extract<Route, { view: "study" }>;
 
 /** The answer of a study, most important first. */
@@ -26,7 +29,13 @@ export function ResultView(props: {
     <>
       <p class="provenance">
         {version} · document <code title={spec_sha256}>{spec_sha256.slice(0, 12)}</code> · as JSON:{" "}
-        <a href={address(id, "result")}>the whole result</a>, <a href={address(id, "evaluations")}>every solved point</a>
+        <a href={address(id, "result")}>the whole result</a>, <a href={address(id, "evaluations")}>every solved point</a> · as CSV:{" "}
+        {TABLES.map((table, k) => (
+          <>
+            {k > 0 && ", "}
+            <a href={address(id, `export?table=${table}`)}>{table}</a>
+          </>
+        ))}
       </p>
       <Notes notes={result.notes} />
       <FailedPoints result={result} />
