@@ -106,3 +106,29 @@ impl From<StoreError> for Problem {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_database_that_can_not_answer_now_says_when_to_ask_again() {
+        for (error, status) in [
+            (StoreError::Busy, StatusCode::SERVICE_UNAVAILABLE),
+            (StoreError::Full, StatusCode::INSUFFICIENT_STORAGE),
+            (
+                sqlx::Error::PoolTimedOut.into(),
+                StatusCode::SERVICE_UNAVAILABLE,
+            ),
+        ] {
+            let response = Problem::from(error).into_response();
+            assert_eq!(response.status(), status);
+            let seconds = response.headers()[header::RETRY_AFTER].to_str();
+            let seconds: u64 = seconds.expect("text").parse().expect("a number");
+            assert!((1..=10).contains(&seconds), "{status}: {seconds}");
+        }
+        let other = Problem::from(StoreError::from(sqlx::Error::RowNotFound)).into_response();
+        assert_eq!(other.status(), StatusCode::INTERNAL_SERVER_ERROR);
+        assert!(!other.headers().contains_key(header::RETRY_AFTER));
+    }
+}
