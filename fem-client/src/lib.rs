@@ -11,7 +11,8 @@
 //! - [`scene_edit`]: changes single fields of a scene by their path
 //! - [`gauge`]: single points with a direction, where strain is read
 //! - [`omission`]: what a scene's model leaves out, and the scene that has it
-//! - [`solver`]: the one trait between the product and any solver, with its request, response and errors
+//! - [`solve_error`]: why a solve gave no answer
+//! - [`solver`]: the one trait between the product and any solver, with its request and response
 //! - [`start_state`]: start states as bytes
 //! - `grid_lines`: where the bricks of a mesh begin and end
 //! - [`tire_mesh`]: the structured mesh of a tire
@@ -57,6 +58,7 @@ pub mod scene_edit;
 pub mod scene_reader;
 mod self_contact;
 mod session;
+pub mod solve_error;
 pub mod solver;
 pub mod start_state;
 pub mod tire;
