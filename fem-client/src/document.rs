@@ -3,6 +3,7 @@
 use serde_json::{Map, Number, Value};
 
 use crate::fault::{Fault, entry, member};
+use crate::fields::visible;
 
 /// Longest document that is read, bytes.
 pub const MAX_BYTES: usize = 1 << 20;
@@ -103,7 +104,7 @@ fn longest_key(text: &str) -> usize {
 }
 
 fn toml_detail(text: &str, error: &toml::de::Error) -> String {
-    let message = error.message().trim_end().replace('\n', "; ");
+    let message = visible(&error.message().trim_end().replace('\n', "; "));
     match error.span().and_then(|span| text.get(..span.start)) {
         Some(before) => {
             let line = before.matches('\n').count() + 1;

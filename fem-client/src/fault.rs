@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::fields::visible;
+
 /// Faults listed for one document; a document with more is told so in a last fault.
 pub const MAX_FAULTS: usize = 100;
 
@@ -39,7 +41,7 @@ impl std::fmt::Display for Fault {
         if self.pointer.is_empty() {
             f.write_str(&self.detail)
         } else {
-            write!(f, "{}: {}", self.pointer, self.detail)
+            write!(f, "{}: {}", visible(&self.pointer), self.detail)
         }
     }
 }

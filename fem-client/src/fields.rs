@@ -55,8 +55,21 @@ pub fn shown(value: &Value) -> String {
     match value {
         Value::Object(_) => "a table".to_owned(),
         Value::Array(items) => format!("a list of {} entries", items.len()),
-        other => shortened(&other.to_string()),
+        other => shortened(&visible(&other.to_string())),
     }
+}
+
+/// A text whose control characters are written out: they could forge lines of a log, or move a terminal's cursor.
+pub(crate) fn visible(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for c in text.chars() {
+        if c.is_control() {
+            shown.extend(c.escape_unicode());
+        } else {
+            shown.push(c);
+        }
+    }
+    shown
 }
 
 fn shortened(text: &str) -> String {
@@ -272,6 +285,13 @@ fn distance(a: &str, b: &str) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn control_characters_are_written_out() {
+        // JSON's own escapes leave those from 7f to 9f as they are; 9b begins a terminal's commands.
+        let value = Value::from("a\u{7f}b\u{9b}2Jc\n");
+        assert_eq!(shown(&value), "\"a\\u{7f}b\\u{9b}2Jc\\n\"");
+    }
 
     #[test]
     fn integral_floats_are_integers() {

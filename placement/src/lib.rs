@@ -21,6 +21,7 @@
 //! - [`estimate`]: what a study will cost, before anything is solved
 //! - [`trade`]: what accuracy a second buys
 //! - [`extremes`]: studies at the ends of what their inputs can spread
+//! - [`inputs_document`], [`value_table`]: inputs and outputs of models that others run
 
 pub mod archive;
 pub mod assemble;
@@ -48,3 +49,4 @@ pub mod study;
 pub mod study_reader;
 pub mod trade;
 pub mod usage;
+pub mod value_table;

@@ -97,10 +97,25 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         accuracy,
     };
     // Ends of single inputs are checked with the inputs; their combinations only here.
-    if faults.is_empty() {
+    if faults.is_empty() && are_few_enough(&study, faults) {
         check_plan(&study, faults);
     }
     Some(study)
+}
+
+/// Whether the plan is small enough to be made at all. The other methods bound their designs by themselves.
+fn are_few_enough(study: &Study, faults: &mut Vec<Fault>) -> bool {
+    let (samples, inputs) = (study.method.samples, study.inputs.len());
+    let solves = samples.saturating_mul(inputs + 2) as u64;
+    if study.method.kind != Kind::Saltelli || solves <= LIMITS.runs {
+        return true;
+    }
+    let detail = format!(
+        "{samples} base points of {inputs} inputs are {solves} solves; a study has at most {}",
+        LIMITS.runs
+    );
+    Fault::add(faults, "/method/samples", detail);
+    false
 }
 
 fn check_plan(study: &Study, faults: &mut Vec<Fault>) {

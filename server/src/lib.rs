@@ -19,7 +19,6 @@
 //! - [`engine`]: runs one study from its document to its end
 //! - [`queue`]: the queue of studies
 //! - [`http`]: routes and dashboard
-//! - [`value_table`]: outputs of other people's models, from CSV
 //! - [`service`]: database, queue and HTTP together
 //! - [`cli`]: the command line
 
@@ -41,5 +40,4 @@ pub mod study_document;
 pub mod telemetry;
 pub mod token;
 pub mod traced;
-pub mod value_table;
 pub mod watched;

@@ -257,6 +257,22 @@ fn inputs_that_contradict_each_other_only_together_are_refused() {
 }
 
 #[test]
+fn more_solves_than_anyone_waits_for_are_refused_before_they_are_planned() {
+    // (9 + 2) 10 000 solves; 100 000 are allowed.
+    let mut document = with("/method", json!({"kind": "saltelli", "samples": 10_000}));
+    document["scene"] = json!({"preset": "foot-tire", "ground": {"depths_mm": vec![1.0; 21], "station_spacing_mm": 2.0}});
+    document["inputs"] = (0..9)
+        .map(|k| {
+            json!({"name": format!("P{k}"), "vary": format!("ground.depths_mm[{k}]"),
+                   "distribution": {"kind": "uniform", "min": 0.7, "max": 1.3}})
+        })
+        .collect();
+    assert_eq!(pointers(&document), ["/method/samples"]);
+    document["method"]["samples"] = json!(100);
+    assert!(Study::from_value(&document, &|path| Err(path.to_owned())).is_ok());
+}
+
+#[test]
 fn a_map_that_would_not_fit_in_memory_is_refused() {
     let mut document = valid();
     document["candidates"]["grid"] = json!({"circumferential": 201, "meridional": 201});

@@ -12,12 +12,12 @@ use clap::{Args, Subcommand};
 use fem_client::fault::Fault;
 use ndarray::ArrayView2;
 use placement::inputs_document::Inputs;
+use placement::value_table::{ValueTable, quoted};
 use serde_json::{Value, json};
 
 use super::Failure;
 use super::output::{JsonTarget, print, tell, write_whole};
 use crate::study_document::{format_of, read_file};
-use crate::value_table::{ValueTable, quoted};
 
 /// Analyse a model of your own: print the points to run, then read their outputs back
 #[derive(Debug, Args)]

@@ -9,6 +9,7 @@ use fem_client::document::{Format, MAX_BYTES, parse};
 use fem_client::fault::Fault;
 use http_body_util::BodyExt;
 use placement::study::Study;
+use tokio::sync::Semaphore;
 
 use super::problem::Problem;
 
@@ -16,6 +17,9 @@ use super::problem::Problem;
 const BODY_TIMEOUT: Duration = Duration::from_secs(30);
 /// A body that goes on beyond this is cut off.
 const DISCARDED_BYTES: usize = 16 * MAX_BYTES;
+
+/// Documents checked at once: the largest design takes 100 MB meanwhile.
+static READERS: Semaphore = Semaphore::const_new(4);
 
 /// A checked study from a request's body.
 pub struct StudyBody {
@@ -29,9 +33,21 @@ impl<S: Send + Sync> FromRequest<S> for StudyBody {
     async fn from_request(request: Request, _: &S) -> Result<Self, Problem> {
         let format = format_of(request.headers())?;
         let text = read(request).await?;
-        well_formed(&text, format)?;
-        let study = Study::from_document(&text, format, &no_files).map_err(Problem::faults)?;
-        Ok(Self { study })
+        // A closed semaphore can't be: nobody closes it.
+        let place = READERS.acquire().await.ok();
+        // A large design takes seconds to check, which the runtime's threads haven't.
+        let read = tokio::task::spawn_blocking(move || {
+            let _place = place;
+            well_formed(&text, format)?;
+            Study::from_document(&text, format, &no_files).map_err(Problem::faults)
+        });
+        let broken = |_| {
+            let detail = "the service has a fault; its log says where";
+            Problem::new(StatusCode::INTERNAL_SERVER_ERROR, detail)
+        };
+        Ok(Self {
+            study: read.await.map_err(broken)??,
+        })
     }
 }
 

@@ -1,0 +1,197 @@
+//! What must hold for every text that a reader is given, whatever is in it: no panic, no number that isn't finite, and faults that say where.
+//!
+//! The fuzzer calls these with texts of its own making, `placement/tests/fuzzed.rs` with those that it kept.
+
+use fem_client::document::{Format, parse};
+use fem_client::fault::{Fault, MAX_FAULTS};
+use fem_client::scene::Scene;
+use gsa::analysis::Analysis;
+use gsa::campaign::Campaign;
+use gsa::distribution::Distribution;
+use gsa::method::{Kind, Method};
+use placement::inputs_document::Inputs;
+use placement::plan::Plan;
+use placement::study::Study;
+use placement::value_table::ValueTable;
+use serde_json::Value;
+
+const OF_SCENE: [&str; 8] = [
+    "geometry", "material", "carcass", "film", "pressure", "ground", "contact", "model",
+];
+const OF_STUDY: [&str; 7] = [
+    "name",
+    "scene",
+    "inputs",
+    "candidates",
+    "layouts",
+    "method",
+    "accuracy",
+];
+const OF_INPUTS: [&str; 2] = ["inputs", "method"];
+
+/// More points than this take longer to plan than a fuzzer should wait.
+const MOST_PLANNED: usize = 2000;
+
+/// A scene is refused with its faults, or its canonical text reads back as the same scene.
+pub fn scene(text: &str) {
+    match Scene::from_text(text, format_of(text)) {
+        Ok(scene) => {
+            let canonical = scene.canonical_json();
+            assert_eq!(Scene::from_json(&canonical), Ok(scene), "{canonical}");
+        }
+        Err(faults) => say_where(&faults, text, &OF_SCENE),
+    }
+}
+
+/// A study is refused with its faults, or has a plan of finite points, and its canonical text reads back as the same study.
+pub fn study(text: &str) {
+    match Study::from_document(text, format_of(text), &shipped) {
+        Ok(study) => {
+            let canonical = study.canonical();
+            let again = Study::from_document(&canonical, Format::Json, &shipped);
+            assert_eq!(again.as_ref(), Ok(&study), "{canonical}");
+            let plan = Plan::new(&study).expect("a study that was read has a plan");
+            assert!(plan.values().iter().flatten().all(|x| x.is_finite()));
+            assert_eq!(plan.values().len(), plan.points.len());
+        }
+        Err(faults) => say_where(&faults, text, &OF_STUDY),
+    }
+}
+
+/// Inputs and method are refused with their faults, or there is a reason why they have no plan, or a plan of finite points.
+pub fn inputs(text: &str) {
+    let inputs = match Inputs::from_document(text, format_of(text)) {
+        Ok(inputs) => inputs,
+        Err(faults) => return say_where(&faults, text, &OF_INPUTS),
+    };
+    assert_eq!(inputs.names.len(), inputs.laws.len());
+    if asked_at_most(&inputs) > MOST_PLANNED {
+        return;
+    }
+    match Campaign::new(&inputs.laws, inputs.method) {
+        Ok(campaign) => {
+            for point in campaign.points() {
+                assert_eq!(point.len(), inputs.laws.len());
+                assert!(point.iter().all(|x| x.is_finite()), "{point:?}");
+            }
+        }
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+}
+
+/// Values are refused with the lines of their faults, or every method makes finite numbers of them, or none.
+pub fn values(text: &str) {
+    let table = match ValueTable::from_csv(text) {
+        Ok(table) => table,
+        Err(faults) => {
+            assert!(!faults.is_empty() && faults.len() <= MAX_FAULTS + 1);
+            let more = |fault: &Fault| fault.detail.contains("more than");
+            let said = |fault: &Fault| fault.detail.starts_with("line ") || more(fault);
+            assert!(faults.iter().all(said), "{faults:?}");
+            return;
+        }
+    };
+    let rows = table.leading_rows();
+    let laws = [
+        Distribution::uniform(-1.0, 1.0).expect("a law"),
+        Distribution::normal(2.0, 0.5).expect("a law"),
+    ];
+    for kind in Kind::ALL {
+        let method = Method {
+            nodes: 3,
+            check_points: 2,
+            samples: 8,
+            most_runs: 30,
+            ..Method::of(kind)
+        };
+        let (_, found) = Campaign::replay(&laws, method, &rows.view()).expect("such a design");
+        for analysis in found.iter().flatten() {
+            assert!(is_finite(analysis), "{}: {analysis:?}", kind.as_str());
+        }
+    }
+}
+
+/// JSON begins with a brace; TOML can't.
+fn format_of(text: &str) -> Format {
+    if text.trim_start().starts_with('{') {
+        Format::Json
+    } else {
+        Format::Toml
+    }
+}
+
+/// The one scene file that there is.
+fn shipped(path: &str) -> Result<String, String> {
+    match path {
+        "scenes/foot-tire.toml" => Ok(include_str!("../../scenes/foot-tire.toml").to_owned()),
+        _ => Err(format!("there is no file {path:?}")),
+    }
+}
+
+/// Every fault has a sentence without control characters, which could forge lines of a log, and points into a table that was read: to
+/// something in it, or to a field that it lacks.
+fn say_where(faults: &[Fault], text: &str, known: &[&str]) {
+    assert!(!faults.is_empty() && faults.len() <= MAX_FAULTS + 1);
+    let document = parse(text, format_of(text)).ok();
+    for fault in faults {
+        let (detail, said) = (&fault.detail, fault.to_string());
+        assert!(!detail.trim().is_empty(), "{fault:?}");
+        assert!(!said.contains(char::is_control), "{fault:?}");
+        let closing = detail.contains("more than 100 faults");
+        let Some(Value::Object(table)) = document.as_ref().filter(|_| !closing) else {
+            assert_eq!(fault.pointer, "", "{fault:?}");
+            continue;
+        };
+        let member = fault.pointer.strip_prefix('/').map(|rest| {
+            let first = rest.split('/').next().unwrap_or_default();
+            first.replace("~1", "/").replace("~0", "~")
+        });
+        let member = member.unwrap_or_else(|| panic!("{fault:?} points nowhere"));
+        assert!(
+            table.contains_key(&member) || known.contains(&member.as_str()),
+            "{fault:?}"
+        );
+    }
+}
+
+/// How many points a method asks for first, or more.
+fn asked_at_most(inputs: &Inputs) -> usize {
+    let (count, method) = (inputs.laws.len(), &inputs.method);
+    let power = u32::try_from(count).unwrap_or(u32::MAX);
+    let points = match method.kind {
+        Kind::Tensor => method.nodes.saturating_pow(power),
+        Kind::Bivariate => (count * method.nodes).saturating_pow(2),
+        Kind::Saltelli => method.samples.saturating_mul(count + 2),
+        Kind::Pce => method.samples,
+        _ => count * method.nodes,
+    };
+    points
+        .saturating_add(method.check_points)
+        .saturating_mul(count)
+}
+
+fn is_finite(analysis: &Analysis) -> bool {
+    let lists = [
+        &analysis.first_order,
+        &analysis.total,
+        &analysis.second_order,
+        &analysis.mdrm_first_order,
+        &analysis.mdrm_total,
+        &analysis.error.by_input,
+    ];
+    let numbers = [
+        analysis.mean,
+        analysis.variance,
+        analysis.error.quadrature,
+        analysis.error.decomposition,
+        analysis.error.sampling,
+        analysis.error.total,
+        Some(analysis.error.floor),
+    ];
+    let in_lists = lists.into_iter().flatten().flatten();
+    numbers
+        .iter()
+        .flatten()
+        .chain(in_lists)
+        .all(|x| x.is_finite())
+}
