@@ -2,7 +2,7 @@
 
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
-.PHONY: run build test lint test-rust test-web test-browser test-conformance verify setup-build setup-calculix setup-test setup-conformance help
+.PHONY: run build test lint test-rust test-web test-browser test-conformance verify setup-build setup-calculix setup-faketime setup-test setup-conformance help
 
 STRAINSITE := $(or $(CARGO_TARGET_DIR),target)/release/strainsite
 export STRAINSITE_BIN := $(abspath $(STRAINSITE))
@@ -28,7 +28,7 @@ lint: setup-build
 	cargo clippy --release --workspace --all-targets --locked -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --release --workspace --no-deps --locked --quiet
 
-test-rust: setup-build setup-calculix
+test-rust: setup-build setup-calculix setup-faketime
 	cargo test --release --workspace --locked
 
 test-web: setup-test
@@ -53,6 +53,10 @@ setup-build:
 # The second opinion of --solver calculix; its tests are skipped without it.
 setup-calculix:
 	@command -v ccx >/dev/null || { $(APT_GET) update -q && $(APT_GET) install -y -q --no-install-recommends calculix-ccx; }
+
+# Makes the clock jump in a test, which is skipped without it.
+setup-faketime:
+	@command -v faketime >/dev/null || { $(APT_GET) update -q && $(APT_GET) install -y -q --no-install-recommends faketime; }
 
 setup-test: setup-calculix
 	@command -v npm >/dev/null || { echo "Node.js is missing: install version 20.19 or newer with npm"; exit 1; }

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use fem_client::solver::Solver;
-use tokio::net::TcpListener;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
 
@@ -143,9 +142,7 @@ impl Service {
             cause,
         };
         let store = Arc::new(Store::open(&parts.database).await?);
-        let listener = TcpListener::bind(parts.address)
-            .await
-            .map_err(listen_error)?;
+        let listener = listener::bind(parts.address).map_err(listen_error)?;
         let address = listener.local_addr().map_err(listen_error)?;
         queue::recover(&store).await?;
         let (shutdown, stopping) = shutdown::channel();

@@ -17,7 +17,7 @@
 //! - [`metrics`]: how it does
 //! - [`openapi`], [`docs`]: the description of all this
 //! - [`assets`]: the dashboard
-//! - [`listener`]: accepts connections
+//! - [`listener`], [`reading`]: accepts connections, and drops those that nobody reads from
 
 pub mod access;
 pub mod assets;
@@ -35,6 +35,7 @@ pub mod metrics;
 pub mod openapi;
 pub mod presets;
 pub mod problem;
+pub mod reading;
 pub mod request_id;
 pub mod results;
 pub mod studies;
