@@ -1,5 +1,8 @@
 //! Reads TOML or JSON text into one kind of value, whatever its format, so that one reader serves both.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use serde_json::{Map, Number, Value};
 
 use crate::fault::{Fault, entry, member};

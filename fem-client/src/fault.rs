@@ -1,5 +1,8 @@
 //! What is wrong with a document.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use serde::Serialize;
 
 use crate::fields::visible;

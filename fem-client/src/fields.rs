@@ -3,6 +3,9 @@
 //! Each function names a faulty value by its JSON pointer, says what would be right, and goes on, so that a user sees
 //! all faults at once.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use serde_json::{Map, Value};
 
 use crate::document::as_non_finite;
@@ -267,6 +270,10 @@ fn unknown(name: &str, known: &[&str]) -> String {
 }
 
 /// Insertions, deletions and replacements between two words (Levenshtein's distance).
+#[expect(
+    clippy::indexing_slicing,
+    reason = "a row has a place for each character and one more"
+)]
 fn distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();

@@ -2,6 +2,9 @@
 //!
 //! A path is written as in `ground.depths_mm[0]`.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use serde_json::{Map, Value};
 
 use crate::fault::{Fault, entry, member};

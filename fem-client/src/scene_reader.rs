@@ -3,6 +3,9 @@
 //! The ranges are wide enough for tires from micrometres to ten metres, and narrow enough that no product of a few of
 //! them overflows.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 mod film;
 mod geometry;
 mod ground;

@@ -1,5 +1,8 @@
 //! Reads which strains are asked for, and where: directions, the dense map and the layouts.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use fem_client::fault::{Fault, entry};
 use fem_client::fields::{Fields, Range, choice, number, shown};
 use fem_client::solver::Grid;

@@ -1,5 +1,8 @@
 //! Reads the distribution of an input: a kind, its parameters and, for any of them, `truncate = [low, high]`.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use fem_client::fault::{Fault, entry};
 use fem_client::fields::{Fields, Range, alternatives, number, shown};
 use gsa::distribution::{Distribution, DistributionError, KINDS, Kind, Parameter};

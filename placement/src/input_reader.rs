@@ -1,5 +1,8 @@
 //! Reads the uncertain inputs of a study: their names, paths and distributions.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use fem_client::fault::{Fault, entry};
 use fem_client::fields::{Fields, shown};
 use fem_client::scene::Scene;
@@ -36,8 +39,9 @@ pub(crate) fn read_inputs(
         let at = entry(&pointer, i);
         inputs.extend(read_input(item, &at, scene, nodes, faults));
         for field in ["name", "vary"] {
-            let twin = items[..i]
+            let twin = items
                 .iter()
+                .take(i)
                 .position(|other| same_text(other, item, field));
             if let Some(twin) = twin {
                 let detail = format!("is the same as that of /inputs/{twin}");

@@ -1,5 +1,8 @@
 //! The document of a model that others run: its uncertain inputs, and the method that asks for points.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use fem_client::document::{Format, parse};
 use fem_client::fault::{Fault, entry};
 use fem_client::fields::{Fields, shown};
@@ -71,8 +74,9 @@ fn read(value: &Value, faults: &mut Vec<Fault>) -> Option<Inputs> {
         if let Some((value, pointer)) = fields.required("distribution", what, faults) {
             laws.extend(read_distribution(value, &pointer, faults));
         }
-        let twin = items[..i]
+        let twin = items
             .iter()
+            .take(i)
             .position(|other| same_text(other, item, "name"));
         if let Some(twin) = twin {
             let detail = format!("is the same as that of /inputs/{twin}");

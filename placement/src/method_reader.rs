@@ -1,5 +1,8 @@
 //! Reads how indices are computed: the `method` table of studies and of input files.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use fem_client::fault::Fault;
 use fem_client::fields::{Fields, Range};
 use gsa::method::{Kind, Method};

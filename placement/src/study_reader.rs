@@ -1,5 +1,8 @@
 //! Reads a study from a document, with every fault at once.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use fem_client::document::{Format, parse};
 use fem_client::fault::{Fault, member};
 use fem_client::fields::{Fields, Range, alternatives, choice, shown};

@@ -1,5 +1,8 @@
 //! Values of outputs by point, from a CSV file: header `id,<output names>`, then a row per point in any order.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use std::collections::BTreeMap;
 
 use fem_client::fault::Fault;
@@ -51,7 +54,7 @@ impl ValueTable {
         }
         outputs.remove(0);
         for (i, name) in outputs.iter().enumerate() {
-            if name.is_empty() || outputs[..i].contains(name) {
+            if name.is_empty() || outputs.iter().take(i).any(|other| other == name) {
                 let detail = format!("output {} has no name of its own: {name:?}", i + 1);
                 fault(&mut faults, number, &detail);
             }
@@ -95,8 +98,12 @@ impl ValueTable {
             .take_while(|(at, (id, _))| at == *id)
             .map(|(_, (_, (_, values)))| values)
             .collect();
-        let columns = self.outputs.len();
-        Array2::from_shape_fn((rows.len(), columns), |(row, column)| rows[row][column])
+        // Every row has a value for each output.
+        let mut table = Array2::from_elem((rows.len(), self.outputs.len()), f64::NAN);
+        for (cell, value) in table.iter_mut().zip(rows.into_iter().flatten()) {
+            *cell = *value;
+        }
+        table
     }
 
     /// Points that nobody asked for are faults.
@@ -152,17 +159,20 @@ fn row(
     faults: &mut Vec<Fault>,
 ) -> Option<(usize, Vec<f64>)> {
     let cells = cells(line);
-    if cells.len() != outputs + 1 {
+    let Some((id, values_of)) = cells
+        .split_first()
+        .filter(|(_, rest)| rest.len() == outputs)
+    else {
         let detail = format!("has {} cells; the header has {}", cells.len(), outputs + 1);
         fault(faults, number, &detail);
         return None;
-    }
-    let id = cells[0].parse::<usize>().map_err(|_| {
-        let detail = format!("the id must be a point's number, not {:?}", cells[0]);
+    };
+    let id = id.parse::<usize>().map_err(|_| {
+        let detail = format!("the id must be a point's number, not {id:?}");
         fault(faults, number, &detail);
     });
     let mut values = Vec::with_capacity(outputs);
-    for cell in &cells[1..] {
+    for cell in values_of {
         match cell.as_str() {
             "" => values.push(f64::NAN),
             cell => match cell.parse::<f64>() {

@@ -1,5 +1,8 @@
 //! Study documents from files and from the database.
 
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use std::path::Path;
 
 use fem_client::document::Format;

@@ -1,5 +1,8 @@
 //! Reads the body of a submitted study.
 
+// What users send is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use std::time::Duration;
 
 use axum::body::Body;

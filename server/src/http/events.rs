@@ -4,6 +4,9 @@
 //! what it missed. A stream reads rows as its client takes them and holds no connection in between, so a slow client
 //! costs neither memory nor one of the few reading connections.
 
+// What users send is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use std::collections::VecDeque;
 use std::convert::Infallible;
 use std::sync::Arc;

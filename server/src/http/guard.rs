@@ -4,6 +4,9 @@
 //! name that its owner points at 127.0.0.1. So the Host must be one of ours, and a write that a browser sends must
 //! come from our own page.
 
+// What users send is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use std::net::{Ipv6Addr, SocketAddr};
 use std::sync::Arc;
 

@@ -1,5 +1,8 @@
 //! Studies and scenes to start from: the documents that ship.
 
+// What users send is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use axum::Json;
 use fem_client::document::{Format, parse};
 use fem_client::scene::PRESETS;

@@ -1,5 +1,8 @@
 //! Every request has an identifier: in the answer's `x-request-id`, in problem documents and in the log.
 
+// What users send is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use std::time::Instant;
 
 use axum::extract::Request;

@@ -1,5 +1,8 @@
 //! What a study found: the result, its ranked rows, its points, its map.
 
+// What users send is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode};
@@ -130,9 +133,10 @@ async fn map(
         .map(|input| input.name.as_str())
         .collect();
     let wanted = query.input.as_deref();
-    let Some(index) = names
+    let Some((index, input)) = names
         .iter()
-        .position(|name| wanted.is_none_or(|wanted| *name == wanted))
+        .enumerate()
+        .find(|(_, name)| wanted.is_none_or(|wanted| **name == wanted))
     else {
         return Err(Problem::new(
             StatusCode::BAD_REQUEST,
@@ -140,7 +144,7 @@ async fn map(
         ));
     };
     Ok(Json(MapView {
-        input: names[index].to_owned(),
+        input: (*input).to_owned(),
         theta_deg: map.theta_deg.clone(),
         phi_deg: map.phi_deg.clone(),
         first_order: layer.first_order.get(index).cloned(),

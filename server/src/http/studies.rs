@@ -1,5 +1,8 @@
 //! Estimate, submit, list, look at and cancel studies.
 
+// What users send is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
 use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
@@ -163,7 +166,7 @@ async fn list(
     };
     let mut connection = state.store.read().await?;
     let rows = studies::page(&mut connection, filter, query.cursor.as_deref(), limit + 1).await?;
-    let page = &rows[..rows.len().min(limit as usize)];
+    let page = rows.get(..limit as usize).unwrap_or(&rows);
     let next = page
         .last()
         .filter(|_| rows.len() > page.len())
