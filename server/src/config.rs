@@ -1,11 +1,12 @@
 //! Settings: from flags first, then from the environment, then defaults.
 
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
-use std::num::NonZeroUsize;
+use std::num::{NonZeroU32, NonZeroUsize};
 use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
+use placement::usage::machine_memory_bytes;
 
 /// Where studies are kept, and how many solves run at once.
 #[derive(Debug, Clone, Args)]
@@ -21,6 +22,9 @@ pub struct Config {
     /// Solves that run at once; all cores when absent
     #[arg(long, env = "STRAINSITE_THREADS", value_name = "N")]
     pub threads: Option<NonZeroUsize>,
+    /// Memory that a study may take, MB; the machine's when absent
+    #[arg(long, env = "STRAINSITE_MAX_MEMORY_MB", value_name = "MB")]
+    pub max_memory_mb: Option<NonZeroU32>,
 }
 
 impl Config {
@@ -30,6 +34,12 @@ impl Config {
         self.threads
             .map_or_else(cores, NonZeroUsize::get)
             .min(MAX_THREADS)
+    }
+
+    /// Memory that a study may take, bytes.
+    pub fn memory_bytes(&self) -> u64 {
+        self.max_memory_mb
+            .map_or_else(machine_memory_bytes, |mb| u64::from(mb.get()) * 1_000_000)
     }
 }
 

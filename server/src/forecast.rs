@@ -21,9 +21,21 @@ pub enum ForecastError {
     /// The database failed.
     #[error(transparent)]
     Store(#[from] StoreError),
+    /// It would take more memory than there is.
+    #[error("the study would take about {} of memory, and {} are there; a coarser level, fewer points, a smaller candidates.grid or fewer threads take less", gigabytes(*.needed_bytes), gigabytes(*.there_bytes))]
+    Memory {
+        /// What it would take, bytes.
+        needed_bytes: u64,
+        /// What it may take, bytes.
+        there_bytes: u64,
+    },
     /// Planning panicked.
     #[error("the study could not be planned; the log says why")]
     Broken,
+}
+
+fn gigabytes(bytes: u64) -> String {
+    format!("{:.2} GB", bytes as f64 / 1e9)
 }
 
 /// What a study would cost. Times are corrected by the newest solves of the database; what it holds already costs nothing.
@@ -50,4 +62,25 @@ pub async fn forecast(
     let cores = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
     let machine = Machine::measured(threads.min(cores), &samples);
     Ok(estimate(&work, &known, &machine))
+}
+
+/// Refuses a study that would take more memory than it may, before anything of it is allocated.
+///
+/// # Errors
+/// [`ForecastError::Memory`]; when the study can't be planned.
+pub async fn admit(
+    solver: &Arc<dyn Solver>,
+    threads: usize,
+    there_bytes: u64,
+    study: &Study,
+) -> Result<(), ForecastError> {
+    let estimate = forecast(None, solver, threads, study).await?;
+    let needed_bytes = estimate.peak_memory_bytes;
+    if needed_bytes > there_bytes {
+        return Err(ForecastError::Memory {
+            needed_bytes,
+            there_bytes,
+        });
+    }
+    Ok(())
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use fem_client::solver::Solver;
+use placement::usage::machine_memory_bytes;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
 
@@ -57,6 +58,8 @@ pub struct Limits {
     pub waiting_studies: u32,
     /// Event streams at once.
     pub event_streams: usize,
+    /// Memory that a study may take, bytes.
+    pub memory_bytes: u64,
 }
 
 impl Default for Limits {
@@ -64,6 +67,7 @@ impl Default for Limits {
         Self {
             waiting_studies: 20_000,
             event_streams: 256,
+            memory_bytes: machine_memory_bytes(),
         }
     }
 }
@@ -170,6 +174,7 @@ impl Service {
             access,
             metrics,
             streams: Streams::new(limits.event_streams),
+            memory_bytes: limits.memory_bytes,
         };
         let http = tokio::spawn(listener::serve(listener, app(state, hosts), stopping));
         let worker = tokio::spawn(async move { queue.work().await });

@@ -19,7 +19,7 @@ use super::table::report;
 use crate::config::Config;
 use crate::engine::{End, Engine};
 use crate::export::{Table, csv};
-use crate::forecast::forecast;
+use crate::forecast::{admit, forecast};
 use crate::metrics::Metrics;
 use crate::queue::recover;
 use crate::solver::SolverChoice;
@@ -56,13 +56,18 @@ impl Run {
         if self.dry_run {
             return self.estimate(&runtime, &study);
         }
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let (threads, memory_bytes) = (self.config.threads(), self.config.memory_bytes());
+        runtime
+            .block_on(admit(&solver, threads, memory_bytes, &study))
+            .map_err(|error| Failure::input(error.to_string()))?;
         let store = runtime
             .block_on(Store::open(&self.config.db))
             .map_err(Failure::other)?;
         let engine = Engine {
             store: Arc::new(store),
-            solver: self.solver.solver().map_err(Failure::other)?,
-            threads: self.config.threads(),
+            solver,
+            threads,
             metrics: Metrics::new(),
         };
         let end = self.solve(&runtime, &engine, &study);

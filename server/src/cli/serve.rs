@@ -118,6 +118,7 @@ impl Serve {
             limits: Limits {
                 waiting_studies: self.max_waiting,
                 event_streams: self.max_streams,
+                memory_bytes: self.config.memory_bytes(),
             },
         };
         if let Err(error) = outside.check(self.addr) {

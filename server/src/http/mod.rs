@@ -69,6 +69,8 @@ pub struct AppState {
     pub engine: Engine,
     /// The queue of studies.
     pub queue: Arc<Queue>,
+    /// Memory that a study may take, bytes.
+    pub memory_bytes: u64,
     /// Hears when the service is to stop.
     pub shutdown: Shutdown,
     /// Who is let in.

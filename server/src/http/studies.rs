@@ -20,7 +20,7 @@ use super::examples;
 use super::extract::{Params, StudyId, StudyPath};
 use super::problem::Problem;
 use super::wire::{ProblemDocument, StudyDetail, StudyDocument, StudyPage, StudySummary};
-use crate::forecast::{ForecastError, forecast};
+use crate::forecast::{ForecastError, admit, forecast};
 use crate::queue::SubmitError;
 use crate::store::studies::{self, State as StudyState, StudyRow};
 use crate::store::{Store, results, trades};
@@ -55,7 +55,7 @@ pub fn router() -> OpenApiRouter<AppState> {
             ), example = json!(examples::summary())),
         (status = 429, description = "Too many studies wait already; `Retry-After` says when to look again", body = ProblemDocument, content_type = "application/problem+json",
             headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(examples::crowded())),
-        (status = 422, description = "The document has faults: all of them, each with its JSON pointer; or the key stands for another document",
+        (status = 422, description = "The document has faults: all of them, each with its JSON pointer; or it would take more memory than there is; or the key stands for another document",
             body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]
 async fn submit(
     State(state): State<AppState>,
@@ -65,6 +65,15 @@ async fn submit(
 ) -> Result<Response, Problem> {
     let key = idempotency_key(&headers)?;
     let priority = priority(query.priority.as_deref())?;
+    let engine = &state.engine;
+    let admitted = admit(
+        &engine.solver,
+        engine.threads,
+        state.memory_bytes,
+        &body.study,
+    )
+    .await;
+    admitted.map_err(refused)?;
     let id = state
         .queue
         .submit(&body.study, priority, key)
@@ -228,13 +237,18 @@ async fn estimate(
         &body.study,
     )
     .await;
-    estimate.map(Json).map_err(|error| match error {
-        ForecastError::Plan(error) => {
+    estimate.map(Json).map_err(refused)
+}
+
+/// A study that can't be planned, or would take too much.
+fn refused(error: ForecastError) -> Problem {
+    match error {
+        ForecastError::Plan(_) | ForecastError::Memory { .. } => {
             Problem::new(StatusCode::UNPROCESSABLE_ENTITY, error.to_string())
         }
         ForecastError::Store(error) => error.into(),
         ForecastError::Broken => Problem::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string()),
-    })
+    }
 }
 
 /// Cancel a study

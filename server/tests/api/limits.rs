@@ -145,3 +145,28 @@ async fn too_many_headers_are_refused_with_a_document() {
     let many = with(200).send().await.expect("an answer");
     problem(many, StatusCode::REQUEST_HEADER_FIELDS_TOO_LARGE).await;
 }
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_study_that_would_not_fit_is_refused_with_its_estimate() {
+    let home = Home::new();
+    let limits = Limits {
+        memory_bytes: 200_000_000,
+        ..Limits::default()
+    };
+    let app = home.start_with(slow(), limits).await;
+    let on_level = |level: &str| {
+        let mut document = study();
+        document["accuracy"] = json!({"preset": level});
+        document
+    };
+    app.submit(&on_level("draft")).await;
+    let answer = app.post(&on_level("reference")).await;
+    let body = problem(answer, StatusCode::UNPROCESSABLE_ENTITY).await;
+    let detail = body["detail"].as_str().expect("text");
+    assert!(
+        detail.contains("GB of memory, and 0.20 GB are there"),
+        "{detail}"
+    );
+    let list = app.json("/v1/studies").await;
+    assert_eq!(list["studies"].as_array().map(Vec::len), Some(1));
+}
