@@ -40,6 +40,13 @@ pub struct EvaluationView {
     pub reached: Option<Reached>,
 }
 
+/// What is shown of a response.
+#[derive(Deserialize)]
+struct Shown {
+    reaction_n: f64,
+    locations: Vec<LocationStrain>,
+}
+
 /// The points of a study that have an outcome so far, in the order of the plan.
 ///
 /// # Errors
@@ -51,7 +58,7 @@ pub async fn of(
     let inputs = inputs_of(study);
     let mut points = Vec::new();
     for (ordinal, key) in evaluations::points_of(connection, &study.id).await? {
-        if let Some(evaluation) = evaluations::find(connection, &key).await? {
+        if let Some(evaluation) = evaluations::find_part(connection, &key).await? {
             points.push(view(ordinal, key, evaluation, &inputs));
         }
     }
@@ -64,7 +71,12 @@ fn inputs_of(study: &StudyRow) -> Vec<Input> {
     read.unwrap_or_default()
 }
 
-fn view(ordinal: usize, key: String, evaluation: Evaluation, inputs: &[Input]) -> EvaluationView {
+fn view(
+    ordinal: usize,
+    key: String,
+    evaluation: Evaluation<Shown>,
+    inputs: &[Input],
+) -> EvaluationView {
     let scene = Scene::from_text(&evaluation.scene, Format::Json).ok();
     let solved = evaluation.outcome.is_ok();
     let (response, unsolved) = match evaluation.outcome {

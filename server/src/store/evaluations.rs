@@ -4,21 +4,22 @@ use std::collections::HashSet;
 
 use fem_client::document::Format;
 use fem_client::scene::Scene;
-use fem_client::solver::{Cost, StartState};
-use placement::archive::{Outcome, PointRecord};
+use fem_client::solver::{Cost, Response, StartState};
+use placement::archive::{PointRecord, Unsolved};
 use placement::estimate::Sample;
+use serde::de::DeserializeOwned;
 use sqlx::{FromRow, SqliteConnection};
 
 use super::content::{encode, sha256};
 use super::{StoreError, now};
 
-/// A point as it was stored.
+/// A point as it was stored; of its response all, or the part `R`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Evaluation {
+pub struct Evaluation<R = Response> {
     /// Canonical scene, JSON.
     pub scene: String,
     /// Strains, forces, diagnostics; or why there is no equilibrium.
-    pub outcome: Outcome,
+    pub outcome: Result<R, Unsolved>,
     /// What the solve took.
     pub cost: Cost,
 }
@@ -62,7 +63,7 @@ impl EvaluationRow {
         sha256(&parts)
     }
 
-    fn read(self) -> Result<Evaluation, StoreError> {
+    fn read<R: DeserializeOwned>(self) -> Result<Evaluation<R>, StoreError> {
         let damaged = || StoreError::Damaged {
             table: "evaluations",
             row: self.key.clone(),
@@ -175,6 +176,17 @@ pub async fn find(
     connection: &mut SqliteConnection,
     key: &str,
 ) -> Result<Option<Evaluation>, StoreError> {
+    find_part(connection, key).await
+}
+
+/// The evaluation under this key with a part of its response: the rest, rings and map, takes as long to read as all else.
+///
+/// # Errors
+/// As for [`find`].
+pub async fn find_part<R: DeserializeOwned>(
+    connection: &mut SqliteConnection,
+    key: &str,
+) -> Result<Option<Evaluation<R>>, StoreError> {
     let query = "select key, scene, response, failure, cost, sha256 from evaluations where key = ?";
     let row: Option<EvaluationRow> = sqlx::query_as(query)
         .bind(key)
@@ -278,6 +290,8 @@ mod tests {
     use fem_client::scene::Scene;
     use fem_client::solver::{NoEquilibrium, Reached, Readout, Response, SolveRequest, Solver};
     use placement::archive::Unsolved;
+
+    use placement::archive::Outcome;
 
     use super::*;
     use crate::store::studies;
