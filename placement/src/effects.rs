@@ -48,7 +48,7 @@ pub(crate) fn measure(
     let values = vec![plan.values()[0].clone(); scenes.len()];
     let outcomes = match outcomes_of(&scenes, &values, &study.readout(), first, means) {
         Ok(outcomes) => outcomes,
-        // Without a draft there is nothing to compare with: that costs the effects, not the study.
+        // Without the coarse mesh there is nothing to compare with: that costs the effects, not the study.
         Err(RunError::PointsFailed { .. } | RunError::Refused { .. }) => return Ok(()),
         Err(error) => return Err(error),
     };

@@ -11,7 +11,7 @@ use utoipa::ToSchema;
 use crate::store::StoreError;
 use crate::store::evaluations::{self, Evaluation};
 use crate::store::studies::StudyRow;
-use crate::study_document::stored_plan;
+use crate::study_document::stored_study;
 
 /// One point that has an outcome.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
@@ -67,7 +67,7 @@ pub async fn of(
 
 /// What varies in a study; nothing if this version can't read its document.
 fn inputs_of(study: &StudyRow) -> Vec<Input> {
-    let read = stored_plan(study).map(|(study, _)| study.inputs);
+    let read = stored_study(study).map(|study| study.inputs);
     read.unwrap_or_default()
 }
 

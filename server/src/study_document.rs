@@ -12,16 +12,24 @@ use placement::study::Study;
 
 use crate::store::studies::StudyRow;
 
-/// The study that a row of the database asks for, with its plan.
+/// The study that a row of the database asks for.
 ///
 /// # Errors
 /// A sentence, when this version refuses what an earlier one stored.
-pub fn stored_plan(row: &StudyRow) -> Result<(Study, Plan), String> {
+pub fn stored_study(row: &StudyRow) -> Result<Study, String> {
     let refuse = |path: &str| Err(format!("a stored study names the file {path:?}"));
-    let study = Study::from_document(&row.spec, Format::Json, &refuse).map_err(|faults| {
+    Study::from_document(&row.spec, Format::Json, &refuse).map_err(|faults| {
         let first = faults.first().map(Fault::to_string).unwrap_or_default();
         format!("this version refuses the stored document: {first}")
-    })?;
+    })
+}
+
+/// The same with its plan, which a large design takes a second to make.
+///
+/// # Errors
+/// As for [`stored_study`]; when it can't be planned.
+pub fn stored_plan(row: &StudyRow) -> Result<(Study, Plan), String> {
+    let study = stored_study(row)?;
     let plan = Plan::new(&study).map_err(|error| error.to_string())?;
     Ok((study, plan))
 }
