@@ -1,0 +1,207 @@
+"""The way to a service."""
+
+from __future__ import annotations
+
+import os
+import uuid
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+from urllib.parse import quote
+
+from . import documents
+from .errors import DocumentError
+from .estimate import Estimate
+from .reading import read
+from .study import Study, StudySummary
+from .transport import Transport
+
+if TYPE_CHECKING:
+    import ssl
+    from collections.abc import Iterator, Mapping
+    from pathlib import Path
+    from types import TracebackType
+
+    from .study import State
+
+    Document = Mapping[str, Any] | str | Path
+    """A study: its fields, a TOML or JSON file, or the name of one that the service ships."""
+
+DEFAULT_URL = "http://127.0.0.1:8080"
+
+
+@dataclass(frozen=True)
+class Preset:
+    """A document to start from."""
+
+    name: str
+    title: str
+    document: dict[str, Any]
+    comment: str
+    """What it is for."""
+
+
+@dataclass(frozen=True)
+class Presets:
+    """The documents that the service ships."""
+
+    studies: tuple[Preset, ...]
+    scenes: tuple[Preset, ...]
+
+
+class Client:
+    """A strainsite service.
+
+    Every submission carries an idempotency key, so that a request is sent again when the connection breaks or the
+    service is busy, without making a second study. Use it as a context manager, or `close` it. Threads may share it.
+
+    Args:
+        url: Its address; STRAINSITE_URL, or else http://127.0.0.1:8080, when left out.
+        token: Its token; STRAINSITE_TOKEN when left out, none when empty.
+        timeout: Seconds for one answer.
+        patience: Seconds for which a service that doesn't answer, or is busy, is tried; 30 when left out, but 3 as long
+            as it has never answered. 0 tries once.
+        verify: As in httpx: whether, or by which `ssl.SSLContext`, a proxy's certificate is checked.
+
+    Raises:
+        StrainsiteError: The address or the token can't be one.
+
+    """
+
+    def __init__(
+        self,
+        url: str | None = None,
+        token: str | None = None,
+        *,
+        timeout: float = 30.0,
+        patience: float | None = None,
+        verify: ssl.SSLContext | bool = True,
+    ) -> None:
+        url = url or os.environ.get("STRAINSITE_URL") or DEFAULT_URL
+        token = os.environ.get("STRAINSITE_TOKEN") if token is None else token
+        self._transport = Transport(url, token, timeout=timeout, patience=patience, verify=verify)
+
+    @property
+    def url(self) -> str:
+        """The service's address; opened in a browser it shows the dashboard."""
+        return self._transport.url
+
+    def close(self) -> None:
+        """Closes the connections; studies go on."""
+        self._transport.close()
+
+    def __enter__(self) -> Client:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        """Its address; never its token."""
+        return f"Client({self.url!r})"
+
+    def version(self) -> str:
+        """The version of the service."""
+        return str(self._transport.get("/healthz").get("version", ""))
+
+    def presets(self) -> Presets:
+        """The studies and scenes that the service ships."""
+        return read(Presets, self._transport.get("/v1/presets"))
+
+    def document(self, document: Document, set: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """The document that `submit` would send.
+
+        Args:
+            document: A study as a mapping; a TOML or JSON file, whose scene file is put in; or the name of a shipped
+                study.
+            set: Fields to change, by path: `{"scene.geometry.wall_mm": 2.5, "inputs[0].distribution.max": 1.2}`.
+                Tables that aren't there are made, None removes a field, and numbers may be numpy's.
+
+        Raises:
+            DocumentError: A file can't be read, or a path doesn't fit.
+
+        """
+        if isinstance(document, str) and not documents.is_file(document):
+            return documents.changed(self._preset(document), set)
+        if isinstance(document, str | os.PathLike):
+            return documents.changed(documents.from_file(document), set)
+        return documents.changed(document, set)
+
+    def _preset(self, name: str) -> dict[str, Any]:
+        known = {preset.name: preset.document for preset in self.presets().studies}
+        if name not in known:
+            names = ", ".join(sorted(known))
+            raise DocumentError(
+                f"{name!r} is neither a shipped study ({names}) nor a file: files end with .toml or .json"
+            )
+        return known[name]
+
+    def submit(
+        self,
+        document: Document,
+        set: Mapping[str, Any] | None = None,
+        *,
+        priority: int = 0,
+        key: str | None = None,
+    ) -> Study:
+        """Submits a study; it waits for its turn in the service.
+
+        Args:
+            document: As for `document`.
+            set: As for `document`.
+            priority: -100 to 100: studies of higher priority go first.
+            key: Its idempotency key, 1 to 255 visible ASCII characters; a new one when left out. The same document
+                under the same key finds the same study.
+
+        Raises:
+            DocumentError: Nothing was sent: a file can't be read, or a path doesn't fit.
+            InvalidDocument: The document has faults, all of which it names; or it would take too much memory.
+            Busy: Too many studies wait.
+
+        """
+        answer = self._transport.post(
+            "/v1/studies",
+            self.document(document, set),
+            key=key or str(uuid.uuid4()),
+            params={"priority": str(priority)} if priority else None,
+        )
+        return Study(self._transport, read(StudySummary, answer))
+
+    def estimate(self, document: Document, set: Mapping[str, Any] | None = None) -> Estimate:
+        """What a study would cost, and be worth, before anything is solved.
+
+        Raises:
+            DocumentError: As for `submit`.
+            InvalidDocument: As for `submit`.
+
+        """
+        return read(Estimate, self._transport.post("/v1/studies:estimate", self.document(document, set)))
+
+    def study(self, id: str) -> Study:
+        """The study of this identifier.
+
+        Raises:
+            NotFound: There is none.
+
+        """
+        return Study(self._transport, read(StudySummary, self._transport.get(f"/v1/studies/{_part(id)}")))
+
+    def studies(self, state: State | None = None) -> Iterator[Study]:
+        """All studies, newest first, or those of one state; pages are asked for as they are needed."""
+        for entry in self._pages("studies", {} if state is None else {"state": state}):
+            yield Study(self._transport, read(StudySummary, entry))
+
+    def _pages(self, kind: str, params: Mapping[str, str]) -> Iterator[Any]:
+        cursor: str | None = None
+        while True:
+            page = self._transport.get(f"/v1/{kind}", {**params, **({"cursor": cursor} if cursor else {})})
+            yield from page.get(kind, [])
+            cursor = page.get("next_cursor")
+            if not cursor:
+                return
+
+
+def _part(identifier: str) -> str:
+    """An identifier as one part of a path, whatever somebody typed."""
+    return quote(identifier, safe="")

@@ -1,0 +1,133 @@
+"""Figures. They need the extra `plot`, and are drawn with whatever backend and style matplotlib is set to."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+
+from .errors import StrainsiteError
+from .extras import pyplot
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from .maps import StrainMap
+    from .result import Location, LocationStrain, Result
+
+_DIRECTIONS = {"x": "circumferential", "y": "meridional"}
+_COLOUR = "#0072B2"
+_NO_VALUE = "0.75"
+
+
+def unrolled_map(
+    strain_map: StrainMap,
+    value: str = "first_order",
+    *,
+    locations: Iterable[LocationStrain] = (),
+    ax: Axes | None = None,
+) -> Axes:
+    """A layer of the map on the unrolled inner surface; grey where there is no value.
+
+    Args:
+        strain_map: The layer.
+        value: `first_order`, `std`, `strain` or `error`.
+        locations: Locations to mark; they lie on the crown.
+        ax: Where to draw; a new figure when left out.
+
+    """
+    plt = pyplot()
+    if ax is None:
+        ax = cast("Axes", plt.subplots(figsize=(7.5, 3.6), layout="constrained")[1])
+    direction, varied = strain_map.direction, strain_map.input
+    labels = {
+        "first_order": f"first-order index of {varied}",
+        "std": "standard deviation of the strain",
+        "strain": "strain at the means",
+        "error": f"error of the index of {varied}",
+    }
+    if value not in labels:
+        raise StrainsiteError(f"value is one of {', '.join(labels)}; it is {value!r}")
+    data = np.ma.masked_invalid(getattr(strain_map, value))
+    colours, low, high = _scale(value, data)
+    mesh = ax.pcolormesh(
+        strain_map.theta_deg, strain_map.phi_deg, data, cmap=colours, vmin=low, vmax=high, shading="nearest"
+    )
+    ax.set_facecolor(_NO_VALUE)
+    for location in locations:
+        ax.plot(location.theta_deg, 0.0, "o", markersize=5, color="white", markeredgecolor="black")
+        ax.annotate(
+            location.name,
+            (location.theta_deg, 0.0),
+            xytext=(0, 6),
+            textcoords="offset points",
+            ha="center",
+            fontsize="small",
+            bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
+        )
+    ax.set_xlabel("angle from the contact centre, °")
+    ax.set_ylabel("angle from the crown, °")
+    ax.set_title(f"{_DIRECTIONS.get(direction, direction)} strain ({direction})")
+    if ax.figure is not None:
+        ax.figure.colorbar(mesh, ax=ax, label=labels[value])
+    return ax
+
+
+def _scale(value: str, data: np.ma.MaskedArray[Any, np.dtype[np.float64]]) -> tuple[str, float, float]:
+    """Colours with their ends: indices from 0 to 1, so that maps compare; strains symmetric about 0."""
+    largest = float(np.ma.max(np.ma.abs(data))) if data.count() else 1.0
+    largest = largest or 1.0
+    if value == "strain":
+        return "RdBu_r", -largest, largest
+    return "viridis", 0.0, 1.0 if value == "first_order" else largest
+
+
+def ranking(result: Result, figure: Figure | None = None) -> Figure:
+    """Indices of the ranked locations with their errors, best first, both directions side by side.
+
+    A hollow bar has an error that isn't known; a name with a question mark has a rank that isn't certain.
+    """
+    figure = figure or _figure((8.0, 3.6))
+    names = [f"{entry.name}{'' if entry.rank_certain else ' ?'}" for entry in result.locations]
+    axes = cast("Sequence[Axes]", figure.subplots(1, 2, sharey=True))
+    for ax, direction in zip(axes, _DIRECTIONS, strict=True):
+        for k, location in enumerate(result.locations):
+            index, error = _index(location, direction)
+            if index is None:
+                ax.annotate("none", (k, 0.0), ha="center", va="bottom", color="0.4")
+                continue
+            face = "none" if error is None else _COLOUR
+            ax.bar(k, index, width=0.65, facecolor=face, edgecolor=_COLOUR)
+            if error is not None:
+                ax.errorbar(k, index, yerr=_down_to_zero(index, error), color="black", capsize=4)
+        ax.set_xticks(range(len(names)), names)
+        ax.set_xlabel("location, best first")
+        ax.set_title(f"{_DIRECTIONS[direction]} strain ({direction})")
+        ax.set_ylim(bottom=0.0)
+    axes[0].set_ylabel("first-order index of its own depth\nfor the strain at the centre, %")
+    legend = []
+    if any(None in (entry.gsi_x_error_percent, entry.gsi_y_error_percent) for entry in result.locations):
+        legend.append("hollow: the error isn't known")
+    if not all(entry.rank_certain for entry in result.locations):
+        legend.append("?: the rank isn't certain")
+    if legend:
+        figure.supxlabel("; ".join(legend), fontsize="small", color="0.3")
+    return figure
+
+
+def _down_to_zero(index: float, error: float) -> list[list[float]]:
+    """Both lengths of an error bar; an index isn't negative."""
+    return [[max(min(error, index), 0.0)], [error]]
+
+
+def _index(location: Location, direction: str) -> tuple[float | None, float | None]:
+    if direction == "x":
+        return location.gsi_x_percent, location.gsi_x_error_percent
+    return location.gsi_y_percent, location.gsi_y_error_percent
+
+
+def _figure(size: tuple[float, float]) -> Figure:
+    return cast("Figure", pyplot().figure(figsize=size, layout="constrained"))

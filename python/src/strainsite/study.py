@@ -1,0 +1,214 @@
+"""A study in the service: waiting for it, cancelling it, and its answers."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from . import frames, html
+from .errors import NotFound, StrainsiteError, StudyCancelled, StudyFailed
+from .estimate import Estimate
+from .follow import ENDED, Follower
+from .maps import StrainMap
+from .progress import Deadline, Progress
+from .reading import read, records
+from .result import Evaluation, Layout, Location, Result
+
+if TYPE_CHECKING:
+    import os
+
+    import pandas as pd
+
+    from .transport import Transport
+
+State = Literal["queued", "running", "done", "failed", "cancelled"]
+Table = Literal["indices", "locations", "layouts", "points"]
+
+
+@dataclass(frozen=True)
+class StudySummary:
+    """Where a study stands. Times are RFC 3339, UTC."""
+
+    id: str
+    name: str
+    state: str
+    """`queued`, `running`, `done`, `failed` or `cancelled`."""
+    spec_sha256: str
+    points_total: int | None
+    """Points of its plan, as far as that is known."""
+    points_done: int
+    error: str | None
+    """Why it failed, a sentence."""
+    priority: int
+    created: str
+    started: str | None
+    finished: str | None
+
+
+class Study:
+    """A study in the service.
+
+    Attributes:
+        summary: Where it stood when this was last asked for; `state` and `refresh` ask again.
+
+    """
+
+    def __init__(self, transport: Transport, summary: StudySummary) -> None:
+        self._transport = transport
+        self.summary = summary
+        self._path = f"/v1/studies/{summary.id}"
+
+    @property
+    def id(self) -> str:
+        """Its identifier."""
+        return self.summary.id
+
+    @property
+    def name(self) -> str:
+        """The name from its document."""
+        return self.summary.name
+
+    @property
+    def state(self) -> str:
+        """Asks the service: `queued`, `running`, `done`, `failed` or `cancelled`."""
+        return self.refresh().summary.state
+
+    @property
+    def document(self) -> dict[str, Any]:
+        """The canonical document: every default filled in, the scene inline."""
+        return dict(self._transport.get(self._path)["document"])
+
+    @property
+    def estimate(self) -> Estimate | None:
+        """What it was expected to take when it last started; None before that."""
+        estimate = self._transport.get(self._path).get("estimate")
+        return None if estimate is None else read(Estimate, estimate, "estimate")
+
+    def refresh(self) -> Study:
+        """Asks the service where it stands."""
+        self.summary = read(StudySummary, self._transport.get(self._path))
+        return self
+
+    def wait(self, *, progress: bool = True, timeout: float | None = None) -> Study:
+        """Waits until it is done; a bar shows points done and time left on terminals and in notebooks.
+
+        A connection that breaks is taken up again where it was, for as long as the client's patience lasts.
+        Interrupting this doesn't touch the study: `cancel` does.
+
+        Raises:
+            StudyFailed: It ended without an answer; the reason is the service's.
+            StudyCancelled: Somebody cancelled it.
+            WaitTimeout: `timeout` seconds were over; it goes on.
+            ServerLost: The service didn't answer any more.
+
+        """
+        deadline = Deadline(self.id, timeout)
+        with Progress(self.name, shown=progress) as bar:
+            follower = Follower(self._transport, self._path, deadline, bar)
+
+            def state() -> str:
+                summary = self.refresh().summary
+                bar.show(summary.points_done, summary.points_total)
+                return summary.state
+
+            while state() not in ENDED:
+                follower.run(state)
+        self._check()
+        return self
+
+    def cancel(self) -> Study:
+        """Cancels it; what it has solved is kept. Nothing happens to a study that has ended."""
+        answer = self._transport.request("DELETE", self._path)
+        self.summary = read(StudySummary, answer.json())
+        return self
+
+    def result(self) -> Result:
+        """The whole answer.
+
+        Raises:
+            StudyFailed: It ended without one.
+            StudyCancelled: Somebody cancelled it.
+            NotFound: It isn't done yet.
+
+        """
+        return Result.of(self._answer("result"))
+
+    def locations(self) -> tuple[Location, ...]:
+        """The ranked locations, best first."""
+        return records(self._answer("locations").get("locations"), Location, "locations")
+
+    def layouts(self) -> tuple[Layout, ...]:
+        """The ranked layouts, best first."""
+        return records(self._answer("layouts").get("layouts"), Layout, "layouts")
+
+    def evaluations(self) -> tuple[Evaluation, ...]:
+        """The points that have an outcome so far, while it runs too."""
+        answer = self._transport.get(f"{self._path}/evaluations")
+        return records(answer.get("evaluations"), Evaluation, "evaluations")
+
+    def evaluations_frame(self) -> pd.DataFrame:
+        """The solved points as a pandas frame: inputs, force, strains at the locations."""
+        names = [entry["name"] for entry in self.document["inputs"]]
+        return frames.evaluations(self.evaluations(), names)
+
+    def map(self, direction: str = "x", input: str | None = None) -> StrainMap:
+        """One layer of the map over the inner surface: direction `x` or `y`, and an input (the first when left out)."""
+        params = {"direction": direction} | ({} if input is None else {"input": input})
+        return StrainMap.of(self._answer("map", params))
+
+    def export(
+        self,
+        format: str = "csv",
+        table: Table | None = None,
+        path: str | os.PathLike[str] | None = None,
+    ) -> Path:
+        """Writes the service's export to a file and returns its path.
+
+        Args:
+            format: `csv`, `json`, or what else the service offers.
+            table: `indices` (when left out), `locations`, `layouts` or `points`, for formats of one table.
+            path: The file, or a folder; the name that the service proposes, in the working folder, when left out.
+
+        """
+        params = {"format": format} | ({} if table is None else {"table": table})
+        answer = self._transport.request("GET", f"{self._path}/export", params=params)
+        proposed = re.search(r'filename="([^"/\\]+)"', answer.headers.get("content-disposition", ""))
+        name = proposed[1] if proposed else f"{self.id}.{format}"
+        target = Path(path) if path is not None else Path(name)
+        target = target / name if target.is_dir() else target
+        _write_whole(target, answer.content)
+        return target
+
+    def _answer(self, part: str, params: dict[str, str] | None = None) -> dict[str, Any]:
+        try:
+            return self._transport.get(f"{self._path}/{part}", params)
+        except NotFound:
+            self.refresh()
+            self._check()
+            raise
+
+    def _check(self) -> None:
+        if self.summary.state == "failed":
+            raise StudyFailed(self.id, self.summary.error or "the service gave no reason")
+        if self.summary.state == "cancelled":
+            raise StudyCancelled(self.id)
+
+    def __repr__(self) -> str:
+        """Name, state as last seen, identifier."""
+        return f"Study({self.name!r}, {self.summary.state}, {self.id})"
+
+    def _repr_html_(self) -> str:
+        return html.study(self.summary)
+
+
+def _write_whole(path: Path, content: bytes) -> None:
+    """All of a file or nothing, so that no half of one is taken for the whole."""
+    part = path.with_name(f".{path.name}.part")
+    try:
+        part.write_bytes(content)
+        part.replace(path)
+    except OSError as error:
+        part.unlink(missing_ok=True)
+        raise StrainsiteError(f"{path} can't be written: {error}") from error

@@ -1,0 +1,87 @@
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+import matplotlib as mpl
+import pytest
+from service import BINARY, ROOT, Service, running
+
+import strainsite
+from strainsite import Client, Study
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+mpl.use("Agg")
+
+STUDY = ROOT / "studies/foot-tire.toml"
+# The shipped study on the draft mesh, with a small map: under a second.
+DRAFT = {"accuracy.preset": "draft", "candidates.grid": {"circumferential": 21, "meridional": 11}}
+# Some seconds: 76 points.
+LONG = {"accuracy.preset": "draft", "method.nodes": 15, "name": "long"}
+
+
+def pytest_configure() -> None:
+    if not BINARY.exists():
+        pytest.exit(f"{BINARY} isn't there: make build, or set STRAINSITE_BIN", 2)
+    for name in [name for name in os.environ if name.startswith("STRAINSITE_")]:
+        del os.environ[name]
+
+
+@pytest.fixture(scope="session")
+def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
+    """One service for all tests that leave it as it is."""
+    with running(tmp_path_factory.mktemp("service")) as service:
+        yield service
+
+
+@pytest.fixture(scope="session")
+def client(service: Service) -> Iterator[Client]:
+    with Client(service.url) as client:
+        yield client
+
+
+@pytest.fixture(scope="session")
+def study(client: Client) -> Study:
+    """A study that is done."""
+    return client.submit(STUDY, set=DRAFT).wait(timeout=60)
+
+
+@pytest.fixture(scope="session")
+def result(study: Study) -> strainsite.Result:
+    return study.result()
+
+
+@pytest.fixture(scope="session")
+def coarse(client: Client) -> strainsite.Result:
+    """One of which every index has an error: two inputs on the coarse mesh."""
+    document = client.document("foot-tire", {"accuracy.preset": "coarse", "method.nodes": 3, "method.check_points": 1})
+    document["inputs"] = document["inputs"][1:3]
+    return client.submit(document).wait(timeout=60).result()
+
+
+@pytest.fixture(scope="session")
+def partly_failed(client: Client) -> Study:
+    """One of which the points of high pressure have no equilibrium."""
+    return client.submit(beyond_the_limit(0.05, 0.19)).wait(timeout=60)
+
+
+def beyond_the_limit(low: float, high: float) -> dict[str, Any]:
+    """A tire without cords, which holds 0.125 MPa, under pressures between these, MPa."""
+    distribution = {"kind": "uniform", "min": low, "max": high}
+    return {
+        "name": "up to <the> limit",
+        "scene": {"model": {"level": "draft"}},
+        "inputs": [{"name": "p", "vary": "pressure.internal_mpa", "distribution": distribution}],
+        "layouts": {"spacings_deg": [60], "positions": ["crown"]},
+        "method": {"kind": "mdrm", "nodes": 5, "check_points": 1},
+    }
+
+
+@pytest.fixture
+def own(tmp_path: Path) -> Iterator[Service]:
+    """A service of the test's own, on one thread."""
+    with running(tmp_path, "--threads", "1") as service:
+        yield service

@@ -1,0 +1,164 @@
+"""Results as objects, frames, arrays and files: equal to what the service says over REST."""
+
+from __future__ import annotations
+
+import io
+import json
+from typing import TYPE_CHECKING, Any
+
+import httpx
+import numpy as np
+import pandas as pd
+import pytest
+from conftest import DRAFT, LONG, STUDY
+
+import strainsite
+from strainsite import Client, Result, Study
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from service import Service
+
+
+def rest(service: Service, study: Study, part: str, **params: str) -> httpx.Response:
+    return httpx.get(f"{service.url}/v1/studies/{study.id}/{part}", params=params, trust_env=False).raise_for_status()
+
+
+def exported(service: Service, study: Study, table: str) -> pd.DataFrame:
+    """The service's CSV without the columns that say where it is from."""
+    text = rest(service, study, "export", format="csv", table=table).text
+    frame = pd.read_csv(io.StringIO(text))
+    return frame.drop(columns=["study", "spec_sha256", "version"])
+
+
+def assert_equal(frame: pd.DataFrame, table: pd.DataFrame) -> None:
+    """The same columns and values, to the last bit; in a CSV 30.0 is written 30."""
+    pd.testing.assert_frame_equal(frame, table.astype(frame.dtypes), check_exact=True)
+
+
+def test_the_result_is_the_services(study: Study, service: Service, result: Result) -> None:
+    assert result.raw == rest(service, study, "result").json()
+    assert result.study.id == study.id
+    assert result.locations == study.locations()
+    assert result.layouts == study.layouts()
+    assert [location.rank for location in result.locations] == [1, 2, 3, 4, 5]
+    best = result.locations[0]
+    assert best.name == "P3"
+    centre = result.output("P3", "x")
+    assert centre.first_order is not None
+    assert best.gsi_x_percent == pytest.approx(100 * centre.first_order[2], rel=1e-12)
+    with pytest.raises(strainsite.StrainsiteError, match="locations are P1, P2, P3, P4, P5"):
+        result.output("P6", "x")
+
+
+def test_frames_are_the_exported_tables(study: Study, service: Service, result: Result) -> None:
+    assert_equal(result.locations_frame(), exported(service, study, "locations"))
+    assert_equal(result.indices_frame(), exported(service, study, "indices"))
+    assert_equal(result.layouts_frame(), exported(service, study, "layouts"))
+    assert_equal(study.evaluations_frame(), exported(service, study, "points"))
+    assert result.indices_frame().attrs["spec_sha256"] == result.study.spec_sha256
+
+
+def test_points_without_an_equilibrium_are_rows_with_a_reason(partly_failed: Study, service: Service) -> None:
+    frame = partly_failed.evaluations_frame()
+    assert_equal(frame, exported(service, partly_failed, "points"))
+    failed = frame[frame["reason"].notna()]
+    assert 0 < len(failed) < len(frame)
+    assert (failed["p"] > 0.12).all()
+    assert failed["reaction_n"].isna().all()
+    found = partly_failed.result()
+    assert {point.ordinal for point in found.failed_points} == set(failed["ordinal"])
+    assert_equal(found.indices_frame(), exported(service, partly_failed, "indices"))
+
+
+def test_errors_are_in_the_frames_where_they_are_known(coarse: Result) -> None:
+    frame = coarse.locations_frame()
+    assert (frame["gsi_x_error_percent"] > 0).any()
+
+
+def test_maps_are_the_services(study: Study, service: Service, result: Result) -> None:
+    for direction, name in (("x", "P1"), ("y", "P3"), ("x", None)):
+        params = {"direction": direction} | ({} if name is None else {"input": name})
+        layer = rest(service, study, "map", **params).json()
+        for found in (study.map(direction, name), result.map(direction, name)):
+            assert found.strain.shape == (len(found.phi_deg), len(found.theta_deg)) == (11, 21)
+            assert (found.direction, found.input) == (direction, name or "P1")
+            for field in ("theta_deg", "phi_deg", "first_order", "std", "strain", "error"):
+                values = [np.nan if value is None else value for value in layer[field]]
+                np.testing.assert_array_equal(getattr(found, field).ravel(), values)
+            assert found.status.ravel().tolist() == layer["status"]
+    # The inner surface above the contact centre is where P3 is.
+    middle = result.map("y", "P3")
+    row, column = np.argmin(np.abs(middle.phi_deg)), np.argmin(np.abs(middle.theta_deg))
+    assert middle.strain[row, column] == pytest.approx(result.cut_point.locations[2].strain_y, rel=1e-9)
+
+
+def test_a_map_that_is_not_there_says_what_is(study: Study, result: Result, partly_failed: Study) -> None:
+    for wrong in (("z", "P1"), ("x", "P9")):
+        with pytest.raises(strainsite.StrainsiteError, match="direction is|input is one of P1"):
+            result.map(*wrong)
+        with pytest.raises(strainsite.ProblemError, match="direction is|input is one of P1"):
+            study.map(*wrong)
+    for mapless in (partly_failed.map, partly_failed.result().map):
+        with pytest.raises(strainsite.StrainsiteError, match="candidates.grid"):
+            mapless()
+
+
+def test_null_in_a_map_is_nan(result: Result) -> None:
+    raw = json.loads(json.dumps(result.raw))
+    raw["map"]["layers"][0]["first_order"][0][5] = None
+    found = Result.of(raw).map("x", "P1")
+    assert np.isnan(found.first_order[0, 5])
+    assert np.isfinite(found.first_order).sum() == found.first_order.size - 1
+
+
+def test_exports_are_the_services_files(study: Study, service: Service, tmp_path: Path) -> None:
+    for table in ("indices", "locations", "layouts", "points"):
+        path = study.export("csv", table, tmp_path)
+        assert path == tmp_path / f"{study.id}-{table}.csv"
+        assert path.read_bytes() == rest(service, study, "export", format="csv", table=table).content
+    named = study.export("json", path=tmp_path / "result.json")
+    assert json.loads(named.read_bytes()) == rest(service, study, "result").json()
+    with pytest.raises(strainsite.ProblemError, match="format is"):
+        study.export("docx", path=tmp_path / "no")
+    assert not (tmp_path / "no").exists()
+    with pytest.raises(strainsite.StrainsiteError, match="can't be written"):
+        study.export("csv", path=tmp_path / "no/such/folder.csv")
+
+
+def test_a_notebook_shows_the_ranking_and_escapes_names(study: Study, result: Result, partly_failed: Study) -> None:
+    shown = result._repr_html_()
+    best = result.locations[0]
+    assert best.gsi_x_percent is not None
+    assert f"{best.gsi_x_percent:.2f}" in shown
+    assert all(location.name in shown for location in result.locations)
+    assert study.id in study._repr_html_()
+    assert "up to &lt;the&gt; limit" in partly_failed._repr_html_()
+    assert "<the>" not in partly_failed.result()._repr_html_()
+
+
+def test_before_anything_is_solved_there_are_no_points(own: Service) -> None:
+    with Client(own.url) as client:
+        client.submit(STUDY, set=LONG, priority=1)
+        queued = client.submit(STUDY, set=DRAFT)
+        assert queued.evaluations() == ()
+        assert queued.evaluations_frame().empty
+        assert queued.estimate is None
+
+
+def test_answers_of_a_newer_service_are_read_and_of_a_foreign_one_refused(result: Result) -> None:
+    newer: dict[str, Any] = {**result.raw, "colour": "green"}
+    assert Result.of(newer).locations == result.locations
+    assert Result.of(newer).raw["colour"] == "green"
+    for wrong, said in (
+        ({"locations": [{"rank": "first"}]}, r"locations\[0\].rank .*unexpected type"),
+        ({"cost": 7}, "cost .*isn't an object"),
+        ({"notes": "none"}, "notes .*unexpected type"),
+    ):
+        with pytest.raises(strainsite.AnswerError, match=said):
+            Result.of({**result.raw, **wrong})
+    older = dict(result.raw)
+    del older["locations"]
+    with pytest.raises(strainsite.AnswerError, match="no locations: it is of another version"):
+        Result.of(older)

@@ -1,0 +1,149 @@
+"""Submitting, waiting, cancelling; and what the service refuses."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING
+
+import pytest
+from conftest import DRAFT, LONG, STUDY, beyond_the_limit
+from service import Service, running
+
+import strainsite
+from strainsite import Client, Study
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+TOKEN = "correct-horse-battery-staple"
+
+
+def test_a_study_is_submitted_and_waited_for(study: Study, client: Client) -> None:
+    assert study.state == "done"
+    assert study.summary.points_done == study.summary.points_total == 26
+    assert study.name.startswith("foot tire")
+    assert study.id in repr(study)
+    assert client.study(study.id).summary == study.summary
+    assert study.wait(timeout=0) is study
+    estimate = study.estimate
+    assert estimate is not None
+    assert estimate.solves.own == 26
+
+
+def test_overrides_reach_the_service(study: Study) -> None:
+    assert study.document["accuracy"] == {"preset": "draft"}
+    assert study.document["candidates"]["grid"]["circumferential"] == 21
+    assert study.document["scene"]["geometry"]["wall_mm"] == 3.0
+
+
+def test_an_estimate_solves_nothing(client: Client) -> None:
+    before = [study.id for study in client.studies()]
+    estimate = client.estimate("foot-tire", set={"method.nodes": 7})
+    assert estimate.solves.own == 1 + 5 * 6 + 5
+    assert estimate.wall_s is not None
+    assert 0 < estimate.wall_s.least <= estimate.wall_s.expected <= estimate.wall_s.most
+    assert [study.id for study in client.studies()] == before
+
+
+def test_every_fault_of_a_document_is_named_with_its_pointer(client: Client) -> None:
+    with pytest.raises(strainsite.InvalidDocument) as caught:
+        client.submit(STUDY, set={"method.nodes": 0, "scene.geometry.wal_mm": 2.5})
+    problem = caught.value
+    assert problem.status == 422
+    assert {fault.pointer for fault in problem.errors} == {"/method/nodes", "/scene/geometry/wal_mm"}
+    assert problem.document["request_id"] == problem.request_id
+    for fault in problem.errors:
+        assert str(fault) in str(problem)
+    assert "wall_mm" in str(problem)
+
+
+def test_what_is_not_there_is_not_found(client: Client) -> None:
+    for wrong in ("no-such-study", "../../healthz", "a b/c?d#e"):
+        with pytest.raises(strainsite.NotFound, match="no study"):
+            client.study(wrong)
+    with pytest.raises(strainsite.ProblemError, match="-100 to 100") as caught:
+        client.submit(STUDY, priority=1000)
+    assert caught.value.status == 400
+
+
+def test_without_the_right_token_nobody_is_let_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with running(tmp_path, token=TOKEN) as service:
+        for token in (None, "", "wrong-horse-battery-staple"):
+            with (
+                Client(service.url, token) as client,
+                pytest.raises(strainsite.Refused, match="STRAINSITE_TOKEN") as no,
+            ):
+                client.submit(STUDY, set=DRAFT)
+            assert no.value.status == 401
+        with Client(service.url, TOKEN) as client:
+            assert list(client.studies()) == []
+            assert TOKEN not in repr(client)
+        monkeypatch.setenv("STRAINSITE_URL", service.url)
+        monkeypatch.setenv("STRAINSITE_TOKEN", TOKEN)
+        with Client() as client:
+            assert list(client.studies()) == []
+
+
+def test_addresses_and_tokens_that_can_not_be_are_refused_at_once() -> None:
+    for url in ("127.0.0.1:8080", "ftp://127.0.0.1", "http://", "http://[::1"):
+        with pytest.raises(strainsite.StrainsiteError, match="isn't an address"):
+            Client(url)
+    with pytest.raises(strainsite.StrainsiteError, match="token") as caught:
+        Client(token="späte-umlaute")
+    assert "umlaute" not in str(caught.value)
+
+
+def test_a_study_is_cancelled(own: Service) -> None:
+    with Client(own.url) as client:
+        study = client.submit(STUDY, set=LONG)
+        with pytest.raises(strainsite.WaitTimeout, match="it goes on") as late:
+            study.wait(timeout=0.3)
+        assert late.value.id == study.id
+        assert isinstance(late.value, TimeoutError)
+        with pytest.raises(strainsite.NotFound, match="has no result"):
+            study.result()
+        study.cancel()
+        with pytest.raises(strainsite.StudyCancelled):
+            study.wait(timeout=20)
+        with pytest.raises(strainsite.StudyCancelled):
+            study.result()
+        assert study.cancel().state == "cancelled"
+        assert [study.id for study in client.studies("cancelled")] == [study.id]
+
+
+def test_a_study_without_an_answer_says_why(client: Client) -> None:
+    study = client.submit(beyond_the_limit(0.16, 0.18))
+    with pytest.raises(strainsite.StudyFailed, match="limit-point") as caught:
+        study.wait(timeout=60)
+    assert caught.value.id == study.id
+    assert study.summary.state == "failed"
+    with pytest.raises(strainsite.StudyFailed, match="limit-point"):
+        study.locations()
+    assert "limit-point" in study._repr_html_()
+
+
+def test_lists_go_over_all_pages(own: Service) -> None:
+    with Client(own.url) as client:
+        first = client.submit(STUDY, set=LONG)
+        ids = [client.submit(STUDY, set={**LONG, "method.seed": k}).id for k in range(2, 60)]
+        assert [study.id for study in client.studies()] == [*reversed(ids), first.id]
+        with pytest.raises(strainsite.ProblemError, match="state is one of"):
+            list(client.studies("ended"))  # type: ignore[arg-type]
+
+
+def test_where_no_stream_is_to_be_had_a_study_is_looked_at(tmp_path: Path) -> None:
+    with running(tmp_path, "--max-streams", "0") as service, Client(service.url) as client:
+        study = client.submit(STUDY, set=DRAFT).wait(timeout=60)
+        assert study.summary.state == "done"
+        began = time.monotonic()
+        slow = client.submit(STUDY, set={**LONG, "accuracy.preset": "standard"})
+        with pytest.raises(strainsite.WaitTimeout):
+            slow.wait(timeout=0.5)
+        assert time.monotonic() - began < 5.0
+
+
+def test_the_service_says_its_version_and_its_presets(client: Client) -> None:
+    assert client.version()
+    presets = client.presets()
+    assert {preset.name for preset in presets.studies} == {"foot-tire", "foot-tire-paper"}
+    assert all(preset.comment and preset.document for preset in (*presets.studies, *presets.scenes))
