@@ -1,0 +1,98 @@
+"""Prints docs/reference.md: every public class, method and field with the first lines of what it says of itself."""
+
+from __future__ import annotations
+
+import ast
+import dataclasses
+import inspect
+import re
+import textwrap
+
+import strainsite
+
+GROUPS = {
+    "The way to a service": ["Client", "local"],
+    "Studies": ["Study", "StudySummary", "Estimate"],
+    "Answers": ["Result", "StrainMap", "Location", "Layout", "Output", "Evaluation"],
+    "Errors": [
+        name
+        for name in strainsite.__all__
+        if inspect.isclass(getattr(strainsite, name)) and issubclass(getattr(strainsite, name), Exception)
+    ],
+}
+GROUPS["Parts of these"] = [name for name in strainsite.__all__ if not any(name in names for names in GROUPS.values())]
+
+
+def main() -> None:
+    """Prints the whole page."""
+    print("# Reference of the Python client\n")
+    print("Written by `tools/reference.py` from the docstrings; a test compares. Units are in the names; strains are")
+    print("plain numbers. The [README](../README.md) has the tour.")
+    for title, names in GROUPS.items():
+        print(f"\n## {title}")
+        for name in names:
+            describe(name, getattr(strainsite, name))
+
+
+def describe(name: str, thing: object) -> None:
+    """Prints one class or function."""
+    is_error = inspect.isclass(thing) and issubclass(thing, Exception)
+    # The client makes all objects but itself.
+    hidden = inspect.isclass(thing) and name != "Client"
+    head = f"class {name}({', '.join(base.__name__ for base in thing.__bases__)})" if is_error else name  # type: ignore[attr-defined]
+    print(f"\n### `{head if hidden else name + signature(thing)}`\n\n{body(thing)}")
+    if not inspect.isclass(thing):
+        return
+    lines = [f"- `{field}`: `{kind}`{said and '. ' + said}" for field, kind, said in fields(thing)]
+    for member, value in vars(thing).items():
+        if member.startswith("_") or is_error:
+            continue
+        if isinstance(value, property):
+            lines.append(f"- `.{member}`: {first(value.fget)}")
+        elif isinstance(value, classmethod):
+            lines.append(f"- `{name}.{member}{signature(value.__func__)}`: {first(value.__func__)}")
+        elif inspect.isfunction(value):
+            lines.append(f"- `.{member}{signature(value)}`: {first(value)}")
+    if lines:
+        print("\n**Members**\n\n" + "\n".join(lines))
+
+
+def fields(kind: type) -> list[tuple[str, str, str]]:
+    """Fields of a dataclass: name, type, and the text below it."""
+    if not dataclasses.is_dataclass(kind):
+        return []
+    source = ast.parse(textwrap.dedent(inspect.getsource(kind))).body[0]
+    assert isinstance(source, ast.ClassDef)  # noqa: S101 - a class's source is a class
+    found: list[tuple[str, str, str]] = []
+    for statement in source.body:
+        if isinstance(statement, ast.AnnAssign) and isinstance(statement.target, ast.Name):
+            found.append((statement.target.id, ast.unparse(statement.annotation), ""))
+        elif found and isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant):
+            found[-1] = (*found[-1][:2], str(statement.value.value))
+    return found
+
+
+def signature(function: object) -> str:
+    """Arguments and answer as they are written, without `self`."""
+    text = str(inspect.signature(function))  # type: ignore[arg-type]
+    text = re.sub(r"(: |-> )'([^']*)'", r"\1\2", text)
+    text = re.sub(r"^\((self|cls)(, )?", "(", text)
+    return re.sub(r" -> None$", "", text)
+
+
+def first(thing: object) -> str:
+    """The first paragraph of a docstring on one line."""
+    paragraph = (inspect.getdoc(thing) or "").split("\n\n", maxsplit=1)[0]
+    return " ".join(paragraph.split())
+
+
+def body(thing: object) -> str:
+    """A whole docstring, its sections as lists."""
+    text = inspect.getdoc(thing) or ""
+    text = re.sub(r"^(Args|Attributes|Raises):\n", r"**\1**\n\n", text, flags=re.MULTILINE)
+    text = re.sub(r"\n        +", " ", text)
+    return re.sub(r"^    (\w+): ", r"- `\1`: ", text, flags=re.MULTILINE).rstrip()
+
+
+if __name__ == "__main__":
+    main()
