@@ -149,7 +149,7 @@ def test_the_time_to_wait_holds_while_the_service_is_away(own: Service) -> None:
         accident = threading.Thread(target=kill_in_the_middle, args=(own, study))
         accident.start()
         with pytest.raises(strainsite.WaitTimeout):
-            study.wait(timeout=4)
+            study.wait(timeout=2)
         accident.join()
 
 

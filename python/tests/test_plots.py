@@ -27,7 +27,8 @@ def _closed() -> Iterator[None]:
 
 def test_the_map_is_drawn_with_its_values_and_the_locations(result: Result, tmp_path: Path) -> None:
     for value in ("first_order", "std", "strain", "error"):
-        ax = result.plot_map("y", "P3", value)
+        figure = result.plot_map("y", "P3", value)
+        ax = figure.axes[0]
         mesh = next(artist for artist in ax.get_children() if isinstance(artist, QuadMesh))
         array = mesh.get_array()
         assert array is not None
@@ -36,7 +37,7 @@ def test_the_map_is_drawn_with_its_values_and_the_locations(result: Result, tmp_
         assert "°" in ax.get_xlabel()
         assert "°" in ax.get_ylabel()
     path = tmp_path / "map.png"
-    plt.savefig(path)
+    figure.savefig(path)
     assert path.stat().st_size > 5_000
     with pytest.raises(strainsite.StrainsiteError, match="value is one of first_order, std, strain, error"):
         result.plot_map(value="colour")

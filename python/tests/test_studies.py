@@ -6,7 +6,7 @@ import time
 from typing import TYPE_CHECKING
 
 import pytest
-from conftest import DRAFT, LONG, STUDY, beyond_the_limit
+from conftest import DRAFT, LONG, STUDY, inflated
 from service import Service, running
 
 import strainsite
@@ -112,7 +112,7 @@ def test_a_study_is_cancelled(own: Service) -> None:
 
 
 def test_a_study_without_an_answer_says_why(client: Client) -> None:
-    study = client.submit(beyond_the_limit(0.16, 0.18))
+    study = client.submit(inflated(1.5, 1.9))
     with pytest.raises(strainsite.StudyFailed, match="limit-point") as caught:
         study.wait(timeout=60)
     assert caught.value.id == study.id

@@ -89,21 +89,22 @@ def evaluations(points: Sequence[Evaluation], inputs: Sequence[str]) -> pd.DataF
         row["reason"] = point.reason
         row["key"] = point.key
         rows.append(row)
-    return _numbers(pandas().DataFrame(rows))
+    return plain(rows)
 
 
 def _at(values: Sequence[float] | None, k: int) -> float | None:
     return None if values is None or k >= len(values) else values[k]
 
 
-def _frame(rows: list[dict[str, Any]], result: Result) -> pd.DataFrame:
-    """A frame that knows where it comes from, in `attrs`."""
-    frame = _numbers(pandas().DataFrame(rows))
-    frame.attrs.update(as_record(result.study))
-    return frame
-
-
-def _numbers(frame: pd.DataFrame) -> pd.DataFrame:
-    """Columns that hold nothing but None as numbers: nan adds and plots."""
+def plain(rows: list[dict[str, Any]]) -> pd.DataFrame:
+    """A frame of rows; columns that hold nothing but None are numbers, because nan adds and plots."""
+    frame: pd.DataFrame = pandas().DataFrame(rows)
     empty = [name for name in frame.columns if frame[name].isna().all()]
     return frame.astype(dict.fromkeys(empty, "float64"))
+
+
+def _frame(rows: list[dict[str, Any]], result: Result) -> pd.DataFrame:
+    """A frame that knows where it comes from, in `attrs`."""
+    frame = plain(rows)
+    frame.attrs.update(as_record(result.study))
+    return frame

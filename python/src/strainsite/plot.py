@@ -36,12 +36,10 @@ def unrolled_map(
         strain_map: The layer.
         value: `first_order`, `std`, `strain` or `error`.
         locations: Locations to mark; they lie on the crown.
-        ax: Where to draw; a new figure when left out.
+        ax: Where to draw; the current axes when left out.
 
     """
-    plt = pyplot()
-    if ax is None:
-        ax = cast("Axes", plt.subplots(figsize=(7.5, 3.6), layout="constrained")[1])
+    ax = cast("Axes", pyplot().gca()) if ax is None else ax
     direction, varied = strain_map.direction, strain_map.input
     labels = {
         "first_order": f"first-order index of {varied}",
@@ -74,6 +72,13 @@ def unrolled_map(
     if ax.figure is not None:
         ax.figure.colorbar(mesh, ax=ax, label=labels[value])
     return ax
+
+
+def map_figure(strain_map: StrainMap, value: str, locations: Iterable[LocationStrain]) -> Figure:
+    """A figure with a layer of the map."""
+    figure = _figure((7.5, 3.6))
+    unrolled_map(strain_map, value, locations=locations, ax=figure.subplots())
+    return figure
 
 
 def _scale(value: str, data: np.ma.MaskedArray[Any, np.dtype[np.float64]]) -> tuple[str, float, float]:

@@ -13,7 +13,6 @@ from .reading import read
 
 if TYPE_CHECKING:
     import pandas as pd
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -271,17 +270,18 @@ class Result:
 
         return plot.ranking(self, figure)
 
-    def plot_map(
-        self,
-        direction: str = "x",
-        input: str | None = None,
-        value: str = "first_order",
-        ax: Axes | None = None,
-    ) -> Axes:
-        """One layer of the map on the unrolled inner surface, with the locations marked."""
+    def plot_map(self, direction: str = "x", input: str | None = None, value: str = "first_order") -> Figure:
+        """One layer of the map on the unrolled inner surface, with the locations marked.
+
+        Args:
+            direction: `x` circumferential, `y` meridional.
+            input: Name of the input; the first one when left out.
+            value: `first_order`, `std`, `strain` or `error`.
+
+        """
         from . import plot  # noqa: PLC0415 - an extra
 
-        return plot.unrolled_map(self.map(direction, input), value, locations=self.cut_point.locations, ax=ax)
+        return plot.map_figure(self.map(direction, input), value, self.cut_point.locations)
 
     def __repr__(self) -> str:
         """The ranking on one line."""

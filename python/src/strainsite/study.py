@@ -144,12 +144,16 @@ class Study:
         return records(self._answer("layouts").get("layouts"), Layout, "layouts")
 
     def evaluations(self) -> tuple[Evaluation, ...]:
-        """The points that have an outcome so far, while it runs too."""
+        """The points that have an outcome so far, while it runs too.
+
+        Those of the plan come first, `result.cost.solves` of them; then the same on a coarser mesh, for the error of
+        the mesh, and what shows the effect of what the model leaves out.
+        """
         answer = self._transport.get(f"{self._path}/evaluations")
         return records(answer.get("evaluations"), Evaluation, "evaluations")
 
     def evaluations_frame(self) -> pd.DataFrame:
-        """The solved points as a pandas frame: inputs, force, strains at the locations."""
+        """The solved points as a pandas frame: inputs, force, strains at the locations; see `evaluations`."""
         names = [entry["name"] for entry in self.document["inputs"]]
         return frames.evaluations(self.evaluations(), names)
 

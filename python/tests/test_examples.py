@@ -1,0 +1,64 @@
+"""The examples run as they are, one after another in one folder, and say what they should."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from service import BINARY, ROOT
+
+EXAMPLES = ROOT / "examples"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("examples")
+
+
+def run(folder: Path, *arguments: str | Path) -> str:
+    environment = {**os.environ, "STRAINSITE_BIN": str(BINARY), "MPLBACKEND": "Agg"}
+    ran = subprocess.run(
+        [sys.executable, *arguments],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=100,
+        check=False,
+    )
+    assert ran.returncode == 0, ran.stderr
+    return ran.stdout
+
+
+def test_the_first_ranking_and_what_its_database_holds(folder: Path) -> None:
+    said = run(folder, EXAMPLES / "first_ranking.py")
+    assert re.search(r"^1  P3  x +\d+\.\d+ ± *\d+\.\d+ %   y +\d+\.\d+ ±", said, re.MULTILINE), said
+    assert {"tire.db", "ranking.png", "map.png", "points.csv"} <= {path.name for path in folder.iterdir()}
+    again = run(folder, EXAMPLES / "first_ranking.py")
+    assert again.startswith("0 solves to go"), again
+    said = run(folder, EXAMPLES / "read_database.py")
+    assert "2 studies are done" in said
+    slopes = [float(text) for text in re.findall(r"^P\d: +(\S+) N/mm$", said, re.MULTILINE)]
+    assert len(slopes) == 5
+    # The ground is symmetric, and pressing any station deeper takes force.
+    assert min(slopes) > 0
+    assert slopes[0] == pytest.approx(slopes[4], rel=0.2)
+
+
+def test_a_simulator_of_ones_own_gets_the_exact_indices(folder: Path) -> None:
+    said = run(folder, EXAMPLES / "own_simulator.py")
+    found = re.findall(r"first-order index (\S+)  exact (\S+) ", said)
+    assert len(found) == 3
+    assert all(index == exact for index, exact in found), said
+
+
+def test_every_example_is_run_and_listed() -> None:
+    tested = set(re.findall(r'EXAMPLES / "(\w+\.(?:py|ipynb))"', Path(__file__).read_text()))
+    shipped = {path.name for path in EXAMPLES.iterdir() if path.suffix in (".py", ".ipynb")}
+    assert shipped == tested
+    listed = set(re.findall(r"\]\(([^)]+\.(?:py|ipynb))\)", (EXAMPLES / "README.md").read_text()))
+    assert listed == shipped
