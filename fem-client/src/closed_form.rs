@@ -84,7 +84,7 @@ impl ClosedFormSolver {
 
 impl Solver for ClosedFormSolver {
     fn version(&self) -> String {
-        "closed-form 1".to_owned()
+        "closed-form 2".to_owned()
     }
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
@@ -133,6 +133,7 @@ mod tests {
         };
         let readout = Readout {
             grid: Some(grid),
+            shape: true,
             rings: vec![Position::Crown, Position::Sidewall],
             gauges: Vec::new(),
         };
@@ -168,6 +169,11 @@ mod tests {
             (7, 3, 21)
         );
         assert_eq!(map.strain_y[10], response.locations[2].strain_y);
+        let shape = map.shape.unwrap();
+        assert_eq!(shape.inflated_mm.len(), 21);
+        // The reference tire grows by 1 % at 0.2 MPa; the crown's inner surface lies a wall above the outer one.
+        assert!((shape.inflated_mm[10][2] + 50.5 - 3.0).abs() < 1e-13);
+        assert!(shape.displacement_mm[10][2] > shape.displacement_mm[0][2]);
         assert_eq!(response.rings.len(), 2);
         assert_eq!(
             (

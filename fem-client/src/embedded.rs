@@ -118,7 +118,7 @@ impl EmbeddedSolver {
 }
 
 /// The smallest part of the tire that the ground's symmetry allows.
-fn extent(scene: &Scene) -> Extent {
+pub(crate) fn extent(scene: &Scene) -> Extent {
     if is_symmetric(&scene.ground) {
         Extent::Quarter
     } else {

@@ -30,11 +30,14 @@
 //! - `neighbourhood`: what solves from the same equilibrium share
 //! - `pressing`: the tire pressed on the ground
 //! - [`embedded`]: the solver built on `fem`
+//! - [`vtu`]: grids as files for ParaView
+//! - [`body`]: the whole solved tire as such a grid
 //! - [`calculix`]: CalculiX as an external solver
 //! - [`verify`]: problems whose answer is known
 //! - [`extremes`]: the same at the ends of what a scene can ask for
 //! - [`closed_form`]: the stand-in solver for tests of what stands above
 
+pub mod body;
 pub mod calculix;
 pub mod closed_form;
 pub mod document;
@@ -67,3 +70,4 @@ mod tire_mirror;
 mod tire_sector;
 mod tire_surfaces;
 pub mod verify;
+pub mod vtu;

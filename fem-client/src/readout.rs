@@ -4,13 +4,14 @@ use fem::membrane::Membrane;
 use fem::problem::{Loads, State};
 use fem::surface::Recovery;
 use fem::surface_law::{InPlane, SurfaceLaw};
+use fem::tensor::Vector;
 
 use crate::gauge::{Gauge, GaugeError, GaugeReading};
 use crate::probe::{Probe, States};
 use crate::scene::Scene;
 use crate::solver::{
-    CarcassState, Extremes, FilmState, Grid, Inflated, LocationError, LocationStrain, ModelSummary,
-    Position, Readout, Response, ResponseError, Ring, Section, StrainMap, StrainPair,
+    CarcassState, Extremes, FilmState, Grid, Inflated, LocationError, LocationStrain, MapShape,
+    ModelSummary, Position, Readout, Response, ResponseError, Ring, Section, StrainMap, StrainPair,
 };
 use crate::tire::{TireModel, cord_families, film_law};
 
@@ -69,7 +70,10 @@ impl<'m> Reader<'m> {
             newton_iterations: 0,
             residual_history: Vec::new(),
             model: ModelSummary::default(),
-            map: readout.grid.as_ref().map(|grid| self.map(grid)),
+            map: readout.grid.as_ref().map(|grid| StrainMap {
+                shape: readout.shape.then(|| self.shape(grid)),
+                ..self.map(grid)
+            }),
             rings: readout
                 .rings
                 .iter()
@@ -276,10 +280,15 @@ impl<'m> Reader<'m> {
         }
     }
 
-    fn map(&self, grid: &Grid) -> StrainMap {
+    /// Angles of the columns and of the rows of a map, degrees.
+    fn map_lines(&self, grid: &Grid) -> (Vec<f64>, Vec<f64>) {
         let bead = self.scene.geometry.bead_angle_deg;
         let theta_deg = spread(grid.half_width_deg, grid.circumferential);
-        let phi_deg = spread(bead, grid.meridional);
+        (theta_deg, spread(bead, grid.meridional))
+    }
+
+    fn map(&self, grid: &Grid) -> StrainMap {
+        let (theta_deg, phi_deg) = self.map_lines(grid);
         let (mut strain_x, mut strain_y) = (Vec::new(), Vec::new());
         for phi in &phi_deg {
             for theta in &theta_deg {
@@ -293,7 +302,36 @@ impl<'m> Reader<'m> {
             phi_deg,
             strain_x,
             strain_y,
+            shape: None,
         }
+    }
+
+    fn shape(&self, grid: &Grid) -> MapShape {
+        let (theta_deg, phi_deg) = self.map_lines(grid);
+        let mut shape = MapShape::default();
+        for phi in &phi_deg {
+            for theta in &theta_deg {
+                let (theta, phi) = (theta.to_radians(), phi.to_radians());
+                let inflated = self.position(&self.inflated, theta, phi);
+                let current = self.position(&self.current, theta, phi);
+                let displacement = [0, 1, 2].map(|i| current[i] - inflated[i]);
+                shape.inflated_mm.push(inflated.map(to_picometre));
+                shape.displacement_mm.push(displacement.map(to_picometre));
+            }
+        }
+        shape
+    }
+
+    /// Position in a state at wheel and section angles (rad), beyond the symmetry planes too.
+    fn position(&self, state: &Recovery<'_>, theta: f64, phi: f64) -> Vector {
+        let grid = &self.model.grid;
+        let [x, y, z] = state.position(grid.inner_point(theta, phi));
+        let mirrored = |is_mirrored, value: f64| if is_mirrored { -value } else { value };
+        [
+            mirrored(grid.is_mirrored(theta), x),
+            mirrored(phi < 0.0, y),
+            z,
+        ]
     }
 
     fn ring(&self, position: Position) -> Ring {
@@ -310,6 +348,11 @@ impl<'m> Reader<'m> {
             strain_y: pairs.iter().map(|pair| pair.strain_y).collect(),
         }
     }
+}
+
+/// Rounded to a picometre, far below the solver's tolerance: the text of a map is shorter by a third of its shape.
+fn to_picometre(length_mm: f64) -> f64 {
+    (length_mm * 1e9).round() / 1e9
 }
 
 /// `n` angles from -half to half, exactly symmetric.

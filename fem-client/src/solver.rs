@@ -53,6 +53,9 @@ pub struct SolveRequest<'a> {
 pub struct Readout {
     /// Dense map of the inner surface; absent: no map.
     pub grid: Option<Grid>,
+    /// Where the map's points lie, too: a picture needs it of one point of a study, and no other grows by it.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub shape: bool,
     /// Lines around the wheel at these meridional positions.
     pub rings: Vec<Position>,
     /// Single points, each with a direction.
@@ -305,6 +308,19 @@ pub struct StrainMap {
     pub strain_x: Vec<f64>,
     /// Meridional strain, rows x columns.
     pub strain_y: Vec<f64>,
+    /// Where its points lie, when asked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub shape: Option<MapShape>,
+}
+
+/// Where the points of a map lie: x in the rolling direction, y along the axle, z upward, from the wheel's centre.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct MapShape {
+    /// Positions in the inflated state before contact, mm, rows x columns.
+    pub inflated_mm: Vec<[f64; 3]>,
+    /// Displacements from there to the equilibrium, mm, rows x columns.
+    pub displacement_mm: Vec<[f64; 3]>,
 }
 
 /// Strains around the whole wheel at one meridional position.

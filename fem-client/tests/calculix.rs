@@ -15,6 +15,7 @@ use fem_client::tire_mesh::MeshPlan;
 static RUNNING: AtomicBool = AtomicBool::new(false);
 static NO_READOUT: Readout = Readout {
     grid: None,
+    shape: false,
     rings: Vec::new(),
     gauges: Vec::new(),
 };

@@ -14,6 +14,10 @@
 //! matrix stays positive definite and well conditioned for any bulk modulus. Pressures kept as unknowns make this
 //! converge where p = kappa (J - 1), inserted, does not.
 
+mod stress;
+
+pub use self::stress::MeanStress;
+
 use crate::element::{Order, brick_gradients, brick_points, pressure_modes};
 use crate::material::Isochoric;
 use crate::mesh::Mesh;

@@ -86,6 +86,14 @@ impl<'c> Recovery<'c> {
         }
     }
 
+    /// Current position of a point of the surface, as its face's nodes have it.
+    pub fn position(&self, point: SurfacePoint) -> Vector {
+        let n = self.chart.surface.order.face_nodes();
+        let (values, _) = face_shape(self.chart.surface.order, point.local);
+        let nodes = &self.positions[point.face * n..(point.face + 1) * n];
+        [0, 1, 2].map(|i| nodes.iter().zip(&values).map(|(x, v)| x[i] * v).sum())
+    }
+
     /// Stretch at a point as the face itself has it, without recovery.
     pub fn raw_at(&self, point: SurfacePoint) -> Stretch {
         let n = self.chart.surface.order.face_nodes();

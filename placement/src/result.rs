@@ -2,7 +2,7 @@
 //!
 //! Numbers that do not exist are `None` (null in JSON) with a reason beside them.
 
-use fem_client::solver::ModelSummary;
+use fem_client::solver::{MapShape, ModelSummary};
 use serde::{Deserialize, Serialize};
 
 use crate::fidelity::FidelityReport;
@@ -246,6 +246,9 @@ pub struct IndexMap {
     pub phi_deg: Vec<f64>,
     /// One layer per direction.
     pub layers: Vec<MapLayer>,
+    /// Where the points lie at the means; earlier versions kept nothing of it.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub shape: Option<MapShape>,
 }
 
 /// One direction of the map; all lists are rows x columns.

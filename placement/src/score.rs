@@ -279,6 +279,7 @@ fn index_map(map: &StrainMap, inputs: usize, analyses: &[Analysed]) -> IndexMap 
             layer("x", &map.strain_x, x, inputs),
             layer("y", &map.strain_y, y, inputs),
         ],
+        shape: map.shape.clone(),
     }
 }
 

@@ -99,6 +99,7 @@ impl Study {
         }
         Readout {
             grid: self.grid,
+            shape: false,
             rings,
             gauges: Vec::new(),
         }

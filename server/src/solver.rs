@@ -53,6 +53,11 @@ enum SolverName {
 }
 
 impl SolverChoice {
+    /// Whether a solve hands over its mesh and its equilibrium.
+    pub fn keeps_equilibria(&self) -> bool {
+        self.solver == SolverName::Embedded
+    }
+
     /// The solver.
     ///
     /// # Errors

@@ -8,16 +8,17 @@
 //! - effective depth: p(theta) = sum_k d_k exp(-((theta - theta_k)/D)^2 / 2) / sqrt(2 pi), in mm
 //! - softness: s = 2 p_0 / (p_0 + pressure) with p_0 = 0.2 MPa, so that s = 1 in the reference tire
 //! - meridional strain: 0.09 s p cos(2.5 phi)
+//! - displacement of the inner surface, a torus: upward by p (1 + cos phi) / 2
 //! - circumferential strain: 0.04 s p (1.5 - p / mm) (1 + cos phi) / 2, which changes sign at p = 1.5 mm
 //! - reaction: 13 N (d / mm)^1.3 / s with d the mean depth
 
 use std::f64::consts::PI;
 
 use crate::gauge::{Gauge, GaugeReading};
-use crate::scene::Scene;
+use crate::scene::{Geometry, Scene};
 use crate::solver::{
-    Choice, Grid, Inflated, LocationStrain, ModelSummary, Position, Response, ResponseError, Ring,
-    Section, SolveRequest, StartState, StrainMap, StrainPair,
+    Choice, Grid, Inflated, LocationStrain, MapShape, ModelSummary, Position, Response,
+    ResponseError, Ring, Section, SolveRequest, StartState, StrainMap, StrainPair,
 };
 
 const REFERENCE_PRESSURE_MPA: f64 = 0.2;
@@ -118,10 +119,7 @@ impl Field {
                     .collect(),
             ],
             model: model(request.scene),
-            map: request
-                .readout
-                .grid
-                .map(|grid| self.map(grid, request.scene.geometry.bead_angle_deg)),
+            map: request.readout.grid.map(|grid| self.map(grid, request)),
             rings: request
                 .readout
                 .rings
@@ -172,22 +170,46 @@ impl Field {
         locations.collect()
     }
 
-    fn map(&self, grid: Grid, bead_angle_deg: f64) -> StrainMap {
+    fn map(&self, grid: Grid, request: &SolveRequest<'_>) -> StrainMap {
+        let geometry = &request.scene.geometry;
         let theta_deg = symmetric(grid.circumferential, grid.half_width_deg);
-        let phi_deg = symmetric(grid.meridional, bead_angle_deg);
-        let at = |phi: &f64| {
-            theta_deg
-                .iter()
-                .map(|theta| self.strain(*theta, *phi))
-                .collect::<Vec<_>>()
-        };
-        let strains: Vec<StrainPair> = phi_deg.iter().flat_map(at).collect();
+        let phi_deg = symmetric(grid.meridional, geometry.bead_angle_deg);
+        let (mut strains, mut shape) = (Vec::new(), MapShape::default());
+        for phi in &phi_deg {
+            for theta in &theta_deg {
+                strains.push(self.strain(*theta, *phi));
+                shape
+                    .inflated_mm
+                    .push(self.inflated(geometry, *theta, *phi));
+                shape.displacement_mm.push(self.displacement(*theta, *phi));
+            }
+        }
         StrainMap {
             strain_x: strains.iter().map(|strain| strain.strain_x).collect(),
             strain_y: strains.iter().map(|strain| strain.strain_y).collect(),
             theta_deg,
             phi_deg,
+            shape: request.readout.shape.then_some(shape),
         }
+    }
+
+    /// Position in the inflated state, mm.
+    fn inflated(&self, geometry: &Geometry, theta_deg: f64, phi_deg: f64) -> [f64; 3] {
+        let (sin, cos) = theta_deg.to_radians().sin_cos();
+        let (across, up) = phi_deg.to_radians().sin_cos();
+        let inner = geometry.section_radius_mm - geometry.wall_mm;
+        let radius = self.radius_mm - geometry.section_radius_mm + inner * up;
+        [radius * sin, inner * across, -radius * cos]
+    }
+
+    /// Displacement from there, mm: upward.
+    fn displacement(&self, theta_deg: f64, phi_deg: f64) -> [f64; 3] {
+        let share = (1.0 + phi_deg.to_radians().cos()) / 2.0;
+        [
+            0.0,
+            0.0,
+            self.scale * self.effective_depth(theta_deg) * share,
+        ]
     }
 
     fn ring(&self, position: Position) -> Ring {

@@ -58,15 +58,26 @@ pub(crate) struct Answers {
 /// readout and the start. The cut point starts from scratch, the others from the cut point, which its key stands for.
 pub(crate) fn keys(scenes: &[Scene], solver: &dyn Solver, readout: &Readout) -> Vec<String> {
     let version = solver.version();
-    let key = |scene: &Scene, start: &str| {
+    let key = |ordinal: usize, start: &str| {
+        let (scene, readout) = (scenes[ordinal].to_value(), readout_of(readout, ordinal));
         let content = serde_json::json!({
-            "solver": version, "scene": scene.to_value(), "readout": readout, "start": start,
+            "solver": version, "scene": scene, "readout": readout, "start": start,
         });
         sha256_hex(&content.to_string())
     };
-    let cut = key(&scenes[0], "scratch");
-    let others: Vec<String> = scenes[1..].iter().map(|scene| key(scene, &cut)).collect();
+    let cut = key(0, "scratch");
+    let others: Vec<String> = (1..scenes.len())
+        .map(|ordinal| key(ordinal, &cut))
+        .collect();
     std::iter::once(cut).chain(others).collect()
+}
+
+/// What is read of a point: of the cut point also where its map lies.
+fn readout_of(readout: &Readout, ordinal: usize) -> Readout {
+    Readout {
+        shape: ordinal == 0 && readout.grid.is_some(),
+        ..readout.clone()
+    }
 }
 
 /// Times that the program may die of a point before it is left alone.
@@ -309,7 +320,7 @@ impl Points<'_> {
         self.archive.begin(key).map_err(Lack::Archive)?;
         let request = SolveRequest {
             scene: &self.scenes[ordinal],
-            readout: self.readout,
+            readout: &readout_of(self.readout, ordinal),
             start,
             stop: self.stop,
         };

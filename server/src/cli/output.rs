@@ -49,9 +49,10 @@ impl JsonTarget {
 ///
 /// # Errors
 /// When standard output can't be written.
-pub fn print(text: &str) -> Result<(), Failure> {
+pub fn print(content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    let written = out.write_all(content.as_ref());
+    match written.and_then(|()| out.flush()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::other(error)),
         _ => Ok(()),
     }
@@ -73,11 +74,11 @@ pub fn tell(text: &str, json: Option<&JsonTarget>) -> Result<(), Failure> {
 ///
 /// # Errors
 /// When it can't be written.
-pub fn write_whole(path: &Path, text: &str) -> Result<(), Failure> {
+pub fn write_whole(path: &Path, content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failure> {
     let mut name = path.as_os_str().to_owned();
     name.push(format!(".{}.part", std::process::id()));
     let part = PathBuf::from(name);
-    let written = std::fs::write(&part, text).and_then(|()| std::fs::rename(&part, path));
+    let written = std::fs::write(&part, content).and_then(|()| std::fs::rename(&part, path));
     written.map_err(|error| {
         // What can't be removed was most likely never made.
         let _ = std::fs::remove_file(&part);

@@ -4,13 +4,14 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
+use fem_client::body::Body;
 use fem_client::gauge::{Gauge, GaugeReading};
 use fem_client::scene::Scene;
 use fem_client::solver::{LocationStrain, Readout, SolveError, SolveRequest, Solved};
 use serde_json::{Value, json};
 
 use super::Failure;
-use super::output::{JsonTarget, tell};
+use super::output::{JsonTarget, tell, write_whole};
 use super::signals::stop_flag;
 use crate::solver::SolverChoice;
 use crate::study_document::{format_of, read_file};
@@ -29,6 +30,9 @@ pub struct Solve {
     /// from the crown, and angle to the circumferential direction (0 when left out), all in degrees
     #[arg(long, value_name = "THETA,PHI[,ANGLE]", allow_hyphen_values = true)]
     at: Vec<Gauge>,
+    /// Write the whole solved mesh for ParaView: displacements and stresses
+    #[arg(long, value_name = "FILE")]
+    vtu: Option<PathBuf>,
     /// Write the answer as JSON to a file, or to standard output with -
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<JsonTarget>,
@@ -38,6 +42,11 @@ impl Solve {
     /// Solves and prints.
     pub fn execute(&self) -> Result<(), Failure> {
         let scene = self.scene()?;
+        if self.vtu.is_some() && !self.solver.keeps_equilibria() {
+            return Err(Failure::input(
+                "--vtu needs the equilibrium on its mesh, which CalculiX doesn't hand over: leave out --solver",
+            ));
+        }
         let solver = self.solver.solver().map_err(Failure::other)?;
         let runtime = tokio::runtime::Runtime::new().map_err(Failure::other)?;
         let stop = stop_flag(&runtime)?;
@@ -52,6 +61,14 @@ impl Solve {
             stop: &stop,
         };
         let solved = solver.solve(&request).map_err(failure)?;
+        if let Some(path) = &self.vtu {
+            let version = format!(
+                "strainsite {}, solver {}",
+                env!("CARGO_PKG_VERSION"),
+                solver.version()
+            );
+            write_whole(path, &picture(&scene, &solved, &version)?)?;
+        }
         if let Some(target) = &self.json {
             target.write(&document(&solved)?)?;
         }
@@ -104,6 +121,14 @@ fn failure(error: SolveError) -> Failure {
         SolveError::Stopped => Failure::Other("stopped on request; nothing was solved".to_owned()),
         SolveError::Broken { .. } | SolveError::OverTime { .. } => Failure::other(error),
     }
+}
+
+/// The solved mesh as a VTU file.
+fn picture(scene: &Scene, solved: &Solved, version: &str) -> Result<String, Failure> {
+    let body = Body::of(scene, &solved.state);
+    let body =
+        body.ok_or_else(|| Failure::other("the solver handed over no equilibrium on a mesh"))?;
+    body.grid(version).to_xml().map_err(Failure::other)
 }
 
 /// The response with its status and its time; the map and the rings are left out, as nobody asked for them.
