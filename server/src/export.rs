@@ -1,10 +1,16 @@
-//! Answers as tables for other programs: comma-separated values, a header and one row per thing.
+//! Answers as files for other programs.
 //!
-//! Every row ends with the study, the hash of its document and the version of the program, so that rows of several studies can
-//! be put under each other. Strains have no unit, as in all data; other columns carry theirs in their names. What doesn't exist
-//! is an empty field.
+//! Tables have a row per thing, and their columns are listed once, in `tables`; CSV and Parquet are both written from there. JSON is the
+//! result itself, and VTU has the map on the surface that it is of. Every file says which study it is of, the hash of its document and the version of the program.
 
-use placement::result::{InputReport, StudyResult};
+mod csv;
+mod map;
+mod parquet;
+mod table;
+mod tables;
+mod unit;
+
+use placement::result::StudyResult;
 use serde::Deserialize;
 use utoipa::ToSchema;
 
@@ -25,6 +31,8 @@ pub enum Table {
 }
 
 impl Table {
+    const ALL: [Self; 4] = [Self::Indices, Self::Locations, Self::Layouts, Self::Points];
+
     /// The name in addresses and file names.
     pub fn as_str(self) -> &'static str {
         match self {
@@ -37,221 +45,134 @@ impl Table {
 
     /// The table of this name.
     pub fn named(name: &str) -> Option<Self> {
-        [Self::Indices, Self::Locations, Self::Layouts, Self::Points]
-            .into_iter()
-            .find(|table| table.as_str() == name)
+        Self::ALL.into_iter().find(|table| table.as_str() == name)
     }
 }
 
-/// A table of a result as CSV; `points` are read for [`Table::Points`] alone.
-pub fn csv(table: Table, result: &StudyResult, points: &[EvaluationView]) -> String {
-    let mut rows = match table {
-        Table::Indices => indices(result),
-        Table::Locations => locations(result),
-        Table::Layouts => layouts(result),
-        Table::Points => solved(&result.inputs, points),
-    };
-    let study = &result.study;
-    let origin = [&study.id, &study.spec_sha256, &study.version];
-    for (line, row) in rows.iter_mut().enumerate() {
-        if line == 0 {
-            row.extend(["study", "spec_sha256", "version"].map(str::to_owned));
+/// How a file is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, ToSchema, clap::ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum FileFormat {
+    /// One table as comma-separated values.
+    Csv,
+    /// The whole result.
+    Json,
+    /// One table with typed columns, for data frames.
+    Parquet,
+    /// The map on the inner surface, for ParaView.
+    Vtu,
+}
+
+impl FileFormat {
+    const ALL: [Self; 4] = [Self::Csv, Self::Json, Self::Parquet, Self::Vtu];
+
+    /// The name in addresses, and the ending of file names.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Json => "json",
+            Self::Parquet => "parquet",
+            Self::Vtu => "vtu",
+        }
+    }
+
+    /// The format of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.as_str() == name)
+    }
+
+    /// The media type. None is registered for VTK's formats; a VTU file is well-formed XML.
+    pub fn media_type(self) -> &'static str {
+        match self {
+            Self::Csv => "text/csv; charset=utf-8",
+            Self::Json => "application/json",
+            Self::Parquet => "application/vnd.apache.parquet",
+            Self::Vtu => "application/xml",
+        }
+    }
+
+    /// Whether a table has to be chosen.
+    pub fn has_tables(self) -> bool {
+        matches!(self, Self::Csv | Self::Parquet)
+    }
+
+    /// Whether people can read it on a terminal.
+    pub fn is_text(self) -> bool {
+        matches!(self, Self::Csv | Self::Json)
+    }
+}
+
+/// A file that can't be made.
+#[derive(Debug, thiserror::Error)]
+pub enum ExportError {
+    /// The study has no map.
+    #[error("this study has no map: its document asks for no candidates.grid")]
+    NoMap,
+    /// Its result is an earlier version's.
+    #[error(
+        "this result was found by a version that didn't keep where the points of a map lie: submit its document again"
+    )]
+    NoShape,
+    /// The map isn't one.
+    #[error("the VTU file can't be made: {0}")]
+    Vtu(#[from] fem_client::vtu::VtuError),
+    /// The writer of Parquet failed.
+    #[error("the Parquet file can't be made: {0}")]
+    Parquet(#[from] ::parquet::errors::ParquetError),
+    /// The result can't be written as JSON.
+    #[error("the result can't be written as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+/// What is exported.
+#[derive(Debug, Clone, Copy)]
+pub struct Export {
+    /// How it is written.
+    pub format: FileFormat,
+    /// Which table, where there is a choice.
+    pub table: Table,
+}
+
+impl Export {
+    /// Whether the solved points are needed beside the result.
+    pub fn needs_points(self) -> bool {
+        self.format.has_tables() && self.table == Table::Points
+    }
+
+    /// A name for the file.
+    pub fn file_name(self, study: &str) -> String {
+        let ending = self.format.as_str();
+        if self.format.has_tables() {
+            format!("{study}-{}.{ending}", self.table.as_str())
         } else {
-            row.extend(origin.map(Clone::clone));
+            format!("{study}.{ending}")
         }
     }
-    written(&rows)
-}
 
-type Row = Vec<String>;
-
-fn header(names: &[&str]) -> Row {
-    names.iter().map(|name| (*name).to_owned()).collect()
-}
-
-/// The shortest text that reads back as the same number.
-fn text<T: ToString>(value: Option<T>) -> String {
-    value.map(|value| value.to_string()).unwrap_or_default()
-}
-
-fn indices(result: &StudyResult) -> Vec<Row> {
-    let mut rows = vec![header(&[
-        "location",
-        "direction",
-        "input",
-        "first_order",
-        "total",
-        "error_mesh",
-        "error_quadrature",
-        "error_decomposition",
-        "error_total",
-        "mean_strain",
-        "std_strain",
-        "method",
-        "status",
-        "mdrm_first_order",
-    ])];
-    for output in &result.outputs {
-        let at = |list: &Option<Vec<f64>>, k: usize| text(list.as_ref().and_then(|l| l.get(k)));
-        for (k, input) in result.inputs.iter().enumerate() {
-            rows.push(vec![
-                output.location.clone(),
-                output.direction.clone(),
-                input.name.clone(),
-                at(&output.first_order, k),
-                at(&output.total, k),
-                text(output.error.mesh),
-                text(output.error.quadrature),
-                text(output.error.decomposition),
-                text(output.error.total),
-                text(output.mean),
-                text(output.std),
-                output.method.clone(),
-                output.status.clone(),
-                at(&output.mdrm_first_order, k),
-            ]);
+    /// The file's bytes; `points` are those of the study where they are needed.
+    ///
+    /// # Errors
+    /// See [`ExportError`].
+    pub fn bytes(
+        self,
+        result: &StudyResult,
+        points: &[EvaluationView],
+    ) -> Result<Vec<u8>, ExportError> {
+        let table = || tables::table(self.table, result, points);
+        match self.format {
+            FileFormat::Csv => Ok(csv::csv(&table()).into_bytes()),
+            FileFormat::Json => Ok(serde_json::to_string_pretty(result)?.into_bytes()),
+            FileFormat::Vtu => Ok(map::vtu(result)?.into_bytes()),
+            FileFormat::Parquet => {
+                let study = &result.study;
+                let origin = [
+                    ("study", study.id.as_str()),
+                    ("spec_sha256", &study.spec_sha256),
+                    ("version", &study.version),
+                    ("table", self.table.as_str()),
+                ];
+                Ok(parquet::parquet(&table(), &origin)?)
+            }
         }
-    }
-    rows
-}
-
-fn locations(result: &StudyResult) -> Vec<Row> {
-    let mut rows = vec![header(&[
-        "rank",
-        "name",
-        "gsi_x_percent",
-        "gsi_y_percent",
-        "mean_gsi_x_percent",
-        "mean_gsi_y_percent",
-        "own_gsi_x_percent",
-        "own_gsi_y_percent",
-        "mdrm_gsi_x_percent",
-        "mdrm_gsi_y_percent",
-        "rank_x",
-        "rank_y",
-        "rank_certain",
-        "gsi_x_error_percent",
-        "gsi_y_error_percent",
-    ])];
-    rows.extend(result.locations.iter().map(|l| {
-        vec![
-            l.rank.to_string(),
-            l.name.clone(),
-            text(l.gsi_x_percent),
-            text(l.gsi_y_percent),
-            text(l.mean_gsi_x_percent),
-            text(l.mean_gsi_y_percent),
-            text(l.own_gsi_x_percent),
-            text(l.own_gsi_y_percent),
-            text(l.mdrm_gsi_x_percent),
-            text(l.mdrm_gsi_y_percent),
-            text(l.rank_x),
-            text(l.rank_y),
-            l.rank_certain.to_string(),
-            text(l.gsi_x_error_percent),
-            text(l.gsi_y_error_percent),
-        ]
-    }));
-    rows
-}
-
-fn layouts(result: &StudyResult) -> Vec<Row> {
-    let mut rows = vec![header(&[
-        "rank",
-        "spacing_deg",
-        "units",
-        "position",
-        "films",
-        "weakest_signal_strain",
-        "worst_angle_error_deg",
-        "rms_angle_error_deg",
-        "worst_depth_error_mm",
-        "noise_strain",
-        "reason",
-    ])];
-    rows.extend(result.layouts.iter().map(|layout| {
-        let score = &layout.score;
-        vec![
-            layout.rank.to_string(),
-            layout.spacing_deg.to_string(),
-            layout.units.to_string(),
-            layout.position.clone(),
-            layout.films.join("+"),
-            text(score.weakest_signal),
-            text(score.worst_angle_error_deg),
-            text(score.rms_angle_error_deg),
-            text(score.worst_depth_error_mm),
-            score.noise_strain.to_string(),
-            text(score.reason.as_ref()),
-        ]
-    }));
-    rows
-}
-
-/// One column per input and two per location; locations are those of the first point that has any.
-fn solved(inputs: &[InputReport], points: &[EvaluationView]) -> Vec<Row> {
-    let seen = points.iter().find_map(|point| point.locations.as_ref());
-    let names: Vec<&str> = seen
-        .map(|locations| locations.iter().map(|l| l.name.as_str()).collect())
-        .unwrap_or_default();
-    let mut head = header(&["ordinal", "level"]);
-    head.extend(inputs.iter().map(|input| input.name.clone()));
-    head.push("reaction_n".to_owned());
-    for name in &names {
-        head.extend(["x", "y"].map(|direction| format!("{name}_strain_{direction}")));
-    }
-    head.extend(header(&["newton_iterations", "wall_s", "reason", "key"]));
-    let mut rows = vec![head];
-    rows.extend(points.iter().map(|point| {
-        let mut row = vec![point.ordinal.to_string(), text(point.level.as_ref())];
-        let value = |k: usize| point.values.as_ref().and_then(|values| values.get(k));
-        row.extend((0..inputs.len()).map(|k| text(value(k))));
-        row.push(text(point.reaction_n));
-        for name in &names {
-            let strains = point.locations.as_ref();
-            let strain = strains.and_then(|all| all.iter().find(|l| l.name == *name));
-            row.push(text(strain.map(|l| l.strain_x)));
-            row.push(text(strain.map(|l| l.strain_y)));
-        }
-        row.push(text(point.newton_iterations));
-        row.push(point.wall_s.to_string());
-        row.push(text(point.reason.as_ref()));
-        row.push(point.key.clone());
-        row
-    }));
-    rows
-}
-
-/// Quotes what needs it (RFC 4180), one line per row.
-fn written(rows: &[Row]) -> String {
-    let mut text = String::new();
-    for row in rows {
-        let fields: Vec<String> = row.iter().map(|field| quoted(field)).collect();
-        text.push_str(&fields.join(","));
-        text.push('\n');
-    }
-    text
-}
-
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.to_owned()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_users_name_can_not_break_a_row() {
-        let row = |fields: &[&str]| fields.iter().map(|f| (*f).to_owned()).collect::<Row>();
-        let rows = [row(&["plain", "a,b"]), row(&["say \"P3\"", "two\nlines"])];
-        assert_eq!(
-            written(&rows),
-            "plain,\"a,b\"\n\"say \"\"P3\"\"\",\"two\nlines\"\n"
-        );
     }
 }

@@ -1,26 +1,23 @@
-//! `strainsite list`, `show` and `export`: the database without a service, also while one runs.
+//! `strainsite list` and `show`: the database without a service, also while one runs.
 
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
-use placement::result::StudyResult;
+use clap::Args;
 use serde_json::{Value, json};
 use sqlx::SqliteConnection;
 use tokio::runtime::Runtime;
 
 use super::Failure;
-use super::output::{JsonTarget, print, tell, write_whole};
+use super::output::{JsonTarget, tell};
 use super::table::report;
-use crate::export::{Table, csv};
 use crate::http::wire::StudySummary;
-use crate::points;
 use crate::store::studies::{self, State, StudyRow};
 use crate::store::{results, upkeep};
 
 /// The database to read.
 #[derive(Debug, Args)]
-struct Database {
+pub(super) struct Database {
     /// Database file
     #[arg(
         long,
@@ -33,7 +30,7 @@ struct Database {
 
 impl Database {
     /// Lends a connection that can only read.
-    fn read<T>(
+    pub(super) fn read<T>(
         &self,
         task: impl AsyncFnOnce(&mut SqliteConnection) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
@@ -46,7 +43,10 @@ impl Database {
 }
 
 /// The study of this identifier, or of the only one that begins so.
-async fn study(connection: &mut SqliteConnection, id: &str) -> Result<StudyRow, Failure> {
+pub(super) async fn study(
+    connection: &mut SqliteConnection,
+    id: &str,
+) -> Result<StudyRow, Failure> {
     let mut found = studies::beginning_with(connection, id, 2)
         .await
         .map_err(Failure::other)?;
@@ -59,23 +59,6 @@ async fn study(connection: &mut SqliteConnection, id: &str) -> Result<StudyRow, 
             "there is no study {id:?}; strainsite list shows those there are"
         ))),
     }
-}
-
-async fn result(
-    connection: &mut SqliteConnection,
-    study: &StudyRow,
-) -> Result<StudyResult, Failure> {
-    let found = results::find(connection, &study.id).await;
-    let Some((result, _)) = found.map_err(Failure::other)? else {
-        let why = study.error.as_deref().unwrap_or("it hasn't ended");
-        return Err(Failure::Other(format!(
-            "study {} is {} and has no result: {}",
-            study.id,
-            study.state().as_str(),
-            why.escape_debug()
-        )));
-    };
-    Ok(result)
 }
 
 /// List the studies of a database, newest first
@@ -167,52 +150,5 @@ impl Show {
             text = format!("{text}\n{}", report(result));
         }
         tell(&text, self.json.as_ref())
-    }
-}
-
-/// Write a study's answer as a table or as JSON
-#[derive(Debug, Args)]
-pub struct Export {
-    /// Identifier of the study, or its beginning
-    id: String,
-    #[command(flatten)]
-    database: Database,
-    /// What to write
-    #[arg(long, value_enum, value_name = "FORMAT", default_value = "csv")]
-    format: Format,
-    /// What the CSV holds
-    #[arg(long, value_enum, value_name = "TABLE", default_value = "indices")]
-    table: Table,
-    /// File to write; standard output when absent
-    #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    Csv,
-    Json,
-}
-
-impl Export {
-    /// Writes the answer.
-    pub fn execute(&self) -> Result<(), Failure> {
-        let text = self.database.read(async |connection| {
-            let row = study(connection, &self.id).await?;
-            let result = result(connection, &row).await?;
-            if self.format == Format::Json {
-                let text = serde_json::to_string_pretty(&result);
-                return text.map(|text| text + "\n").map_err(Failure::other);
-            }
-            let points = match self.table {
-                Table::Points => points::of(connection, &row).await.map_err(Failure::other)?,
-                _ => Vec::new(),
-            };
-            Ok(csv(self.table, &result, &points))
-        })?;
-        match &self.output {
-            Some(path) => write_whole(path, &text),
-            None => print(&text),
-        }
     }
 }

@@ -5,6 +5,7 @@
 
 mod db;
 mod estimate;
+mod export;
 mod failure;
 mod gsa;
 mod library;
@@ -52,8 +53,8 @@ enum Command {
     List(library::List),
     /// Show a study: its ranked table, or how far it is
     Show(library::Show),
-    /// Write a study's answer as a table or as JSON
-    Export(library::Export),
+    /// Write a study's answer as a file: a table, the map, or the whole result
+    Export(export::Export),
     /// Look after the database file
     Db(db::Db),
     /// Check a study or scene file without running it

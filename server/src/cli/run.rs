@@ -18,7 +18,7 @@ use super::signals::stop_flag;
 use super::table::report;
 use crate::config::Config;
 use crate::engine::{End, Engine};
-use crate::export::{Table, csv};
+use crate::export::{Export, FileFormat, Table};
 use crate::forecast::{admit, forecast};
 use crate::metrics::Metrics;
 use crate::queue::recover;
@@ -131,9 +131,13 @@ impl Run {
                 Failure::Other(format!("{} can't be made: {error}", folder.display()))
             })?;
             JsonTarget::File(folder.join("result.json")).write(result)?;
+            let ranking = Export {
+                format: FileFormat::Csv,
+                table: Table::Locations,
+            };
             write_whole(
                 &folder.join("locations.csv"),
-                &csv(Table::Locations, result, &[]),
+                &ranking.bytes(result, &[]).map_err(Failure::other)?,
             )?;
         }
         if let Some(target) = &self.json {

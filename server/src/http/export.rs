@@ -17,7 +17,7 @@ use super::problem::Problem;
 use super::results::ready;
 use super::studies::known;
 use super::wire::ProblemDocument;
-use crate::export::{Table, csv};
+use crate::export::{Export, ExportError, FileFormat, Table};
 use crate::points;
 
 /// `/v1/studies/{id}/export`.
@@ -31,54 +31,65 @@ struct ExportQuery {
     table: Option<String>,
 }
 
-/// Download a table or the result
+/// Download a table, the result or the map
 ///
-/// As CSV one table, each of its rows with the study, the hash of its document and the version of the program; as JSON the whole result.
+/// As CSV or Parquet one table, each of its rows with the study, the hash of its document and the version of the program; a Parquet file says the
+/// same in its metadata, beside the unit of each column. As JSON the whole
+/// result. As VTU, for ParaView, the inner surface with the strains at the means, the indices and their errors; the study must have asked for a map.
 #[utoipa::path(get, path = "/v1/studies/{id}/export", tag = "answers", params(StudyPath,
-        ("format" = Option<String>, Query, description = "csv or json; csv when left out", example = "csv"),
-        ("table" = Option<Table>, Query, description = "What the CSV holds: indices (when left out), locations, layouts or points", example = "points")),
+        ("format" = Option<FileFormat>, Query, description = "csv (when left out), json, parquet or vtu", example = "csv"),
+        ("table" = Option<Table>, Query, description = "What CSV and Parquet hold: indices (when left out), locations, layouts or points", example = "points")),
     responses((status = 200, description = "The file", content(
                   (String = "text/csv", example = json!(examples::csv())),
-                  (placement::result::StudyResult = "application/json", example = json!(examples::result())))),
+                  (placement::result::StudyResult = "application/json", example = json!(examples::result())),
+                  (String = "application/vnd.apache.parquet"),
+                  (String = "application/xml", example = json!(examples::vtu())))),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn export(
     State(state): State<AppState>,
     StudyId(id): StudyId,
     Params(query): Params<ExportQuery>,
 ) -> Result<Response, Problem> {
-    let wrong = |detail: &str| Problem::new(StatusCode::BAD_REQUEST, detail);
-    let name = query.table.as_deref().unwrap_or("indices");
-    let table = Table::named(name)
-        .ok_or_else(|| wrong("table is one of indices, locations, layouts, points"))?;
-    let format = query.format.as_deref().unwrap_or("csv");
-    if !["csv", "json"].contains(&format) {
-        return Err(wrong("format is csv or json"));
-    }
+    let wanted = wanted(&query)?;
     let (result, _) = ready(&state.store, &id).await?;
-    if format == "json" {
-        let text = serde_json::to_string_pretty(&result)
-            .map_err(|error| Problem::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))?;
-        return Ok(file("application/json", &format!("{id}.json"), text));
-    }
-    let points = match table {
-        Table::Points => {
-            let study = known(&state.store, &id).await?;
-            let mut connection = state.store.read().await?;
-            points::of(&mut connection, &study).await?
-        }
-        _ => Vec::new(),
+    let points = if wanted.needs_points() {
+        let study = known(&state.store, &id).await?;
+        let mut connection = state.store.read().await?;
+        points::of(&mut connection, &study).await?
+    } else {
+        Vec::new()
     };
-    let text = csv(table, &result, &points);
-    let name = format!("{id}-{}.csv", table.as_str());
-    Ok(file("text/csv; charset=utf-8", &name, text))
-}
-
-/// A download; the identifier of a known study is a UUID and needs no quoting.
-fn file(kind: &'static str, name: &str, text: String) -> Response {
-    let disposition = format!("attachment; filename=\"{name}\"");
+    let bytes = wanted.bytes(&result, &points)?;
+    // The identifier of a known study is a UUID and needs no quoting.
+    let disposition = format!("attachment; filename=\"{}\"", wanted.file_name(&id));
     let headers = [
-        (header::CONTENT_TYPE, kind.to_owned()),
+        (header::CONTENT_TYPE, wanted.format.media_type().to_owned()),
         (header::CONTENT_DISPOSITION, disposition),
     ];
-    (headers, text).into_response()
+    Ok((headers, bytes).into_response())
+}
+
+fn wanted(query: &ExportQuery) -> Result<Export, Problem> {
+    let wrong = |detail: &str| Problem::new(StatusCode::BAD_REQUEST, detail);
+    let format = query.format.as_deref().unwrap_or("csv");
+    let table = query.table.as_deref().unwrap_or("indices");
+    match (FileFormat::named(format), Table::named(table)) {
+        (Some(format), Some(table)) => Ok(Export { format, table }),
+        (None, Some(_)) => Err(wrong(FORMATS)),
+        (Some(_), None) => Err(wrong(TABLES)),
+        (None, None) => Err(wrong(&format!("{FORMATS}; {TABLES}"))),
+    }
+}
+
+const FORMATS: &str = "format is one of csv, json, parquet, vtu";
+const TABLES: &str = "table is one of indices, locations, layouts, points";
+
+impl From<ExportError> for Problem {
+    fn from(error: ExportError) -> Self {
+        let status = match error {
+            ExportError::NoMap | ExportError::NoShape => StatusCode::NOT_FOUND,
+            _ => StatusCode::INTERNAL_SERVER_ERROR,
+        };
+        Self::new(status, error.to_string())
+    }
 }

@@ -15,7 +15,7 @@ use utoipa_axum::routes;
 use super::access::Access;
 use super::wire::ProblemDocument;
 use super::{AppState, docs, examples};
-use crate::export::Table;
+use crate::export::{FileFormat, Table};
 
 #[derive(OpenApi)]
 #[openapi(
@@ -27,7 +27,7 @@ use crate::export::Table;
                        them. Every answer has an `x-request-id`.",
         license(name = "MIT OR Apache-2.0", identifier = "MIT OR Apache-2.0")
     ),
-    components(schemas(ProblemDocument, Table)),
+    components(schemas(ProblemDocument, FileFormat, Table)),
     tags(
         (name = "studies", description = "Estimate, submit, follow and cancel"),
         (name = "answers", description = "What a study found"),

@@ -1,8 +1,11 @@
 //! Answers as files.
 
+use axum::body::Bytes;
 use fem_client::closed_form::ClosedFormSolver;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::Field;
 use reqwest::StatusCode;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::support::{App, Home, problem, study};
 
@@ -38,18 +41,22 @@ impl Columns {
     }
 }
 
-async fn table(app: &App, id: &str, name: &str) -> Columns {
-    let address = format!("/v1/studies/{id}/export?format=csv&table={name}");
-    let response = app.get(&address).await;
-    assert_eq!(response.status(), StatusCode::OK);
-    assert_eq!(
-        response.headers()["content-type"],
-        "text/csv; charset=utf-8"
-    );
+/// The bytes of an export, checked for their type and the name that they are offered under.
+async fn download(app: &App, id: &str, query: &str, kind: &str, name: &str) -> Vec<u8> {
+    let response = app.get(&format!("/v1/studies/{id}/export?{query}")).await;
+    assert_eq!(response.status(), StatusCode::OK, "{query}");
+    assert_eq!(response.headers()["content-type"], kind);
     let disposition = response.headers()["content-disposition"].to_str();
-    let expected = format!("attachment; filename=\"{id}-{name}.csv\"");
+    let expected = format!("attachment; filename=\"{name}\"");
     assert_eq!(disposition.expect("text"), expected);
-    Columns::of(&response.text().await.expect("text"))
+    response.bytes().await.expect("a body").to_vec()
+}
+
+async fn table(app: &App, id: &str, name: &str) -> Columns {
+    let query = format!("format=csv&table={name}");
+    let file = format!("{id}-{name}.csv");
+    let text = download(app, id, &query, "text/csv; charset=utf-8", &file).await;
+    Columns::of(&String::from_utf8(text).expect("UTF-8"))
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -133,6 +140,106 @@ async fn tables_say_what_the_result_says() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
+async fn parquet_has_the_rows_of_csv_with_their_types() {
+    let home = Home::new();
+    let app = home.start(ClosedFormSolver::new()).await;
+    let id = app.submit(&study()).await;
+    app.wait_for(&id, "done").await;
+    for name in ["indices", "locations", "layouts", "points"] {
+        let csv = table(&app, &id, name).await;
+        let query = format!("format=parquet&table={name}");
+        let (kind, file) = (
+            "application/vnd.apache.parquet",
+            format!("{id}-{name}.parquet"),
+        );
+        let bytes = download(&app, &id, &query, kind, &file).await;
+        let reader = SerializedFileReader::new(Bytes::from(bytes)).expect("a file");
+        let rows: Vec<_> = reader.get_row_iter(None).expect("rows").collect();
+        assert_eq!(rows.len(), csv.rows.len(), "{name}");
+        for (row, fields) in rows.into_iter().enumerate() {
+            let fields = fields.expect("reads");
+            assert!(
+                fields
+                    .get_column_iter()
+                    .map(|(name, _)| name)
+                    .eq(csv.names.iter())
+            );
+            for (column, field) in fields.get_column_iter() {
+                let text = match field {
+                    Field::Null => String::new(),
+                    Field::Double(value) => value.to_string(),
+                    Field::Long(value) => value.to_string(),
+                    Field::Bool(value) => value.to_string(),
+                    Field::Str(text) => text.clone(),
+                    other => panic!("{column}: {other:?}"),
+                };
+                assert_eq!(text, csv.at(row, column), "{name}, {column}");
+            }
+        }
+        let metadata = reader.metadata().file_metadata().key_value_metadata();
+        let metadata = metadata.expect("metadata").iter();
+        let keys: Vec<&str> = metadata.map(|entry| entry.key.as_str()).collect();
+        assert_eq!(keys, ["study", "spec_sha256", "version", "table", "units"]);
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn vtu_has_the_map_on_its_surface() {
+    let home = Home::new();
+    let app = home.start(ClosedFormSolver::new()).await;
+    let mut document = study();
+    document["candidates"]["grid"] = json!({"circumferential": 5, "meridional": 3});
+    let id = app.submit(&document).await;
+    app.wait_for(&id, "done").await;
+    let result = app.json(&format!("/v1/studies/{id}/result")).await;
+    let bytes = download(
+        &app,
+        &id,
+        "format=vtu",
+        "application/xml",
+        &format!("{id}.vtu"),
+    )
+    .await;
+    let xml = String::from_utf8(bytes).expect("UTF-8");
+    assert!(xml.contains("NumberOfPoints=\"15\" NumberOfCells=\"8\""));
+    // The readers of other programs go through the numbers; see tests/exports.
+    for name in [
+        "displacement",
+        "strain_x",
+        "std_y",
+        "first_order_x_P3",
+        "first_order_y_P5",
+        "first_order_error_y",
+    ] {
+        assert!(xml.contains(&format!("Name=\"{name}\"")), "{name}");
+    }
+    let study = &result["study"];
+    for name in ["id", "spec_sha256", "version"] {
+        assert!(xml.contains(study[name].as_str().expect("text")), "{name}");
+    }
+    assert_eq!(
+        result["map"]["shape"]["inflated_mm"]
+            .as_array()
+            .map(Vec::len),
+        Some(15)
+    );
+    // The positions are the cut point's alone.
+    let mut sql = home.sql().await;
+    let rows: Vec<String> =
+        sqlx::query_scalar("SELECT response FROM evaluations WHERE response IS NOT NULL")
+            .fetch_all(&mut sql)
+            .await
+            .expect("rows");
+    assert_eq!(rows.len(), 26);
+    assert_eq!(
+        rows.iter()
+            .filter(|row| row.contains("inflated_mm"))
+            .count(),
+        1
+    );
+}
+
+#[tokio::test(flavor = "multi_thread")]
 async fn what_can_not_be_exported_is_refused() {
     let home = Home::new();
     let app = home.start(ClosedFormSolver::new()).await;
@@ -143,6 +250,25 @@ async fn what_can_not_be_exported_is_refused() {
         let body = problem(answer, StatusCode::BAD_REQUEST).await;
         assert!(body["detail"].as_str().expect("text").contains(named));
     }
+    let both = app
+        .get(&format!("/v1/studies/{id}/export?format=xls&table=all"))
+        .await;
+    let both = problem(both, StatusCode::BAD_REQUEST).await;
+    let detail = both["detail"].as_str().expect("text");
+    assert!(
+        detail.contains("format") && detail.contains("table"),
+        "{detail}"
+    );
+    let unmapped = app
+        .get(&format!("/v1/studies/{id}/export?format=vtu"))
+        .await;
+    let unmapped = problem(unmapped, StatusCode::NOT_FOUND).await;
+    assert!(
+        unmapped["detail"]
+            .as_str()
+            .expect("text")
+            .contains("candidates.grid")
+    );
     let absent = app.get("/v1/studies/none/export").await;
     problem(absent, StatusCode::NOT_FOUND).await;
 }

@@ -3,6 +3,7 @@
 mod access;
 mod accuracy;
 mod db;
+mod exports;
 mod library;
 mod logs;
 #[path = "../program/mod.rs"]
