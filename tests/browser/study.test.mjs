@@ -108,6 +108,20 @@ test("a study runs from the preset to the ranking and its map", { timeout: STUDY
   const compared = await page.locator("table.estimate").innerText();
   assert.match(compared, /Wall time.* s.*Peak memory.*[MG]B/s, "what was expected stands beside what it took");
 
+  const links = await page.$$eval("p.provenance a", (anchors) => anchors.map((anchor) => anchor.href));
+  for (const part of ["format=csv", "format=parquet", "format=vtu"]) assert.ok(links.some((link) => link.includes(part)), links.join(" "));
+  const lengths = await page.evaluate(
+    (addresses) =>
+      Promise.all(
+        addresses.map(async (address) => {
+          const answer = await fetch(address);
+          return answer.ok ? (await answer.blob()).size : 0;
+        }),
+      ),
+    links,
+  );
+  assert.ok(lengths.every((length) => length > 0), `every link gives a file: ${lengths.join(" ")}`);
+
   const drawn = await readCanvas(page);
   // A blank canvas has one colour at most; a field of 61 by 21 cells has dozens.
   assert.ok(drawn.colours > 20, `the map shows ${drawn.colours} colours`);

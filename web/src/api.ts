@@ -61,7 +61,7 @@ export function cancel(id: string): Promise<unknown> {
 }
 
 /** The address of a part of a study, for a link. */
-export function address(id: string, part: "result" | "evaluations" | `export?table=${string}`): string {
+export function address(id: string, part: "result" | "evaluations" | `export?${string}`): string {
   return `${ROOT}${path(id, `/${part}`)}`;
 }
 

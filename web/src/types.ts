@@ -153,6 +153,8 @@ export interface IndexMap {
   theta_deg: number[];
   phi_deg: number[];
   layers: MapLayer[];
+  /** Where the points lie, mm; missing in results of earlier versions. */
+  shape?: { inflated_mm: number[][]; displacement_mm: number[][] } | null;
 }
 
 export interface FailedPoint {

@@ -14,6 +14,9 @@ import { TradeView } from "./trade.tsx";
 /** Tables that the service exports. */
 const TABLES = ["indices", "locations", "layouts", "points"] as const;
 
+/** Formats that they are exported in. */
+const FILES = [{ format: "csv", label: "CSV" }, { format: "parquet", label: "Parquet" }] as const;
+
 type StudyRoute = Extract<Route, { view: "study" }>;
 
 /** The answer of a study, most important first. */
@@ -29,13 +32,23 @@ export function ResultView(props: {
     <>
       <p class="provenance">
         {version} · document <code title={spec_sha256}>{spec_sha256.slice(0, 12)}</code> · as JSON:{" "}
-        <a href={address(id, "result")}>the whole result</a>, <a href={address(id, "evaluations")}>every solved point</a> · as CSV:{" "}
-        {TABLES.map((table, k) => (
+        <a href={address(id, "result")}>the whole result</a>, <a href={address(id, "evaluations")}>every solved point</a>
+        {FILES.map(({ format, label }) => (
           <>
-            {k > 0 && ", "}
-            <a href={address(id, `export?table=${table}`)}>{table}</a>
+            {" · "}as {label}:{" "}
+            {TABLES.map((table, k) => (
+              <>
+                {k > 0 && ", "}
+                <a href={address(id, `export?format=${format}&table=${table}`)}>{table}</a>
+              </>
+            ))}
           </>
         ))}
+        {result.map?.shape && (
+          <>
+            {" "}· for ParaView: <a href={address(id, "export?format=vtu")}>the map</a>
+          </>
+        )}
       </p>
       <Notes notes={result.notes} />
       <FailedPoints result={result} />
