@@ -2,7 +2,7 @@
 
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
-.PHONY: run build test lint test-rust test-web test-browser test-conformance test-python verify setup-build setup-calculix setup-faketime setup-test setup-conformance help
+.PHONY: run build test lint test-rust test-web test-browser test-conformance test-exports test-python verify setup-build setup-calculix setup-faketime setup-test setup-conformance help
 
 STRAINSITE := $(or $(CARGO_TARGET_DIR),target)/release/strainsite
 export STRAINSITE_BIN := $(abspath $(STRAINSITE))
@@ -20,7 +20,7 @@ run: build
 build: setup-build
 	cargo build --release --locked --bin strainsite
 
-test: lint test-rust test-web test-browser test-conformance test-python verify
+test: lint test-rust test-web test-browser test-conformance test-exports test-python verify
 
 # In release mode like the tests, so that what both need is built once.
 lint: setup-build
@@ -45,6 +45,10 @@ test-conformance: setup-conformance test-rust
 # The Python client against the running service.
 test-python: setup-conformance test-rust
 	python/check
+
+# Exported files, read by pandas, pyarrow and meshio.
+test-exports: setup-conformance test-rust
+	tests/exports/run
 
 # Every case whose answer is known, on the binary that the Rust tests drove; these ran the extremes.
 verify: test-rust
