@@ -116,6 +116,11 @@ pub fn csv() -> &'static str {
     "rank,name,gsi_x_percent,gsi_y_percent\n1,P3,72.86,55.33\n"
 }
 
+/// The beginning of a Parquet file.
+pub fn parquet() -> &'static str {
+    "PAR1"
+}
+
 /// The beginning of a map's file.
 pub fn vtu() -> &'static str {
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"

@@ -42,7 +42,7 @@ struct ExportQuery {
     responses((status = 200, description = "The file", content(
                   (String = "text/csv", example = json!(examples::csv())),
                   (placement::result::StudyResult = "application/json", example = json!(examples::result())),
-                  (String = "application/vnd.apache.parquet"),
+                  (String = "application/vnd.apache.parquet", example = json!(examples::parquet())),
                   (String = "application/xml", example = json!(examples::vtu())))),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn export(
