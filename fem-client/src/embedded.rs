@@ -10,6 +10,7 @@ use sha2::{Digest, Sha256};
 
 use crate::far_field::FarField;
 use crate::gauge;
+use crate::hexadecimal::hexadecimal;
 use crate::mesh_error::{self, Coarser};
 use crate::neighbourhood::{Neighbourhood, Neighbourhoods, Pressed};
 use crate::omission::{self, Omission};
@@ -326,8 +327,5 @@ fn inflated_key(scene: &Scene, plan: &MeshPlan) -> String {
         &scene.pressure,
     );
     let text = format!("{parts:?} {plan:?}");
-    Sha256::digest(text.as_bytes())
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
+    hexadecimal(&Sha256::digest(text.as_bytes()))
 }

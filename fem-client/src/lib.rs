@@ -4,6 +4,7 @@
 //! the strains of the inner surface off it. The modules, in reading order:
 //!
 //! - [`fault`]: what is wrong with a document, where, and what would be right
+//! - [`hexadecimal`]: hashes as text
 //! - [`document`]: reads TOML or JSON text into one kind of value
 //! - [`fields`]: reads checked fields from a value, collecting every fault
 //! - [`scene`]: the scene document and its defaults
@@ -49,6 +50,7 @@ pub mod fault;
 pub mod fields;
 pub mod gauge;
 mod grid_lines;
+pub mod hexadecimal;
 mod inflation;
 pub mod mesh_error;
 mod neighbourhood;

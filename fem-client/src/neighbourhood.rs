@@ -15,6 +15,7 @@ use fem::tangent::Tangent;
 use sha2::{Digest, Sha256};
 
 use crate::far_field::{Around, Condensed, FarField};
+use crate::hexadecimal::hexadecimal;
 use crate::scene::{Ground, Scene};
 use crate::solver::StartState;
 use crate::tire::{TireModel, ground, is_symmetric};
@@ -187,5 +188,5 @@ fn key(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> St
     for value in start.inflated.iter().chain(&start.equilibrium) {
         hash.update(value.to_le_bytes());
     }
-    hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
+    hexadecimal(&hash.finalize())
 }

@@ -39,14 +39,7 @@ impl Scene {
             forget_parameters(&mut document, &self.material.law, model);
         }
         for (path, value) in changes {
-            match parse_path(path) {
-                Some(steps) => put(&mut document, &steps, (*value).clone(), &mut faults),
-                None => Fault::add(
-                    &mut faults,
-                    "",
-                    format!("\"{}\" isn't a path; {EXAMPLE}", path.escape_debug()),
-                ),
-            }
+            put_in(&mut document, path, (*value).clone(), &mut faults);
         }
         if !faults.is_empty() {
             return Err(faults);
@@ -108,6 +101,28 @@ impl Scene {
             ))
         })
     }
+}
+
+/// Puts a value at a path of any document; a fault when there is no such place. Whoever reads the document judges what it is now.
+pub fn put_in(document: &mut Value, path: &str, value: Value, faults: &mut Vec<Fault>) {
+    match parse_path(path) {
+        Some(steps) => put(document, &steps, value, faults),
+        None => Fault::add(
+            faults,
+            "",
+            format!("\"{}\" isn't a path; {EXAMPLE}", path.escape_debug()),
+        ),
+    }
+}
+
+/// The number at a path of a scene's canonical document, read without checking the rest of it; `None` when there is none.
+pub fn number_in(document: &Value, path: &str) -> Option<f64> {
+    let steps = parse_path(path)?;
+    let end = steps.iter().try_fold(document, |value, step| match step {
+        Step::Name(name) => value.get(name),
+        Step::Index(index) => value.get(index),
+    });
+    end?.as_f64()
 }
 
 const EXAMPLE: &str = "write it as in ground.depths_mm[0] or pressure.internal_mpa";

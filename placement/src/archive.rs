@@ -21,11 +21,16 @@ pub struct Unsolved {
 
 /// Keeps outcomes and start states by content key. Called from the solving threads.
 pub trait Archive: Sync {
-    /// The stored outcome under this key, with what it once took; the study needs it as the point with this ordinal.
+    /// The stored outcomes under these keys, each with what it once took, in their order; the study needs them as the points with ordinals
+    /// from `first` on.
     ///
     /// # Errors
     /// When the archive can't be read, or what it holds fails its own hash.
-    fn load(&self, key: &str, ordinal: usize) -> Result<Option<(Outcome, Cost)>, ArchiveError>;
+    fn load(
+        &self,
+        keys: &[String],
+        first: usize,
+    ) -> Result<Vec<Option<(Outcome, Cost)>>, ArchiveError>;
 
     /// Notes that a solve begins. Should the program die before it is saved or given up, that is a crash of this key.
     ///

@@ -15,8 +15,13 @@ pub struct MemoryArchive {
 }
 
 impl Archive for MemoryArchive {
-    fn load(&self, key: &str, _: usize) -> Result<Option<(Outcome, Cost)>, ArchiveError> {
-        Ok(lock(&self.points).get(key).cloned())
+    fn load(
+        &self,
+        keys: &[String],
+        _: usize,
+    ) -> Result<Vec<Option<(Outcome, Cost)>>, ArchiveError> {
+        let points = lock(&self.points);
+        Ok(keys.iter().map(|key| points.get(key).cloned()).collect())
     }
 
     fn save(&self, point: &PointRecord<'_>) -> Result<(), ArchiveError> {

@@ -1,5 +1,6 @@
 //! The study document: what varies, what is asked.
 
+use fem_client::hexadecimal::hexadecimal;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Grid, Position, Readout};
 use gsa::distribution::Distribution;
@@ -220,8 +221,5 @@ pub fn position_name(position: Position) -> &'static str {
 
 /// SHA-256 of a text, in hexadecimal digits.
 pub(crate) fn sha256_hex(text: &str) -> String {
-    Sha256::digest(text)
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
+    hexadecimal(&Sha256::digest(text))
 }

@@ -61,27 +61,28 @@ impl StoreArchive {
     pub fn disk_full(&self) -> bool {
         self.disk_full.load(Ordering::Relaxed)
     }
-
-    /// Finds an evaluation, whichever study solved it, and notes that this study uses it too.
-    async fn find(&self, key: &str, ordinal: usize) -> Result<Option<Evaluation>, StoreError> {
-        let mut connection = self.store.read().await?;
-        let found = evaluations::find(&mut connection, key).await?;
-        if found.is_some() && !evaluations::linked(&mut connection, &self.study, ordinal).await? {
-            let mut transaction = self.store.begin().await?;
-            evaluations::link(&mut transaction, &self.study, ordinal, key).await?;
-            self.store.commit(transaction, 0).await?;
-            self.metrics.point(PointOutcome::Reused);
-        }
-        Ok(found)
-    }
 }
 
 impl Archive for StoreArchive {
-    fn load(&self, key: &str, ordinal: usize) -> Result<Option<(Outcome, Cost)>, ArchiveError> {
-        let found = self.wait(self.find(key, ordinal));
-        Ok(found
-            .map_err(failed)?
-            .map(|evaluation| (evaluation.outcome, evaluation.cost)))
+    /// Whichever study solved them; this one is noted to use them too.
+    fn load(
+        &self,
+        keys: &[String],
+        first: usize,
+    ) -> Result<Vec<Option<(Outcome, Cost)>>, ArchiveError> {
+        let mut reused = 0;
+        self.write(async |connection| {
+            reused = evaluations::link_known(connection, &self.study, first, keys).await?;
+            Ok(())
+        })?;
+        self.metrics.points(PointOutcome::Reused, reused);
+        let found = self.wait(async {
+            let mut connection = self.store.read().await?;
+            evaluations::find(&mut connection, keys).await
+        });
+        let answer = |evaluation: Evaluation| (evaluation.outcome, evaluation.cost);
+        let found = found.map_err(failed)?;
+        Ok(found.into_iter().map(|found| found.map(answer)).collect())
     }
 
     fn begin(&self, key: &str) -> Result<(), ArchiveError> {

@@ -48,10 +48,7 @@ pub async fn forecast(
     threads: usize,
     study: &Study,
 ) -> Result<Estimate, ForecastError> {
-    let (solver, study) = (solver.clone(), study.clone());
-    // A large design takes a second to plan, which the runtime's threads haven't.
-    let planned = tokio::task::spawn_blocking(move || Workload::of(&study, solver.as_ref()));
-    let work = planned.await.map_err(|_| ForecastError::Broken)??;
+    let work = planned(solver, study, Workload::of).await?;
     let (mut known, mut samples) = (HashSet::new(), Vec::new());
     if let Some(store) = store {
         let keys: Vec<&str> = work.keys().collect();
@@ -59,9 +56,24 @@ pub async fn forecast(
         known = evaluations::known(&mut connection, &keys).await?;
         samples = evaluations::samples(&mut connection).await?;
     }
-    let cores = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-    let machine = Machine::measured(threads.min(cores), &samples);
+    let machine = Machine::measured(solves_at_once(threads), &samples);
     Ok(estimate(&work, &known, &machine))
+}
+
+fn solves_at_once(threads: usize) -> usize {
+    let cores = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    threads.min(cores)
+}
+
+/// A large design takes a second to plan, which the runtime's threads haven't.
+async fn planned(
+    solver: &Arc<dyn Solver>,
+    study: &Study,
+    plan: fn(&Study, &dyn Solver) -> Result<Workload, PlanError>,
+) -> Result<Workload, ForecastError> {
+    let (solver, study) = (solver.clone(), study.clone());
+    let planned = tokio::task::spawn_blocking(move || plan(&study, solver.as_ref()));
+    Ok(planned.await.map_err(|_| ForecastError::Broken)??)
 }
 
 /// Refuses a study that would take more memory than it may, before anything of it is allocated.
@@ -74,8 +86,9 @@ pub async fn admit(
     there_bytes: u64,
     study: &Study,
 ) -> Result<(), ForecastError> {
-    let estimate = forecast(None, solver, threads, study).await?;
-    let needed_bytes = estimate.peak_memory_bytes;
+    let work = planned(solver, study, Workload::without_keys).await?;
+    let machine = Machine::new(solves_at_once(threads));
+    let needed_bytes = estimate(&work, &HashSet::new(), &machine).peak_memory_bytes;
     if needed_bytes > there_bytes {
         return Err(ForecastError::Memory {
             needed_bytes,

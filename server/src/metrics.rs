@@ -178,16 +178,16 @@ impl Metrics {
         self.points.get_or_create_owned(&Point { outcome })
     }
 
-    /// A point has come to this.
-    pub fn point(&self, outcome: PointOutcome) {
-        self.points_of(outcome).inc();
+    /// So many points have come to this.
+    pub fn points(&self, outcome: PointOutcome, count: u64) {
+        self.points_of(outcome).inc_by(count);
     }
 
     /// Something happened in a run.
     pub fn event(&self, event: &Event) {
         match event {
-            Event::PointSolved { .. } => self.point(PointOutcome::Solved),
-            Event::PointFailed { .. } => self.point(PointOutcome::Failed),
+            Event::PointSolved { .. } => self.points(PointOutcome::Solved, 1),
+            Event::PointFailed { .. } => self.points(PointOutcome::Failed, 1),
             Event::Started { .. } | Event::Analysing => {}
         }
     }
@@ -243,8 +243,7 @@ mod tests {
     #[test]
     fn what_was_counted_stands_in_the_text() {
         let metrics = Metrics::new();
-        metrics.point(PointOutcome::Solved);
-        metrics.point(PointOutcome::Solved);
+        metrics.points(PointOutcome::Solved, 2);
         metrics.solve(0.01);
         metrics.request("GET", "/v1/studies/{id}", 404, 0.001);
         let text = metrics.text(&Snapshot {

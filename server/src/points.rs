@@ -1,10 +1,10 @@
 //! The points of a study as a reader sees them: inputs beside what came of them.
 
-use fem_client::document::Format;
-use fem_client::scene::Scene;
+use fem_client::scene_edit::number_in;
 use fem_client::solver::{LocationStrain, Reached};
 use placement::study::Input;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use sqlx::SqliteConnection;
 use utoipa::ToSchema;
 
@@ -22,7 +22,7 @@ pub struct EvaluationView {
     pub key: String,
     /// Mesh level.
     pub level: Option<String>,
-    /// The inputs' values; null when this version doesn't know one of them.
+    /// The inputs' values; null when its scene hasn't one of them.
     pub values: Option<Vec<f64>>,
     /// Vertical force, N; null without an equilibrium.
     pub reaction_n: Option<f64>,
@@ -56,13 +56,11 @@ pub async fn of(
     study: &StudyRow,
 ) -> Result<Vec<EvaluationView>, StoreError> {
     let inputs = inputs_of(study);
-    let mut points = Vec::new();
-    for (ordinal, key) in evaluations::points_of(connection, &study.id).await? {
-        if let Some(evaluation) = evaluations::find_part(connection, &key).await? {
-            points.push(view(ordinal, key, evaluation, &inputs));
-        }
-    }
-    Ok(points)
+    let parts = evaluations::parts_of(connection, &study.id).await?;
+    Ok(parts
+        .into_iter()
+        .map(|(ordinal, key, evaluation)| view(ordinal, key, evaluation, &inputs))
+        .collect())
 }
 
 /// What varies in a study; nothing if this version can't read its document.
@@ -77,7 +75,8 @@ fn view(
     evaluation: Evaluation<Shown>,
     inputs: &[Input],
 ) -> EvaluationView {
-    let scene = Scene::from_text(&evaluation.scene, Format::Json).ok();
+    let scene: Option<Value> = serde_json::from_str(&evaluation.scene).ok();
+    let level = |scene: &Value| Some(scene.pointer("/model/level")?.as_str()?.to_owned());
     let solved = evaluation.outcome.is_ok();
     let (response, unsolved) = match evaluation.outcome {
         Ok(response) => (Some(response), None),
@@ -86,9 +85,7 @@ fn view(
     EvaluationView {
         ordinal,
         key,
-        level: scene
-            .as_ref()
-            .map(|scene| scene.model.level.as_str().to_owned()),
+        level: scene.as_ref().and_then(level),
         values: scene.as_ref().and_then(|scene| values_of(scene, inputs)),
         reaction_n: response.as_ref().map(|response| response.reaction_n),
         locations: response.map(|response| response.locations),
@@ -99,8 +96,8 @@ fn view(
     }
 }
 
-/// The inputs' values in a stored scene; none if this version doesn't know one of them.
-fn values_of(scene: &Scene, inputs: &[Input]) -> Option<Vec<f64>> {
-    let value = |input: &Input| scene.number_at(&input.vary).ok();
+/// The inputs' values in a stored scene; none if it hasn't one of them.
+fn values_of(scene: &Value, inputs: &[Input]) -> Option<Vec<f64>> {
+    let value = |input: &Input| number_in(scene, &input.vary);
     inputs.iter().map(value).collect()
 }

@@ -4,6 +4,7 @@ use std::fmt;
 use std::fs;
 use std::path::Path;
 
+use fem_client::hexadecimal::hexadecimal;
 use sha2::{Digest, Sha256};
 use subtle::ConstantTimeEq;
 
@@ -25,7 +26,7 @@ impl Token {
     pub fn random() -> Result<Self, TokenError> {
         let mut bytes = [0; RANDOM_BYTES];
         getrandom::fill(&mut bytes).map_err(|_| TokenError::NoRandomNumbers)?;
-        Ok(Self(hex(&bytes)))
+        Ok(Self(hexadecimal(&bytes)))
     }
 
     /// A token that somebody chose.
@@ -62,7 +63,7 @@ impl Token {
             hasher.update((part.len() as u64).to_le_bytes());
             hasher.update(part);
         }
-        Self(hex(&hasher.finalize()))
+        Self(hexadecimal(&hasher.finalize()))
     }
 
     /// The secret itself, for whoever is to have it.
@@ -75,10 +76,6 @@ impl fmt::Debug for Token {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("Token")
     }
-}
-
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// Why there is no token. None of them says anything of what stood in its place.

@@ -116,10 +116,7 @@ enum Lack {
 impl Points<'_> {
     /// Loads or solves every point; the cut point's outcome is a response.
     pub fn answers(&self, threads: usize) -> Result<Answers, RunError> {
-        let mut found = Vec::with_capacity(self.keys.len());
-        for (ordinal, key) in self.keys.iter().enumerate() {
-            found.push(self.archive.load(key, self.place.first + ordinal)?);
-        }
+        let mut found = self.archive.load(&self.keys, self.place.first)?;
         let reused = found.iter().flatten().count();
         (self.observer)(Event::Started {
             points: self.place.of,

@@ -27,11 +27,14 @@ pub struct MemoryArchive {
 }
 
 impl Archive for MemoryArchive {
-    fn load(&self, key: &str, _: usize) -> Result<Option<(Outcome, Cost)>, ArchiveError> {
+    fn load(
+        &self,
+        keys: &[String],
+        _: usize,
+    ) -> Result<Vec<Option<(Outcome, Cost)>>, ArchiveError> {
         let points = self.points.lock().unwrap();
-        Ok(points
-            .get(key)
-            .map(|(text, cost)| (serde_json::from_str(text).unwrap(), *cost)))
+        let read = |(text, cost): &(String, Cost)| (serde_json::from_str(text).unwrap(), *cost);
+        Ok(keys.iter().map(|key| points.get(key).map(read)).collect())
     }
 
     fn save(&self, point: &PointRecord<'_>) -> Result<(), ArchiveError> {

@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
+use placement::result::StudyResult;
 use serde_json::{Value, json};
 use sqlx::SqliteConnection;
 use tokio::runtime::Runtime;
@@ -17,7 +18,7 @@ use crate::store::{results, upkeep};
 
 /// The database to read.
 #[derive(Debug, Args)]
-pub(super) struct Database {
+pub struct Database {
     /// Database file
     #[arg(
         long,
@@ -30,7 +31,7 @@ pub(super) struct Database {
 
 impl Database {
     /// Lends a connection that can only read.
-    pub(super) fn read<T>(
+    pub fn read<T>(
         &self,
         task: impl AsyncFnOnce(&mut SqliteConnection) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
@@ -43,20 +44,20 @@ impl Database {
 }
 
 /// The study of this identifier, or of the only one that begins so.
-pub(super) async fn study(
-    connection: &mut SqliteConnection,
-    id: &str,
-) -> Result<StudyRow, Failure> {
-    let mut found = studies::beginning_with(connection, id, 2)
-        .await
-        .map_err(Failure::other)?;
+pub async fn study(connection: &mut SqliteConnection, id: &str) -> Result<StudyRow, Failure> {
+    let found = studies::beginning_with(connection, id, 2).await;
+    the_only(found.map_err(Failure::other)?, "study", id)
+}
+
+/// What was found under the beginning of an identifier, where that is one.
+pub fn the_only<T>(mut found: Vec<T>, kind: &str, beginning: &str) -> Result<T, Failure> {
     match (found.pop(), found.is_empty()) {
-        (Some(study), true) => Ok(study),
+        (Some(one), true) => Ok(one),
         (Some(_), false) => Err(Failure::input(format!(
-            "several studies begin with {id:?}: give more of the identifier"
+            "more than one {kind} begins with {beginning:?}: give more of the identifier"
         ))),
         (None, _) => Err(Failure::input(format!(
-            "there is no study {id:?}; strainsite list shows those there are"
+            "there is no {kind} {beginning:?}; strainsite list shows those there are"
         ))),
     }
 }
@@ -136,7 +137,7 @@ impl Show {
             let found = results::find(connection, &row.id).await;
             Ok((row, found.map_err(Failure::other)?))
         })?;
-        let found = found.map(|(result, _)| result);
+        let found: Option<StudyResult> = found.map(|(result, _)| result);
         if let Some(target) = &self.json {
             let document: Value = serde_json::from_str(&row.spec).map_err(Failure::other)?;
             let study = StudySummary::of(&row);

@@ -4,6 +4,7 @@ use axum::body::Body;
 use axum::extract::Request;
 use axum::http::{HeaderMap, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use fem_client::hexadecimal::hexadecimal;
 use rust_embed::{Embed, EmbeddedFile};
 
 use super::conditional::tagged;
@@ -49,13 +50,7 @@ fn wants_a_page(headers: &HeaderMap) -> bool {
 }
 
 fn serve(name: &str, file: EmbeddedFile, headers: &HeaderMap) -> Response {
-    let hash: String = file
-        .metadata
-        .sha256_hash()
-        .iter()
-        .take(16)
-        .map(|byte| format!("{byte:02x}"))
-        .collect();
+    let hash = hexadecimal(&file.metadata.sha256_hash());
     // Files under assets/ have their content's hash in their names.
     let caching = if name.starts_with("assets/") {
         "public, max-age=31536000, immutable"

@@ -6,6 +6,7 @@
 use axum::extract::State;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use placement::result::StudyResult;
 use serde::Deserialize;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -14,7 +15,7 @@ use super::AppState;
 use super::examples;
 use super::extract::{Params, StudyId, StudyPath};
 use super::problem::Problem;
-use super::results::ready;
+use super::results::part;
 use super::studies::known;
 use super::wire::ProblemDocument;
 use crate::export::{Export, ExportError, FileFormat, Table};
@@ -41,7 +42,7 @@ struct ExportQuery {
         ("table" = Option<Table>, Query, description = "What CSV and Parquet hold: indices (when left out), locations, layouts or points", example = "points")),
     responses((status = 200, description = "The file", content(
                   (String = "text/csv", example = json!(examples::csv())),
-                  (placement::result::StudyResult = "application/json", example = json!(examples::result())),
+                  (StudyResult = "application/json", example = json!(examples::result())),
                   (String = "application/vnd.apache.parquet", example = json!(examples::parquet())),
                   (String = "application/xml", example = json!(examples::vtu())))),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
@@ -51,7 +52,7 @@ async fn export(
     Params(query): Params<ExportQuery>,
 ) -> Result<Response, Problem> {
     let wanted = wanted(&query)?;
-    let (result, _) = ready(&state.store, &id).await?;
+    let result: StudyResult = part(&state.store, &id).await?;
     let points = if wanted.needs_points() {
         let study = known(&state.store, &id).await?;
         let mut connection = state.store.read().await?;

@@ -5,11 +5,13 @@
 
 use axum::Json;
 use axum::extract::State;
-use axum::http::{HeaderMap, StatusCode};
+use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::Response;
 use placement::result::StudyResult;
 use placement::trade::Trade;
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use sqlx::SqliteConnection;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
@@ -21,7 +23,7 @@ use super::problem::Problem;
 use super::studies::known;
 use super::wire::{Evaluations, Layouts, Locations, MapView, ProblemDocument};
 use crate::points;
-use crate::store::{Store, results, trades};
+use crate::store::{Store, StoreError, results, trades};
 
 /// `/v1/studies/{id}/result` and its parts.
 pub fn router() -> OpenApiRouter<AppState> {
@@ -47,8 +49,12 @@ async fn whole(
     StudyId(id): StudyId,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let (result, sha256) = ready(&state.store, &id).await?;
-    Ok(tagged(&headers, &sha256, "no-cache", Json(result)))
+    let found = ready(&state.store, &id, async |connection| {
+        results::find_text(connection, &id).await
+    });
+    let (text, sha256) = found.await?;
+    let kind = [(header::CONTENT_TYPE, "application/json")];
+    Ok(tagged(&headers, &sha256, "no-cache", (kind, text)))
 }
 
 /// Get the ranked locations
@@ -61,8 +67,7 @@ async fn locations(
     State(state): State<AppState>,
     StudyId(id): StudyId,
 ) -> Result<Json<Locations>, Problem> {
-    let (StudyResult { locations, .. }, _) = ready(&state.store, &id).await?;
-    Ok(Json(Locations { locations }))
+    part(&state.store, &id).await.map(Json)
 }
 
 /// Get the ranked layouts
@@ -75,8 +80,7 @@ async fn layouts(
     State(state): State<AppState>,
     StudyId(id): StudyId,
 ) -> Result<Json<Layouts>, Problem> {
-    let (StudyResult { layouts, .. }, _) = ready(&state.store, &id).await?;
-    Ok(Json(Layouts { layouts }))
+    part(&state.store, &id).await.map(Json)
 }
 
 /// Get the solved points
@@ -114,7 +118,7 @@ async fn map(
     StudyId(id): StudyId,
     Params(query): Params<MapQuery>,
 ) -> Result<Json<MapView>, Problem> {
-    let (result, _) = ready(&state.store, &id).await?;
+    let result: StudyResult = part(&state.store, &id).await?;
     let Some(map) = &result.map else {
         return Err(Problem::not_found(
             "this study has no map: its document asks for no candidates.grid",
@@ -176,12 +180,23 @@ async fn trade(
     })
 }
 
-/// The result of a study, or 404 with what became of it.
-pub(super) async fn ready(store: &Store, id: &str) -> Result<(StudyResult, String), Problem> {
+/// The result of a study or the part `R` of it, or 404 with what became of it.
+pub(super) async fn part<R: DeserializeOwned>(store: &Store, id: &str) -> Result<R, Problem> {
+    let found = ready(store, id, async |connection| {
+        results::find(connection, id).await
+    });
+    found.await.map(|(part, _)| part)
+}
+
+/// What is found of a study's result, or 404 with what became of the study.
+async fn ready<R>(
+    store: &Store,
+    id: &str,
+    find: impl AsyncFnOnce(&mut SqliteConnection) -> Result<Option<R>, StoreError>,
+) -> Result<R, Problem> {
     let study = known(store, id).await?;
     let mut connection = store.read().await?;
-    let found = results::find(&mut connection, id).await?;
-    found.ok_or_else(|| {
+    find(&mut connection).await?.ok_or_else(|| {
         let cause = study
             .error
             .as_deref()

@@ -1,5 +1,6 @@
 //! Content hashes, and JSON that reads back as what was written.
 
+use fem_client::hexadecimal::hexadecimal;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
@@ -13,11 +14,7 @@ pub fn sha256(parts: &[&[u8]]) -> String {
         hasher.update((part.len() as u64).to_le_bytes());
         hasher.update(part);
     }
-    hasher
-        .finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
+    hexadecimal(&hasher.finalize())
 }
 
 /// JSON text of a value, refused unless it reads back as the same value.

@@ -11,7 +11,7 @@ use serde::de::DeserializeOwned;
 use sqlx::{FromRow, SqliteConnection};
 
 use super::content::{encode, sha256};
-use super::{StoreError, now};
+use super::{StoreError, now, strain_fields};
 
 /// A point as it was stored; of its response all, or the part `R`.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,15 +34,47 @@ struct EvaluationRow {
     sha256: String,
 }
 
+/// An evaluation with its strain fields, in answer to the key at a place of a list.
+#[derive(FromRow)]
+struct WholeRow {
+    place: i64,
+    #[sqlx(flatten)]
+    row: EvaluationRow,
+    lists: Option<Vec<u8>>,
+    lists_sha256: Option<String>,
+}
+
+impl WholeRow {
+    fn read(self) -> Result<Evaluation, StoreError> {
+        let key = self.row.key.clone();
+        let mut evaluation: Evaluation = self.row.read()?;
+        if let Ok(response) = &mut evaluation.outcome {
+            strain_fields::restore(&key, response, self.lists.zip(self.lists_sha256))?;
+        }
+        Ok(evaluation)
+    }
+}
+
+/// An evaluation as a point of a study.
+#[derive(FromRow)]
+struct PointRow {
+    ordinal: i64,
+    #[sqlx(flatten)]
+    row: EvaluationRow,
+}
+
 impl EvaluationRow {
-    fn of(point: &PointRecord<'_>) -> Result<Self, StoreError> {
-        let (response, failure) = match point.outcome {
-            Ok(response) => (encode("the response of a point", response)?, None),
-            Err(unsolved) => (
-                "null".to_owned(),
-                Some(encode("the failure of a point", unsolved)?),
-            ),
-        };
+    /// The row, and the strain fields that are kept beside it.
+    fn of(point: &PointRecord<'_>) -> Result<(Self, Option<Vec<u8>>), StoreError> {
+        let (mut response, mut failure, mut fields) = ("null".to_owned(), None, None);
+        match point.outcome {
+            Ok(solved) => {
+                let mut solved = solved.clone();
+                fields = strain_fields::take(&mut solved)?;
+                response = encode("the response of a point", &solved)?;
+            }
+            Err(unsolved) => failure = Some(encode("the failure of a point", unsolved)?),
+        }
         let mut row = Self {
             key: point.key.to_owned(),
             scene: point.scene.to_owned(),
@@ -52,7 +84,7 @@ impl EvaluationRow {
             sha256: String::new(),
         };
         row.sha256 = row.content_sha256();
-        Ok(row)
+        Ok((row, fields))
     }
 
     /// Of all other columns; a response alone has the hash that it had before there were failures.
@@ -94,7 +126,7 @@ pub async fn insert(
     study: &str,
     point: &PointRecord<'_>,
 ) -> Result<(), StoreError> {
-    let row = EvaluationRow::of(point)?;
+    let (row, fields) = EvaluationRow::of(point)?;
     sqlx::query(
         "insert into evaluations (key, scene, response, failure, cost, sha256, created) values (?, ?, ?, ?, ?, ?, ?)
          on conflict do nothing",
@@ -108,17 +140,16 @@ pub async fn insert(
     .bind(now())
     .execute(&mut *connection)
     .await?;
+    if let Some(fields) = fields {
+        strain_fields::insert(connection, point.key, &fields).await?;
+    }
     if let Some(start) = point.start {
         insert_start(connection, point.key, start).await?;
     }
     link(connection, study, point.ordinal, point.key).await
 }
 
-/// Notes that an evaluation answers for an ordinal of a study.
-///
-/// # Errors
-/// When there is no such evaluation or study, or the database can't be written.
-pub async fn link(
+async fn link(
     connection: &mut SqliteConnection,
     study: &str,
     ordinal: usize,
@@ -126,29 +157,38 @@ pub async fn link(
 ) -> Result<(), StoreError> {
     sqlx::query("insert into study_points (study, ordinal, evaluation) values (?, ?, ?) on conflict do nothing")
         .bind(study)
-        .bind(i64::try_from(ordinal).unwrap_or(i64::MAX))
+        .bind(whole(ordinal))
         .bind(key)
         .execute(connection)
         .await?;
     Ok(())
 }
 
-/// Whether an ordinal of a study has its evaluation.
+/// Notes that those of these keys that have an evaluation answer for a study's ordinals from `first` on; returns for how many
+/// of them that wasn't known.
 ///
 /// # Errors
-/// When the database can't be read.
-pub async fn linked(
+/// When the database can't be written.
+pub async fn link_known(
     connection: &mut SqliteConnection,
     study: &str,
-    ordinal: usize,
-) -> Result<bool, StoreError> {
-    let found: Option<i64> =
-        sqlx::query_scalar("select 1 from study_points where study = ? and ordinal = ?")
-            .bind(study)
-            .bind(i64::try_from(ordinal).unwrap_or(i64::MAX))
-            .fetch_optional(connection)
-            .await?;
-    Ok(found.is_some())
+    first: usize,
+    keys: &[String],
+) -> Result<u64, StoreError> {
+    let query = "insert into study_points (study, ordinal, evaluation)
+                 select ?1, ?2 + wanted.key, e.key from json_each(?3) wanted join evaluations e on e.key = wanted.value
+                 where true on conflict do nothing";
+    let linked = sqlx::query(query)
+        .bind(study)
+        .bind(whole(first))
+        .bind(serde_json::json!(keys).to_string())
+        .execute(connection)
+        .await?;
+    Ok(linked.rows_affected())
+}
+
+fn whole(ordinal: usize) -> i64 {
+    i64::try_from(ordinal).unwrap_or(i64::MAX)
 }
 
 async fn insert_start(
@@ -168,31 +208,57 @@ async fn insert_start(
     Ok(())
 }
 
-/// The evaluation under this key.
+/// The evaluations under these keys, in their order.
 ///
 /// # Errors
-/// [`StoreError::Damaged`] when the row doesn't match its hash; when the database can't be read.
+/// [`StoreError::Damaged`] when a row doesn't match its hash; when the database can't be read.
 pub async fn find(
     connection: &mut SqliteConnection,
-    key: &str,
-) -> Result<Option<Evaluation>, StoreError> {
-    find_part(connection, key).await
+    keys: &[String],
+) -> Result<Vec<Option<Evaluation>>, StoreError> {
+    let query = "select wanted.key as place, e.key, e.scene, e.response, e.failure, e.cost, e.sha256, f.lists, f.sha256 as lists_sha256
+                 from json_each(?) wanted join evaluations e on e.key = wanted.value left join strain_fields f on f.key = e.key";
+    let mut found: Vec<Option<Evaluation>> = keys.iter().map(|_| None).collect();
+    // So many at a time that the rows take little memory beside what is read from them.
+    for (chunk, places) in keys.chunks(AT_ONCE).zip(found.chunks_mut(AT_ONCE)) {
+        let rows: Vec<WholeRow> = sqlx::query_as(query)
+            .bind(serde_json::json!(chunk).to_string())
+            .fetch_all(&mut *connection)
+            .await?;
+        for row in rows {
+            let place = usize::try_from(row.place).ok();
+            if let Some(place) = place.and_then(|place| places.get_mut(place)) {
+                *place = Some(row.read()?);
+            }
+        }
+    }
+    Ok(found)
 }
 
-/// The evaluation under this key with a part of its response: the rest, rings and map, takes as long to read as all else.
+/// Rows read at once.
+const AT_ONCE: usize = 256;
+
+/// The points of a study that have an evaluation, in order: ordinal, key, and the evaluation with a part `R` of its response,
+/// which can't be of its strain fields.
 ///
 /// # Errors
 /// As for [`find`].
-pub async fn find_part<R: DeserializeOwned>(
+pub async fn parts_of<R: DeserializeOwned>(
     connection: &mut SqliteConnection,
-    key: &str,
-) -> Result<Option<Evaluation<R>>, StoreError> {
-    let query = "select key, scene, response, failure, cost, sha256 from evaluations where key = ?";
-    let row: Option<EvaluationRow> = sqlx::query_as(query)
-        .bind(key)
-        .fetch_optional(connection)
+    study: &str,
+) -> Result<Vec<(usize, String, Evaluation<R>)>, StoreError> {
+    let query = "select p.ordinal, e.key, e.scene, e.response, e.failure, e.cost, e.sha256
+                 from study_points p join evaluations e on e.key = p.evaluation
+                 where p.study = ? order by p.ordinal";
+    let rows: Vec<PointRow> = sqlx::query_as(query)
+        .bind(study)
+        .fetch_all(connection)
         .await?;
-    row.map(EvaluationRow::read).transpose()
+    let part = |PointRow { ordinal, row }| {
+        let key = row.key.clone();
+        Ok((usize::try_from(ordinal).unwrap_or(0), key, row.read()?))
+    };
+    rows.into_iter().map(part).collect()
 }
 
 /// The start state under this key.
@@ -262,182 +328,5 @@ pub async fn samples(connection: &mut SqliteConnection) -> Result<Vec<Sample>, S
     Ok(rows.into_iter().filter_map(sample).collect())
 }
 
-/// The ordinals of a study that have an evaluation, with its key, in order.
-///
-/// # Errors
-/// When the database can't be read.
-pub async fn points_of(
-    connection: &mut SqliteConnection,
-    study: &str,
-) -> Result<Vec<(usize, String)>, StoreError> {
-    let rows: Vec<(i64, String)> = sqlx::query_as(
-        "select ordinal, evaluation from study_points where study = ? order by ordinal",
-    )
-    .bind(study)
-    .fetch_all(connection)
-    .await?;
-    Ok(rows
-        .into_iter()
-        .filter_map(|(ordinal, key)| Some((usize::try_from(ordinal).ok()?, key)))
-        .collect())
-}
-
 #[cfg(test)]
-mod tests {
-    use std::sync::atomic::AtomicBool;
-
-    use fem_client::closed_form::ClosedFormSolver;
-    use fem_client::scene::Scene;
-    use fem_client::solver::{NoEquilibrium, Reached, Readout, Response, SolveRequest, Solver};
-    use placement::archive::Unsolved;
-
-    use placement::archive::Outcome;
-
-    use super::*;
-    use crate::store::studies;
-    use crate::store::tests::fresh;
-
-    fn solved() -> (Outcome, Cost, StartState) {
-        let (scene, stop) = (Scene::default(), AtomicBool::new(false));
-        let readout = Readout::default();
-        let request = SolveRequest {
-            scene: &scene,
-            readout: &readout,
-            start: None,
-            stop: &stop,
-        };
-        let solved = ClosedFormSolver::new().solve(&request).expect("solves");
-        (Ok(solved.response), solved.cost, solved.state)
-    }
-
-    fn response(outcome: &mut Outcome) -> &mut Response {
-        outcome.as_mut().expect("a response")
-    }
-
-    fn record((outcome, cost, state): &(Outcome, Cost, StartState)) -> PointRecord<'_> {
-        PointRecord {
-            key: "k",
-            ordinal: 3,
-            scene: "{}",
-            outcome,
-            cost: *cost,
-            start: outcome.is_ok().then_some(state),
-        }
-    }
-
-    #[tokio::test]
-    async fn a_point_reads_back_bit_for_bit_and_is_written_once() {
-        let (_folder, store) = fresh().await;
-        let mut tx = store.begin().await.expect("begins");
-        let study = studies::insert(&mut tx, "a", "{}", "x")
-            .await
-            .expect("inserts");
-        let first = solved();
-        insert(&mut tx, &study, &record(&first))
-            .await
-            .expect("stores");
-        let mut other = first.clone();
-        response(&mut other.0).reaction_n += 1.0;
-        insert(&mut tx, &study, &record(&other))
-            .await
-            .expect("is no error");
-
-        let stored = find(&mut tx, "k").await.expect("reads").expect("is there");
-        assert_eq!((&stored.outcome, stored.cost), (&first.0, first.1));
-        assert_eq!(
-            find_start(&mut tx, "k").await.expect("reads"),
-            Some(first.2)
-        );
-        assert_eq!(
-            points_of(&mut tx, &study).await.expect("reads"),
-            [(3, "k".to_owned())]
-        );
-        assert!(linked(&mut tx, &study, 3).await.expect("reads"));
-        assert!(!linked(&mut tx, &study, 4).await.expect("reads"));
-        assert_eq!(find(&mut tx, "absent").await.expect("reads"), None);
-    }
-
-    #[tokio::test]
-    async fn a_point_without_equilibrium_is_an_answer_like_any_other() {
-        let (_folder, store) = fresh().await;
-        let mut tx = store.begin().await.expect("begins");
-        let study = studies::insert(&mut tx, "a", "{}", "x")
-            .await
-            .expect("inserts");
-        let unsolved = Unsolved {
-            status: NoEquilibrium::Crushed,
-            detail: "squeezed to 0.31 at 70.1 %".to_owned(),
-            reached: Reached {
-                pressure_mpa: 0.2,
-                depths_mm: vec![0.1 + 0.2; 5],
-            },
-        };
-        let (_, cost, state) = solved();
-        let failed = (Err(unsolved), cost, state);
-        insert(&mut tx, &study, &record(&failed))
-            .await
-            .expect("stores");
-        let stored = find(&mut tx, "k").await.expect("reads").expect("is there");
-        assert_eq!((stored.outcome, stored.cost), (failed.0, cost));
-        assert!(linked(&mut tx, &study, 3).await.expect("reads"));
-        assert_eq!(find_start(&mut tx, "k").await.expect("reads"), None);
-        sqlx::query("update evaluations set failure = replace(failure, '70.1', '70.2')")
-            .execute(&mut *tx)
-            .await
-            .expect("damages");
-        assert!(matches!(
-            find(&mut tx, "k").await,
-            Err(StoreError::Damaged { .. })
-        ));
-    }
-
-    #[tokio::test]
-    async fn a_number_that_is_not_finite_is_not_stored() {
-        let (_folder, store) = fresh().await;
-        let mut tx = store.begin().await.expect("begins");
-        let study = studies::insert(&mut tx, "a", "{}", "x")
-            .await
-            .expect("inserts");
-        let mut wrong = solved();
-        response(&mut wrong.0).locations[2].strain_x = f64::NAN;
-        let refused = insert(&mut tx, &study, &record(&wrong)).await;
-        assert!(matches!(refused, Err(StoreError::NotFinite { .. })));
-        assert_eq!(find(&mut tx, "k").await.expect("reads"), None);
-    }
-
-    #[tokio::test]
-    async fn a_lost_or_changed_byte_is_found() {
-        let (_folder, store) = fresh().await;
-        let mut tx = store.begin().await.expect("begins");
-        let study = studies::insert(&mut tx, "a", "{}", "x")
-            .await
-            .expect("inserts");
-        let solved = solved();
-        insert(&mut tx, &study, &record(&solved))
-            .await
-            .expect("stores");
-        sqlx::query("update start_states set state = substr(state, 1, length(state) - 1)")
-            .execute(&mut *tx)
-            .await
-            .expect("damages");
-        let damaged = find_start(&mut tx, "k").await;
-        assert!(matches!(
-            damaged,
-            Err(StoreError::Damaged {
-                table: "start_states",
-                ..
-            })
-        ));
-        sqlx::query("update evaluations set cost = replace(cost, 'wall_s', 'wall_t')")
-            .execute(&mut *tx)
-            .await
-            .expect("damages");
-        assert!(matches!(
-            find(&mut tx, "k").await,
-            Err(StoreError::Damaged {
-                table: "evaluations",
-                ..
-            })
-        ));
-    }
-}
+mod tests;

@@ -6,6 +6,7 @@
 //! - [`studies`]: what was asked, and how far it got
 //! - [`turns`]: whose turn it is
 //! - [`evaluations`]: solved points and start states
+//! - `strain_fields`: the long lists of solved points
 //! - [`crashes`]: solves that the program died of
 //! - [`results`]: results with their ranked rows
 //! - [`trades`]: measured trades of accuracy for time
@@ -24,6 +25,7 @@ pub mod idempotency;
 mod lock;
 mod pools;
 pub mod results;
+mod strain_fields;
 pub mod studies;
 pub mod trades;
 pub mod turns;

@@ -1,10 +1,13 @@
 //! Results with their ranked rows.
 
 use placement::result::{RankedLayout, RankedLocation, StudyCost, StudyResult};
+use serde::de::DeserializeOwned;
 use sqlx::SqliteConnection;
 
 use super::content::{encode, sha256};
 use super::{StoreError, now};
+
+const RESULT: &str = "the result of a study";
 
 /// Stores the result of a study with its ranked rows.
 ///
@@ -15,7 +18,7 @@ pub async fn insert(
     study: &str,
     result: &StudyResult,
 ) -> Result<(), StoreError> {
-    let document = encode("the result of a study", result)?;
+    let document = encode(RESULT, result)?;
     sqlx::query(
         "insert into results (study, document, document_sha256, content_sha256, created) values (?, ?, ?, ?, ?)
          on conflict do nothing",
@@ -38,27 +41,24 @@ pub async fn insert(
 
 /// SHA-256 of what a result says: without what it cost, what it was expected to cost, and without the identifier of its study, so that equal
 /// documents give equal hashes in any database, on any number of threads, with any history of interruptions.
-///
-/// # Errors
-/// [`StoreError::NotFinite`] when a number isn't finite.
-pub fn content_sha256(result: &StudyResult) -> Result<String, StoreError> {
+fn content_sha256(result: &StudyResult) -> Result<String, StoreError> {
     let mut content = result.clone();
     content.cost = StudyCost::default();
     content.estimate = None;
     content.study.id.clear();
-    Ok(sha256(&[
-        encode("the result of a study", &content)?.as_bytes()
-    ]))
+    let text =
+        serde_json::to_string(&content).map_err(|_| StoreError::NotFinite { what: RESULT })?;
+    Ok(sha256(&[text.as_bytes()]))
 }
 
-/// The result of a study, and the hash of its content.
+/// The result of a study as its JSON text, and the hash of its content.
 ///
 /// # Errors
 /// [`StoreError::Damaged`] when the row doesn't match its hash; when the database can't be read.
-pub async fn find(
+pub async fn find_text(
     connection: &mut SqliteConnection,
     study: &str,
-) -> Result<Option<(StudyResult, String)>, StoreError> {
+) -> Result<Option<(String, String)>, StoreError> {
     let query = "select document, document_sha256, content_sha256 from results where study = ?";
     let row: Option<(String, String, String)> = sqlx::query_as(query)
         .bind(study)
@@ -67,15 +67,32 @@ pub async fn find(
     let Some((document, stored, content)) = row else {
         return Ok(None);
     };
-    let damaged = || StoreError::Damaged {
+    if sha256(&[study.as_bytes(), document.as_bytes()]) != stored {
+        return Err(damaged(study));
+    }
+    Ok(Some((document, content)))
+}
+
+/// The result of a study, or the part `R` of it, and the hash of its content.
+///
+/// # Errors
+/// As for [`find_text`].
+pub async fn find<R: DeserializeOwned>(
+    connection: &mut SqliteConnection,
+    study: &str,
+) -> Result<Option<(R, String)>, StoreError> {
+    let Some((document, content)) = find_text(connection, study).await? else {
+        return Ok(None);
+    };
+    let result = serde_json::from_str(&document).map_err(|_| damaged(study))?;
+    Ok(Some((result, content)))
+}
+
+fn damaged(study: &str) -> StoreError {
+    StoreError::Damaged {
         table: "results",
         row: study.to_owned(),
-    };
-    if sha256(&[study.as_bytes(), document.as_bytes()]) != stored {
-        return Err(damaged());
     }
-    let result = serde_json::from_str(&document).map_err(|_| damaged())?;
-    Ok(Some((result, content)))
 }
 
 /// The hash of the content of a study's result, when there is one.

@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use placement::result::StudyResult;
 use serde::Serialize;
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{Connection, SqliteConnection};
@@ -63,9 +64,9 @@ pub async fn inspect(connection: &mut SqliteConnection) -> Result<Inspection, St
         found.rows.insert(table, keys.len());
         for key in keys {
             let read = match table {
-                "evaluations" => evaluations::find(connection, &key).await.err(),
+                "evaluations" => evaluations::find(connection, &[key]).await.err(),
                 "start_states" => evaluations::find_start(connection, &key).await.err(),
-                "results" => results::find(connection, &key).await.err(),
+                "results" => results::find::<StudyResult>(connection, &key).await.err(),
                 _ => trades::newest(connection, &key).await.err(),
             };
             match read {
