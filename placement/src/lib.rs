@@ -6,6 +6,7 @@
 //! - [`study`]: the study document: what varies, what is asked
 //! - [`plan`]: the design points of a study, a pure function of the document
 //! - `candidate_reader`, [`distribution_reader`], `input_reader`, [`study_reader`]: read a study, with every fault at once
+//! - [`sweep`]: designs of one study
 //! - [`archive`], [`memory`]: where solved points are kept, so that none is solved twice
 //! - [`result`]: the answer, field by field
 //! - [`score`]: responses to indices per output
@@ -18,6 +19,7 @@
 //! - [`effects`]: what leaving out a part of reality does
 //! - [`fidelity`]: mesh and method as one value, and the ladder of them
 //! - [`climb`]: the cheapest model that meets a tolerance or a budget
+//! - [`compare`]: studies side by side, and which differences are real
 //! - [`estimate`]: what a study will cost, before anything is solved
 //! - [`trade`]: what accuracy a second buys
 //! - [`extremes`]: studies at the ends of what their inputs can spread
@@ -27,6 +29,7 @@ pub mod archive;
 pub mod assemble;
 mod candidate_reader;
 pub mod climb;
+pub mod compare;
 pub mod directions;
 pub mod distribution_reader;
 pub mod effects;
@@ -47,6 +50,7 @@ pub mod run;
 pub mod score;
 pub mod study;
 pub mod study_reader;
+pub mod sweep;
 pub mod trade;
 pub mod usage;
 pub mod value_table;

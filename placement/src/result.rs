@@ -126,6 +126,19 @@ pub struct Output {
     pub mdrm_first_order: Option<Vec<f64>>,
     /// Error of the first-order indices, absolute.
     pub error: IndexError,
+    /// The indices on a coarser mesh, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub coarser: Option<CoarserIndices>,
+}
+
+/// Indices of the same points on a coarser mesh: the witness of the mesh's error, and of how much of it two studies share.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct CoarserIndices {
+    /// First-order index of each input.
+    pub first_order: Vec<f64>,
+    /// What the finer mesh may be off, over its difference from the coarser one.
+    pub factor: f64,
 }
 
 /// Parts of the error of an index, absolute.

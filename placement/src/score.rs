@@ -8,7 +8,7 @@ use ndarray::{Array2, Axis};
 
 use crate::archive::Outcome;
 use crate::directions::Directions;
-use crate::result::{IndexError, IndexMap, MapLayer, Output};
+use crate::result::{CoarserIndices, IndexError, IndexMap, MapLayer, Output};
 
 /// Why an index has no error of the mesh.
 pub const NO_MESH_ERROR: &str = "no coarser mesh gave indices to compare with";
@@ -73,8 +73,12 @@ impl MeshError {
     }
 }
 
-/// Analyses of every output, each with what the mesh does to it.
-type Analysed = (Analysis, MeshError);
+/// The analysis of one output, and what the mesh does to it.
+struct Analysed {
+    analysis: Analysis,
+    mesh: MeshError,
+    coarser: Option<CoarserIndices>,
+}
 
 /// The outputs of all points, a row each: locations first, then the map. A point without an equilibrium has a row of NaN.
 ///
@@ -124,7 +128,7 @@ pub fn score(
             .collect(),
         mdrm_first_order: at_locations
             .iter()
-            .map(|(a, _)| a.mdrm_first_order.clone())
+            .map(|output| output.analysis.mdrm_first_order.clone())
             .collect(),
         index_errors: at_locations.iter().map(total_by_input).collect(),
         map: cut
@@ -165,7 +169,11 @@ fn analysed(
     let witness =
         coarse.and_then(|coarse| Some((coarse.coarser.factor, coarse.outcomes.as_ref()?)));
     let Some((factor, outcomes)) = witness else {
-        let unseen = found.into_iter().map(|analysis| (analysis, unseen));
+        let unseen = found.into_iter().map(|analysis| Analysed {
+            analysis,
+            mesh: unseen,
+            coarser: None,
+        });
         return unseen.collect();
     };
     let coarse = analyse(outcomes);
@@ -173,7 +181,15 @@ fn analysed(
     pairs
         .map(|(analysis, coarse)| {
             let error = mesh_error(&analysis, coarse, factor);
-            (analysis, error.map_or(unseen, MeshError::Within))
+            let first_order = coarse.first_order.clone();
+            Analysed {
+                mesh: error.map_or(unseen, MeshError::Within),
+                coarser: first_order.map(|first_order| CoarserIndices {
+                    first_order,
+                    factor,
+                }),
+                analysis,
+            }
         })
         .collect()
 }
@@ -189,7 +205,7 @@ fn mesh_error(fine: &Analysis, coarse: &Analysis, factor: f64) -> Option<f64> {
 }
 
 /// Error of each first-order index, the mesh's included; none where that is unknown.
-fn total_by_input((analysis, mesh): &Analysed) -> Option<Vec<f64>> {
+fn total_by_input(Analysed { analysis, mesh, .. }: &Analysed) -> Option<Vec<f64>> {
     analysis.first_order.as_ref()?;
     let of_mesh = match mesh {
         MeshError::Exact => 0.0,
@@ -223,7 +239,7 @@ fn std(analysis: &Analysis) -> Option<f64> {
 }
 
 fn output(location: &str, direction: &str, analysed: &Analysed) -> Output {
-    let (analysis, _) = analysed;
+    let analysis = &analysed.analysis;
     let broken = analysis.status == gsa::analysis::Status::ProductFormBroken;
     Output {
         location: location.to_owned(),
@@ -237,12 +253,12 @@ fn output(location: &str, direction: &str, analysed: &Analysed) -> Output {
         reason: analysis.reason.clone(),
         mdrm_first_order: analysis.mdrm_first_order.clone().filter(|_| broken),
         error: index_error(analysed),
+        coarser: analysed.coarser.clone(),
     }
 }
 
 fn index_error(analysed: &Analysed) -> IndexError {
-    let (analysis, mesh) = analysed;
-    let mesh = mesh.known();
+    let (analysis, mesh) = (&analysed.analysis, analysed.mesh.known());
     let missing = |part: Option<f64>, why: &str| part.is_none().then(|| why.to_owned());
     let reasons = [
         missing(mesh, NO_MESH_ERROR),
@@ -287,13 +303,16 @@ fn layer(direction: &str, strain: &[f64], analyses: &[Analysed], inputs: usize) 
     let index = |input: usize| {
         analyses
             .iter()
-            .map(move |(a, _)| a.first_order.as_ref().map(|indices| indices[input]))
+            .map(move |output| Some(output.analysis.first_order.as_ref()?[input]))
             .collect()
     };
     MapLayer {
         direction: direction.to_owned(),
         strain: strain.to_vec(),
-        std: analyses.iter().map(|(a, _)| std(a)).collect(),
+        std: analyses
+            .iter()
+            .map(|output| std(&output.analysis))
+            .collect(),
         first_order: (0..inputs).map(index).collect(),
         error: analyses
             .iter()
@@ -301,7 +320,7 @@ fn layer(direction: &str, strain: &[f64], analyses: &[Analysed], inputs: usize) 
             .collect(),
         status: analyses
             .iter()
-            .map(|(a, _)| a.status.as_str().to_owned())
+            .map(|output| output.analysis.status.as_str().to_owned())
             .collect(),
     }
 }

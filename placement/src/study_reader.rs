@@ -20,7 +20,7 @@ use crate::study::{Accuracy, Study};
 pub type Resolve<'r> = &'r dyn Fn(&str) -> Result<String, String>;
 
 /// Longest name of a study, characters.
-const LONGEST_NAME: usize = 200;
+pub(crate) const LONGEST_NAME: usize = 200;
 /// Most strains of all maps of a study: they are held in memory twice while they are analysed, 320 MB at this bound.
 const MOST_MAP_STRAINS: usize = 20_000_000;
 /// Largest error of an index that may be asked for.

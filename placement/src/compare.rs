@@ -1,0 +1,465 @@
+//! Studies side by side: what differs, and which differences are real.
+//!
+//! Two studies on the same kind of mesh are off by nearly the same, so that much of the mesh's error is gone from their difference. How much is left is
+//! read off the coarser mesh as for a single index: with the indices I and J of two studies on the fine and I', J' on the coarser mesh
+//!
+//! ```text
+//! mesh error of I - J = factor |(I - J) - (I' - J')|, the largest over the inputs
+//! ```
+//!
+//! The methods' errors are independent, so that those of a difference add up as e^2 = e_I^2 + e_J^2; and so do the meshes' where a study has no
+//! coarser one. A difference beyond its error is real, any other noise.
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use crate::result::{Output, RankedLocation, StudyCost, StudyResult};
+
+/// A study to be compared.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    /// Its identifier.
+    pub id: String,
+    /// Its name, or that of the design.
+    pub name: String,
+    /// What the design sets, by path.
+    pub set: Option<Map<String, Value>>,
+    /// Where it stands: `done` and others.
+    pub state: String,
+    /// Its answer, or why there is none, a sentence.
+    pub result: Result<StudyResult, String>,
+}
+
+/// The table.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct Comparison {
+    /// The study that differences are taken from; null when none of them has a result.
+    pub baseline: Option<String>,
+    /// The studies in the order asked for.
+    pub studies: Vec<ComparedStudy>,
+    /// Every location of every study that has a result, best first.
+    pub rows: Vec<ComparedLocation>,
+    /// What the reader must know before believing the differences, whole sentences.
+    pub notes: Vec<String>,
+}
+
+/// One of the studies.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ComparedStudy {
+    /// Its identifier.
+    pub id: String,
+    /// Its name, or that of the design.
+    pub name: String,
+    /// What the design sets, by path; null for a study that belongs to no sweep.
+    #[cfg_attr(feature = "openapi", schema(value_type = Option<Object>))]
+    pub set: Option<Map<String, Value>>,
+    /// `queued`, `running`, `done`, `failed` or `cancelled`.
+    pub state: String,
+    /// Why there is no result.
+    pub reason: Option<String>,
+    /// SHA-256 of its document.
+    pub spec_sha256: Option<String>,
+    /// Versions of the program and the solver.
+    pub version: Option<String>,
+    /// Mesh level.
+    pub level: Option<String>,
+    /// Vertical force at the means, N.
+    pub reaction_n: Option<f64>,
+    /// Standard deviation of the x strain at the contact centre: the signal of a film there.
+    pub std_strain_x: Option<f64>,
+    /// The same for y.
+    pub std_strain_y: Option<f64>,
+    /// First of the ranking.
+    pub best: Option<String>,
+    /// Whether its errors leave no doubt about that.
+    pub best_certain: Option<bool>,
+    /// Angle between the units of the best layout, degrees.
+    pub layout_spacing_deg: Option<f64>,
+    /// Where they lie.
+    pub layout_position: Option<String>,
+    /// What it took.
+    pub cost: Option<StudyCost>,
+}
+
+/// A location in one of the studies.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ComparedLocation {
+    /// The study.
+    pub study: String,
+    /// P1, P2, ...
+    pub location: String,
+    /// 1 is best.
+    pub rank: usize,
+    /// Whether the errors leave no doubt about this rank.
+    pub rank_certain: bool,
+    /// Places lost since the baseline, negative when gained; null there, and where it hasn't the location.
+    pub rank_change: Option<i64>,
+    /// Whether a change of the rank is `real` (both ranks are certain), `noise` or `unknown`; null without one.
+    pub rank_verdict: Option<Verdict>,
+    /// First-order index of the location's own depth for the x strain at the contact centre.
+    pub x: ComparedIndex,
+    /// The same for the y strain.
+    pub y: ComparedIndex,
+}
+
+/// An index beside the baseline's.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ComparedIndex {
+    /// The index, percent.
+    pub gsi_percent: Option<f64>,
+    /// Its error, percentage points.
+    pub error_percent: Option<f64>,
+    /// The index minus the baseline's, percentage points; null in the baseline.
+    pub difference_percent: Option<f64>,
+    /// Error of the difference, percentage points: less than both errors together, where both meshes err alike.
+    pub difference_error_percent: Option<f64>,
+    /// Whether the difference is beyond its error.
+    pub verdict: Option<Verdict>,
+}
+
+/// What a difference is worth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// Beyond its error.
+    Real,
+    /// Within its error.
+    Noise,
+    /// Its error isn't known.
+    Unknown,
+}
+
+impl Verdict {
+    /// The word in documents.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Real => "real",
+            Self::Noise => "noise",
+            Self::Unknown => "unknown",
+        }
+    }
+}
+
+/// Compares studies with the one of this identifier, or with the first that has a result.
+pub fn compare(entries: &[Entry], baseline: Option<&str>) -> Comparison {
+    let answered = |entry: &&Entry| entry.result.is_ok();
+    let wanted = |entry: &&Entry| baseline.is_none_or(|id| entry.id == id);
+    let base = entries.iter().filter(wanted).find(answered);
+    let base_result = base.and_then(|base| base.result.as_ref().ok());
+    let mut rows = Vec::new();
+    for entry in entries {
+        let Ok(result) = &entry.result else {
+            continue;
+        };
+        let other = base_result.filter(|_| base.is_some_and(|base| base.id != entry.id));
+        let locations = result.locations.iter();
+        rows.extend(locations.map(|location| row(&entry.id, result, location, other)));
+    }
+    Comparison {
+        baseline: base.map(|base| base.id.clone()),
+        studies: entries.iter().map(column).collect(),
+        notes: notes(entries, base_result),
+        rows,
+    }
+}
+
+fn column(entry: &Entry) -> ComparedStudy {
+    let result = entry.result.as_ref().ok();
+    let best = result.and_then(|result| result.locations.first());
+    let layout = result.and_then(|result| result.layouts.first());
+    let signal = |direction| centre(result?, direction)?.std;
+    ComparedStudy {
+        id: entry.id.clone(),
+        name: entry.name.clone(),
+        set: entry.set.clone(),
+        state: entry.state.clone(),
+        reason: entry.result.as_ref().err().cloned(),
+        spec_sha256: result.map(|result| result.study.spec_sha256.clone()),
+        version: result.map(|result| result.study.version.clone()),
+        level: result.map(|result| result.model.level.clone()),
+        reaction_n: result.map(|result| result.cut_point.reaction_n),
+        std_strain_x: signal("x"),
+        std_strain_y: signal("y"),
+        best: best.map(|best| best.name.clone()),
+        best_certain: best.map(|best| best.rank_certain),
+        layout_spacing_deg: layout.map(|layout| layout.spacing_deg),
+        layout_position: layout.map(|layout| layout.position.clone()),
+        cost: result.map(|result| result.cost.clone()),
+    }
+}
+
+/// The strain at the contact centre, by which locations are ranked.
+fn centre<'r>(result: &'r StudyResult, direction: &str) -> Option<&'r Output> {
+    let of_direction = || {
+        let outputs = result.outputs.iter();
+        outputs.filter(move |output| output.direction == direction)
+    };
+    of_direction().nth(of_direction().count() / 2)
+}
+
+fn row(
+    id: &str,
+    result: &StudyResult,
+    location: &RankedLocation,
+    base: Option<&StudyResult>,
+) -> ComparedLocation {
+    let same = |other: &&RankedLocation| other.name == location.name;
+    let other = base.and_then(|base| base.locations.iter().find(same));
+    let change = other.map(|other| places(location.rank) - places(other.rank));
+    let certain = other.is_some_and(|other| other.rank_certain && location.rank_certain);
+    let known = other.is_some_and(|other| other.knows_error() && location.knows_error());
+    let index = |direction: &str| {
+        let against = base.zip(other).and_then(|(base, other)| {
+            let outputs = (centre(result, direction)?, centre(base, direction)?);
+            Some((Index::of(other, direction), outputs))
+        });
+        Index::of(location, direction).beside(against)
+    };
+    ComparedLocation {
+        study: id.to_owned(),
+        location: location.name.clone(),
+        rank: location.rank,
+        rank_certain: location.rank_certain,
+        rank_change: change,
+        rank_verdict: change.filter(|change| *change != 0).map(|_| match known {
+            _ if certain => Verdict::Real,
+            true => Verdict::Noise,
+            false => Verdict::Unknown,
+        }),
+        x: index("x"),
+        y: index("y"),
+    }
+}
+
+fn places(rank: usize) -> i64 {
+    i64::try_from(rank).unwrap_or(i64::MAX)
+}
+
+/// An index of a location with its error, percent.
+#[derive(Debug, Clone, Copy)]
+struct Index {
+    percent: Option<f64>,
+    error: Option<f64>,
+}
+
+impl Index {
+    fn of(location: &RankedLocation, direction: &str) -> Self {
+        let (percent, error) = match direction {
+            "x" => (location.gsi_x_percent, location.gsi_x_error_percent),
+            _ => (location.gsi_y_percent, location.gsi_y_error_percent),
+        };
+        Self { percent, error }
+    }
+
+    /// Beside another study's, with the strains that both are indices of.
+    fn beside(self, other: Option<(Self, (&Output, &Output))>) -> ComparedIndex {
+        let alone = ComparedIndex {
+            gsi_percent: self.percent,
+            error_percent: self.error,
+            ..ComparedIndex::default()
+        };
+        let Some((other, (ours, theirs))) = other else {
+            return alone;
+        };
+        let Some(difference) = self.percent.zip(other.percent).map(|(a, b)| a - b) else {
+            return alone;
+        };
+        let error = difference_error((self.error, ours), (other.error, theirs));
+        ComparedIndex {
+            difference_percent: Some(difference),
+            difference_error_percent: error,
+            verdict: Some(match error {
+                Some(error) if difference.abs() > error => Verdict::Real,
+                Some(_) => Verdict::Noise,
+                None => Verdict::Unknown,
+            }),
+            ..alone
+        }
+    }
+}
+
+/// Error of the difference of two indices with these errors, percentage points; `None` where one of them isn't known.
+fn difference_error(
+    (a, ours): (Option<f64>, &Output),
+    (b, theirs): (Option<f64>, &Output),
+) -> Option<f64> {
+    let (a, b) = (a?, b?);
+    let Some(mesh) = shared_mesh_error(ours, theirs) else {
+        return Some(a.hypot(b));
+    };
+    let of_method = |error: f64, output: &Output| {
+        let of_mesh = 100.0 * output.error.mesh.unwrap_or(0.0);
+        (error - of_mesh).max(0.0)
+    };
+    Some(100.0 * mesh + of_method(a, ours).hypot(of_method(b, theirs)))
+}
+
+/// What the meshes leave of the difference between two studies' indices of a strain, absolute; `None` where a coarser mesh is missing,
+/// or the studies vary different inputs.
+fn shared_mesh_error(ours: &Output, theirs: &Output) -> Option<f64> {
+    let (fine, coarse) = (ours.first_order.as_ref()?, ours.coarser.as_ref()?);
+    let (other_fine, other_coarse) = (theirs.first_order.as_ref()?, theirs.coarser.as_ref()?);
+    if fine.len() != other_fine.len() {
+        return None;
+    }
+    let factor = coarse.factor.max(other_coarse.factor);
+    let on_fine = fine.iter().zip(other_fine).map(|(i, j)| i - j);
+    let coarse_pairs = coarse.first_order.iter().zip(&other_coarse.first_order);
+    let on_coarse = coarse_pairs.map(|(i, j)| i - j);
+    let left = on_fine.zip(on_coarse).map(|(a, b)| factor * (a - b).abs());
+    Some(left.fold(0.0, f64::max).min(1.0))
+}
+
+fn notes(entries: &[Entry], base: Option<&StudyResult>) -> Vec<String> {
+    let mut notes = Vec::new();
+    let results = || {
+        entries
+            .iter()
+            .filter_map(|entry| entry.result.as_ref().ok())
+    };
+    let Some(base) = base else {
+        let nobody = if results().next().is_some() {
+            "the baseline has no result, so that there are no differences from it"
+        } else {
+            "no study has a result: the reasons stand beside them"
+        };
+        return vec![nobody.to_owned()];
+    };
+    let differ = |part: fn(&StudyResult) -> &str| results().any(|r| part(r) != part(base));
+    if differ(|result| &result.model.level) {
+        notes.push(
+            "the studies are on meshes of different levels: a part of their differences is the meshes'".to_owned(),
+        );
+    }
+    if differ(|result| &result.study.version) {
+        notes.push(
+            "the studies are of different versions of the program, which the differences may come from".to_owned(),
+        );
+    }
+    let vary = |result: &StudyResult| {
+        let inputs = result.inputs.iter();
+        inputs.map(|input| input.vary.clone()).collect::<Vec<_>>()
+    };
+    if results().any(|result| vary(result) != vary(base)) {
+        notes.push(
+            "the studies vary different inputs: an index is a share of what these inputs do together".to_owned(),
+        );
+    }
+    if results().any(|result| result.locations.iter().any(|l| !l.knows_error())) {
+        notes.push(
+            "of a draft no error is known, so that nothing can be said of its differences: accuracy.preset = \"coarse\" is the cheapest mesh that knows its own".to_owned(),
+        );
+    }
+    notes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::result::{CoarserIndices, IndexError};
+
+    /// A strain of two inputs; the coarser mesh is off by so much more.
+    fn output(first: f64, coarser: Option<[f64; 2]>) -> Output {
+        let factor = 4.0;
+        let first_order = vec![first, 1.0 - first];
+        let coarser = coarser.map(|off| CoarserIndices {
+            first_order: vec![first + off[0], 1.0 - first + off[1]],
+            factor,
+        });
+        Output {
+            location: "P1".to_owned(),
+            direction: "x".to_owned(),
+            mean: Some(0.01),
+            std: Some(1e-3),
+            first_order: Some(first_order),
+            total: None,
+            method: "mdrm".to_owned(),
+            status: "ok".to_owned(),
+            reason: None,
+            mdrm_first_order: None,
+            error: IndexError {
+                mesh: coarser.as_ref().map(|_| 0.04),
+                quadrature: Some(0.0),
+                decomposition: Some(0.003),
+                total: Some(0.043),
+                reason: None,
+            },
+            coarser,
+        }
+    }
+
+    fn index(percent: f64, error: Option<f64>) -> Index {
+        Index {
+            percent: Some(percent),
+            error,
+        }
+    }
+
+    fn close(a: Option<f64>, b: f64) -> bool {
+        a.is_some_and(|a| (a - b).abs() < 1e-12)
+    }
+
+    #[test]
+    fn what_both_meshes_get_wrong_alike_is_no_error_of_the_difference() {
+        let ours = output(0.72, Some([0.010, -0.004]));
+        let theirs = output(0.70, Some([0.009, -0.004]));
+        let (a, b) = (index(72.0, Some(4.3)), index(70.0, Some(4.4)));
+        let beside = a.beside(Some((b, (&ours, &theirs))));
+        assert!(close(beside.difference_percent, 2.0));
+        // 4 (0.010 - 0.009) of the meshes; 0.3 and 0.4 of the methods.
+        assert!(
+            close(beside.difference_error_percent, 0.4 + 0.5),
+            "{beside:?}"
+        );
+        assert_eq!(beside.verdict, Some(Verdict::Real));
+    }
+
+    #[test]
+    fn without_coarser_meshes_errors_are_independent() {
+        let (ours, theirs) = (output(0.72, None), output(0.70, Some([0.01, 0.0])));
+        let (a, b) = (index(72.0, Some(3.0)), index(70.0, Some(4.0)));
+        let beside = a.beside(Some((b, (&ours, &theirs))));
+        assert!(close(beside.difference_error_percent, 5.0));
+        assert_eq!(beside.verdict, Some(Verdict::Noise));
+        let unknown = index(72.0, None).beside(Some((b, (&ours, &theirs))));
+        assert_eq!(
+            (unknown.difference_error_percent, unknown.verdict),
+            (None, Some(Verdict::Unknown))
+        );
+    }
+
+    #[test]
+    fn a_study_is_its_own_equal() {
+        let ours = output(0.72, Some([0.010, -0.004]));
+        let a = index(72.0, Some(4.0));
+        let beside = a.beside(Some((a, (&ours, &ours))));
+        assert_eq!(
+            (beside.difference_percent, beside.verdict),
+            (Some(0.0), Some(Verdict::Noise))
+        );
+        assert_eq!(a.beside(None).verdict, None);
+    }
+
+    #[test]
+    fn without_any_result_the_reasons_are_left() {
+        let entry = Entry {
+            id: "a".to_owned(),
+            name: "thin".to_owned(),
+            set: None,
+            state: "failed".to_owned(),
+            result: Err("it has no equilibrium".to_owned()),
+        };
+        let table = compare(&[entry], None);
+        assert_eq!((table.baseline, table.rows.len()), (None, 0));
+        assert_eq!(
+            table.studies[0].reason.as_deref(),
+            Some("it has no equilibrium")
+        );
+        assert!(table.notes[0].contains("no study has a result"));
+    }
+}
