@@ -9,7 +9,9 @@ use placement::estimate::{Machine, Workload, estimate};
 use placement::plan::PlanError;
 use placement::result::Estimate;
 use placement::study::Study;
+use placement::sweep::Sweep;
 
+use crate::http::sweep_wire::{DesignEstimate, SweepEstimate};
 use crate::store::{Store, StoreError, evaluations};
 
 /// Why there is no estimate.
@@ -74,6 +76,38 @@ async fn planned(
     let (solver, study) = (solver.clone(), study.clone());
     let planned = tokio::task::spawn_blocking(move || plan(&study, solver.as_ref()));
     Ok(planned.await.map_err(|_| ForecastError::Broken)??)
+}
+
+/// What the designs of a sweep would cost, one after the other: what one of them solves is known to those after it.
+///
+/// # Errors
+/// See [`ForecastError`].
+pub async fn forecast_sweep(
+    store: Option<&Store>,
+    solver: &Arc<dyn Solver>,
+    threads: usize,
+    sweep: &Sweep,
+) -> Result<SweepEstimate, ForecastError> {
+    let (mut known, mut samples, mut designs) = (HashSet::new(), None, Vec::new());
+    for design in &sweep.designs {
+        let work = planned(solver, &design.study, Workload::of).await?;
+        if let Some(store) = store {
+            let keys: Vec<&str> = work.keys().collect();
+            let mut connection = store.read().await?;
+            known.extend(evaluations::known(&mut connection, &keys).await?);
+            if samples.is_none() {
+                samples = Some(evaluations::samples(&mut connection).await?);
+            }
+        }
+        let samples = samples.as_deref().unwrap_or_default();
+        let machine = Machine::measured(solves_at_once(threads), samples);
+        designs.push(DesignEstimate {
+            name: design.name.clone(),
+            estimate: estimate(&work, &known, &machine),
+        });
+        known.extend(work.keys().map(str::to_owned));
+    }
+    Ok(SweepEstimate::of(designs))
 }
 
 /// Refuses a study that would take more memory than it may, before anything of it is allocated.

@@ -12,18 +12,21 @@
 //! - [`store`]: the database, all SQL
 //! - [`study_document`]: study documents from files and from the database
 //! - [`points`]: the points of a study as a reader sees them
+//! - [`comparison`]: studies side by side
 //! - [`export`]: answers as tables for other programs
 //! - [`metrics`]: what is counted and measured
 //! - [`archive`]: the database as the place where solved points are kept
 //! - [`forecast`]: what a study would cost
 //! - [`engine`]: runs one study from its document to its end
 //! - [`queue`]: the queue of studies
+//! - [`sweeps`]: many designs of a study as one
 //! - [`http`]: routes and dashboard
 //! - [`service`]: database, queue and HTTP together
 //! - [`cli`]: the command line
 
 pub mod archive;
 pub mod cli;
+pub mod comparison;
 pub mod config;
 pub mod engine;
 pub mod export;
@@ -37,6 +40,7 @@ pub mod shutdown;
 pub mod solver;
 pub mod store;
 pub mod study_document;
+pub mod sweeps;
 pub mod telemetry;
 pub mod token;
 pub mod traced;

@@ -14,6 +14,7 @@ use std::time::{Duration, Instant};
 
 use placement::study::Study;
 use serde_json::json;
+use sqlx::{Sqlite, SqliteConnection, Transaction};
 use tokio::runtime::Handle;
 use tokio::sync::{Notify, oneshot};
 
@@ -51,7 +52,7 @@ pub enum SubmitError {
     #[error("the idempotency key was used with another document")]
     KeyTaken,
     /// So many wait that another one is not taken in.
-    #[error("{most} studies wait already, which is the most: send it again when some are done")]
+    #[error("at most {most} studies may wait: send it again when some are done")]
     TooMany {
         /// How many may wait.
         most: u32,
@@ -96,21 +97,50 @@ impl Queue {
                 Err(SubmitError::KeyTaken)
             };
         }
-        if turns::waiting(&mut transaction).await? >= self.most_waiting {
-            let most = self.most_waiting;
-            return Err(SubmitError::TooMany { most });
-        }
-        let id =
-            studies::insert(&mut transaction, &study.name, &study.canonical(), &sha256).await?;
-        turns::set_priority(&mut transaction, &id, priority).await?;
+        self.room_for(&mut transaction, 1).await?;
+        let id = enqueue(&mut transaction, study, priority).await?;
         if let Some(key) = key {
             idempotency::insert(&mut transaction, key, &id, &sha256).await?;
         }
-        let event =
-            events::insert(&mut transaction, &id, "queued", &json!({"resumed": false})).await?;
-        store.commit(transaction, event).await?;
-        self.news.notify_one();
+        self.admit(transaction).await?;
         Ok(id)
+    }
+
+    /// Refuses so many more studies when too many wait already.
+    ///
+    /// # Errors
+    /// [`SubmitError::TooMany`]; when the database can't be read.
+    pub async fn room_for(
+        &self,
+        connection: &mut SqliteConnection,
+        studies: usize,
+    ) -> Result<(), SubmitError> {
+        let most = self.most_waiting;
+        let waiting = turns::waiting(connection).await?;
+        let more = u32::try_from(studies).unwrap_or(u32::MAX);
+        if waiting.saturating_add(more) > most {
+            return Err(SubmitError::TooMany { most });
+        }
+        Ok(())
+    }
+
+    /// The database that the line is in.
+    pub fn store(&self) -> &Arc<Store> {
+        &self.engine.store
+    }
+
+    /// Commits what was put into the line, and starts working it off.
+    ///
+    /// # Errors
+    /// When the database can't be written.
+    pub async fn admit(
+        &self,
+        mut transaction: Transaction<'static, Sqlite>,
+    ) -> Result<(), StoreError> {
+        let event = events::latest(&mut transaction).await?;
+        self.engine.store.commit(transaction, event).await?;
+        self.news.notify_one();
+        Ok(())
     }
 
     /// Cancels a study; one that has ended stays as it is. A running solve ends within a Newton iteration.
@@ -280,6 +310,22 @@ impl Queue {
     fn set_current(&self, current: Option<Current>) {
         *self.current.lock().unwrap_or_else(PoisonError::into_inner) = current;
     }
+}
+
+/// Puts a study at the end of the line and returns its identifier.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn enqueue(
+    connection: &mut SqliteConnection,
+    study: &Study,
+    priority: i64,
+) -> Result<String, StoreError> {
+    let (spec, sha256) = (study.canonical(), study.spec_sha256());
+    let id = studies::insert(connection, &study.name, &spec, &sha256).await?;
+    turns::set_priority(connection, &id, priority).await?;
+    events::insert(connection, &id, "queued", &json!({"resumed": false})).await?;
+    Ok(id)
 }
 
 /// Puts studies that a crash left running back into the queue. Call it before anything runs.

@@ -17,8 +17,16 @@ use crate::store::studies::StudyRow;
 /// # Errors
 /// A sentence, when this version refuses what an earlier one stored.
 pub fn stored_study(row: &StudyRow) -> Result<Study, String> {
+    stored_text(&row.spec)
+}
+
+/// The study of a canonical document in the database.
+///
+/// # Errors
+/// As for [`stored_study`].
+pub fn stored_text(spec: &str) -> Result<Study, String> {
     let refuse = |path: &str| Err(format!("a stored study names the file {path:?}"));
-    Study::from_document(&row.spec, Format::Json, &refuse).map_err(|faults| {
+    Study::from_document(spec, Format::Json, &refuse).map_err(|faults| {
         let first = faults.first().map(Fault::to_string).unwrap_or_default();
         format!("this version refuses the stored document: {first}")
     })

@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use placement::result::{Estimate, Forecast, StudyResult};
 
+use crate::http::sweep_wire::{DesignEstimate, SweepEstimate};
+
 /// Everything that `run --dry-run` prints.
 pub fn dry_run(name: &str, estimate: &Estimate) -> String {
     let mut text = format!("{}\n\n{}", name.escape_debug(), solves(estimate));
@@ -27,6 +29,30 @@ pub fn dry_run(name: &str, estimate: &Estimate) -> String {
     for reason in estimate.reasons.iter().chain(&accuracy.reason) {
         let _ = writeln!(text, "- {reason}");
     }
+    text
+}
+
+/// Everything that `sweep --dry-run` prints.
+pub fn dry_sweep(name: &str, threads: usize, sweep: &SweepEstimate) -> String {
+    let mut text = format!("{}\n\n", name.escape_debug());
+    for DesignEstimate { name, estimate } in &sweep.designs {
+        let time = estimate.wall_s.as_ref().map_or("unknown".to_owned(), range);
+        let _ = writeln!(
+            text,
+            "{:<40} {:>6} solves, {:>6} known  {time}",
+            name.escape_debug(),
+            estimate.solves.left.expected,
+            estimate.solves.known
+        );
+    }
+    let time = sweep.wall_s.as_ref().map_or("unknown".to_owned(), range);
+    let _ = writeln!(
+        text,
+        "\n{} designs: {} solves, {time} on {threads} threads, {} MB",
+        sweep.designs.len(),
+        sweep.left.expected,
+        megabytes(sweep.peak_memory_bytes)
+    );
     text
 }
 

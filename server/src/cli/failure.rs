@@ -19,6 +19,8 @@ pub enum Failure {
         /// What else is known, as members of the JSON document.
         known: Value,
     },
+    /// The physics has no answer to a part of what was asked, and the rest was told already: a sentence.
+    Partial(String),
     /// Anything else, a sentence.
     Other(String),
 }
@@ -41,7 +43,7 @@ impl Failure {
     pub fn code(&self) -> u8 {
         match self {
             Self::Input(_) => 2,
-            Self::Physics { .. } => 3,
+            Self::Physics { .. } | Self::Partial(_) => 3,
             Self::Other(_) => 1,
         }
     }
@@ -63,7 +65,9 @@ impl Failure {
                 }
                 document
             }
-            Self::Other(detail) => json!({"status": "failed", "detail": detail}),
+            Self::Partial(detail) | Self::Other(detail) => {
+                json!({"status": "failed", "detail": detail})
+            }
         }
     }
 }
@@ -75,7 +79,7 @@ impl fmt::Display for Failure {
             Self::Physics { status, detail, .. } => {
                 writeln!(f, "no equilibrium ({status}): {detail}")
             }
-            Self::Other(detail) => writeln!(f, "{detail}"),
+            Self::Partial(detail) | Self::Other(detail) => writeln!(f, "{detail}"),
         }
     }
 }

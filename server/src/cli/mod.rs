@@ -3,6 +3,7 @@
 //! Data goes to standard output, talk to standard error. Exit codes: 0 done, 2 the input is wrong, 3 the physics has
 //! no answer, 1 anything else.
 
+mod compare;
 mod db;
 mod estimate;
 mod export;
@@ -16,6 +17,7 @@ mod serve;
 mod settings;
 mod signals;
 mod solve;
+mod sweep;
 mod table;
 mod trade;
 mod validate;
@@ -49,6 +51,10 @@ enum Command {
     Gsa(gsa::Gsa),
     /// Measure how much accuracy a second buys
     Trade(trade::Trade),
+    /// Run one study over a grid of designs, and compare them
+    Sweep(sweep::Sweep),
+    /// Compare studies, or the designs of a sweep: what differs, and which differences are real
+    Compare(compare::Compare),
     /// List the studies of a database, newest first
     List(library::List),
     /// Show a study: its ranked table, or how far it is
@@ -79,6 +85,8 @@ pub fn main() -> ExitCode {
         Command::Solve(command) => (command.execute(), command.json),
         Command::Gsa(command) => (command.execute(), command.json()),
         Command::Trade(command) => (command.execute(), command.json),
+        Command::Sweep(command) => (command.execute(), command.json),
+        Command::Compare(command) => (command.execute(), command.json),
         Command::List(command) => (command.execute(), command.json),
         Command::Show(command) => (command.execute(), command.json),
         Command::Export(command) => (command.execute(), None),
@@ -95,7 +103,7 @@ fn ended(done: Result<(), Failure>, json: Option<JsonTarget>) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             eprint!("{failure}");
-            if let Some(target) = json
+            if let Some(target) = json.filter(|_| !matches!(failure, Failure::Partial(_)))
                 && let Err(error) = target.write(&failure.document())
             {
                 eprintln!("{error}");

@@ -21,10 +21,10 @@ use crate::engine::{End, Engine};
 use crate::export::{Export, FileFormat, Table};
 use crate::forecast::{admit, forecast};
 use crate::metrics::Metrics;
-use crate::queue::recover;
+use crate::queue::{enqueue, recover};
 use crate::solver::SolverChoice;
 use crate::store::studies::{self, StudyRow};
-use crate::store::{Store, StoreError, events, turns};
+use crate::store::{Store, StoreError, turns};
 use crate::study_document::{read_file, read_study};
 
 /// Run one study without the service
@@ -154,12 +154,7 @@ async fn claim(store: &Store, study: &Study) -> Result<StudyRow, StoreError> {
     let sha256 = study.spec_sha256();
     let id = match studies::queued_twin(&mut transaction, &sha256).await? {
         Some(row) => row.id,
-        None => {
-            let id =
-                studies::insert(&mut transaction, &study.name, &study.canonical(), &sha256).await?;
-            events::insert(&mut transaction, &id, "queued", &json!({"resumed": false})).await?;
-            id
-        }
+        None => enqueue(&mut transaction, study, 0).await?,
     };
     let row = turns::claim(&mut transaction, &id).await?;
     store.commit(transaction, 0).await?;

@@ -99,11 +99,13 @@ fn assignment(text: &str) -> Result<(&str, Value), Failure> {
             "--set {text:?}: a change is KEY=VALUE, as in pressure.internal_mpa=0.15"
         )));
     };
-    let value = value.trim();
-    Ok((
-        path.trim(),
-        serde_json::from_str(value).unwrap_or_else(|_| Value::String(value.to_owned())),
-    ))
+    Ok((path.trim(), json_or_word(value)))
+}
+
+/// A value as typed: JSON, or else a word.
+pub fn json_or_word(text: &str) -> Value {
+    let text = text.trim();
+    serde_json::from_str(text).unwrap_or_else(|_| Value::String(text.to_owned()))
 }
 
 fn failure(error: SolveError) -> Failure {

@@ -1,4 +1,4 @@
-//! Reads the body of a submitted study.
+//! Reads the bodies of studies and sweeps.
 
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -12,6 +12,8 @@ use fem_client::document::{Format, MAX_BYTES, parse};
 use fem_client::fault::Fault;
 use http_body_util::BodyExt;
 use placement::study::Study;
+use placement::sweep::Sweep;
+use serde_json::Value;
 use tokio::sync::Semaphore;
 
 use super::problem::Problem;
@@ -24,6 +26,48 @@ const DISCARDED_BYTES: usize = 16 * MAX_BYTES;
 /// Documents checked at once: the largest design takes 100 MB meanwhile.
 static READERS: Semaphore = Semaphore::const_new(4);
 
+/// A request's body: a document that nobody has looked into yet.
+pub struct Document {
+    text: String,
+    format: Format,
+}
+
+impl<S: Send + Sync> FromRequest<S> for Document {
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, _: &S) -> Result<Self, Problem> {
+        let format = format_of(request.headers())?;
+        let text = read(request).await?;
+        Ok(Self { text, format })
+    }
+}
+
+impl Document {
+    /// What a reader makes of it.
+    ///
+    /// # Errors
+    /// 400 when it isn't well-formed, 422 with every fault that the reader finds.
+    pub async fn checked<T, R>(self, reader: R) -> Result<T, Problem>
+    where
+        T: Send + 'static,
+        R: FnOnce(&Value) -> Result<T, Vec<Fault>> + Send + 'static,
+    {
+        let Self { text, format } = self;
+        // A closed semaphore can't be: nobody closes it.
+        let place = READERS.acquire().await.ok();
+        // A large design takes seconds to check, which the runtime's threads haven't.
+        let read = tokio::task::spawn_blocking(move || {
+            let _place = place;
+            reader(&well_formed(&text, format)?).map_err(Problem::faults)
+        });
+        let broken = |_| {
+            let detail = "the service has a fault; its log says where";
+            Problem::new(StatusCode::INTERNAL_SERVER_ERROR, detail)
+        };
+        read.await.map_err(broken)?
+    }
+}
+
 /// A checked study from a request's body.
 pub struct StudyBody {
     /// The study.
@@ -33,24 +77,26 @@ pub struct StudyBody {
 impl<S: Send + Sync> FromRequest<S> for StudyBody {
     type Rejection = Problem;
 
-    async fn from_request(request: Request, _: &S) -> Result<Self, Problem> {
-        let format = format_of(request.headers())?;
-        let text = read(request).await?;
-        // A closed semaphore can't be: nobody closes it.
-        let place = READERS.acquire().await.ok();
-        // A large design takes seconds to check, which the runtime's threads haven't.
-        let read = tokio::task::spawn_blocking(move || {
-            let _place = place;
-            well_formed(&text, format)?;
-            Study::from_document(&text, format, &no_files).map_err(Problem::faults)
-        });
-        let broken = |_| {
-            let detail = "the service has a fault; its log says where";
-            Problem::new(StatusCode::INTERNAL_SERVER_ERROR, detail)
-        };
-        Ok(Self {
-            study: read.await.map_err(broken)??,
-        })
+    async fn from_request(request: Request, state: &S) -> Result<Self, Problem> {
+        let document = Document::from_request(request, state).await?;
+        let study = document.checked(|value| Study::from_value(value, &no_files));
+        study.await.map(|study| Self { study })
+    }
+}
+
+/// A checked sweep from a request's body.
+pub struct SweepBody {
+    /// The sweep.
+    pub sweep: Sweep,
+}
+
+impl<S: Send + Sync> FromRequest<S> for SweepBody {
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, state: &S) -> Result<Self, Problem> {
+        let document = Document::from_request(request, state).await?;
+        let sweep = document.checked(|value| Sweep::from_value(value, &no_files));
+        sweep.await.map(|sweep| Self { sweep })
     }
 }
 
@@ -84,7 +130,7 @@ fn format_of(headers: &HeaderMap) -> Result<Format, Problem> {
         "application/json" => Ok(Format::Json),
         "application/toml" => Ok(Format::Toml),
         _ => Err(unsupported(
-            "a study is sent as application/json or application/toml",
+            "a document is sent as application/json or application/toml",
         )),
     }
 }
@@ -130,9 +176,10 @@ async fn collect(mut body: Body) -> Result<Vec<u8>, Problem> {
 }
 
 /// A text that can't be read is a bad request; what can be read and is wrong is for the study's own reader.
-fn well_formed(text: &str, format: Format) -> Result<(), Problem> {
-    let Err(faults) = parse(text, format) else {
-        return Ok(());
+fn well_formed(text: &str, format: Format) -> Result<Value, Problem> {
+    let faults = match parse(text, format) {
+        Ok(value) => return Ok(value),
+        Err(faults) => faults,
     };
     let unreadable =
         |fault: &Fault| fault.pointer.is_empty() && !fault.detail.contains("number out of range");

@@ -154,7 +154,7 @@ pub fn locked() -> Value {
 pub fn crowded() -> Value {
     json!({
         "type": "about:blank", "title": "Too Many Requests", "status": 429,
-        "detail": "20000 studies wait already, which is the most: send it again when some are done", "request_id": ID,
+        "detail": "at most 20000 studies may wait: send it again when some are done", "request_id": ID,
     })
 }
 

@@ -31,17 +31,29 @@ impl<T: DeserializeOwned, S: Send + Sync> FromRequestParts<S> for Params<T> {
 /// The study's identifier in an address.
 pub struct StudyId(pub String);
 
+/// The sweep's identifier in an address.
+pub struct SweepId(pub String);
+
 impl<S: Send + Sync> FromRequestParts<S> for StudyId {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
-        let refused =
-            |error: PathRejection| Problem::new(StatusCode::BAD_REQUEST, error.body_text());
-        Path::from_request_parts(parts, state)
-            .await
-            .map(|Path(id)| Self(id))
-            .map_err(refused)
+        identifier(parts, state).await.map(Self)
     }
+}
+
+impl<S: Send + Sync> FromRequestParts<S> for SweepId {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
+        identifier(parts, state).await.map(Self)
+    }
+}
+
+async fn identifier<S: Send + Sync>(parts: &mut Parts, state: &S) -> Result<String, Problem> {
+    let refused = |error: PathRejection| Problem::new(StatusCode::BAD_REQUEST, error.body_text());
+    let found = Path::from_request_parts(parts, state).await;
+    found.map(|Path(id)| id).map_err(refused)
 }
 
 /// How the study's identifier is described.
@@ -51,5 +63,15 @@ impl<S: Send + Sync> FromRequestParts<S> for StudyId {
 pub struct StudyPath {
     /// Identifier of the study, as its submission answered
     #[param(example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b")]
+    id: String,
+}
+
+/// How the sweep's identifier is described.
+#[derive(Debug, IntoParams)]
+#[into_params(parameter_in = Path)]
+#[expect(dead_code, reason = "it describes; SweepId reads")]
+pub struct SweepPath {
+    /// Identifier of the sweep, as its submission answered
+    #[param(example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6c")]
     id: String,
 }

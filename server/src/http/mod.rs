@@ -9,6 +9,8 @@
 //! - [`conditional`]: answers that needn't be sent again
 //! - [`document`]: reads the body of a submitted study
 //! - [`studies`]: submit, list, look at, cancel
+//! - [`sweeps`], [`sweep_wire`], [`sweep_examples`]: the same for many designs at once
+//! - [`comparison`]: studies side by side
 //! - [`events`]: progress as server-sent events
 //! - [`results`]: result, locations, layouts, evaluations, map
 //! - [`export`]: the same as tables
@@ -21,6 +23,7 @@
 
 pub mod access;
 pub mod assets;
+pub mod comparison;
 pub mod conditional;
 pub mod docs;
 pub mod document;
@@ -39,6 +42,9 @@ pub mod reading;
 pub mod request_id;
 pub mod results;
 pub mod studies;
+pub mod sweep_examples;
+pub mod sweep_wire;
+pub mod sweeps;
 pub mod wire;
 
 use std::any::Any;
@@ -85,6 +91,8 @@ pub struct AppState {
 fn routes() -> OpenApiRouter<AppState> {
     openapi::described()
         .merge(studies::router())
+        .merge(sweeps::router())
+        .merge(comparison::router())
         .merge(events::router())
         .merge(results::router())
         .merge(export::router())

@@ -31,6 +31,8 @@ use crate::export::{FileFormat, Table};
     tags(
         (name = "studies", description = "Estimate, submit, follow and cancel"),
         (name = "answers", description = "What a study found"),
+        (name = "sweeps", description = "One study and many designs, and what differs between them"),
+        (name = "sweeps", description = "One study and many designs, and what differs between them"),
         (name = "service", description = "The service itself")
     )
 )]

@@ -78,27 +78,33 @@ async fn submit(
         .queue
         .submit(&body.study, priority, key)
         .await
-        .map_err(|error| match error {
-            SubmitError::KeyTaken => Problem::new(
-                StatusCode::UNPROCESSABLE_ENTITY,
-                "this Idempotency-Key was used with another document",
-            ),
-            SubmitError::TooMany { .. } => {
-                Problem::new(StatusCode::TOO_MANY_REQUESTS, error.to_string())
-            }
-            SubmitError::Store(error) => error.into(),
-        })?;
+        .map_err(unsubmitted)?;
     tracing::info!(study = id, name = ?body.study.name, "study accepted");
     let study = known(&state.store, &id).await?;
     Ok(accepted(&study))
 }
 
-#[derive(Deserialize)]
-struct SubmitQuery {
-    priority: Option<String>,
+/// Why something was not taken in.
+pub(super) fn unsubmitted(error: SubmitError) -> Problem {
+    match error {
+        SubmitError::KeyTaken => Problem::new(
+            StatusCode::UNPROCESSABLE_ENTITY,
+            "this Idempotency-Key was used with another document",
+        ),
+        SubmitError::TooMany { .. } => {
+            Problem::new(StatusCode::TOO_MANY_REQUESTS, error.to_string())
+        }
+        SubmitError::Store(error) => error.into(),
+    }
 }
 
-fn priority(text: Option<&str>) -> Result<i64, Problem> {
+/// Query of a submission.
+#[derive(Deserialize)]
+pub(super) struct SubmitQuery {
+    pub priority: Option<String>,
+}
+
+pub(super) fn priority(text: Option<&str>) -> Result<i64, Problem> {
     let number = text.map_or(Some(0), |text| text.parse().ok());
     let in_range = number.filter(|number| (-100..=100).contains(number));
     in_range.ok_or_else(|| {
@@ -108,7 +114,7 @@ fn priority(text: Option<&str>) -> Result<i64, Problem> {
 }
 
 /// A key is 1 to 255 visible ASCII characters.
-fn idempotency_key(headers: &HeaderMap) -> Result<Option<&str>, Problem> {
+pub(super) fn idempotency_key(headers: &HeaderMap) -> Result<Option<&str>, Problem> {
     let Some(value) = headers.get("idempotency-key") else {
         return Ok(None);
     };
@@ -133,15 +139,26 @@ fn accepted(study: &StudyRow) -> Response {
     (StatusCode::ACCEPTED, headers, Json(StudySummary::of(study))).into_response()
 }
 
+/// Query of a list.
 #[derive(Deserialize)]
-struct PageQuery {
-    limit: Option<String>,
-    cursor: Option<String>,
-    state: Option<String>,
+pub(super) struct PageQuery {
+    pub limit: Option<String>,
+    pub cursor: Option<String>,
+    pub state: Option<String>,
 }
 
 const PAGE: u32 = 50;
 const LARGEST_PAGE: u32 = 200;
+
+/// Entries of a page.
+pub(super) fn page_limit(text: Option<&str>) -> Result<u32, Problem> {
+    let limit = text.map_or(Some(PAGE), |text| text.parse().ok());
+    let in_range = limit.filter(|limit| (1..=LARGEST_PAGE).contains(limit));
+    in_range.ok_or_else(|| {
+        let detail = "limit is a whole number from 1 to 200";
+        Problem::new(StatusCode::BAD_REQUEST, detail)
+    })
+}
 
 /// List studies
 ///
@@ -160,12 +177,7 @@ async fn list(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let wrong = |detail: &str| Problem::new(StatusCode::BAD_REQUEST, detail);
-    let limit = query
-        .limit
-        .map_or(Ok(PAGE), |text| text.parse())
-        .ok()
-        .filter(|n| (1..=LARGEST_PAGE).contains(n));
-    let limit = limit.ok_or_else(|| wrong("limit is a whole number from 1 to 200"))?;
+    let limit = page_limit(query.limit.as_deref())?;
     let filter = match query.state.as_deref() {
         None => None,
         Some(name) => Some(
@@ -241,7 +253,7 @@ async fn estimate(
 }
 
 /// A study that can't be planned, or would take too much.
-fn refused(error: ForecastError) -> Problem {
+pub(super) fn refused(error: ForecastError) -> Problem {
     match error {
         ForecastError::Plan(_) | ForecastError::Memory { .. } => {
             Problem::new(StatusCode::UNPROCESSABLE_ENTITY, error.to_string())

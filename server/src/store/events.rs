@@ -46,6 +46,15 @@ pub async fn insert(
         .await?)
 }
 
+/// Number of the newest event; 0 before there is one.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn latest(connection: &mut SqliteConnection) -> Result<i64, StoreError> {
+    let query = "select coalesce(max(id), 0) from events";
+    Ok(sqlx::query_scalar(query).fetch_one(connection).await?)
+}
+
 /// Up to `limit` events of a study after the event `after`, in order.
 ///
 /// # Errors

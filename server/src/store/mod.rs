@@ -5,6 +5,7 @@
 //! - [`content`]: content hashes, and JSON that reads back as what was written
 //! - [`studies`]: what was asked, and how far it got
 //! - [`turns`]: whose turn it is
+//! - [`sweeps`]: which studies are the designs of one
 //! - [`evaluations`]: solved points and start states
 //! - `strain_fields`: the long lists of solved points
 //! - [`crashes`]: solves that the program died of
@@ -27,6 +28,7 @@ mod pools;
 pub mod results;
 mod strain_fields;
 pub mod studies;
+pub mod sweeps;
 pub mod trades;
 pub mod turns;
 pub mod upkeep;

@@ -81,7 +81,7 @@ async fn a_full_queue_takes_no_more_until_some_are_done() {
     assert!(
         refused["detail"]
             .as_str()
-            .is_some_and(|detail| detail.contains("2 studies wait")),
+            .is_some_and(|detail| detail.contains("2 studies may wait")),
         "{refused}"
     );
     // What was taken in is found again, however full the queue is.

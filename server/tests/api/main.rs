@@ -13,3 +13,4 @@ mod queue;
 mod results;
 mod studies;
 mod support;
+mod sweeps;

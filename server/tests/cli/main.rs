@@ -12,6 +12,7 @@ mod served;
 mod settings;
 #[cfg(unix)]
 mod signals;
+mod sweep;
 mod verification;
 
 use std::path::Path;

@@ -1,0 +1,242 @@
+//! `strainsite compare`: studies of a database side by side, without a service.
+
+use std::fmt::Write;
+
+use clap::Args;
+use placement::compare::{
+    ComparedIndex, ComparedLocation, ComparedStudy, Comparison, Entry, Verdict, compare,
+};
+use sqlx::SqliteConnection;
+
+use super::Failure;
+use super::library::{Database, study, the_only};
+use super::output::{JsonTarget, tell};
+use crate::comparison::{of_designs, of_studies};
+use crate::store::sweeps;
+
+/// Compare studies, or the designs of a sweep: what differs, and which differences are real
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// Identifiers of studies or of one sweep, or their beginnings
+    #[arg(required = true, value_name = "ID")]
+    ids: Vec<String>,
+    /// Study to take differences from; the first that has a result when absent
+    #[arg(long, value_name = "ID")]
+    baseline: Option<String>,
+    #[command(flatten)]
+    database: Database,
+    /// Write the comparison as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+impl Compare {
+    /// Prints the comparison.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let entries = self
+            .database
+            .read(async |connection| self.entries(connection).await)?;
+        let baseline = self.baseline.as_deref().map(|beginning| {
+            let fits = |entry: &&Entry| entry.id.starts_with(beginning);
+            the_only(entries.iter().filter(fits).collect(), "study", beginning)
+        });
+        let baseline = baseline.transpose()?.map(|entry| entry.id.as_str());
+        let comparison = compare(&entries, baseline);
+        if let Some(target) = &self.json {
+            target.write(&comparison)?;
+        }
+        tell(&table(&comparison), self.json.as_ref())
+    }
+
+    async fn entries(&self, connection: &mut SqliteConnection) -> Result<Vec<Entry>, Failure> {
+        if let [id] = &self.ids[..] {
+            let found = sweeps::beginning_with(connection, id, 2).await;
+            let mut found = found.map_err(Failure::other)?;
+            if let (Some(sweep), true) = (found.pop(), found.is_empty()) {
+                let designs = sweeps::designs(connection, &sweep.id).await;
+                let designs = designs.map_err(Failure::other)?;
+                let entries = of_designs(connection, &designs).await;
+                return entries.map_err(Failure::other);
+            }
+        }
+        let mut rows = Vec::new();
+        for id in &self.ids {
+            rows.push(study(connection, id).await?);
+        }
+        of_studies(connection, &rows).await.map_err(Failure::other)
+    }
+}
+
+/// All that is printed of a comparison.
+pub fn table(comparison: &Comparison) -> String {
+    let width = comparison
+        .studies
+        .iter()
+        .map(|study| study.name.chars().count())
+        .max()
+        .unwrap_or(0)
+        .clamp(6, 60);
+    let mut text = overview(comparison, width);
+    for (direction, strain) in [("x", "circumferential (x)"), ("y", "meridional (y)")] {
+        text.push_str(&matrix(comparison, direction, strain, width));
+    }
+    for study in &comparison.studies {
+        if let Some(reason) = &study.reason {
+            let _ = writeln!(
+                text,
+                "- {}: {}: {}",
+                study.name.escape_debug(),
+                study.state,
+                reason.escape_debug()
+            );
+        }
+    }
+    for note in &comparison.notes {
+        let _ = writeln!(text, "- {note}");
+    }
+    text
+}
+
+/// A line for each study: force, signals, who wins, what it took.
+fn overview(comparison: &Comparison, width: usize) -> String {
+    let mut text = format!(
+        "{:width$}  {:<9} {:>8} {:>9} {:>9}  {:<14} {:<14} {:>7} {:>7} {:>8}\n{:width$}  {:<9} {:>8} {:>9} {:>9}\n",
+        "design",
+        "state",
+        "force, N",
+        "signal x",
+        "signal y",
+        "best",
+        "best layout",
+        "solves",
+        "reused",
+        "time, s",
+        "",
+        "",
+        "",
+        "(std of the strain, 1e-6)",
+        ""
+    );
+    for study in &comparison.studies {
+        text.push_str(&line(study, width));
+    }
+    text.push('\n');
+    text
+}
+
+fn line(study: &ComparedStudy, width: usize) -> String {
+    let number = |value: Option<f64>, decimals: usize| {
+        value.map_or_else(|| "-".to_owned(), |value| format!("{value:.decimals$}"))
+    };
+    let micro = |strain: Option<f64>| number(strain.map(|strain| 1e6 * strain), 0);
+    let best = match (&study.best, study.best_certain) {
+        (Some(best), Some(true)) => format!("{best} certain"),
+        (Some(best), _) => format!("{best} uncertain"),
+        (None, _) => "-".to_owned(),
+    };
+    let layout = match (study.layout_spacing_deg, &study.layout_position) {
+        (Some(spacing), Some(position)) => format!("{spacing} deg {position}"),
+        _ => "-".to_owned(),
+    };
+    let cost = study.cost.as_ref();
+    let count = |part: Option<usize>| part.map_or_else(|| "-".to_owned(), |part| part.to_string());
+    format!(
+        "{:width$}  {:<9} {:>8} {:>9} {:>9}  {:<14} {:<14} {:>7} {:>7} {:>8}\n",
+        shortened(&study.name, width),
+        study.state,
+        number(study.reaction_n, 2),
+        micro(study.std_strain_x),
+        micro(study.std_strain_y),
+        best,
+        layout,
+        count(cost.map(|cost| cost.solves + cost.coarser_solves + cost.effect_solves)),
+        count(cost.map(|cost| cost.reused)),
+        number(cost.map(|cost| cost.wall_s), 2),
+    )
+}
+
+fn shortened(name: &str, width: usize) -> String {
+    let name: String = name.escape_debug().collect();
+    if name.chars().count() <= width {
+        return name;
+    }
+    let start: String = name.chars().take(width - 3).collect();
+    start + "..."
+}
+
+/// Studies by locations: the index of each location's own depth, and its difference from the baseline.
+fn matrix(comparison: &Comparison, direction: &str, strain: &str, width: usize) -> String {
+    let mut names: Vec<&str> = comparison
+        .rows
+        .iter()
+        .map(|row| row.location.as_str())
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    if names.is_empty() {
+        return String::new();
+    }
+    let mut text = format!(
+        "first-order index of each location's own depth for the {strain} strain at the centre, %; in brackets the difference from {}, with its error, * where it is real\n{:width$}",
+        baseline_name(comparison),
+        "design"
+    );
+    for name in &names {
+        let _ = write!(text, "  {name:<CELL$}");
+    }
+    text.push('\n');
+    for study in &comparison.studies {
+        let of_study: Vec<&ComparedLocation> = comparison
+            .rows
+            .iter()
+            .filter(|row| row.study == study.id)
+            .collect();
+        if of_study.is_empty() {
+            continue;
+        }
+        let _ = write!(text, "{:width$}", shortened(&study.name, width));
+        for name in &names {
+            let row = of_study.iter().find(|row| row.location == *name);
+            let index = row.map(|row| if direction == "x" { &row.x } else { &row.y });
+            let _ = write!(text, "  {:<CELL$}", index.map_or("-".to_owned(), cell));
+        }
+        // Padding at a line's end is of no use to anybody.
+        text.truncate(text.trim_end().len());
+        text.push('\n');
+    }
+    text.push('\n');
+    text
+}
+
+/// Width of a cell.
+const CELL: usize = 22;
+
+fn baseline_name(comparison: &Comparison) -> String {
+    let id = comparison.baseline.as_deref();
+    let base = comparison
+        .studies
+        .iter()
+        .find(|study| Some(study.id.as_str()) == id);
+    base.map_or_else(
+        || "nobody".to_owned(),
+        |study| study.name.escape_debug().to_string(),
+    )
+}
+
+fn cell(index: &ComparedIndex) -> String {
+    let Some(percent) = index.gsi_percent else {
+        return "-".to_owned();
+    };
+    let Some(difference) = index.difference_percent else {
+        return format!("{percent:6.2}");
+    };
+    let error = index
+        .difference_error_percent
+        .map_or_else(|| "+-?".to_owned(), |error| format!("+-{error:.2}"));
+    let mark = if index.verdict == Some(Verdict::Real) {
+        "*"
+    } else {
+        ""
+    };
+    format!("{percent:6.2} ({difference:+.2}{error}{mark})")
+}

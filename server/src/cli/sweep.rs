@@ -1,0 +1,371 @@
+//! `strainsite sweep`: one study over a grid of designs, without the service.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+use indicatif::ProgressBar;
+use placement::compare::{Comparison, compare};
+use placement::run::Event;
+use placement::study::Study;
+use placement::sweep::{Design, Sweep as Plan, designs_of, sweep_of};
+use serde_json::{Map, Value, json};
+use tokio::runtime::Runtime;
+
+use super::Failure;
+use super::compare::table;
+use super::estimate::dry_sweep;
+use super::library::the_only;
+use super::output::{JsonTarget, tell};
+use super::progress::progress_bar;
+use super::signals::stop_flag;
+use super::solve::json_or_word;
+use crate::comparison::of_designs;
+use crate::config::Config;
+use crate::engine::{End, Engine};
+use crate::forecast::{admit, forecast_sweep};
+use crate::http::sweep_wire::SweepDetail;
+use crate::metrics::Metrics;
+use crate::queue::recover;
+use crate::solver::SolverChoice;
+use crate::store::sweeps::{self, DesignRow, SweepRow};
+use crate::store::{Store, StoreError, turns};
+use crate::study_document::{read_file, read_study, stored_text};
+use crate::sweeps::{extend, resume, store};
+
+/// Run one study over a grid of designs, and compare them
+#[derive(Debug, Args)]
+pub struct Sweep {
+    /// Study file, TOML or JSON
+    #[arg(required_unless_present = "resume", conflicts_with = "resume")]
+    study: Option<PathBuf>,
+    /// Values that a field takes, as in geometry.wall_mm=2.5,3,3.5; given more than once, every combination is a design
+    #[arg(long, value_name = "KEY=V1,V2,...", required_unless_present = "resume")]
+    grid: Vec<String>,
+    /// Go on with a sweep of the database, and with the designs of --grid beside its own
+    #[arg(long, value_name = "ID")]
+    resume: Option<String>,
+    /// What the sweep is called; like its study when absent
+    #[arg(long, value_name = "NAME", conflicts_with = "resume")]
+    name: Option<String>,
+    #[command(flatten)]
+    config: Config,
+    #[command(flatten)]
+    solver: SolverChoice,
+    /// Say what the sweep would cost, and solve nothing
+    #[arg(long, conflicts_with = "resume")]
+    dry_run: bool,
+    /// Write sweep and comparison as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+impl Sweep {
+    /// Runs the designs that have no result yet, one after the other, and prints the comparison.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let plan = self
+            .study
+            .as_ref()
+            .map(|path| self.plan(path))
+            .transpose()?;
+        let runtime = Runtime::new().map_err(Failure::other)?;
+        if let (true, Some(plan)) = (self.dry_run, &plan) {
+            return self.estimate(&runtime, plan);
+        }
+        let engine = Engine {
+            solver: self.solver.solver().map_err(Failure::other)?,
+            store: Arc::new(
+                runtime
+                    .block_on(Store::open(&self.config.db))
+                    .map_err(Failure::other)?,
+            ),
+            threads: self.config.threads(),
+            metrics: Metrics::new(),
+        };
+        let ended = self.run(&runtime, &engine, plan.as_ref());
+        runtime.block_on(engine.store.close());
+        let (detail, comparison) = ended?;
+        if let Some(target) = &self.json {
+            target.write(&json!({"sweep": detail, "comparison": comparison}))?;
+        }
+        tell(&table(&comparison), self.json.as_ref())?;
+        let without = detail.designs.len() - detail.summary.counts.done;
+        if without > 0 {
+            return Err(Failure::Partial(format!(
+                "{without} of {} designs have no result: the reasons stand above",
+                detail.designs.len()
+            )));
+        }
+        Ok(())
+    }
+
+    fn plan(&self, path: &std::path::Path) -> Result<Plan, Failure> {
+        let text = read_file(path).map_err(Failure::Input)?;
+        let base = read_study(&text, path).map_err(Failure::Input)?;
+        let grid = grid(&self.grid)?;
+        sweep_of(base, self.name.as_deref(), &grid).map_err(Failure::Input)
+    }
+
+    /// Makes no database: where there is none, nothing is known.
+    fn estimate(&self, runtime: &Runtime, plan: &Plan) -> Result<(), Failure> {
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let threads = self.config.threads();
+        let estimate = runtime.block_on(async {
+            let store = match self.config.db.exists() {
+                true => Some(Store::open(&self.config.db).await?),
+                false => None,
+            };
+            let estimate = forecast_sweep(store.as_ref(), &solver, threads, plan).await;
+            if let Some(store) = store {
+                store.close().await;
+            }
+            estimate
+        });
+        let estimate = estimate.map_err(Failure::other)?;
+        if let Some(target) = &self.json {
+            target.write(&estimate)?;
+        }
+        tell(
+            &dry_sweep(&plan.name, threads, &estimate),
+            self.json.as_ref(),
+        )
+    }
+
+    fn run(
+        &self,
+        runtime: &Runtime,
+        engine: &Engine,
+        plan: Option<&Plan>,
+    ) -> Result<(SweepDetail, Comparison), Failure> {
+        runtime
+            .block_on(recover(&engine.store))
+            .map_err(Failure::other)?;
+        let sweep = self.stored(runtime, engine, plan)?;
+        let stop = stop_flag(runtime)?;
+        let designs = || {
+            let found = runtime.block_on(designs_in(&engine.store, &sweep.id));
+            found.map_err(Failure::other)
+        };
+        let bar = progress_bar("");
+        let all = designs()?;
+        for (index, design) in all.iter().enumerate() {
+            if design.study.ended() {
+                continue;
+            }
+            let place = Place {
+                index,
+                of: all.len(),
+            };
+            if !solve(runtime, engine, design, &stop, &bar, place)? {
+                bar.finish_and_clear();
+                return Err(Failure::Other(format!(
+                    "stopped; what is solved is kept in {}: strainsite sweep --resume {} goes on",
+                    self.config.db.display(),
+                    sweep.id
+                )));
+            }
+        }
+        bar.finish_and_clear();
+        let ended = designs()?;
+        let entries = runtime.block_on(async {
+            let mut connection = engine.store.read().await?;
+            of_designs(&mut connection, &ended).await
+        });
+        let comparison = compare(&entries.map_err(Failure::other)?, None);
+        Ok((SweepDetail::of(&sweep, &ended), comparison))
+    }
+
+    /// The sweep, new or gone on with, in the database.
+    fn stored(
+        &self,
+        runtime: &Runtime,
+        engine: &Engine,
+        plan: Option<&Plan>,
+    ) -> Result<SweepRow, Failure> {
+        let admit_all = |designs: &[Design]| {
+            let there = self.config.memory_bytes();
+            designs.iter().try_for_each(|design| {
+                let admitted = admit(&engine.solver, engine.threads, there, &design.study);
+                runtime
+                    .block_on(admitted)
+                    .map_err(|error| Failure::input(format!("{}: {error}", design.name)))
+            })
+        };
+        let Some(plan) = plan else {
+            let wanted = self.resume.as_deref().unwrap_or_default();
+            let sweep = runtime.block_on(sweep_named(&engine.store, wanted))?;
+            let base = stored_text(&sweep.spec).map_err(Failure::Other)?;
+            let further = self.further(&base)?;
+            admit_all(&further)?;
+            runtime
+                .block_on(go_on(&engine.store, &sweep, &further))
+                .map_err(Failure::other)?;
+            return Ok(sweep);
+        };
+        admit_all(&plan.designs)?;
+        runtime
+            .block_on(new(&engine.store, plan))
+            .map_err(Failure::other)
+    }
+
+    fn further(&self, base: &Study) -> Result<Vec<Design>, Failure> {
+        if self.grid.is_empty() {
+            return Ok(Vec::new());
+        }
+        let document = json!({"grid": grid(&self.grid)?});
+        designs_of(base, &document).map_err(Failure::Input)
+    }
+}
+
+/// A design among all.
+#[derive(Clone, Copy)]
+struct Place {
+    index: usize,
+    of: usize,
+}
+
+/// Solves one design to its end, whatever that is; false when the user asked to stop.
+fn solve(
+    runtime: &Runtime,
+    engine: &Engine,
+    design: &DesignRow,
+    stop: &AtomicBool,
+    bar: &ProgressBar,
+    place: Place,
+) -> Result<bool, Failure> {
+    let claimed = runtime.block_on(async {
+        let mut transaction = engine.store.begin().await?;
+        let row = turns::claim(&mut transaction, &design.study.id).await?;
+        engine.store.commit(transaction, 0).await?;
+        Ok::<_, StoreError>(row)
+    });
+    let Some(row) = claimed.map_err(Failure::other)? else {
+        return Ok(!stop.load(Ordering::Relaxed));
+    };
+    bar.set_prefix(format!(
+        "{} of {}, {}  ",
+        place.index + 1,
+        place.of,
+        design.name
+    ));
+    let end = engine.run(&row, runtime.handle(), stop, None, &|event| {
+        show(bar, place, event);
+    });
+    runtime
+        .block_on(engine.settle(&row, &end))
+        .map_err(Failure::other)?;
+    match end {
+        End::Stopped | End::Paused => Ok(false),
+        End::DiskFull => Err(Failure::other(StoreError::Full)),
+        End::Done(_) | End::Failed { .. } => Ok(true),
+    }
+}
+
+/// Moves the bar of the whole sweep, as if all designs had as many points.
+fn show(bar: &ProgressBar, place: Place, event: &Event) {
+    let count = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
+    match event {
+        Event::Started { points, reused } => {
+            bar.set_length(count(place.of * points));
+            bar.set_position(count(place.index * points + reused));
+        }
+        Event::PointSolved { done, of, .. } => bar.set_position(count(place.index * of + done)),
+        Event::PointFailed {
+            done,
+            of,
+            ordinal,
+            cause,
+        } => {
+            bar.set_position(count(place.index * of + done));
+            bar.println(format!("point {ordinal}: {cause}"));
+        }
+        Event::Analysing => {}
+    }
+}
+
+/// Lists of values by path, from `KEY=V1,V2,...`.
+fn grid(texts: &[String]) -> Result<Map<String, Value>, Failure> {
+    let mut grid = Map::new();
+    for text in texts {
+        let wrong = |why: &str| {
+            Failure::input(format!(
+                "--grid {text:?}: {why}; a grid is KEY=V1,V2,..., as in geometry.wall_mm=2.5,3,3.5"
+            ))
+        };
+        let (path, list) = text.split_once('=').ok_or_else(|| wrong("it has no ="))?;
+        let values = split(list).into_iter().map(json_or_word).collect();
+        if grid.insert(path.trim().to_owned(), values).is_some() {
+            return Err(wrong("its key stands twice"));
+        }
+    }
+    Ok(grid)
+}
+
+/// At commas outside of brackets and quotes.
+fn split(list: &str) -> Vec<&str> {
+    let (mut depth, mut quoted, mut begin) = (0_usize, false, 0);
+    let mut parts = Vec::new();
+    for (at, c) in list.char_indices() {
+        match c {
+            '"' => quoted = !quoted,
+            '[' | '{' if !quoted => depth += 1,
+            ']' | '}' if !quoted => depth = depth.saturating_sub(1),
+            ',' if depth == 0 && !quoted => {
+                parts.push(&list[begin..at]);
+                begin = at + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(&list[begin..]);
+    parts
+}
+
+async fn designs_in(store: &Store, sweep: &str) -> Result<Vec<DesignRow>, StoreError> {
+    let mut connection = store.read().await?;
+    sweeps::designs(&mut connection, sweep).await
+}
+
+async fn sweep_named(from: &Store, beginning: &str) -> Result<SweepRow, Failure> {
+    let mut connection = from.read().await.map_err(Failure::other)?;
+    let found = sweeps::beginning_with(&mut connection, beginning, 2).await;
+    the_only(found.map_err(Failure::other)?, "sweep", beginning)
+}
+
+async fn new(to: &Store, plan: &Plan) -> Result<SweepRow, StoreError> {
+    let mut transaction = to.begin().await?;
+    let id = store(&mut transaction, plan, 0).await?;
+    let row = sweeps::find(&mut transaction, &id).await?;
+    to.commit(transaction, 0).await?;
+    row.ok_or(StoreError::Database(sqlx::Error::RowNotFound))
+}
+
+/// Puts back what has no result, and adds further designs.
+async fn go_on(to: &Store, sweep: &SweepRow, further: &[Design]) -> Result<(), StoreError> {
+    let mut transaction = to.begin().await?;
+    resume(&mut transaction, sweep).await?;
+    extend(&mut transaction, sweep, further).await?;
+    to.commit(transaction, 0).await
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_json_or_words_and_lists_stay_whole() {
+        let texts = [
+            "geometry.wall_mm = 2.5, 3",
+            "ground.depths_mm=[1,1,1],[1,2,1]",
+            "model.level=draft",
+        ];
+        let read = grid(&texts.map(str::to_owned)).expect("reads");
+        assert_eq!(
+            Value::Object(read),
+            json!({"geometry.wall_mm": [2.5, 3], "ground.depths_mm": [[1, 1, 1], [1, 2, 1]], "model.level": ["draft"]})
+        );
+        assert!(grid(&["wall".to_owned()]).is_err());
+        assert!(grid(&["a=1".to_owned(), "a=2".to_owned()]).is_err());
+    }
+}

@@ -1,0 +1,88 @@
+//! Studies side by side.
+
+// What users send is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use axum::Json;
+use axum::extract::State;
+use axum::http::StatusCode;
+use placement::compare::{Comparison, Entry, compare};
+use placement::sweep::MOST_DESIGNS;
+use serde::Deserialize;
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+use super::examples::absent;
+use super::extract::Params;
+use super::problem::Problem;
+use super::wire::ProblemDocument;
+use super::{AppState, studies, sweep_examples, sweeps};
+use crate::comparison::{of_designs, of_studies};
+
+/// `/v1/comparison`.
+pub fn router() -> OpenApiRouter<AppState> {
+    OpenApiRouter::new().routes(routes!(compare_studies))
+}
+
+#[derive(Deserialize)]
+struct ComparisonQuery {
+    studies: Option<String>,
+    sweep: Option<String>,
+    baseline: Option<String>,
+}
+
+/// Compare studies
+///
+/// Index and rank of each location in each of the studies, what differs from the baseline, and whether the difference is real: beyond its error, which is
+/// less than that of two single indices where both meshes err alike. Studies without a result are listed with the reason.
+#[utoipa::path(get, path = "/v1/comparison", tag = "sweeps", operation_id = "compare",
+    params(
+        ("studies" = Option<String>, Query, description = "Identifiers of the studies, separated by commas; or else a sweep", example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b"),
+        ("sweep" = Option<String>, Query, description = "Identifier of a sweep, whose designs are compared"),
+        ("baseline" = Option<String>, Query, description = "Identifier of the study to take differences from; the first that has a result when left out")),
+    responses((status = 200, description = "The table", body = Comparison, example = json!(sweep_examples::comparison())),
+              (status = 400, description = "The query asks for nothing that can be compared", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent())),
+              (status = 404, description = "There is no such study or sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent()))))]
+async fn compare_studies(
+    State(state): State<AppState>,
+    Params(query): Params<ComparisonQuery>,
+) -> Result<Json<Comparison>, Problem> {
+    let entries = match (&query.studies, &query.sweep) {
+        (Some(studies), None) => entries_of(&state, studies).await?,
+        (None, Some(id)) => {
+            let (_, designs) = sweeps::known(&state.store, id).await?;
+            let mut connection = state.store.read().await?;
+            of_designs(&mut connection, &designs).await?
+        }
+        _ => {
+            return Err(wrong(
+                "the query names studies or a sweep: ?studies=ID,ID or ?sweep=ID",
+            ));
+        }
+    };
+    let baseline = query.baseline.as_deref();
+    if baseline.is_some_and(|id| !entries.iter().any(|entry| entry.id == id)) {
+        return Err(wrong(
+            "baseline is the identifier of one of the studies that are compared",
+        ));
+    }
+    Ok(Json(compare(&entries, baseline)))
+}
+
+fn wrong(detail: &str) -> Problem {
+    Problem::new(StatusCode::BAD_REQUEST, detail)
+}
+
+async fn entries_of(state: &AppState, list: &str) -> Result<Vec<Entry>, Problem> {
+    let ids: Vec<&str> = list.split(',').map(str::trim).collect();
+    if ids.len() > MOST_DESIGNS {
+        let detail = format!("at most {MOST_DESIGNS} studies are compared at once");
+        return Err(wrong(&detail));
+    }
+    let mut rows = Vec::new();
+    for id in ids {
+        rows.push(studies::known(&state.store, id).await?);
+    }
+    let mut connection = state.store.read().await?;
+    Ok(of_studies(&mut connection, &rows).await?)
+}
