@@ -8,7 +8,7 @@ import pytest
 from service import BINARY, ROOT, Service, running
 
 import strainsite
-from strainsite import Client, Study
+from strainsite import Client, Study, Sweep
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -55,11 +55,18 @@ def result(study: Study) -> strainsite.Result:
 
 
 @pytest.fixture(scope="session")
-def coarse(client: Client) -> strainsite.Result:
-    """One of which every index has an error: two inputs on the coarse mesh."""
-    document = client.document("foot-tire", {"accuracy.preset": "coarse", "method.nodes": 3, "method.check_points": 1})
+def sweep(client: Client) -> Sweep:
+    """Two designs of two inputs on the coarse mesh, from which on every index has an error."""
+    document = client.document("foot-tire", {"accuracy.preset": "coarse", "method.nodes": 3, "method.check_points": 2})
     document["inputs"] = document["inputs"][1:3]
-    return client.submit(document).wait(timeout=60).result()
+    grid = {"geometry.wall_mm": [3.0, 2.0], "carcass.angle_deg": [60.0]}
+    return client.sweep(document, grid=grid, name="wall & cord").wait(timeout=100)
+
+
+@pytest.fixture(scope="session")
+def coarse(sweep: Sweep) -> strainsite.Result:
+    """The answer of one of them."""
+    return sweep.studies()[0].result()
 
 
 @pytest.fixture(scope="session")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import subprocess
@@ -20,7 +21,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def run(folder: Path, *arguments: str | Path) -> str:
-    environment = {**os.environ, "STRAINSITE_BIN": str(BINARY), "MPLBACKEND": "Agg"}
+    environment = {**os.environ, "STRAINSITE_BIN": str(BINARY)}
     ran = subprocess.run(
         [sys.executable, *arguments],
         cwd=folder,
@@ -47,6 +48,30 @@ def test_the_first_ranking_and_what_its_database_holds(folder: Path) -> None:
     # The ground is symmetric, and pressing any station deeper takes force.
     assert min(slopes) > 0
     assert slopes[0] == pytest.approx(slopes[4], rel=0.2)
+
+
+def test_a_sweep_says_which_differences_are_real(folder: Path) -> None:
+    said = run(folder, EXAMPLES / "wall_and_cord.py")
+    assert len(re.findall(r"^.* done .* P3 ", said, re.MULTILINE)) == 4, said
+    assert re.search(r"^.*: P3 x -\d+\.\d+ ±\d+\.\d+ points, rank 1$", said, re.MULTILINE), said
+    assert (folder / "comparison.png").exists()
+
+
+def test_the_notebook_runs_from_top_to_bottom(folder: Path) -> None:
+    code = (
+        "import sys, nbclient, nbformat\n"
+        "book = nbformat.read(sys.argv[1], as_version=4)\n"
+        "nbclient.NotebookClient(book, timeout=100, kernel_name='python3').execute()\n"
+        "for cell in book.cells:\n"
+        "    for output in cell.get('outputs', []):\n"
+        "        print(sorted(output.get('data', {})), output.get('data', {}).get('text/html', ''))\n"
+    )
+    said = run(folder, "-c", code, EXAMPLES / "ranking_map_comparison.ipynb")
+    assert said.count("image/png") == 3
+    assert "index x, %" in said
+    assert "against " in said
+    book = json.loads((EXAMPLES / "ranking_map_comparison.ipynb").read_text())
+    assert not any(cell.get("outputs") for cell in book["cells"]), "commit the notebook without outputs"
 
 
 def test_a_simulator_of_ones_own_gets_the_exact_indices(folder: Path) -> None:

@@ -31,6 +31,7 @@ DESCRIBED: list[tuple[type, str, set[str]]] = [
     (strainsite.Choice, "Choice", set()),
     (strainsite.Input, "InputReport", set()),
     (strainsite.Output, "Output", set()),
+    (strainsite.CoarserIndices, "CoarserIndices", set()),
     (strainsite.ErrorParts, "IndexError", set()),
     (strainsite.Location, "RankedLocation", set()),
     (strainsite.Layout, "RankedLayout", set()),
@@ -52,6 +53,15 @@ DESCRIBED: list[tuple[type, str, set[str]]] = [
     (strainsite.StrainMap, "MapView", set()),
     (strainsite.Preset, "Preset", set()),
     (strainsite.Presets, "Presets", set()),
+    (strainsite.SweepSummary, "SweepSummary", set()),
+    (strainsite.Design, "DesignView", set()),
+    (strainsite.DesignCounts, "DesignCounts", set()),
+    (strainsite.SweepEstimate, "SweepEstimate", set()),
+    (strainsite.DesignEstimate, "DesignEstimate", set()),
+    (strainsite.Comparison, "Comparison", set()),
+    (strainsite.ComparedStudy, "ComparedStudy", set()),
+    (strainsite.ComparedLocation, "ComparedLocation", set()),
+    (strainsite.ComparedIndex, "ComparedIndex", set()),
 ]
 
 

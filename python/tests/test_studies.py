@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import time
 from typing import TYPE_CHECKING
 
@@ -75,7 +76,7 @@ def test_without_the_right_token_nobody_is_let_in(tmp_path: Path, monkeypatch: p
             ):
                 client.submit(STUDY, set=DRAFT)
             assert no.value.status == 401
-        with Client(service.url, TOKEN) as client:
+        with Client(service.url, f"{TOKEN}\n") as client:
             assert list(client.studies()) == []
             assert TOKEN not in repr(client)
         monkeypatch.setenv("STRAINSITE_URL", service.url)
@@ -147,3 +148,17 @@ def test_the_service_says_its_version_and_its_presets(client: Client) -> None:
     presets = client.presets()
     assert {preset.name for preset in presets.studies} == {"foot-tire", "foot-tire-paper"}
     assert all(preset.comment and preset.document for preset in (*presets.studies, *presets.scenes))
+
+
+def test_errors_can_be_sent_to_other_processes() -> None:
+    document = {"title": "Too Many Requests", "detail": "later", "errors": [{"pointer": "/a", "detail": "b"}]}
+    for error in (
+        strainsite.Busy(429, document, retry_after=2.0),
+        strainsite.Refused(401, {}),
+        strainsite.StudyFailed("id", "a reason"),
+        strainsite.StudyCancelled("id"),
+        strainsite.WaitTimeout("id", 1.5),
+        strainsite.ServerLost("gone"),
+    ):
+        copy = pickle.loads(pickle.dumps(error))  # noqa: S301 - our own
+        assert (type(copy), str(copy), vars(copy)) == (type(error), str(error), vars(error))

@@ -14,6 +14,7 @@ GROUPS = {
     "The way to a service": ["Client", "local"],
     "Studies": ["Study", "StudySummary", "Estimate"],
     "Answers": ["Result", "StrainMap", "Location", "Layout", "Output", "Evaluation"],
+    "Sweeps and comparisons": ["Sweep", "SweepSummary", "Design", "SweepEstimate", "Comparison"],
     "Errors": [
         name
         for name in strainsite.__all__

@@ -8,6 +8,7 @@ with strainsite.local() as client:
 """
 
 from .client import Client, Preset, Presets
+from .comparison import ComparedIndex, ComparedLocation, ComparedStudy, Comparison
 from .errors import (
     AnswerError,
     Busy,
@@ -30,6 +31,7 @@ from .local import local
 from .maps import StrainMap
 from .result import (
     Choice,
+    CoarserIndices,
     Cost,
     CutPoint,
     ErrorParts,
@@ -46,15 +48,24 @@ from .result import (
     StudyIdentity,
 )
 from .study import Study, StudySummary
+from .sweep import Design, DesignCounts, DesignEstimate, Sweep, SweepEstimate, SweepSummary
 
 __all__ = [
     "AnswerError",
     "Busy",
     "Choice",
     "Client",
+    "CoarserIndices",
+    "ComparedIndex",
+    "ComparedLocation",
+    "ComparedStudy",
+    "Comparison",
     "Cost",
     "CountForecast",
     "CutPoint",
+    "Design",
+    "DesignCounts",
+    "DesignEstimate",
     "DocumentError",
     "ErrorParts",
     "Estimate",
@@ -88,6 +99,9 @@ __all__ = [
     "StudyFailed",
     "StudyIdentity",
     "StudySummary",
+    "Sweep",
+    "SweepEstimate",
+    "SweepSummary",
     "WaitTimeout",
     "local",
 ]

@@ -9,15 +9,17 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 from . import documents
-from .errors import DocumentError
+from .comparison import Comparison
+from .errors import DocumentError, StrainsiteError
 from .estimate import Estimate
 from .reading import read
 from .study import Study, StudySummary
+from .sweep import Sweep, SweepEstimate, designs_body
 from .transport import Transport
 
 if TYPE_CHECKING:
     import ssl
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
     from pathlib import Path
     from types import TracebackType
 
@@ -77,8 +79,8 @@ class Client:
         verify: ssl.SSLContext | bool = True,
     ) -> None:
         url = url or os.environ.get("STRAINSITE_URL") or DEFAULT_URL
-        token = os.environ.get("STRAINSITE_TOKEN") if token is None else token
-        self._transport = Transport(url, token, timeout=timeout, patience=patience, verify=verify)
+        token = os.environ.get("STRAINSITE_TOKEN", "") if token is None else token
+        self._transport = Transport(url, token.rstrip("\r\n"), timeout=timeout, patience=patience, verify=verify)
 
     @property
     def url(self) -> str:
@@ -192,6 +194,90 @@ class Client:
         for entry in self._pages("studies", {} if state is None else {"state": state}):
             yield Study(self._transport, read(StudySummary, entry))
 
+    def sweep(
+        self,
+        document: Document,
+        *,
+        grid: Mapping[str, Sequence[Any]] | None = None,
+        designs: Sequence[Mapping[str, Any]] | None = None,
+        name: str | None = None,
+        set: Mapping[str, Any] | None = None,
+        priority: int = 0,
+        key: str | None = None,
+    ) -> Sweep:
+        """Submits one study for each of several designs of its scene.
+
+        Args:
+            document: As for `document`.
+            grid: Values of the scene's fields by path, `{"geometry.wall_mm": [2.5, 3.0]}`: every combination is a
+                design.
+            designs: Or each design by itself: `{"geometry.wall_mm": 2.5}`, or with a name
+                `{"name": "thin", "set": {...}}`.
+            name: Name of the sweep; the study's when left out.
+            set: Fields of the document that all designs have, as for `document`.
+            priority: As for `submit`.
+            key: As for `submit`.
+
+        Raises:
+            DocumentError: As for `submit`; or neither `grid` nor `designs` is given, or both.
+            InvalidDocument: The study or a design has faults.
+
+        """
+        body = {"study": self.document(document, set), **designs_body(grid, designs)}
+        if name is not None:
+            body["name"] = name
+        answer = self._transport.post(
+            "/v1/sweeps",
+            body,
+            key=key or str(uuid.uuid4()),
+            params={"priority": str(priority)} if priority else None,
+        )
+        return Sweep(self._transport, answer)
+
+    def estimate_sweep(
+        self,
+        document: Document,
+        *,
+        grid: Mapping[str, Sequence[Any]] | None = None,
+        designs: Sequence[Mapping[str, Any]] | None = None,
+        set: Mapping[str, Any] | None = None,
+    ) -> SweepEstimate:
+        """What a sweep would cost, before anything is solved; arguments as for `sweep`."""
+        body = {"study": self.document(document, set), **designs_body(grid, designs)}
+        return read(SweepEstimate, self._transport.post("/v1/sweeps:estimate", body))
+
+    def find_sweep(self, id: str) -> Sweep:
+        """The sweep of this identifier.
+
+        Raises:
+            NotFound: There is none.
+
+        """
+        return Sweep(self._transport, self._transport.get(f"/v1/sweeps/{_part(id)}"))
+
+    def sweeps(self) -> Iterator[Sweep]:
+        """All sweeps, newest first; pages are asked for as they are needed."""
+        for entry in self._pages("sweeps", {}):
+            yield Sweep(self._transport, entry)
+
+    def compare(self, studies: Iterable[Study | str], baseline: Study | str | None = None) -> Comparison:
+        """Compares studies: index and rank of each location, and which differences are real.
+
+        Args:
+            studies: Studies or their identifiers.
+            baseline: Which of them the others are compared with; the first one when left out.
+
+        Raises:
+            StrainsiteError: No study is given.
+            NotFound: One of them isn't there.
+
+        """
+        ids = [_id(study) for study in studies]
+        if not ids:
+            raise StrainsiteError("there is nothing to compare: give at least one study")
+        params = {"studies": ",".join(ids)} | ({} if baseline is None else {"baseline": _id(baseline)})
+        return Comparison.of(self._transport.get("/v1/comparison", params))
+
     def _pages(self, kind: str, params: Mapping[str, str]) -> Iterator[Any]:
         cursor: str | None = None
         while True:
@@ -200,6 +286,10 @@ class Client:
             cursor = page.get("next_cursor")
             if not cursor:
                 return
+
+
+def _id(study: Study | str) -> str:
+    return study if isinstance(study, str) else study.id
 
 
 def _part(identifier: str) -> str:

@@ -70,9 +70,11 @@ class ProblemError(StrainsiteError):
         self.request_id = None if request_id is None else str(request_id)
         self.retry_after = retry_after
         self.document = dict(document)
-        super().__init__(self._text())
+        # What it is made of, so that it can be sent to another process.
+        super().__init__(status, self.document)
 
-    def _text(self) -> str:
+    def __str__(self) -> str:
+        """The problem, every fault on a line of its own, and the request."""
         lines = [f"{self.status} {self.title}: {self.detail}{self.hint}"]
         lines += [f"  {fault}" for fault in self.errors]
         if self.request_id is not None:
@@ -104,7 +106,7 @@ class Busy(ProblemError):
 
 
 class StudyFailed(StrainsiteError):
-    """A study ended without an answer.
+    """A study or sweep ended without an answer.
 
     Attributes:
         id: Its identifier.
@@ -115,11 +117,15 @@ class StudyFailed(StrainsiteError):
     def __init__(self, identifier: str, reason: str) -> None:
         self.id = identifier
         self.reason = reason
-        super().__init__(f"{identifier} failed: {reason}")
+        super().__init__(identifier, reason)
+
+    def __str__(self) -> str:
+        """Which, and why."""
+        return f"{self.id} failed: {self.reason}"
 
 
 class StudyCancelled(StrainsiteError):
-    """A study was cancelled; what it has solved is kept, and the same document finds it.
+    """A study or sweep was cancelled; what it has solved is kept, and the same document finds it.
 
     Attributes:
         id: Its identifier.
@@ -128,20 +134,30 @@ class StudyCancelled(StrainsiteError):
 
     def __init__(self, identifier: str) -> None:
         self.id = identifier
-        super().__init__(f"{identifier} was cancelled")
+        super().__init__(identifier)
+
+    def __str__(self) -> str:
+        """Which."""
+        return f"{self.id} was cancelled"
 
 
 class WaitTimeout(StrainsiteError, TimeoutError):
-    """The time given to `wait` was over; the study goes on.
+    """The time given to `wait` was over; the study or sweep goes on.
 
     Attributes:
         id: Its identifier.
+        seconds: The time that it was given.
 
     """
 
     def __init__(self, identifier: str, seconds: float) -> None:
         self.id = identifier
-        super().__init__(f"{identifier} isn't done after {seconds:g} s; it goes on: wait() again")
+        self.seconds = seconds
+        super().__init__(identifier, seconds)
+
+    def __str__(self) -> str:
+        """Which, after how long, and what to do."""
+        return f"{self.id} isn't done after {self.seconds:g} s; it goes on: wait() again"
 
 
 class MissingExtra(StrainsiteError, ImportError):

@@ -37,6 +37,8 @@ def local(
 ) -> Iterator[Client]:
     """Starts the service on a free port of this machine, gives its client, and ends it with the block.
 
+    Exceptions and Ctrl-C end it, too. Only a script that is killed leaves it running.
+
     Args:
         db: Its database, which is kept; one in a temporary folder, which isn't, when left out.
         program: The binary; STRAINSITE_BIN, or else `strainsite` of the PATH, when left out.

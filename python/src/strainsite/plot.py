@@ -15,11 +15,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from .comparison import ComparedIndex, ComparedLocation, ComparedStudy, Comparison
     from .maps import StrainMap
     from .result import Location, LocationStrain, Result
 
 _DIRECTIONS = {"x": "circumferential", "y": "meridional"}
-_COLOUR = "#0072B2"
+# Okabe and Ito's, which the colour-blind can tell apart.
+_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 _NO_VALUE = "0.75"
 
 
@@ -104,8 +106,8 @@ def ranking(result: Result, figure: Figure | None = None) -> Figure:
             if index is None:
                 ax.annotate("none", (k, 0.0), ha="center", va="bottom", color="0.4")
                 continue
-            face = "none" if error is None else _COLOUR
-            ax.bar(k, index, width=0.65, facecolor=face, edgecolor=_COLOUR)
+            face = "none" if error is None else _COLOURS[0]
+            ax.bar(k, index, width=0.65, facecolor=face, edgecolor=_COLOURS[0])
             if error is not None:
                 ax.errorbar(k, index, yerr=_down_to_zero(index, error), color="black", capsize=4)
         ax.set_xticks(range(len(names)), names)
@@ -132,6 +134,81 @@ def _index(location: Location, direction: str) -> tuple[float | None, float | No
     if direction == "x":
         return location.gsi_x_percent, location.gsi_x_error_percent
     return location.gsi_y_percent, location.gsi_y_error_percent
+
+
+def comparison(comparison: Comparison, figure: Figure | None = None) -> Figure:
+    """Each location's index over the designs with its error, both directions.
+
+    Full markers differ from the baseline for real, hollow ones within the errors; a design without an answer is a gap.
+    """
+    names = list(dict.fromkeys(row.location for row in comparison.rows))
+    designs = comparison.studies
+    figure = figure or _figure((max(6.0, 2.5 + 1.1 * len(designs)), 6.4))
+    places = {study.id: k for k, study in enumerate(designs)}
+    axes = cast("Sequence[Axes]", figure.subplots(2, 1, sharex=True))
+    for ax, direction in zip(axes, _DIRECTIONS, strict=True):
+        for n, name in enumerate(names):
+            shift = 0.4 * (n / max(len(names) - 1, 1) - 0.5)
+            rows = [row for row in comparison.rows if row.location == name and row.study in places]
+            shifted = {study: k + shift for study, k in places.items()}
+            _series(ax, rows, direction, name, _COLOURS[n % len(_COLOURS)], shifted)
+        ax.set_title(f"{_DIRECTIONS[direction]} strain ({direction})")
+        # Errors may be larger than what an index can be.
+        ax.set_ylim(0.0, min(ax.get_ylim()[1], 105.0))
+    axes[1].set_xticks(range(len(designs)), [_lines(study, comparison.baseline) for study in designs], fontsize="small")
+    axes[1].set_xlim(-0.5, len(designs) - 0.5)
+    figure.supylabel("first-order index of its own depth for the strain at the centre, %", fontsize="medium")
+    figure.supxlabel(
+        "full: differs from the baseline for real; hollow: within the errors", fontsize="small", color="0.3"
+    )
+    handles, _ = axes[0].get_legend_handles_labels()
+    if handles:
+        figure.legend(handles, names, title="location", loc="outside right upper")
+    return figure
+
+
+def _lines(study: ComparedStudy, baseline: str | None) -> str:
+    """A design's name below its axis: each thing that it sets on a line."""
+    text = study.name.replace(", ", "\n")
+    if study.id == baseline:
+        text += "\n(baseline)"
+    return text if study.state == "done" else f"{text}\n({study.state})"
+
+
+def _series(
+    ax: Axes,
+    rows: Sequence[ComparedLocation],
+    direction: str,
+    name: str,
+    colour: str,
+    places: dict[str, float],
+) -> None:
+    points: list[tuple[float, ComparedIndex]] = []
+    for row in rows:
+        index = row.x if direction == "x" else row.y
+        if index.gsi_percent is not None:
+            points.append((places[row.study], index))
+    # Drawn even when it is empty, so that every location has its place in the legend.
+    ax.plot(
+        [place for place, _ in points],
+        [index.gsi_percent for _, index in points if index.gsi_percent is not None],
+        color=colour,
+        linewidth=0.8,
+        label=name,
+    )
+    for place, index in points:
+        value = cast("float", index.gsi_percent)
+        error = index.error_percent
+        within = index.verdict in ("noise", "unknown")
+        ax.errorbar(
+            place,
+            value,
+            yerr=None if error is None else _down_to_zero(value, error),
+            marker="o",
+            color=colour,
+            markerfacecolor="white" if within else colour,
+            capsize=3,
+        )
 
 
 def _figure(size: tuple[float, float]) -> Figure:

@@ -74,6 +74,15 @@ class ErrorParts:
 
 
 @dataclass(frozen=True)
+class CoarserIndices:
+    """Indices of the same points on a coarser mesh, from which the mesh's error comes."""
+
+    first_order: tuple[float, ...]
+    factor: float
+    """What the finer mesh may be off, over its difference from the coarser one."""
+
+
+@dataclass(frozen=True)
 class Output:
     """The strain at one location in one direction, with the Sobol index of each input."""
 
@@ -92,6 +101,8 @@ class Output:
     mdrm_first_order: tuple[float, ...] | None
     """What M-DRM said, where its product form is broken."""
     error: ErrorParts
+    coarser: CoarserIndices | None
+    """None where there is no coarser mesh."""
 
 
 @dataclass(frozen=True)

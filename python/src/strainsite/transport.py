@@ -36,7 +36,7 @@ class Transport:
     def __init__(
         self,
         url: str,
-        token: str | None,
+        token: str,
         *,
         timeout: float,
         patience: float | None,
@@ -48,7 +48,7 @@ class Transport:
             raise StrainsiteError(f"{url!r} isn't an address: {error}") from error
         if parsed.scheme not in ("http", "https") or not parsed.host:
             raise StrainsiteError(f"{url!r} isn't an address like http://127.0.0.1:8080")
-        if token is not None and not (token.isascii() and token.isprintable()):
+        if not (token.isascii() and token.isprintable()):
             raise StrainsiteError("the token has characters that can't be sent in a header")
         self.url = str(parsed).rstrip("/")
         self._patience = patience

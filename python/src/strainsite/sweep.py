@@ -1,0 +1,232 @@
+"""A sweep in the service: one study for each of several designs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from . import documents, frames, html
+from .comparison import Comparison
+from .errors import DocumentError, StudyCancelled, StudyFailed
+from .estimate import CountForecast, Estimate, Forecast  # noqa: TC001 - fields are read by their types
+from .follow import look
+from .progress import Deadline, Progress
+from .reading import read, records
+from .study import Study, StudySummary
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    import pandas as pd
+
+    from .transport import Transport
+
+
+@dataclass(frozen=True)
+class Design:
+    """One design of a sweep."""
+
+    ordinal: int
+    name: str
+    """What tells it from the others, as `wall_mm = 2.5`."""
+    set: dict[str, Any]
+    """What differs from the study, by path."""
+    study: StudySummary
+
+
+@dataclass(frozen=True)
+class DesignCounts:
+    """Designs by where they stand."""
+
+    queued: int
+    running: int
+    done: int
+    failed: int
+    cancelled: int
+
+
+@dataclass(frozen=True)
+class SweepSummary:
+    """Where a sweep stands. Times are RFC 3339, UTC."""
+
+    id: str
+    name: str
+    state: str
+    """`queued`; `running` while some designs haven't ended; `cancelled` when any was; `done` when any has a result; or
+    `failed`."""
+    counts: DesignCounts
+    points_total: int | None
+    """Points of all designs, once all of their plans are known."""
+    points_done: int
+    priority: int
+    created: str
+    finished: str | None
+
+
+@dataclass(frozen=True)
+class DesignEstimate:
+    """What a design would cost; what an earlier one solves is known to it."""
+
+    name: str
+    estimate: Estimate
+
+
+@dataclass(frozen=True)
+class SweepEstimate:
+    """What a sweep would cost."""
+
+    designs: tuple[DesignEstimate, ...]
+    left: CountForecast
+    """Solves of all designs that are left to do."""
+    wall_s: Forecast | None
+    """None where a design's reasons say why."""
+    peak_memory_bytes: int
+
+
+class Sweep:
+    """A sweep in the service.
+
+    Attributes:
+        summary: Where it stood when this was last asked for; `state` and `refresh` ask again.
+
+    """
+
+    def __init__(self, transport: Transport, document: Mapping[str, Any]) -> None:
+        self._transport = transport
+        self._take(document)
+        self._path = f"/v1/sweeps/{self.summary.id}"
+
+    def _take(self, document: Mapping[str, Any]) -> None:
+        """What the service says; lists of sweeps leave the designs out."""
+        self.summary = read(SweepSummary, document)
+        listed = document.get("designs")
+        self._designs = None if listed is None else records(listed, Design, "designs")
+
+    @property
+    def id(self) -> str:
+        """Its identifier."""
+        return self.summary.id
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+        return self.summary.name
+
+    @property
+    def state(self) -> str:
+        """Asks the service: `queued`, `running`, `done`, `failed` or `cancelled`."""
+        return self.refresh().summary.state
+
+    @property
+    def designs(self) -> tuple[Design, ...]:
+        """Its designs, as last seen."""
+        if self._designs is None:
+            self.refresh()
+        return self._designs or ()
+
+    def studies(self) -> tuple[Study, ...]:
+        """The study of each design."""
+        return tuple(Study(self._transport, design.study) for design in self.designs)
+
+    def refresh(self) -> Sweep:
+        """Asks the service where it stands."""
+        self._take(self._transport.get(self._path))
+        return self
+
+    def wait(self, *, progress: bool = True, timeout: float | None = None) -> Sweep:
+        """Waits until every design has ended; a bar shows points done, time left and designs done.
+
+        A design without an answer doesn't end the wait: `comparison` says why it has none.
+
+        Raises:
+            StudyFailed: No design has an answer.
+            StudyCancelled: Somebody cancelled it.
+            WaitTimeout: `timeout` seconds were over; it goes on.
+            ServerLost: The service didn't answer any more.
+
+        """
+        deadline = Deadline(self.id, timeout)
+        with Progress(self.name, shown=progress) as bar:
+
+            def state() -> str:
+                summary = self.refresh().summary
+                ended = len(self.designs) - summary.counts.queued - summary.counts.running
+                bar.show(summary.points_done, summary.points_total, f"{ended} of {len(self.designs)} designs")
+                return summary.state
+
+            look(state, deadline)
+        if self.summary.state == "failed":
+            reasons = {design.study.error for design in self.designs if design.study.error}
+            raise StudyFailed(self.id, "; ".join(sorted(reasons)) or "no design has an answer")
+        if self.summary.state == "cancelled":
+            raise StudyCancelled(self.id)
+        return self
+
+    def cancel(self) -> Sweep:
+        """Cancels all designs that haven't ended; what is solved is kept."""
+        self._take(self._transport.request("DELETE", self._path).json())
+        return self
+
+    def resume(self) -> Sweep:
+        """Lets designs that were cancelled or failed run again, as new studies; what is solved isn't solved again."""
+        self._take(self._transport.post(f"{self._path}/resume"))
+        return self
+
+    def extend(
+        self,
+        *,
+        grid: Mapping[str, Sequence[Any]] | None = None,
+        designs: Sequence[Mapping[str, Any]] | None = None,
+    ) -> Sweep:
+        """Adds designs, as `Client.sweep` takes them; those that it has already aren't run again."""
+        self._take(self._transport.post(f"{self._path}/designs", designs_body(grid, designs)))
+        return self
+
+    def comparison(self, baseline: Study | str | None = None) -> Comparison:
+        """Compares its designs, with the first one or with `baseline`."""
+        params = {"sweep": self.id}
+        if baseline is not None:
+            params["baseline"] = baseline if isinstance(baseline, str) else baseline.id
+        return Comparison.of(self._transport.get("/v1/comparison", params))
+
+    def designs_frame(self) -> pd.DataFrame:
+        """The designs as a pandas frame: ordinal, name, what differs, state, points, study."""
+        rows = [
+            {
+                "ordinal": design.ordinal,
+                "name": design.name,
+                **design.set,
+                "state": design.study.state,
+                "points_done": design.study.points_done,
+                "points_total": design.study.points_total,
+                "error": design.study.error,
+                "study": design.study.id,
+            }
+            for design in self.designs
+        ]
+        return frames.plain(rows)
+
+    def __repr__(self) -> str:
+        """Name, state as last seen, identifier."""
+        return f"Sweep({self.name!r}, {self.summary.state}, {self.id})"
+
+    def _repr_html_(self) -> str:
+        return html.sweep(self)
+
+
+def designs_body(
+    grid: Mapping[str, Sequence[Any]] | None, designs: Sequence[Mapping[str, Any]] | None
+) -> dict[str, Any]:
+    """The part of a request that says which designs."""
+    if (grid is None) == (designs is None):
+        raise DocumentError('say either grid={"geometry.wall_mm": [2.5, 3.0]} or designs=[{"geometry.wall_mm": 2.5}]')
+    if grid is not None:
+        return {"grid": documents.plain(_in_scene(grid), "grid")}
+    full = [design if "set" in design else {"set": design} for design in designs or ()]
+    listed = [{**design, "set": _in_scene(design["set"])} for design in full]
+    return {"designs": documents.plain(listed, "designs")}
+
+
+def _in_scene(paths: Mapping[str, Any]) -> dict[str, Any]:
+    """Paths as the service has them: those of the scene's fields begin within it, however they were written."""
+    return {path.removeprefix("scene."): values for path, values in paths.items()}
