@@ -118,6 +118,12 @@ def test_exports_are_the_services_files(study: Study, service: Service, tmp_path
         path = study.export("csv", table, tmp_path)
         assert path == tmp_path / f"{study.id}-{table}.csv"
         assert path.read_bytes() == rest(service, study, "export", format="csv", table=table).content
+    points = study.export("parquet", "points", tmp_path)
+    assert points.name == f"{study.id}-points.parquet"
+    assert points.read_bytes() == rest(service, study, "export", format="parquet", table="points").content
+    surface = study.export("vtu", path=tmp_path)
+    assert surface.name == f"{study.id}.vtu"
+    assert surface.read_bytes() == rest(service, study, "export", format="vtu").content
     named = study.export("json", path=tmp_path / "result.json")
     assert json.loads(named.read_bytes()) == rest(service, study, "result").json()
     with pytest.raises(strainsite.ProblemError, match="format is"):

@@ -171,7 +171,7 @@ class Study:
         """Writes the service's export to a file and returns its path.
 
         Args:
-            format: `csv`, `json`, or what else the service offers.
+            format: `csv`, `parquet`, `vtu` (the map on the inner surface, for ParaView) or `json` (the result).
             table: `indices` (when left out), `locations`, `layouts` or `points`, for formats of one table.
             path: The file, or a folder; the name that the service proposes, in the working folder, when left out.
 
