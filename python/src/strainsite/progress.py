@@ -20,6 +20,7 @@ class Progress:
 
     def __init__(self, name: str, *, shown: bool) -> None:
         watched = sys.stderr.isatty() or "ipykernel" in sys.modules
+        self._words = ""
         self._bar: tqdm[Any] = tqdm(
             desc=name, unit="point", disable=not (shown and watched), dynamic_ncols=True, leave=True
         )
@@ -36,12 +37,14 @@ class Progress:
         """Sets the bar; a study that climbs to a tolerance learns its total on the way."""
         if self._bar.disable:
             return
-        self._bar.total = total
-        self._bar.set_postfix_str(words, refresh=False)
         if done < self._bar.n:
             self._bar.reset(total)
+        changed = (total, words) != (self._bar.total, self._words)
+        self._bar.total, self._words = total, words
+        self._bar.set_postfix_str(words, refresh=False)
         self._bar.update(done - self._bar.n)
-        self._bar.refresh()
+        if changed:
+            self._bar.refresh()
 
 
 class Deadline:
