@@ -16,6 +16,7 @@ use placement::value_table::{ValueTable, quoted};
 use serde_json::{Value, json};
 
 use super::Failure;
+use super::examples;
 use super::output::{JsonTarget, print, tell, write_whole};
 use crate::study_document::{format_of, read_file};
 
@@ -29,8 +30,10 @@ pub struct Gsa {
 #[derive(Debug, Subcommand)]
 enum Step {
     /// Print the points to run, one row each
+    #[command(after_help = examples::GSA_PLAN)]
     Plan(Plan),
     /// Turn the outputs at the points into sensitivity indices
+    #[command(after_help = examples::GSA_ANALYSE)]
     Analyse(Analyse),
 }
 

@@ -6,6 +6,7 @@
 mod compare;
 mod db;
 mod estimate;
+mod examples;
 mod export;
 mod failure;
 mod gsa;
@@ -15,6 +16,7 @@ mod progress;
 mod run;
 mod serve;
 mod settings;
+mod shell;
 mod signals;
 mod solve;
 mod sweep;
@@ -25,7 +27,7 @@ mod verify;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::telemetry;
 pub use failure::Failure;
@@ -42,31 +44,50 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Start the service and the dashboard
+    #[command(after_help = examples::SERVE)]
     Serve(serve::Serve),
     /// Run one study without the service
+    #[command(after_help = examples::RUN)]
     Run(run::Run),
     /// Solve one equilibrium of a scene
+    #[command(after_help = examples::SOLVE)]
     Solve(solve::Solve),
     /// Analyse a model of your own: print the points to run, then read their outputs back
+    #[command(after_help = examples::GSA)]
     Gsa(gsa::Gsa),
     /// Measure how much accuracy a second buys
+    #[command(after_help = examples::TRADE)]
     Trade(trade::Trade),
     /// Run one study over a grid of designs, and compare them
+    #[command(after_help = examples::SWEEP)]
     Sweep(sweep::Sweep),
     /// Compare studies, or the designs of a sweep: what differs, and which differences are real
+    #[command(after_help = examples::COMPARE)]
     Compare(compare::Compare),
     /// List the studies of a database, newest first
+    #[command(after_help = examples::LIST)]
     List(library::List),
     /// Show a study: its ranked table, or how far it is
+    #[command(after_help = examples::SHOW)]
     Show(library::Show),
     /// Write a study's answer as a file: a table, the map, or the whole result
+    #[command(after_help = examples::EXPORT)]
     Export(export::Export),
     /// Look after the database file
+    #[command(after_help = examples::DB)]
     Db(db::Db),
     /// Check a study or scene file without running it
+    #[command(after_help = examples::VALIDATE)]
     Validate(validate::Validate),
     /// Solve problems whose answer is known, and compare
+    #[command(after_help = examples::VERIFY)]
     Verify(verify::Verify),
+    /// Print completions for a shell
+    #[command(after_help = examples::COMPLETIONS)]
+    Completions(shell::Completions),
+    /// Print the manual page, or write those of all commands into a folder
+    #[command(after_help = examples::MAN)]
+    Man(shell::Manual),
 }
 
 /// Runs the program: the one place that prints failures and chooses the exit code.
@@ -94,6 +115,8 @@ pub fn main() -> ExitCode {
         Command::Validate(command) => (command.execute(), None),
         // Its document holds the failed cases already.
         Command::Verify(command) => (command.execute(), None),
+        Command::Completions(command) => (command.execute(Cli::command()), None),
+        Command::Man(command) => (command.execute(Cli::command()), None),
     };
     ended(done, json)
 }
@@ -110,5 +133,49 @@ fn ended(done: Result<(), Failure>, json: Option<JsonTarget>) -> ExitCode {
             }
             ExitCode::from(failure.code())
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The arguments of a line as a shell splits it: at spaces outside of single quotes.
+    fn arguments(line: &str) -> Vec<String> {
+        let parts = line.split('\'').enumerate();
+        let words = parts.flat_map(|(index, part)| match index % 2 {
+            0 => part.split_whitespace().map(str::to_owned).collect(),
+            _ => vec![part.to_owned()],
+        });
+        words.collect()
+    }
+
+    fn check(command: &clap::Command, path: &str) {
+        let help = command.get_after_help().map(ToString::to_string);
+        let leaf = command.get_subcommands().next().is_none();
+        let lines: Vec<String> = help
+            .iter()
+            .flat_map(|help| help.lines().skip(1))
+            .map(|line| line.trim().to_owned())
+            .collect();
+        // What db does is shown for all of its tasks together.
+        assert!(
+            !lines.is_empty() || !leaf || path.starts_with("strainsite db"),
+            "{path} has no examples"
+        );
+        for line in lines {
+            assert!(line.starts_with(path), "{line}");
+            if let Err(error) = Cli::try_parse_from(arguments(&line)) {
+                panic!("{line}: {error}");
+            }
+        }
+        for below in command.get_subcommands() {
+            check(below, &format!("{path} {}", below.get_name()));
+        }
+    }
+
+    #[test]
+    fn every_example_of_the_help_is_a_command_line() {
+        check(&Cli::command(), "strainsite");
     }
 }

@@ -1,5 +1,7 @@
 //! How far a run is, on a terminal.
 
+use std::time::Duration;
+
 use indicatif::{ProgressBar, ProgressStyle};
 use placement::run::Event;
 
@@ -14,6 +16,30 @@ pub fn progress_bar(label: &str) -> ProgressBar {
     bar.set_prefix(label.to_owned());
     bar
 }
+
+/// A bar that counts so many things of this kind.
+pub fn counting_bar(of: usize, kind: &str) -> ProgressBar {
+    let bar = ProgressBar::new(u64::try_from(of).unwrap_or(u64::MAX));
+    let template = format!("{{wide_bar}} {{pos}}/{{len}} {kind}, {{elapsed}} gone, {{eta}} to go");
+    if let Ok(style) = ProgressStyle::with_template(&template) {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(TICK);
+    bar
+}
+
+/// What stands there while something takes its time, of which nobody knows how much.
+pub fn clock(what: &str) -> ProgressBar {
+    let bar = ProgressBar::new_spinner();
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}, {elapsed} gone") {
+        bar.set_style(style);
+    }
+    bar.set_message(what.to_owned());
+    bar.enable_steady_tick(TICK);
+    bar
+}
+
+const TICK: Duration = Duration::from_millis(200);
 
 /// Moves the bar, and says above it what failed.
 pub fn show(bar: &ProgressBar, event: &Event) {

@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 
 use super::Failure;
 use super::output::{JsonTarget, tell, write_whole};
+use super::progress::clock;
 use super::signals::stop_flag;
 use crate::solver::SolverChoice;
 use crate::study_document::{format_of, read_file};
@@ -60,7 +61,10 @@ impl Solve {
             start: None,
             stop: &stop,
         };
-        let solved = solver.solve(&request).map_err(failure)?;
+        let waiting = clock("solving");
+        let solved = solver.solve(&request);
+        waiting.finish_and_clear();
+        let solved = solved.map_err(failure)?;
         if let Some(path) = &self.vtu {
             let version = format!(
                 "strainsite {}, solver {}",

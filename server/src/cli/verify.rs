@@ -12,6 +12,7 @@ use serde_json::json;
 
 use super::Failure;
 use super::output::{JsonTarget, tell};
+use super::progress::counting_bar;
 use super::signals::stop_flag;
 
 /// Solve problems whose answer is known, and compare
@@ -90,6 +91,7 @@ fn all_extremes() -> Vec<Family> {
 fn solve(families: &[Family], stop: &AtomicBool) -> Vec<Case> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let taken = AtomicUsize::new(0);
+    let bar = counting_bar(families.len(), "families of cases");
     let work = || {
         let mut solved = Vec::new();
         loop {
@@ -98,6 +100,7 @@ fn solve(families: &[Family], stop: &AtomicBool) -> Vec<Case> {
                 return solved;
             };
             solved.push((index, families[index].cases(stop)));
+            bar.inc(1);
         }
     };
     let mut solved: Vec<(usize, Vec<Case>)> = std::thread::scope(|scope| {
@@ -107,6 +110,7 @@ fn solve(families: &[Family], stop: &AtomicBool) -> Vec<Case> {
             .flat_map(|done| done.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
             .collect()
     });
+    bar.finish_and_clear();
     solved.sort_by_key(|(index, _)| *index);
     solved.into_iter().flat_map(|(_, cases)| cases).collect()
 }
