@@ -36,10 +36,7 @@ pub fn assemble(
             id: String::new(),
             name: study.name.clone(),
             spec_sha256: study.spec_sha256(),
-            version: format!(
-                "strainsite {}, solver {solver_version}",
-                env!("CARGO_PKG_VERSION")
-            ),
+            version: version(solver_version),
         },
         model: largest_model(outcomes),
         inputs: study.inputs.iter().map(input_report).collect(),
@@ -60,6 +57,15 @@ pub fn assemble(
         cost: StudyCost::default(),
         estimate: None,
     }
+}
+
+/// What a result's version is with this solver: equal ones give equal results of equal documents.
+pub fn version(solver_version: &str) -> String {
+    format!(
+        "strainsite {}+{}, solver {solver_version}",
+        env!("CARGO_PKG_VERSION"),
+        env!("ANALYSIS_SOURCES")
+    )
 }
 
 /// The points without an equilibrium, in the order of the plan.

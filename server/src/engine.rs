@@ -5,18 +5,22 @@
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use std::time::Instant;
 
 use fem_client::solver::Solver;
+use placement::assemble::version;
 use placement::climb;
 use placement::result::{Estimate, FailedPoint, StudyResult};
 use placement::run::{Event, Means, RunError};
 use placement::study::Study;
+use placement::usage::{cpu_s, peak_memory_bytes};
 use serde_json::{Value, json};
 use tokio::runtime::Handle;
 
+use crate::answered::{Answered, answered};
 use crate::archive::StoreArchive;
 use crate::forecast::forecast;
-use crate::metrics::Metrics;
+use crate::metrics::{Metrics, PointOutcome};
 use crate::store::studies::{self, State, StudyRow};
 use crate::store::{Store, StoreError, events, results, turns};
 use crate::study_document::stored_plan;
@@ -117,7 +121,20 @@ impl Engine {
             pause,
             observer: &observer,
         };
+        let begun = (Instant::now(), cpu_s());
         let estimate = runtime.block_on(self.estimated(row, &study));
+        if let Some(Answered { mut result, points }) = runtime.block_on(self.answered(row, &study))
+        {
+            observer(Event::Started {
+                points,
+                reused: points,
+            });
+            result.estimate = estimate;
+            result.cost.wall_s = begun.0.elapsed().as_secs_f64();
+            result.cost.cpu_s = (cpu_s() - begun.1).max(0.0);
+            result.cost.peak_memory_bytes = peak_memory_bytes();
+            return End::Done(Box::new(result));
+        }
         match climb::answer(&study, &plan, means) {
             Ok(mut result) => {
                 result.estimate = estimate;
@@ -132,6 +149,19 @@ impl Engine {
                 points: error.failed_points().to_vec(),
             },
         }
+    }
+
+    /// The answer of an earlier study of the same document. Where there is none, or it can't be had, the study is computed.
+    async fn answered(&self, row: &StudyRow, study: &Study) -> Option<Answered> {
+        let version = version(&self.solver.version());
+        let found = answered(&self.store, row, study, &version).await;
+        let found = found.unwrap_or_else(|error| {
+            tracing::warn!(%error, "whether the study was answered before isn't known");
+            None
+        })?;
+        let shared = u64::try_from(found.points).unwrap_or(0);
+        self.metrics.points(PointOutcome::Reused, shared);
+        Some(found)
     }
 
     /// What the study is expected to take, stored with it. Not worth a study: without it the study runs too.

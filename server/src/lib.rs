@@ -17,6 +17,7 @@
 //! - [`metrics`]: what is counted and measured
 //! - [`archive`]: the database as the place where solved points are kept
 //! - [`forecast`]: what a study would cost
+//! - [`answered`]: the same study again
 //! - [`engine`]: runs one study from its document to its end
 //! - [`queue`]: the queue of studies
 //! - [`sweeps`]: many designs of a study as one
@@ -24,6 +25,7 @@
 //! - [`service`]: database, queue and HTTP together
 //! - [`cli`]: the command line
 
+pub mod answered;
 pub mod archive;
 pub mod cli;
 pub mod comparison;

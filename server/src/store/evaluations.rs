@@ -187,6 +187,29 @@ pub async fn link_known(
     Ok(linked.rows_affected())
 }
 
+/// Lets a study share all points of another one; returns how many those are.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn share(
+    connection: &mut SqliteConnection,
+    from: &str,
+    to: &str,
+) -> Result<usize, StoreError> {
+    let query = "insert into study_points (study, ordinal, evaluation)
+                 select ?2, ordinal, evaluation from study_points where study = ?1 on conflict do nothing";
+    sqlx::query(query)
+        .bind(from)
+        .bind(to)
+        .execute(&mut *connection)
+        .await?;
+    let count: i64 = sqlx::query_scalar("select count(*) from study_points where study = ?")
+        .bind(to)
+        .fetch_one(connection)
+        .await?;
+    Ok(usize::try_from(count).unwrap_or(0))
+}
+
 fn whole(ordinal: usize) -> i64 {
     i64::try_from(ordinal).unwrap_or(i64::MAX)
 }

@@ -84,6 +84,8 @@ pub async fn readers(path: &Path) -> Result<SqlitePool, StoreError> {
         .busy_timeout(BUSY_TIMEOUT);
     Ok(SqlitePoolOptions::new()
         .max_connections(READERS)
+        // A file doesn't hang up: the question would cost every reader a round to the connection's thread.
+        .test_before_acquire(false)
         .connect_with(options)
         .await?)
 }

@@ -208,6 +208,24 @@ pub async fn queued_twin(
         .await?)
 }
 
+/// The newest other study of the same document that is done and has every one of its points stored: none of them broke.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn answered_twin(
+    connection: &mut SqliteConnection,
+    id: &str,
+    spec_sha256: &str,
+) -> Result<Option<String>, StoreError> {
+    let query = "select id from studies where spec_sha256 = ? and id <> ? and state = 'done'
+                 and points_total = (select count(*) from study_points where study = studies.id) order by id desc limit 1";
+    Ok(sqlx::query_scalar(query)
+        .bind(spec_sha256)
+        .bind(id)
+        .fetch_optional(connection)
+        .await?)
+}
+
 /// Whether a study is running.
 ///
 /// # Errors

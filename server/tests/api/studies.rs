@@ -301,3 +301,50 @@ async fn a_study_is_estimated_before_and_the_estimate_is_kept_with_it() {
         "{refused}"
     );
 }
+
+#[tokio::test(flavor = "multi_thread")]
+async fn the_same_study_again_has_its_answer_at_once_and_shares_every_point() {
+    let home = Home::new();
+    let app = home.start(ClosedFormSolver::new()).await;
+    let first = app.submit(&study()).await;
+    let first = app.wait_for(&first, "done").await;
+    let again = app.submit(&study()).await;
+    let again = app.wait_for(&again, "done").await;
+    for field in ["result_sha256", "points_total", "points_done", "document"] {
+        assert_eq!(first[field], again[field], "{field}");
+    }
+    let id = |study: &Value| study["id"].as_str().expect("an id").to_owned();
+    let result = app
+        .json(&format!("/v1/studies/{}/result", id(&again)))
+        .await;
+    assert_eq!(result["study"]["id"], again["id"]);
+    assert_eq!(
+        (&result["cost"]["solves"], &result["cost"]["reused"]),
+        (&json!(26), &json!(26))
+    );
+    let points = |study: &Value| format!("/v1/studies/{}/evaluations", id(study));
+    assert_eq!(
+        app.json(&points(&first)).await,
+        app.json(&points(&again)).await
+    );
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_damaged_answer_is_not_taken_over_but_computed_from_the_points() {
+    let home = Home::new();
+    let app = home.start(ClosedFormSolver::new()).await;
+    let first = app.submit(&study()).await;
+    let first = app.wait_for(&first, "done").await;
+    sqlx::query("update results set document = replace(document, 'P3', 'P4')")
+        .execute(&mut home.sql().await)
+        .await
+        .expect("damages");
+    let again = app.submit(&study()).await;
+    let again = app.wait_for(&again, "done").await;
+    assert_eq!(first["result_sha256"], again["result_sha256"]);
+    let path = format!(
+        "/v1/studies/{}/result",
+        again["id"].as_str().expect("an id")
+    );
+    assert_eq!(app.json(&path).await["locations"][0]["name"], "P3");
+}
