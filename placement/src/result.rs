@@ -334,7 +334,7 @@ pub struct StudyCost {
     pub factorisations: usize,
     /// Wall-clock time of this run, s.
     pub wall_s: f64,
-    /// Processor time of this run, s.
+    /// Processor time of the program during this run, s: that of other studies at work beside it, too.
     pub cpu_s: f64,
     /// Peak memory of the process, bytes.
     pub peak_memory_bytes: u64,

@@ -110,6 +110,20 @@ pub async fn forecast_sweep(
     Ok(SweepEstimate::of(designs))
 }
 
+/// What a study takes of memory with so many solves at once, bytes.
+///
+/// # Errors
+/// When it can't be planned.
+pub fn memory_bytes(study: &Study, solver: &dyn Solver, threads: usize) -> Result<u64, PlanError> {
+    let work = Workload::without_keys(study, solver)?;
+    Ok(memory_of(&work, threads))
+}
+
+fn memory_of(work: &Workload, threads: usize) -> u64 {
+    let machine = Machine::new(solves_at_once(threads));
+    estimate(work, &HashSet::new(), &machine).peak_memory_bytes
+}
+
 /// Refuses a study that would take more memory than it may, before anything of it is allocated.
 ///
 /// # Errors
@@ -121,8 +135,7 @@ pub async fn admit(
     study: &Study,
 ) -> Result<(), ForecastError> {
     let work = planned(solver, study, Workload::without_keys).await?;
-    let machine = Machine::new(solves_at_once(threads));
-    let needed_bytes = estimate(&work, &HashSet::new(), &machine).peak_memory_bytes;
+    let needed_bytes = memory_of(&work, threads);
     if needed_bytes > there_bytes {
         return Err(ForecastError::Memory {
             needed_bytes,

@@ -5,6 +5,7 @@
 
 mod compare;
 mod db;
+mod designs;
 mod estimate;
 mod examples;
 mod export;

@@ -2,12 +2,9 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
-use indicatif::ProgressBar;
 use placement::compare::{Comparison, compare};
-use placement::run::Event;
 use placement::study::Study;
 use placement::sweep::{Design, Sweep as Plan, designs_of, sweep_of};
 use serde_json::{Map, Value, json};
@@ -15,6 +12,7 @@ use tokio::runtime::Runtime;
 
 use super::Failure;
 use super::compare::table;
+use super::designs::Crew;
 use super::estimate::dry_sweep;
 use super::library::the_only;
 use super::output::{JsonTarget, tell};
@@ -23,14 +21,14 @@ use super::signals::stop_flag;
 use super::solve::json_or_word;
 use crate::comparison::of_designs;
 use crate::config::Config;
-use crate::engine::{End, Engine};
+use crate::engine::Engine;
 use crate::forecast::{admit, forecast_sweep};
 use crate::http::sweep_wire::SweepDetail;
 use crate::metrics::Metrics;
 use crate::queue::recover;
 use crate::solver::SolverChoice;
 use crate::store::sweeps::{self, DesignRow, SweepRow};
-use crate::store::{Store, StoreError, turns};
+use crate::store::{Store, StoreError};
 use crate::study_document::{read_file, read_study, stored_text};
 use crate::sweeps::{extend, resume, store};
 
@@ -62,7 +60,7 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// Runs the designs that have no result yet, one after the other, and prints the comparison.
+    /// Runs the designs that have no result yet, and prints the comparison.
     pub fn execute(&self) -> Result<(), Failure> {
         let plan = self
             .study
@@ -149,22 +147,21 @@ impl Sweep {
         };
         let bar = progress_bar("");
         let all = designs()?;
-        for (index, design) in all.iter().enumerate() {
-            if design.study.ended() {
-                continue;
-            }
-            let place = Place {
-                index,
-                of: all.len(),
-            };
-            if !solve(runtime, engine, design, &stop, &bar, place)? {
-                bar.finish_and_clear();
-                return Err(Failure::Other(format!(
-                    "stopped; what is solved is kept in {}: strainsite sweep --resume {} goes on",
-                    self.config.db.display(),
-                    sweep.id
-                )));
-            }
+        let crew = Crew {
+            runtime: runtime.handle(),
+            engine,
+            solver: &|| self.solver.solver().map_err(Failure::other),
+            memory_bytes: self.config.memory_bytes(),
+            stop: &stop,
+        };
+        let whole = crew.run(&all, &bar);
+        if !whole? {
+            bar.finish_and_clear();
+            return Err(Failure::Other(format!(
+                "stopped; what is solved is kept in {}: strainsite sweep --resume {} goes on",
+                self.config.db.display(),
+                sweep.id
+            )));
         }
         bar.finish_and_clear();
         let ended = designs()?;
@@ -215,72 +212,6 @@ impl Sweep {
         }
         let document = json!({"grid": grid(&self.grid)?});
         designs_of(base, &document).map_err(Failure::Input)
-    }
-}
-
-/// A design among all.
-#[derive(Clone, Copy)]
-struct Place {
-    index: usize,
-    of: usize,
-}
-
-/// Solves one design to its end, whatever that is; false when the user asked to stop.
-fn solve(
-    runtime: &Runtime,
-    engine: &Engine,
-    design: &DesignRow,
-    stop: &AtomicBool,
-    bar: &ProgressBar,
-    place: Place,
-) -> Result<bool, Failure> {
-    let claimed = runtime.block_on(async {
-        let mut transaction = engine.store.begin().await?;
-        let row = turns::claim(&mut transaction, &design.study.id).await?;
-        engine.store.commit(transaction, 0).await?;
-        Ok::<_, StoreError>(row)
-    });
-    let Some(row) = claimed.map_err(Failure::other)? else {
-        return Ok(!stop.load(Ordering::Relaxed));
-    };
-    bar.set_prefix(format!(
-        "{} of {}, {}  ",
-        place.index + 1,
-        place.of,
-        design.name
-    ));
-    let end = engine.run(&row, runtime.handle(), stop, None, &|event| {
-        show(bar, place, event);
-    });
-    runtime
-        .block_on(engine.settle(&row, &end))
-        .map_err(Failure::other)?;
-    match end {
-        End::Stopped | End::Paused => Ok(false),
-        End::DiskFull => Err(Failure::other(StoreError::Full)),
-        End::Done(_) | End::Failed { .. } => Ok(true),
-    }
-}
-
-/// Moves the bar of the whole sweep, as if all designs had as many points.
-fn show(bar: &ProgressBar, place: Place, event: &Event) {
-    let count = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
-    match event {
-        Event::Started { points, reused } => {
-            bar.set_length(count(place.of * points));
-            bar.set_position(count(place.index * points + reused));
-        }
-        Event::PointSolved { done, of, .. } => bar.set_position(count(place.index * of + done)),
-        Event::PointFailed {
-            done,
-            of,
-            ordinal,
-            cause,
-        } => {
-            bar.set_position(count(place.index * of + done));
-            bar.println(format!("point {ordinal}: {cause}"));
-        }
-        Event::Analysing => {}
     }
 }
 
