@@ -34,6 +34,7 @@ pub fn detail() -> Value {
     detail["estimate"] = estimate();
     detail["result_sha256"] = Value::Null;
     detail["trade_measured"] = false.into();
+    detail["sweep"] = Value::Null;
     detail
 }
 

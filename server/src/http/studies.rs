@@ -23,7 +23,7 @@ use super::wire::{ProblemDocument, StudyDetail, StudyDocument, StudyPage, StudyS
 use crate::forecast::{ForecastError, admit, forecast};
 use crate::queue::SubmitError;
 use crate::store::studies::{self, State as StudyState, StudyRow};
-use crate::store::{Store, results, trades};
+use crate::store::{Store, results, sweeps, trades};
 
 /// `/v1/studies` and `/v1/studies/{id}`.
 pub fn router() -> OpenApiRouter<AppState> {
@@ -221,6 +221,7 @@ async fn show(
         estimate: estimate.and_then(Result::ok),
         result_sha256: results::sha256_of(&mut connection, &id).await?,
         trade_measured: trades::is_measured(&mut connection, &study.spec_sha256).await?,
+        sweep: sweeps::of_study(&mut connection, &id).await?,
     };
     conditional::json(&headers, &detail)
 }

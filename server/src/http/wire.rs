@@ -70,6 +70,8 @@ pub struct StudyDetail {
     pub result_sha256: Option<String>,
     /// Whether what accuracy costs was measured for this document.
     pub trade_measured: bool,
+    /// Identifier of the sweep that it is a design of; null for any other study.
+    pub sweep: Option<String>,
 }
 
 /// One of the events that a stream consists of.

@@ -184,6 +184,22 @@ pub async fn designs(
     Ok(rows.into_iter().map(design).collect())
 }
 
+/// The sweep that a study is a design of.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn of_study(
+    connection: &mut SqliteConnection,
+    study: &str,
+) -> Result<Option<String>, StoreError> {
+    Ok(
+        sqlx::query_scalar("select sweep from sweep_designs where study = ?")
+            .bind(study)
+            .fetch_optional(connection)
+            .await?,
+    )
+}
+
 /// The sweep submitted under this key, and the hash of what was submitted.
 ///
 /// # Errors

@@ -70,6 +70,13 @@ async fn a_sweep_is_run_extended_and_compared() {
     );
     assert!(done["finished"].is_string());
 
+    let design = done["designs"][0]["study"]["id"].as_str().expect("an id");
+    let detail = app.json(&format!("/v1/studies/{design}")).await;
+    assert_eq!(detail["sweep"], sweep["id"], "a design names its sweep");
+    let alone = app.submit(&study()).await;
+    let detail = app.json(&format!("/v1/studies/{alone}")).await;
+    assert_eq!(detail.get("sweep"), Some(&Value::Null));
+
     // The second design is there already, the third is new.
     let further = json!({"grid": {"geometry.wall_mm": [3, 3.5]}});
     let extended = accepted(post(&app, &address(&sweep, "/designs"), &further).await).await;
