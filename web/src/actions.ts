@@ -5,14 +5,15 @@ import { parseDraft, withAccuracy, type Accuracy } from "./lib/draft.ts";
 import { formatRoute, parseRoute, studyRoute, type Route } from "./lib/route.ts";
 import { draftOf, mergeLists, newKey, type Draft, type Store } from "./state.ts";
 import { createFollower } from "./follower.ts";
+import { createSweepActions, type SweepActions } from "./sweep-actions.ts";
 
 const LIST_REFRESH_MS = 4000;
 const CLOCK_MS = 1000;
 
-export interface Actions {
+export interface Actions extends SweepActions {
   start(): void;
   go(route: Route): void;
-  /** Changes what a study's view shows without a new entry in the browser's history. */
+  /** Changes what a view shows without a new entry in the browser's history. */
   adjust(route: Route): void;
   choosePreset(name: string): void;
   editDraft(text: string): void;
@@ -27,16 +28,17 @@ export interface Actions {
 
 export function createActions(store: Store): Actions {
   const follower = createFollower(store, () => void reloadList());
+  const sweeps = createSweepActions(store, go);
   const setDraft = (change: Partial<Draft>): void =>
     store.update((state) => ({ ...state, draft: { ...state.draft, ...change } }));
 
   function showRoute(route: Route): void {
     store.update((state) => ({ ...state, route }));
     if (route.view === "study") follower.open(route.id);
-    else {
-      follower.close();
-      if (route.preset !== null && route.preset !== store.get().draft.preset) choosePreset(route.preset);
-    }
+    else follower.close();
+    if (route.view === "sweep") sweeps.openSweep(route.id);
+    else sweeps.closeSweep();
+    if (route.view === "home" && route.preset !== null && route.preset !== store.get().draft.preset) choosePreset(route.preset);
   }
 
   function go(route: Route): void {
@@ -129,17 +131,20 @@ export function createActions(store: Store): Actions {
     window.addEventListener("hashchange", () => showRoute(parseRoute(location.hash)));
     void reloadPresets();
     void reloadList();
+    void sweeps.reloadSweeps();
     showRoute(parseRoute(location.hash));
     window.setInterval(() => store.update((state) => ({ ...state, now_ms: Date.now() })), CLOCK_MS);
     window.setInterval(() => {
-      if (document.visibilityState === "visible") void reloadList();
+      if (document.visibilityState !== "visible") return;
+      void reloadList();
+      void sweeps.reloadSweeps();
     }, LIST_REFRESH_MS);
   }
 
   const editDraft = (text: string): void => setDraft({ text, problem: null, idempotencyKey: newKey() });
   const setAccuracy = (accuracy: Accuracy): void => editDraft(withAccuracy(store.get().draft.text, accuracy));
   return {
-    start, go, adjust, choosePreset, editDraft, setAccuracy, submitDraft, reloadList, loadOlder, reloadPresets,
+    ...sweeps, start, go, adjust, choosePreset, editDraft, setAccuracy, submitDraft, reloadList, loadOlder, reloadPresets,
     reopen: follower.reopen, cancelStudy,
   };
 }

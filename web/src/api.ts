@@ -3,8 +3,11 @@
 import {
   EVENT_KINDS, type Presets, type Problem, type StudyEvent, type StudyPage, type StudyResult, type StudySummary, type Trade,
 } from "./types.ts";
+import type { Comparison, SweepDetail, SweepEstimate, SweepPage } from "./sweep-types.ts";
 
 const ROOT = "/v1";
+/** The service looks at every design of the sweeps that it lists, and the list is asked for again and again. */
+const SWEEPS_OF_A_PAGE = 10;
 
 /** An answer that is not the one asked for, or no answer at all. */
 export class ApiError extends Error {
@@ -60,9 +63,50 @@ export function cancel(id: string): Promise<unknown> {
   return request("DELETE", path(id));
 }
 
+export function sweeps(cursor: string | null): Promise<SweepPage> {
+  const limit = `/sweeps?limit=${SWEEPS_OF_A_PAGE}`;
+  return request("GET", cursor === null ? limit : `${limit}&cursor=${encodeURIComponent(cursor)}`);
+}
+
+export function sweep(id: string): Promise<SweepDetail> {
+  return request("GET", sweepPath(id));
+}
+
+export function cancelSweep(id: string): Promise<SweepDetail> {
+  return request("DELETE", sweepPath(id));
+}
+
+export function resumeSweep(id: string): Promise<SweepDetail> {
+  return request("POST", sweepPath(id, "/resume"));
+}
+
+/** The designs of a sweep beside the one of this study, or beside the first that has a result. */
+export function comparison(sweep: string, baseline: string | null): Promise<Comparison> {
+  return request("GET", comparisonPath(sweep, baseline));
+}
+
+export function estimateSweep(document: unknown): Promise<SweepEstimate> {
+  return request("POST", "/sweeps:estimate", document);
+}
+
+/** Submits a sweep; the same key finds the same sweep again. */
+export function submitSweep(document: unknown, idempotencyKey: string): Promise<{ id: string }> {
+  return request("POST", "/sweeps", document, { "Idempotency-Key": idempotencyKey });
+}
+
 /** The address of a part of a study, for a link. */
 export function address(id: string, part: "result" | "evaluations" | `export?${string}`): string {
   return `${ROOT}${path(id, `/${part}`)}`;
+}
+
+/** The address of a sweep, for a link. */
+export function sweepAddress(id: string): string {
+  return `${ROOT}${sweepPath(id)}`;
+}
+
+/** The address of its comparison. */
+export function comparisonAddress(sweep: string, baseline: string | null): string {
+  return `${ROOT}${comparisonPath(sweep, baseline)}`;
 }
 
 /** Listens to a study until the returned function is called. */
@@ -80,6 +124,16 @@ export function follow(id: string, listener: StreamListener): () => void {
 
 function path(id: string, rest = ""): string {
   return `/studies/${encodeURIComponent(id)}${rest}`;
+}
+
+function sweepPath(id: string, rest = ""): string {
+  return `/sweeps/${encodeURIComponent(id)}${rest}`;
+}
+
+function comparisonPath(sweep: string, baseline: string | null): string {
+  const values = new URLSearchParams({ sweep });
+  if (baseline !== null) values.set("baseline", baseline);
+  return `/comparison?${values.toString()}`;
 }
 
 async function request<T>(method: string, where: string, body?: unknown, headers: HeadersInit = {}): Promise<T> {

@@ -3,6 +3,7 @@
 import { textOf } from "./lib/draft.ts";
 import type { Progress } from "./lib/progress.ts";
 import { parseRoute, type Route } from "./lib/route.ts";
+import type { Comparison, SweepDetail, SweepEstimate, SweepSummary } from "./sweep-types.ts";
 import type { Presets, Problem, StudyResult, StudySummary, Trade } from "./types.ts";
 
 /** Something that is asked for: not here yet, here, or refused. */
@@ -13,6 +14,11 @@ export type Loadable<T> =
 
 export interface StudyList {
   studies: StudySummary[];
+  next_cursor: string | null;
+}
+
+export interface SweepList {
+  sweeps: SweepSummary[];
   next_cursor: string | null;
 }
 
@@ -42,14 +48,48 @@ export interface OpenStudy {
   cancelProblem: Problem | null;
 }
 
+/** What a sweep of the document being written varies. */
+export interface SweepDraft {
+  /** The document's name when empty. */
+  name: string;
+  grid: string;
+  busy: "estimating" | "sending" | null;
+  problem: Problem | null;
+  /** Of the document and the grid as they were then. */
+  estimated: EstimatedSweep | null;
+}
+
+export interface EstimatedSweep {
+  estimate: SweepEstimate;
+  /** Text of the study, to see whether it is still the one. */
+  text: string;
+  document: unknown;
+  idempotencyKey: string;
+}
+
+/** The sweep in view. */
+export interface OpenSweep {
+  id: string;
+  detail: Loadable<SweepDetail>;
+  /** The service was asked again and didn't answer. */
+  lost: boolean;
+  /** Null until a design has a result. */
+  comparison: Loadable<Comparison> | null;
+  /** Why it couldn't be cancelled or resumed. */
+  problem: Problem | null;
+}
+
 export interface AppState {
   route: Route;
   /** The page's clock, milliseconds since the epoch. */
   now_ms: number;
   list: Loadable<StudyList>;
+  sweeps: Loadable<SweepList>;
   presets: Loadable<Presets>;
   draft: Draft;
+  sweepDraft: SweepDraft;
   open: OpenStudy | null;
+  openSweep: OpenSweep | null;
 }
 
 export function initialState(hash: string, now_ms: number): AppState {
@@ -57,9 +97,12 @@ export function initialState(hash: string, now_ms: number): AppState {
     route: parseRoute(hash),
     now_ms,
     list: { status: "loading" },
+    sweeps: { status: "loading" },
     presets: { status: "loading" },
     draft: emptyDraft(),
+    sweepDraft: { name: "", grid: "", busy: null, problem: null, estimated: null },
     open: null,
+    openSweep: null,
   };
 }
 
@@ -83,12 +126,27 @@ export function openStudy(id: string): OpenStudy {
   };
 }
 
+export function openSweep(id: string): OpenSweep {
+  return { id, detail: { status: "loading" }, lost: false, comparison: null, problem: null };
+}
+
 /** The newer entries take the place of the older ones; what only the older list has stays behind them. */
 export function mergeLists(older: StudyList, newer: StudyList): StudyList {
-  const known = new Set(newer.studies.map((study) => study.id));
-  const rest = older.studies.filter((study) => !known.has(study.id));
-  const cursor = rest.length > 0 ? older.next_cursor : newer.next_cursor;
-  return { studies: [...newer.studies, ...rest], next_cursor: cursor };
+  const studies = merged(older.studies, newer.studies);
+  const next_cursor = studies.length > newer.studies.length ? older.next_cursor : newer.next_cursor;
+  return { studies, next_cursor };
+}
+
+/** The same for sweeps. */
+export function mergeSweeps(older: SweepList, newer: SweepList): SweepList {
+  const sweeps = merged(older.sweeps, newer.sweeps);
+  const next_cursor = sweeps.length > newer.sweeps.length ? older.next_cursor : newer.next_cursor;
+  return { sweeps, next_cursor };
+}
+
+function merged<T extends { id: string }>(older: T[], newer: T[]): T[] {
+  const known = new Set(newer.map((entry) => entry.id));
+  return [...newer, ...older.filter((entry) => !known.has(entry.id))];
 }
 
 /** 128 random bits in hex; `crypto.randomUUID` is missing on plain http beyond localhost. */

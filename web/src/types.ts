@@ -22,6 +22,8 @@ export interface StudySummary {
   error: string | null;
   /** Whether the service knows what accuracy costs for this study; only an entry asked for by itself says so. */
   trade_measured?: boolean;
+  /** The sweep that it is a design of; asked for in the same way. */
+  sweep?: string | null;
 }
 
 export interface StudyPage {

@@ -16,7 +16,8 @@ export function compare(estimate: Estimate, cost: StudyCost): Comparison[] {
   ];
 }
 
-function expectedTime({ wall_s }: Estimate): string {
+/** A time before it is known, with its range. */
+export function expectedTime({ wall_s }: Pick<Estimate, "wall_s">): string {
   if (wall_s === null) return "unknown";
   const expected = duration(wall_s.expected);
   const [least, most] = [duration(wall_s.least), duration(wall_s.most)];

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { bytes, duration, fixed, integer, microstrain, MISSING, moment, percent, significant, ticks } from "./format.ts";
+import { bytes, duration, fixed, integer, microstrain, MISSING, moment, percent, signed, significant, ticks } from "./format.ts";
 
 test("numbers that do not exist are a dash", () => {
   for (const value of [null, undefined, Number.NaN, Number.POSITIVE_INFINITY]) {
@@ -17,6 +17,13 @@ test("decimals are fixed, the minus is a minus, and zero has no sign", () => {
   assert.equal(fixed(29.97333, 2), "29.97");
   assert.equal(fixed(-0.5, 1), "−0.5");
   assert.equal(fixed(-0.001, 2), "0.00");
+});
+
+test("a difference has its sign, and a missing one is a dash", () => {
+  assert.equal(signed(3.554, 2), "+3.55");
+  assert.equal(signed(-2.05, 2), "−2.05");
+  assert.equal(signed(-0.001, 2), "+0.00");
+  assert.equal(signed(null, 2), MISSING);
 });
 
 test("significant digits avoid exponents while they can", () => {

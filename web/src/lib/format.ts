@@ -11,6 +11,12 @@ export function fixed(value: number | null | undefined, decimals: number): strin
   return value < 0 && Number(text) !== 0 ? `−${text}` : text;
 }
 
+/** Fixed decimals with a sign in front of what isn't negative, too: a difference. */
+export function signed(value: number | null | undefined, decimals: number): string {
+  const text = fixed(value, decimals);
+  return exists(value) && !text.startsWith("−") ? `+${text}` : text;
+}
+
 /** A few significant digits without exponent where that stays readable. */
 export function significant(value: number | null | undefined, digits = 3): string {
   if (!exists(value)) return MISSING;

@@ -147,7 +147,8 @@ function failuresOf(known: readonly PointFailure[], event: StudyEvent): readonly
   return [...points.values()].sort((a, b) => a.ordinal - b.ordinal);
 }
 
-function milliseconds(text: string | null): number | null {
+/** A moment of the service in milliseconds since the epoch. */
+export function milliseconds(text: string | null): number | null {
   const time = text === null ? Number.NaN : Date.parse(text);
   return Number.isNaN(time) ? null : time;
 }

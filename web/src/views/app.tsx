@@ -4,6 +4,8 @@ import type { AppState } from "../state.ts";
 import { NewStudy } from "./new-study.tsx";
 import { StudyListView } from "./study-list.tsx";
 import { StudyView } from "./study.tsx";
+import { SweepListView } from "./sweep-list.tsx";
+import { SweepView } from "./sweep.tsx";
 
 const HOME = formatRoute({ view: "home", preset: null });
 
@@ -26,15 +28,16 @@ export function App({ state, actions }: { state: AppState; actions: Actions }) {
           </a>
         </nav>
       </header>
-      <aside class="sidebar" aria-label="Studies">
+      <aside class="sidebar" aria-label="Sweeps and studies">
+        <SweepListView state={state} actions={actions} />
         <StudyListView state={state} actions={actions} />
       </aside>
       <main id="main" tabIndex={-1}>
-        {state.route.view === "home" ? (
-          <NewStudy draft={state.draft} presets={state.presets} actions={actions} />
-        ) : (
-          <StudyView state={state} route={state.route} actions={actions} />
+        {state.route.view === "home" && (
+          <NewStudy draft={state.draft} sweep={state.sweepDraft} presets={state.presets} actions={actions} />
         )}
+        {state.route.view === "study" && <StudyView state={state} route={state.route} actions={actions} />}
+        {state.route.view === "sweep" && <SweepView state={state} route={state.route} actions={actions} />}
       </main>
     </div>
   );

@@ -1,23 +1,24 @@
-import { locate, type Span } from "../lib/pointer.ts";
+import type { Span } from "../lib/pointer.ts";
 import type { Fault, Problem } from "../types.ts";
 import { ProblemText } from "./loading.tsx";
 
-interface Props {
-  text: string;
-  problem: Problem | null;
-  onShow: (span: Span) => void;
+/** A text that faults stand in. */
+export interface Place {
+  span: Span;
+  show: () => void;
 }
 
-/** What the service says is wrong with the document, each fault a way to its place in the text. */
-export function Faults({ text, problem, onShow }: Props) {
-  if (problem === null) {
-    return (
-      <p class="quiet">
-        The document is checked when it is sent. Every fault is listed here with its place, and nothing runs until there
-        is none.
-      </p>
-    );
-  }
+interface Props {
+  problem: Problem | null;
+  /** Where a pointer leads; null when it leads nowhere. */
+  placeOf: (pointer: string) => Place | null;
+  /** What stands here while nothing is wrong. */
+  idle: string;
+}
+
+/** What the service says is wrong with a document, each fault a way to its place in the text. */
+export function Faults({ problem, placeOf, idle }: Props) {
+  if (problem === null) return <p class="quiet">{idle}</p>;
   const faults = problem.errors ?? [];
   return (
     <div class="problem">
@@ -26,7 +27,7 @@ export function Faults({ text, problem, onShow }: Props) {
         <ul class="fault-list">
           {faults.map((fault) => (
             <li key={`${fault.pointer} ${fault.detail}`}>
-              <Place text={text} fault={fault} onShow={onShow} />
+              <PlaceOf fault={fault} place={placeOf(fault.pointer)} />
               <span>{fault.detail}</span>
             </li>
           ))}
@@ -36,13 +37,21 @@ export function Faults({ text, problem, onShow }: Props) {
   );
 }
 
-function Place({ text, fault, onShow }: { text: string; fault: Fault; onShow: (span: Span) => void }) {
-  const span = locate(text, fault.pointer);
+function PlaceOf({ fault, place }: { fault: Fault; place: Place | null }) {
   const name = fault.pointer === "" ? "whole document" : fault.pointer;
-  if (span === null) return <code>{name}</code>;
+  if (place === null) return <code>{name}</code>;
   return (
-    <button type="button" class="place" onClick={() => onShow(span)} title="Select it in the document">
-      <code>{name}</code> line {span.line}
+    <button type="button" class="place" onClick={place.show} title="Select it in the document">
+      <code>{name}</code> line {place.span.line}
     </button>
   );
+}
+
+/** Selects a place in a text area and brings it into view. */
+export function selectIn(area: HTMLTextAreaElement | null, span: Span): void {
+  if (area === null) return;
+  area.focus();
+  area.setSelectionRange(span.start, span.end);
+  const lines = area.value.split("\n").length;
+  area.scrollTop = (area.scrollHeight * (span.line - 3)) / lines;
 }

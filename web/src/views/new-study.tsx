@@ -1,70 +1,74 @@
 import { useRef } from "preact/hooks";
 import type { Actions } from "../actions.ts";
 import { ACCURACIES, accuracyOf, parseDraft, type Accuracy } from "../lib/draft.ts";
-import type { Span } from "../lib/pointer.ts";
-import type { Draft, Loadable } from "../state.ts";
+import { locate } from "../lib/pointer.ts";
+import type { Draft, Loadable, SweepDraft } from "../state.ts";
 import type { Preset, Presets } from "../types.ts";
-import { Faults } from "./faults.tsx";
+import { Faults, selectIn, type Place } from "./faults.tsx";
 import { Loaded } from "./loading.tsx";
+import { NewSweep } from "./new-sweep.tsx";
 
 interface Props {
   draft: Draft;
+  sweep: SweepDraft;
   presets: Loadable<Presets>;
   actions: Actions;
 }
 
-/** Picks a preset, edits its document, submits it, and shows what is wrong with it. */
-export function NewStudy({ draft, presets, actions }: Props) {
+const IDLE =
+  "The document is checked when it is sent. Every fault is listed here with its place, and nothing runs until there is none.";
+
+/** Picks a preset, edits its document, submits it or a sweep of it, and shows what is wrong with it. */
+export function NewStudy({ draft, sweep, presets, actions }: Props) {
   const text = useRef<HTMLTextAreaElement>(null);
-  const show = (span: Span): void => {
-    const area = text.current;
-    if (area === null) return;
-    area.focus();
-    area.setSelectionRange(span.start, span.end);
-    const lines = area.value.split("\n").length;
-    area.scrollTop = (area.scrollHeight * (span.line - 3)) / lines;
+  const placeOf = (pointer: string): Place | null => {
+    const span = locate(draft.text, pointer);
+    return span === null ? null : { span, show: () => selectIn(text.current, span) };
   };
   const submit = (event: Event): void => {
     event.preventDefault();
     void actions.submitDraft();
   };
   return (
-    <section class="panel">
-      <h1>New study</h1>
-      <form class="new-study" onSubmit={submit}>
-        <Loaded of={presets} what="the presets" onRetry={() => void actions.reloadPresets()}>
-          {(value) => <PresetChoice presets={value.studies} chosen={draft.preset} onChoose={actions.choosePreset} />}
-        </Loaded>
-        <div class="document">
-          <div class="document-text">
-            <div class="document-head">
-              <label for="document">Study document (JSON)</label>
-              <AccuracyChoice text={draft.text} onChoose={actions.setAccuracy} />
+    <>
+      <section class="panel">
+        <h1>New study</h1>
+        <form class="new-study" onSubmit={submit}>
+          <Loaded of={presets} what="the presets" onRetry={() => void actions.reloadPresets()}>
+            {(value) => <PresetChoice presets={value.studies} chosen={draft.preset} onChoose={actions.choosePreset} />}
+          </Loaded>
+          <div class="document">
+            <div class="document-text">
+              <div class="document-head">
+                <label for="document">Study document (JSON)</label>
+                <AccuracyChoice text={draft.text} onChoose={actions.setAccuracy} />
+              </div>
+              <textarea
+                id="document"
+                ref={text}
+                spellcheck={false}
+                autocomplete="off"
+                rows={24}
+                value={draft.text}
+                aria-describedby="document-faults"
+                aria-invalid={draft.problem !== null}
+                onInput={(event) => actions.editDraft(event.currentTarget.value)}
+              />
             </div>
-            <textarea
-              id="document"
-              ref={text}
-              spellcheck={false}
-              autocomplete="off"
-              rows={24}
-              value={draft.text}
-              aria-describedby="document-faults"
-              aria-invalid={draft.problem !== null}
-              onInput={(event) => actions.editDraft(event.currentTarget.value)}
-            />
+            <div id="document-faults" class="faults" aria-live="polite">
+              <Faults problem={draft.problem} placeOf={placeOf} idle={IDLE} />
+            </div>
           </div>
-          <div id="document-faults" class="faults" aria-live="polite">
-            <Faults text={draft.text} problem={draft.problem} onShow={show} />
+          <div class="actions">
+            <button type="submit" class="primary" disabled={draft.sending || draft.text.trim() === ""}>
+              {draft.sending ? "Sending …" : "Run study"}
+            </button>
+            <p class="quiet">Solved points are stored at once and reused: a study like an earlier one costs less.</p>
           </div>
-        </div>
-        <div class="actions">
-          <button type="submit" class="primary" disabled={draft.sending || draft.text.trim() === ""}>
-            {draft.sending ? "Sending …" : "Run study"}
-          </button>
-          <p class="quiet">Solved points are stored at once and reused: a study like an earlier one costs less.</p>
-        </div>
-      </form>
-    </section>
+        </form>
+      </section>
+      <NewSweep draft={sweep} text={draft.text} placeInStudy={placeOf} actions={actions} />
+    </>
   );
 }
 

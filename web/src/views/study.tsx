@@ -1,6 +1,6 @@
 import type { Actions } from "../actions.ts";
 import { isOver } from "../lib/progress.ts";
-import type { Route } from "../lib/route.ts";
+import { formatRoute, sweepRoute, type Route } from "../lib/route.ts";
 import type { AppState, OpenStudy } from "../state.ts";
 import { Loaded } from "./loading.tsx";
 import { ProgressView } from "./progress.tsx";
@@ -25,6 +25,11 @@ export function StudyView({ state, route, actions }: Props) {
             <h1>{summary.name}</h1>
             <StateBadge state={open.progress?.state ?? summary.state} />
           </header>
+          {summary.sweep != null && (
+            <p class="provenance">
+              A design of <a href={formatRoute(sweepRoute(summary.sweep))}>a sweep</a>, beside the others there.
+            </p>
+          )}
           <Body open={open} now_ms={state.now_ms} route={route} actions={actions} />
         </article>
       )}
