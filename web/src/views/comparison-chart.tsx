@@ -137,7 +137,7 @@ function Designs({ axis, bottom }: { axis: DesignAxis; bottom: number }) {
           </text>
         ) : null,
       )}
-      <text x="50%" y={bottom + 26} text-anchor="middle">
+      <text x="0" y={bottom + 26}>
         {axis.title}
       </text>
     </g>
