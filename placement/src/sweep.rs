@@ -171,12 +171,8 @@ fn read_designs(base: &Study, fields: &Fields<'_>, faults: &mut Vec<Fault>) -> O
     Some(designs)
 }
 
-/// Whether two studies are the same but for their names.
-pub fn same_design(a: &Study, b: &Study) -> bool {
-    nameless(a) == nameless(b)
-}
-
-fn nameless(study: &Study) -> String {
+/// Canonical document of a study without its name: the same for the same design.
+pub fn nameless(study: &Study) -> String {
     let nameless = Study {
         name: String::new(),
         ..study.clone()

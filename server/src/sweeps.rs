@@ -3,8 +3,10 @@
 //! A design is a study in the queue like any other. What it shares with others isn't solved again, so that neither an extension nor a second
 //! start repeats anything; where a sweep stands is read off its designs and stored nowhere.
 
+use std::collections::HashSet;
+
 use placement::study::Study;
-use placement::sweep::{Design, Sweep, same_design};
+use placement::sweep::{Design, Sweep, nameless};
 use sqlx::SqliteConnection;
 
 use crate::queue::{Queue, SubmitError, enqueue};
@@ -55,8 +57,9 @@ impl Queue {
         designs: &[Design],
     ) -> Result<(), SubmitError> {
         let mut transaction = self.store().begin().await?;
-        self.room_for(&mut transaction, designs.len()).await?;
-        extend(&mut transaction, sweep, designs).await?;
+        let new = not_there(&mut transaction, sweep, designs).await?;
+        self.room_for(&mut transaction, new.len()).await?;
+        add_all(&mut transaction, &sweep.id, sweep.priority, new).await?;
         Ok(self.admit(transaction).await?)
     }
 
@@ -66,8 +69,9 @@ impl Queue {
     /// See [`SubmitError`].
     pub async fn resume_sweep(&self, sweep: &SweepRow) -> Result<(), SubmitError> {
         let mut transaction = self.store().begin().await?;
-        self.room_for(&mut transaction, 0).await?;
-        resume(&mut transaction, sweep).await?;
+        let over = without_result(&mut transaction, sweep).await?;
+        self.room_for(&mut transaction, over.len()).await?;
+        put_back(&mut transaction, sweep, &over).await?;
         Ok(self.admit(transaction).await?)
     }
 
@@ -102,20 +106,21 @@ pub async fn store(
     let base = &sweep.base;
     let (spec, hash) = (base.canonical(), base.spec_sha256());
     let id = sweeps::insert(connection, &sweep.name, &spec, &hash, priority).await?;
-    for design in &sweep.designs {
-        add(connection, &id, priority, design).await?;
-    }
+    add_all(connection, &id, priority, &sweep.designs).await?;
     Ok(id)
 }
 
-async fn add(
+async fn add_all<'d>(
     connection: &mut SqliteConnection,
     sweep: &str,
     priority: i64,
-    design: &Design,
+    designs: impl IntoIterator<Item = &'d Design>,
 ) -> Result<(), StoreError> {
-    let study = enqueue(connection, &design.study, priority).await?;
-    sweeps::add_design(connection, sweep, &design.name, &design.set, &study).await
+    for design in designs {
+        let study = enqueue(connection, &design.study, priority).await?;
+        sweeps::add_design(connection, sweep, &design.name, &design.set, &study).await?;
+    }
+    Ok(())
 }
 
 /// Adds the designs that a sweep hasn't yet.
@@ -127,18 +132,25 @@ pub async fn extend(
     sweep: &SweepRow,
     designs: &[Design],
 ) -> Result<(), StoreError> {
+    let new = not_there(connection, sweep, designs).await?;
+    add_all(connection, &sweep.id, sweep.priority, new).await
+}
+
+/// Those of the designs that a sweep hasn't yet.
+async fn not_there<'d>(
+    connection: &mut SqliteConnection,
+    sweep: &SweepRow,
+    designs: &'d [Design],
+) -> Result<Vec<&'d Design>, StoreError> {
     let there = sweeps::designs(connection, &sweep.id).await?;
     // What this version can't read any more is no design that it could make.
-    let there: Vec<Study> = there
+    let there: HashSet<String> = there
         .iter()
         .filter_map(|row| stored_text(&row.study.spec).ok())
+        .map(|study| nameless(&study))
         .collect();
-    for design in designs {
-        if !there.iter().any(|study| same_design(study, &design.study)) {
-            add(connection, &sweep.id, sweep.priority, design).await?;
-        }
-    }
-    Ok(())
+    let is_new = |design: &&Design| !there.contains(&nameless(&design.study));
+    Ok(designs.iter().filter(is_new).collect())
 }
 
 /// Puts the designs that ended without a result back into the line, as new studies; the old ones stay as they ended.
@@ -146,12 +158,31 @@ pub async fn extend(
 /// # Errors
 /// When the database can't be read or written.
 pub async fn resume(connection: &mut SqliteConnection, sweep: &SweepRow) -> Result<(), StoreError> {
-    for design in sweeps::designs(connection, &sweep.id).await? {
-        let over = matches!(design.study.state(), State::Failed | State::Cancelled);
-        if let (true, Ok(study)) = (over, stored_text(&design.study.spec)) {
-            let again = enqueue(connection, &study, sweep.priority).await?;
-            sweeps::replace_study(connection, &sweep.id, design.ordinal, &again).await?;
-        }
+    let over = without_result(connection, sweep).await?;
+    put_back(connection, sweep, &over).await
+}
+
+/// The designs that ended without a result and that this version can read, by their places.
+async fn without_result(
+    connection: &mut SqliteConnection,
+    sweep: &SweepRow,
+) -> Result<Vec<(i64, Study)>, StoreError> {
+    let designs = sweeps::designs(connection, &sweep.id).await?;
+    let over = designs
+        .iter()
+        .filter(|design| matches!(design.study.state(), State::Failed | State::Cancelled));
+    let study = |design: &DesignRow| Some((design.ordinal, stored_text(&design.study.spec).ok()?));
+    Ok(over.filter_map(study).collect())
+}
+
+async fn put_back(
+    connection: &mut SqliteConnection,
+    sweep: &SweepRow,
+    designs: &[(i64, Study)],
+) -> Result<(), StoreError> {
+    for (ordinal, study) in designs {
+        let again = enqueue(connection, study, sweep.priority).await?;
+        sweeps::replace_study(connection, &sweep.id, *ordinal, &again).await?;
     }
     Ok(())
 }

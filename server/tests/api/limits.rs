@@ -101,6 +101,44 @@ async fn a_full_queue_takes_no_more_until_some_are_done() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
+async fn designs_of_a_sweep_wait_in_the_same_line() {
+    let home = Home::new();
+    let limits = Limits {
+        waiting_studies: 2,
+        ..Limits::default()
+    };
+    let app = home.start_with(slow(), limits).await;
+    let post = |path: String, body: Value| {
+        let request = app.client.post(app.url(&path)).json(&body);
+        async move { request.send().await.expect("an answer") }
+    };
+    let running = app.submit(&study()).await;
+    app.wait_for(&running, "running").await;
+    let walls = |walls: &[f64]| json!({"study": study(), "grid": {"geometry.wall_mm": walls}});
+    too_many(post("/v1/sweeps".to_owned(), walls(&[2.5, 3.0, 3.5])).await).await;
+    let sweep = post("/v1/sweeps".to_owned(), walls(&[2.5, 3.0])).await;
+    assert_eq!(sweep.status(), StatusCode::ACCEPTED);
+    let sweep: Value = sweep.json().await.expect("JSON");
+    let path = format!("/v1/sweeps/{}", sweep["id"].as_str().expect("an id"));
+
+    // What the sweep has takes no place, what is new does.
+    let further = |walls: &[f64]| json!({"grid": {"geometry.wall_mm": walls}});
+    let same = post(format!("{path}/designs"), further(&[2.5, 3.0])).await;
+    assert_eq!(same.status(), StatusCode::ACCEPTED);
+    too_many(post(format!("{path}/designs"), further(&[3.5])).await).await;
+
+    app.delete(&path).await;
+    let other = app.submit(&study()).await;
+    too_many(post(format!("{path}/resume"), json!({})).await).await;
+    let after = app.json(&path).await;
+    assert_eq!(after["counts"]["cancelled"], 2, "{after}");
+    app.delete(&format!("/v1/studies/{other}")).await;
+    let resumed = post(format!("{path}/resume"), json!({})).await;
+    assert_eq!(resumed.status(), StatusCode::ACCEPTED);
+    assert_eq!(app.json(&path).await["counts"]["queued"], 2);
+}
+
+#[tokio::test(flavor = "multi_thread")]
 async fn event_streams_are_few_and_a_place_is_free_when_one_ends() {
     let home = Home::new();
     let limits = Limits {
