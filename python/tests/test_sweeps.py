@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING, Any
 
 import httpx
 import matplotlib.pyplot as plt
 import numpy as np
+import pandas as pd
 import pytest
 from conftest import DRAFT, LONG, STUDY, inflated
 from service import Service, Way
 
 import strainsite
-from strainsite import Client, Sweep
+from strainsite import Client, Comparison, StrainsiteError, Sweep
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
+
+    from strainsite.comparison import ComparisonTable
 
 
 @pytest.fixture(autouse=True)
@@ -100,6 +104,28 @@ def test_designs_are_named_and_reach_the_frames(sweep: Sweep) -> None:
     assert all(design.name in shown for design in sweep.designs)
     assert sweep.id in repr(sweep)
     assert "2 studies" in repr(sweep.comparison())
+
+
+@pytest.mark.parametrize("table", ["locations", "designs"])
+def test_the_exported_comparison_is_the_frame(
+    sweep: Sweep, client: Client, tmp_path: Path, table: ComparisonTable
+) -> None:
+    comparison = sweep.comparison()
+    frame = comparison.frame() if table == "locations" else comparison.studies_frame()
+    path = sweep.export("csv", table, tmp_path)
+    assert path == tmp_path / f"comparison-{table}.csv"
+    read = pd.read_csv(path)
+    pd.testing.assert_frame_equal(read, frame, check_dtype=False, check_exact=True)
+    again = client.export_comparison(sweep.studies(), "parquet", table, tmp_path / "table", comparison.baseline)
+    assert again.read_bytes()[:4] == b"PAR1"
+    whole = client.export_comparison([study.id for study in sweep.studies()], "json", path=tmp_path / "whole.json")
+    assert Comparison.of(json.loads(whole.read_text())).rows == comparison.rows
+
+
+def test_a_comparison_of_nothing_is_no_file(client: Client, tmp_path: Path) -> None:
+    with pytest.raises(StrainsiteError, match="at least one study"):
+        client.export_comparison([], path=tmp_path)
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_the_comparison_is_drawn(sweep: Sweep, tmp_path: Path) -> None:

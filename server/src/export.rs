@@ -3,6 +3,7 @@
 //! Tables have a row per thing, and their columns are listed once, in `tables`; CSV and Parquet are both written from there. JSON is the
 //! result itself, and VTU has the map on the surface that it is of. Every file says which study it is of, the hash of its document and the version of the program.
 
+mod comparison;
 mod csv;
 mod map;
 mod parquet;
@@ -10,6 +11,7 @@ mod table;
 mod tables;
 mod unit;
 
+pub use comparison::{ComparisonExport, ComparisonFormat, ComparisonTable};
 use placement::result::StudyResult;
 use serde::Deserialize;
 use utoipa::ToSchema;

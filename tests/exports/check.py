@@ -140,46 +140,124 @@ def rows_of(table, result, evaluations):
             }
 
 
+MEDIA_TYPES = {"csv": "text/csv", "parquet": "application/vnd.apache.parquet"}
+
+
+def check_table(table, fetch, by_hand, path, expected, origin):
+    """One table as CSV by pandas and as Parquet by pyarrow against its rows; returns the number of values."""
+    files = {}
+    for ending in MEDIA_TYPES:
+        files[ending] = path.with_suffix(f".{ending}")
+        files[ending].write_bytes(fetch(ending))
+        said = subprocess.run([*by_hand, "--format", ending, "--table", table], capture_output=True, check=True)
+        assert said.stdout == files[ending].read_bytes(), "REST and command line give the same file"
+    frame = pd.read_csv(files["csv"])
+    parquet = pq.read_table(files["parquet"])
+    assert list(frame.columns) == parquet.column_names and set(frame.columns) == set(expected[0]), parquet.column_names
+    assert len(frame) == parquet.num_rows == len(expected)
+    metadata = {key.decode(): value.decode() for key, value in parquet.schema.metadata.items()}
+    units = json.loads(metadata.pop("units"))
+    assert metadata == {**origin, "table": table}, metadata
+    assert list(units) == parquet.column_names
+    for name in parquet.column_names:
+        kind = str(parquet.schema.field(name).type)
+        assert (units[name] is None) == (kind != "double"), (name, kind, units[name])
+        column = [row[name] for row in expected]
+        present = [value for value in column if value is not None]
+        assert all(isinstance(value, KINDS[kind]) for value in present), (name, kind)
+        for row, (a, b, value) in enumerate(zip(frame[name], parquet.column(name).to_pylist(), column)):
+            # A CSV column of whole numbers with gaps is one of floats to pandas.
+            plain = a.item() if isinstance(a, np.generic) else a
+            as_number = float(value) if isinstance(plain, float) and isinstance(value, int) else value
+            same(plain, as_number, (table, "csv", name, row))
+            same(b, value, (table, "parquet", name, row))
+    return 2 * len(expected) * len(parquet.column_names)
+
+
 def check_tables(service, ident, program, folder):
-    """CSV by pandas and Parquet by pyarrow against the REST documents; returns the number of values."""
+    """The tables of a study against the REST documents; returns the number of values."""
     result = service.part(ident, "result")
     evaluations = service.part(ident, "evaluations")["evaluations"]
     origin = {
         "study": ident, "spec_sha256": result["study"]["spec_sha256"], "version": result["study"]["version"],
     }
     values = 0
+    by_hand = [program, "export", ident, "--db", folder / "studies.db"]
     for table in TABLES:
         expected = [{**row, **origin} for row in rows_of(table, result, evaluations)]
         assert expected, table
-        files = {}
-        for ending, media_type in [("csv", "text/csv"), ("parquet", "application/vnd.apache.parquet")]:
-            files[ending] = folder / f"{ident}-{table}.{ending}"
-            files[ending].write_bytes(service.export(ident, media_type, format=ending, table=table))
-            arguments = ["--format", ending, "--table", table, "--db", folder / "studies.db"]
-            by_hand = subprocess.run([program, "export", ident, *arguments], capture_output=True, check=True)
-            assert by_hand.stdout == files[ending].read_bytes(), "REST and command line give the same file"
-        frame = pd.read_csv(files["csv"])
-        parquet = pq.read_table(files["parquet"])
-        assert list(frame.columns) == parquet.column_names and set(frame.columns) == set(expected[0]), parquet.column_names
-        assert len(frame) == parquet.num_rows == len(expected)
-        metadata = {key.decode(): value.decode() for key, value in parquet.schema.metadata.items()}
-        units = json.loads(metadata.pop("units"))
-        assert metadata == {**origin, "table": table}, metadata
-        assert list(units) == parquet.column_names
-        for name in parquet.column_names:
-            kind = str(parquet.schema.field(name).type)
-            assert (units[name] is None) == (kind != "double"), (name, kind, units[name])
-            column = [row[name] for row in expected]
-            present = [value for value in column if value is not None]
-            assert all(isinstance(value, KINDS[kind]) for value in present), (name, kind)
-            for row, (a, b, value) in enumerate(zip(frame[name], parquet.column(name).to_pylist(), column)):
-                # A CSV column of whole numbers with gaps is one of floats to pandas.
-                plain = a.item() if isinstance(a, np.generic) else a
-                as_number = float(value) if isinstance(plain, float) and isinstance(value, int) else value
-                same(plain, as_number, (table, "csv", name, row))
-                same(b, value, (table, "parquet", name, row))
-                values += 2
+        fetch = lambda ending: service.export(ident, MEDIA_TYPES[ending], format=ending, table=table)
+        values += check_table(table, fetch, by_hand, folder / f"{ident}-{table}", expected, origin)
     assert json.loads(service.export(ident, "application/json", format="json")) == result
+    return values
+
+
+def settings_of(comparison):
+    """What each study sets, by path: numbers where all are, else words, and JSON of what is neither."""
+    paths = sorted({path for each in comparison["studies"] for path in each["set"] or {}})
+    settings = {each["id"]: {} for each in comparison["studies"]}
+    for path in paths:
+        there = [each["set"][path] for each in comparison["studies"] if path in (each["set"] or {})]
+        numbers = all(isinstance(value, (int, float)) for value in there)
+        for each in comparison["studies"]:
+            value = (each["set"] or {}).get(path)
+            if value is not None and numbers:
+                value = float(value)
+            elif value is not None and not isinstance(value, str):
+                value = json.dumps(value, separators=(",", ":"))
+            settings[each["id"]][path] = value
+    return settings
+
+
+def rows_of_comparison(table, comparison):
+    """The rows of a comparison's table as its document has them."""
+    settings = settings_of(comparison)
+    studies = {each["id"]: each for each in comparison["studies"]}
+    names = ["location", "rank", "rank_certain", "rank_change", "rank_verdict"]
+    for row in comparison["rows"] if table == "locations" else comparison["studies"]:
+        study = studies[row["study"]] if table == "locations" else row
+        cost = study["cost"] or {}
+        line = {"study": study["id"], "name": study["name"], **settings[study["id"]]}
+        if table == "locations":
+            line |= {name: row[name] for name in names}
+            line |= {f"{name}_{d}": value for d in "xy" for name, value in row[d].items()}
+        else:
+            line |= {name: value for name, value in study.items() if name not in ("id", "name", "set", "cost")}
+            line |= {name: cost.get(name) for name in ["solves", "coarser_solves", "effect_solves", "reused", "wall_s", "cpu_s"]}
+        origin = {name: study[name] for name in ["spec_sha256", "version"]}
+        yield {**line, **origin, "baseline": comparison["baseline"]}
+
+
+def check_comparison(service, program, folder):
+    """The tables of a sweep's comparison, one design without an equilibrium; returns the number of values."""
+    uniform = {"kind": "uniform", "min": 0.8, "max": 1.2}
+    designs = [
+        {"geometry.wall_mm": 3},
+        {"geometry.wall_mm": 2.5, "accuracy.preset": "coarse"},
+        {"inputs[0].distribution": uniform},
+        {"carcass.stiffness_n_per_mm": 1.0},
+    ]
+    body = {"study": study("walls", candidates={"points": "P1-P5"}), "designs": [{"set": each} for each in designs]}
+    body["designs"][1]["name"] = "thin, \"µ\""
+    ident = json.loads(service.ask("/v1/sweeps", body)[1])["id"]
+    for _ in range(1200):
+        sweep = json.loads(service.ask(f"/v1/sweeps/{ident}")[1])
+        if sweep["state"] not in ("queued", "running"):
+            break
+        time.sleep(0.05)
+    assert sweep["counts"]["done"] == 3 and sweep["counts"]["failed"] == 1, sweep["counts"]
+    comparison = json.loads(service.ask(f"/v1/comparison?sweep={ident}")[1])
+    verdicts = [row[d]["verdict"] for row in comparison["rows"] for d in "xy"]
+    assert {"real", "noise", None} <= set(verdicts), verdicts
+    values = 0
+    by_hand = [program, "compare", ident, "--db", folder / "studies.db"]
+    for table in ["locations", "designs"]:
+        expected = list(rows_of_comparison(table, comparison))
+        fetch = lambda ending: service.ask(f"/v1/comparison/export?sweep={ident}&format={ending}&table={table}")[1]
+        origin = {"baseline": comparison["baseline"]}
+        values += check_table(table, fetch, by_hand, folder / f"{ident}-{table}", expected, origin)
+    whole = service.ask(f"/v1/comparison/export?sweep={ident}&format=json")[1]
+    assert json.loads(whole) == comparison
     return values
 
 
@@ -328,6 +406,7 @@ def main():
     without = service.run(study("no map", accuracy={"preset": "draft"}, candidates={"points": "P1-P5"}))
     values = sum(check_tables(service, ident, program, folder) for ident in (with_map, idle))
     print(f"tables: {values} values by pandas and pyarrow, as in the REST result")
+    print(f"comparison: {check_comparison(service, program, folder)} values by pandas and pyarrow")
     for ident in (with_map, idle):
         numbers, missing = check_map(service, ident, program, folder)
         print(f"map: {numbers} values by meshio, {missing} of them missing")

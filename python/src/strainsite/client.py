@@ -10,6 +10,7 @@ from urllib.parse import quote
 
 from . import documents
 from .comparison import Comparison
+from .download import download
 from .errors import DocumentError, StrainsiteError
 from .estimate import Estimate
 from .reading import read
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from pathlib import Path
     from types import TracebackType
 
+    from .comparison import ComparisonTable
     from .study import State
 
     Document = Mapping[str, Any] | str | Path
@@ -272,11 +274,32 @@ class Client:
             NotFound: One of them isn't there.
 
         """
-        ids = [_id(study) for study in studies]
-        if not ids:
-            raise StrainsiteError("there is nothing to compare: give at least one study")
-        params = {"studies": ",".join(ids)} | ({} if baseline is None else {"baseline": _id(baseline)})
-        return Comparison.of(self._transport.get("/v1/comparison", params))
+        return Comparison.of(self._transport.get("/v1/comparison", _compared(studies, baseline)))
+
+    def export_comparison(
+        self,
+        studies: Iterable[Study | str],
+        format: str = "csv",
+        table: ComparisonTable | None = None,
+        path: str | os.PathLike[str] | None = None,
+        baseline: Study | str | None = None,
+    ) -> Path:
+        """Writes a comparison of studies to a file and returns its path; a sweep's own is `Sweep.export`.
+
+        Args:
+            studies: Studies or their identifiers.
+            format: `csv`, `parquet` or `json` (the whole comparison).
+            table: `locations` (when left out) or `designs`, for formats of one table.
+            path: The file, or a folder; the name that the service proposes, in the working folder, when left out.
+            baseline: Which of them the others are compared with; the first one when left out.
+
+        Raises:
+            StrainsiteError: No study is given, or the file can't be written.
+            NotFound: One of them isn't there.
+
+        """
+        params = {**_compared(studies, baseline), "format": format} | ({} if table is None else {"table": table})
+        return download(self._transport, "/v1/comparison/export", params, path)
 
     def _pages(self, kind: str, params: Mapping[str, str]) -> Iterator[Any]:
         cursor: str | None = None
@@ -295,3 +318,10 @@ def _id(study: Study | str) -> str:
 def _part(identifier: str) -> str:
     """An identifier as one part of a path, whatever somebody typed."""
     return quote(identifier, safe="")
+
+
+def _compared(studies: Iterable[Study | str], baseline: Study | str | None) -> dict[str, str]:
+    ids = [_id(study) for study in studies]
+    if not ids:
+        raise StrainsiteError("there is nothing to compare: give at least one study")
+    return {"studies": ",".join(ids)} | ({} if baseline is None else {"baseline": _id(baseline)})

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from . import frames, html
 from .reading import as_record, read
@@ -12,6 +12,11 @@ from .result import Cost  # noqa: TC001 - fields are read by their types
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
+
+
+ComparisonTable = Literal["locations", "designs"]
+
+_COSTS = ("solves", "coarser_solves", "effect_solves", "reused", "wall_s", "cpu_s")
 
 
 @dataclass(frozen=True)
@@ -98,25 +103,35 @@ class Comparison:
         studies = {study.id: study for study in self.studies}
         rows = []
         for row in self.rows:
-            study = studies[row.study]
-            line: dict[str, Any] = {"study": row.study, "name": study.name, **(study.set or {})}
-            line |= {name: getattr(row, name) for name in ("location", "rank", "rank_certain", "rank_change")}
+            line = self._begun(studies[row.study])
+            of_row = ("location", "rank", "rank_certain", "rank_change", "rank_verdict")
+            line |= {name: getattr(row, name) for name in of_row}
             for direction, index in (("x", row.x), ("y", row.y)):
                 line |= {f"{name}_{direction}": value for name, value in as_record(index).items()}
-            rows.append(line)
+            rows.append(self._ended(line, studies[row.study]))
         return frames.plain(rows)
 
     def studies_frame(self) -> pd.DataFrame:
         """A row for each study: what differs, its state, why it has no result, force, signal, best layout, cost."""
         rows = []
         for study in self.studies:
-            line = dict(as_record(study))
-            cost = line.pop("cost")
-            line = {"study": line.pop("id"), "name": line.pop("name"), **(line.pop("set") or {}), **line}
-            for name in ("solves", "reused", "wall_s", "cpu_s"):
-                line[name] = getattr(cost, name) if cost else None
-            rows.append(line)
+            line = self._begun(study)
+            left = {"id", "name", "set", "cost", "spec_sha256", "version"}
+            line |= {name: value for name, value in as_record(study).items() if name not in left}
+            line |= {name: getattr(study.cost, name) if study.cost else None for name in _COSTS}
+            rows.append(self._ended(line, study))
         return frames.plain(rows)
+
+    def _begun(self, study: ComparedStudy) -> dict[str, Any]:
+        """What rows begin with: the study, and every field that any design sets."""
+        paths = sorted({path for other in self.studies for path in other.set or {}})
+        settings = study.set or {}
+        return {"study": study.id, "name": study.name} | {path: settings.get(path) for path in paths}
+
+    def _ended(self, line: dict[str, Any], study: ComparedStudy) -> dict[str, Any]:
+        """With where the row is from."""
+        origin = {"spec_sha256": study.spec_sha256, "version": study.version, "baseline": self.baseline}
+        return line | origin
 
     def plot(self, figure: Figure | None = None) -> Figure:
         """Each location's index over the designs, with error bars, both directions."""

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from . import frames, html
-from .errors import NotFound, StrainsiteError, StudyCancelled, StudyFailed
+from .download import download
+from .errors import NotFound, StudyCancelled, StudyFailed
 from .estimate import Estimate
 from .follow import ENDED, Follower
 from .maps import StrainMap
@@ -18,6 +17,7 @@ from .result import Evaluation, Layout, Location, Result
 
 if TYPE_CHECKING:
     import os
+    from pathlib import Path
 
     import pandas as pd
 
@@ -177,13 +177,7 @@ class Study:
 
         """
         params = {"format": format} | ({} if table is None else {"table": table})
-        answer = self._transport.request("GET", f"{self._path}/export", params=params)
-        proposed = re.search(r'filename="([^"/\\]+)"', answer.headers.get("content-disposition", ""))
-        name = proposed[1] if proposed else f"{self.id}.{format}"
-        target = Path(path) if path is not None else Path(name)
-        target = target / name if target.is_dir() else target
-        _write_whole(target, answer.content)
-        return target
+        return download(self._transport, f"{self._path}/export", params, path)
 
     def _answer(self, part: str, params: dict[str, str] | None = None) -> dict[str, Any]:
         try:
@@ -205,14 +199,3 @@ class Study:
 
     def _repr_html_(self) -> str:
         return html.study(self.summary)
-
-
-def _write_whole(path: Path, content: bytes) -> None:
-    """All of a file or nothing, so that no half of one is taken for the whole."""
-    part = path.with_name(f".{path.name}.part")
-    try:
-        part.write_bytes(content)
-        part.replace(path)
-    except OSError as error:
-        part.unlink(missing_ok=True)
-        raise StrainsiteError(f"{path} can't be written: {error}") from error

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import documents, frames, html
 from .comparison import Comparison
+from .download import download
 from .errors import DocumentError, StudyCancelled, StudyFailed
 from .estimate import CountForecast, Estimate, Forecast  # noqa: TC001 - fields are read by their types
 from .follow import look
@@ -15,10 +16,13 @@ from .reading import read, records
 from .study import Study, StudySummary
 
 if TYPE_CHECKING:
+    import os
     from collections.abc import Mapping, Sequence
+    from pathlib import Path
 
     import pandas as pd
 
+    from .comparison import ComparisonTable
     from .transport import Transport
 
 
@@ -184,10 +188,31 @@ class Sweep:
 
     def comparison(self, baseline: Study | str | None = None) -> Comparison:
         """Compares its designs, with the first one or with `baseline`."""
-        params = {"sweep": self.id}
-        if baseline is not None:
-            params["baseline"] = baseline if isinstance(baseline, str) else baseline.id
-        return Comparison.of(self._transport.get("/v1/comparison", params))
+        return Comparison.of(self._transport.get("/v1/comparison", self._compared(baseline)))
+
+    def export(
+        self,
+        format: str = "csv",
+        table: ComparisonTable | None = None,
+        path: str | os.PathLike[str] | None = None,
+        baseline: Study | str | None = None,
+    ) -> Path:
+        """Writes the comparison of its designs to a file and returns its path.
+
+        Args:
+            format: `csv`, `parquet` or `json` (the whole comparison).
+            table: `locations` (when left out) or `designs`, for formats of one table.
+            path: The file, or a folder; the name that the service proposes, in the working folder, when left out.
+            baseline: The design that the others are compared with; the first one when left out.
+
+        """
+        params = {**self._compared(baseline), "format": format} | ({} if table is None else {"table": table})
+        return download(self._transport, "/v1/comparison/export", params, path)
+
+    def _compared(self, baseline: Study | str | None) -> dict[str, str]:
+        if baseline is None:
+            return {"sweep": self.id}
+        return {"sweep": self.id, "baseline": baseline if isinstance(baseline, str) else baseline.id}
 
     def designs_frame(self) -> pd.DataFrame:
         """The designs as a pandas frame: ordinal, name, what differs, state, points, study."""

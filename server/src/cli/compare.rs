@@ -1,6 +1,7 @@
 //! `strainsite compare`: studies of a database side by side, without a service.
 
 use std::fmt::Write;
+use std::path::PathBuf;
 
 use clap::Args;
 use placement::compare::{
@@ -9,9 +10,11 @@ use placement::compare::{
 use sqlx::SqliteConnection;
 
 use super::Failure;
+use super::export::{deliver, readable};
 use super::library::{Database, study, the_only};
 use super::output::{JsonTarget, tell};
 use crate::comparison::{of_designs, of_studies};
+use crate::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
 use crate::store::sweeps;
 
 /// Compare studies, or the designs of a sweep: what differs, and which differences are real
@@ -28,11 +31,29 @@ pub struct Compare {
     /// Write the comparison as JSON to a file, or to standard output with -
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<JsonTarget>,
+    /// Write a file for other programs instead of the table
+    #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]
+    format: Option<ComparisonFormat>,
+    /// What CSV and Parquet hold
+    #[arg(
+        long,
+        value_enum,
+        value_name = "TABLE",
+        default_value = "locations",
+        requires = "format"
+    )]
+    table: ComparisonTable,
+    /// File to write; standard output when absent
+    #[arg(short, long, value_name = "FILE", requires = "format")]
+    output: Option<PathBuf>,
 }
 
 impl Compare {
-    /// Prints the comparison.
+    /// Prints the comparison, or writes it as a file.
     pub fn execute(&self) -> Result<(), Failure> {
+        if let Some(format) = self.format {
+            readable(format.file(), self.output.as_deref())?;
+        }
         let entries = self
             .database
             .read(async |connection| self.entries(connection).await)?;
@@ -42,6 +63,12 @@ impl Compare {
         });
         let baseline = baseline.transpose()?.map(|entry| entry.id.as_str());
         let comparison = compare(&entries, baseline);
+        if let Some(format) = self.format {
+            let table = self.table;
+            let bytes = ComparisonExport { format, table }.bytes(&comparison);
+            let bytes = bytes.map_err(Failure::other)?;
+            return deliver(format.file(), bytes, self.output.as_deref());
+        }
         if let Some(target) = &self.json {
             target.write(&comparison)?;
         }

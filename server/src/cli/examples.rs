@@ -50,7 +50,8 @@ pub const SWEEP: &str = "Examples:
 /// Examples of `compare`.
 pub const COMPARE: &str = "Examples:
   strainsite compare 019aa2b3 019aa2c7
-  strainsite compare 019aa2b3 --baseline 019aa2d0 --json comparison.json";
+  strainsite compare 019aa2b3 --baseline 019aa2d0 --json comparison.json
+  strainsite compare 019aa2b3 --format parquet --table designs -o designs.parquet";
 
 /// Examples of `list`.
 pub const LIST: &str = "Examples:

@@ -1,7 +1,7 @@
 //! `strainsite export`: a study's answer as a file, without a service.
 
 use std::io::IsTerminal;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use placement::result::StudyResult;
@@ -36,17 +36,12 @@ pub struct Export {
 impl Export {
     /// Writes the answer.
     pub fn execute(&self) -> Result<(), Failure> {
-        if self.output.is_none() && !self.format.is_text() && std::io::stdout().is_terminal() {
-            return Err(Failure::input(format!(
-                "{} is nothing to read on a terminal: name a file with --output, or send it to another program",
-                self.format.as_str()
-            )));
-        }
+        readable(self.format, self.output.as_deref())?;
         let wanted = export::Export {
             format: self.format,
             table: self.table,
         };
-        let mut bytes = self.database.read(async |connection| {
+        let bytes = self.database.read(async |connection| {
             let row = study(connection, &self.id).await?;
             let result = result(connection, &row).await?;
             let points = if wanted.needs_points() {
@@ -56,13 +51,33 @@ impl Export {
             };
             wanted.bytes(&result, &points).map_err(failure)
         })?;
-        if self.format == FileFormat::Json {
-            bytes.push(b'\n');
-        }
-        match &self.output {
-            Some(path) => write_whole(path, &bytes),
-            None => print(&bytes),
-        }
+        deliver(self.format, bytes, self.output.as_deref())
+    }
+}
+
+/// Refuses to print on a terminal what nobody can read there.
+pub fn readable(format: FileFormat, output: Option<&Path>) -> Result<(), Failure> {
+    if output.is_some() || format.is_text() || !std::io::stdout().is_terminal() {
+        return Ok(());
+    }
+    Err(Failure::input(format!(
+        "{} is nothing to read on a terminal: name a file with --output, or send it to another program",
+        format.as_str()
+    )))
+}
+
+/// Writes the bytes of an export to a file, or to standard output.
+pub fn deliver(
+    format: FileFormat,
+    mut bytes: Vec<u8>,
+    output: Option<&Path>,
+) -> Result<(), Failure> {
+    if format == FileFormat::Json {
+        bytes.push(b'\n');
+    }
+    match output {
+        Some(path) => write_whole(path, &bytes),
+        None => print(&bytes),
     }
 }
 

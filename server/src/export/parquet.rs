@@ -131,7 +131,7 @@ mod tests {
         Rows::of(rows)
             .float("y", "mm", |row| row.0)
             .integer("n", |row| row.1)
-            .bool("is_a", |row| row.2 == "a")
+            .bool("is_a", |row| Some(row.2 == "a"))
             .text("name", |row| Some(row.2))
             .float("y", "1", |_| None)
             .table()

@@ -73,24 +73,30 @@ impl<T> Rows<T> {
 
     /// A column of whole numbers. One beyond 64 bits, which nothing counts up to, is left out.
     #[must_use]
-    pub fn integer(self, name: &str, value: impl Fn(&T) -> Option<usize>) -> Self {
-        let whole = |row| value(row).and_then(|number| i64::try_from(number).ok());
+    pub fn integer<N: TryInto<i64>>(self, name: &str, value: impl Fn(&T) -> Option<N>) -> Self {
+        let whole = |row| value(row).and_then(|number| number.try_into().ok());
         let values = self.rows.iter().map(whole).collect();
         self.with(name, None, Values::Integer(values))
     }
 
     /// A column of truth values.
     #[must_use]
-    pub fn bool(self, name: &str, value: impl Fn(&T) -> bool) -> Self {
-        let values = self.rows.iter().map(|row| Some(value(row))).collect();
+    pub fn bool(self, name: &str, value: impl Fn(&T) -> Option<bool>) -> Self {
+        let values = self.rows.iter().map(value).collect();
         self.with(name, None, Values::Bool(values))
     }
 
     /// A column of texts.
     #[must_use]
     pub fn text(self, name: &str, value: impl Fn(&T) -> Option<&str>) -> Self {
-        let owned = |row| value(row).map(str::to_owned);
-        let values = self.rows.iter().map(owned).collect();
+        let owned = |row: &T| value(row).map(str::to_owned);
+        self.made_text(name, owned)
+    }
+
+    /// A column of texts that are made for it.
+    #[must_use]
+    pub fn made_text(self, name: &str, value: impl Fn(&T) -> Option<String>) -> Self {
+        let values = self.rows.iter().map(value).collect();
         self.with(name, None, Values::Text(values))
     }
 

@@ -7,11 +7,8 @@ use placement::result::{InputReport, Output, RankedLayout, RankedLocation, Study
 
 use super::Table;
 use super::table::{Rows, TypedTable};
-use super::unit::unit_of;
+use super::unit::{PERCENT, PURE, unit_of};
 use crate::points::EvaluationView;
-
-const PURE: &str = "1";
-const PERCENT: &str = "%";
 
 /// A table of a result; `points` are read for [`Table::Points`] alone.
 pub fn table(table: Table, result: &StudyResult, points: &[EvaluationView]) -> TypedTable {
@@ -74,7 +71,7 @@ fn locations(locations: &[RankedLocation]) -> Rows<&RankedLocation> {
         .float("mdrm_gsi_y_percent", PERCENT, |l| l.mdrm_gsi_y_percent)
         .integer("rank_x", |l| l.rank_x)
         .integer("rank_y", |l| l.rank_y)
-        .bool("rank_certain", |l| l.rank_certain)
+        .bool("rank_certain", |l| Some(l.rank_certain))
         .float("gsi_x_error_percent", PERCENT, |l| l.gsi_x_error_percent)
         .float("gsi_y_error_percent", PERCENT, |l| l.gsi_y_error_percent)
 }

@@ -1,5 +1,10 @@
 //! Units of a scene's fields, which their names end with.
 
+/// A pure number's.
+pub const PURE: &str = "1";
+/// Of hundredths, and of their differences.
+pub const PERCENT: &str = "%";
+
 /// Endings of names with the units that they stand for; a longer one stands before those that it ends with.
 const ENDINGS: [(&str, &str); 8] = [
     ("_n_per_mm3", "N/mm^3"),
@@ -17,7 +22,7 @@ pub fn unit_of(path: &str) -> &'static str {
     let field = path.rsplit('.').next().unwrap_or_default();
     let name = field.split('[').next().unwrap_or_default();
     let named = ENDINGS.iter().find(|(ending, _)| name.ends_with(ending));
-    named.map_or("1", |(_, unit)| unit)
+    named.map_or(PURE, |(_, unit)| unit)
 }
 
 #[cfg(test)]

@@ -6,22 +6,27 @@
 use axum::Json;
 use axum::extract::State;
 use axum::http::StatusCode;
+use axum::response::Response;
 use placement::compare::{Comparison, Entry, compare};
 use placement::sweep::MOST_DESIGNS;
 use serde::Deserialize;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
-use super::examples::absent;
+use super::examples::{self, absent};
+use super::export::file;
 use super::extract::Params;
 use super::problem::Problem;
 use super::wire::ProblemDocument;
 use super::{AppState, studies, sweep_examples, sweeps};
 use crate::comparison::{of_designs, of_studies};
+use crate::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
 
-/// `/v1/comparison`.
+/// `/v1/comparison` and its export.
 pub fn router() -> OpenApiRouter<AppState> {
-    OpenApiRouter::new().routes(routes!(compare_studies))
+    OpenApiRouter::new()
+        .routes(routes!(compare_studies))
+        .routes(routes!(export_comparison))
 }
 
 #[derive(Deserialize)]
@@ -29,6 +34,14 @@ struct ComparisonQuery {
     studies: Option<String>,
     sweep: Option<String>,
     baseline: Option<String>,
+}
+
+#[derive(Deserialize)]
+struct ExportQuery {
+    #[serde(flatten)]
+    of: ComparisonQuery,
+    format: Option<String>,
+    table: Option<String>,
 }
 
 /// Compare studies
@@ -47,8 +60,53 @@ async fn compare_studies(
     State(state): State<AppState>,
     Params(query): Params<ComparisonQuery>,
 ) -> Result<Json<Comparison>, Problem> {
+    compared(&state, &query).await.map(Json)
+}
+
+/// Download a comparison
+///
+/// As CSV or Parquet one table: `locations` has the rows of the comparison, `designs` a row for each study, also for those without a result. Every row has the study with
+/// what its design sets, the hash of its document, the version of the program and the baseline. As JSON the whole comparison.
+#[utoipa::path(get, path = "/v1/comparison/export", tag = "sweeps", operation_id = "export_comparison",
+    params(
+        ("studies" = Option<String>, Query, description = "Identifiers of the studies, separated by commas; or else a sweep", example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b"),
+        ("sweep" = Option<String>, Query, description = "Identifier of a sweep, whose designs are compared"),
+        ("baseline" = Option<String>, Query, description = "Identifier of the study to take differences from; the first that has a result when left out"),
+        ("format" = Option<ComparisonFormat>, Query, description = "csv (when left out), json or parquet", example = "csv"),
+        ("table" = Option<ComparisonTable>, Query, description = "What CSV and Parquet hold: locations (when left out) or designs", example = "designs")),
+    responses((status = 200, description = "The file", content(
+                  (String = "text/csv", example = json!(sweep_examples::comparison_csv())),
+                  (Comparison = "application/json", example = json!(sweep_examples::comparison())),
+                  (String = "application/vnd.apache.parquet", example = json!(examples::parquet())))),
+              (status = 400, description = "The query asks for nothing that can be compared", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent())),
+              (status = 404, description = "There is no such study or sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent()))))]
+async fn export_comparison(
+    State(state): State<AppState>,
+    Params(query): Params<ExportQuery>,
+) -> Result<Response, Problem> {
+    let wanted = wanted(&query)?;
+    let comparison = compared(&state, &query.of).await?;
+    let bytes = wanted.bytes(&comparison)?;
+    Ok(file(wanted.format.file(), &wanted.file_name(), bytes))
+}
+
+fn wanted(query: &ExportQuery) -> Result<ComparisonExport, Problem> {
+    let format = ComparisonFormat::named(query.format.as_deref().unwrap_or("csv"));
+    let table = ComparisonTable::named(query.table.as_deref().unwrap_or("locations"));
+    match (format, table) {
+        (Some(format), Some(table)) => Ok(ComparisonExport { format, table }),
+        (None, Some(_)) => Err(wrong(FORMATS)),
+        (Some(_), None) => Err(wrong(TABLES)),
+        (None, None) => Err(wrong(&format!("{FORMATS}; {TABLES}"))),
+    }
+}
+
+const FORMATS: &str = "format is one of csv, json, parquet";
+const TABLES: &str = "table is one of locations, designs";
+
+async fn compared(state: &AppState, query: &ComparisonQuery) -> Result<Comparison, Problem> {
     let entries = match (&query.studies, &query.sweep) {
-        (Some(studies), None) => entries_of(&state, studies).await?,
+        (Some(studies), None) => entries_of(state, studies).await?,
         (None, Some(id)) => {
             let (_, designs) = sweeps::known(&state.store, id).await?;
             let mut connection = state.store.read().await?;
@@ -66,7 +124,7 @@ async fn compare_studies(
             "baseline is the identifier of one of the studies that are compared",
         ));
     }
-    Ok(Json(compare(&entries, baseline)))
+    Ok(compare(&entries, baseline))
 }
 
 fn wrong(detail: &str) -> Problem {

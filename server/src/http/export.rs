@@ -62,12 +62,19 @@ async fn export(
     };
     let bytes = wanted.bytes(&result, &points)?;
     // The identifier of a known study is a UUID and needs no quoting.
-    let disposition = format!("attachment; filename=\"{}\"", wanted.file_name(&id));
+    Ok(file(wanted.format, &wanted.file_name(&id), bytes))
+}
+
+/// A file to download, under a name that needs no quoting.
+pub fn file(format: FileFormat, name: &str, bytes: Vec<u8>) -> Response {
     let headers = [
-        (header::CONTENT_TYPE, wanted.format.media_type().to_owned()),
-        (header::CONTENT_DISPOSITION, disposition),
+        (header::CONTENT_TYPE, format.media_type().to_owned()),
+        (
+            header::CONTENT_DISPOSITION,
+            format!("attachment; filename=\"{name}\""),
+        ),
     ];
-    Ok((headers, bytes).into_response())
+    (headers, bytes).into_response()
 }
 
 fn wanted(query: &ExportQuery) -> Result<Export, Problem> {

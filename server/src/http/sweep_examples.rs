@@ -79,6 +79,11 @@ pub fn comparison() -> Value {
     })
 }
 
+/// The beginning of a comparison's locations as CSV.
+pub fn comparison_csv() -> &'static str {
+    "study,name,geometry.wall_mm,location,rank,rank_certain\n019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6c,wall_mm = 3,3,P3,1,true\n"
+}
+
 #[cfg(test)]
 mod tests {
     use fem_client::document::{Format, parse};

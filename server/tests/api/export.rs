@@ -272,3 +272,74 @@ async fn what_can_not_be_exported_is_refused() {
     let absent = app.get("/v1/studies/none/export").await;
     problem(absent, StatusCode::NOT_FOUND).await;
 }
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_comparison_is_a_table_of_its_own() {
+    let home = Home::new();
+    let app = home.start(ClosedFormSolver::new()).await;
+    let mut ids = Vec::new();
+    for wall in [3.0, 2.5] {
+        let mut document = study();
+        document["scene"] = json!({"preset": "foot-tire", "geometry": {"wall_mm": wall}});
+        let id = app.submit(&document).await;
+        app.wait_for(&id, "done").await;
+        ids.push(id);
+    }
+    let query = format!("studies={},{}", ids[0], ids[1]);
+    let compared = app.json(&format!("/v1/comparison?{query}")).await;
+    let file = async |rest: &str| {
+        app.get(&format!("/v1/comparison/export?{query}&{rest}"))
+            .await
+    };
+
+    let locations = file("table=locations").await;
+    let named = |response: &reqwest::Response| {
+        let headers = response.headers();
+        let text = |name: &str| headers[name].to_str().expect("text").to_owned();
+        (text("content-type"), text("content-disposition"))
+    };
+    assert_eq!(
+        named(&locations),
+        (
+            "text/csv; charset=utf-8".to_owned(),
+            "attachment; filename=\"comparison-locations.csv\"".to_owned()
+        )
+    );
+    let locations = Columns::of(&locations.text().await.expect("text"));
+    assert_eq!(locations.rows.len(), 10);
+    for (place, row) in compared["rows"]
+        .as_array()
+        .expect("rows")
+        .iter()
+        .enumerate()
+    {
+        assert_eq!(locations.at(place, "study"), row["study"]);
+        assert_eq!(locations.at(place, "location"), row["location"]);
+        for direction in ["x", "y"] {
+            for name in ["gsi_percent", "difference_percent"] {
+                let column = format!("{name}_{direction}");
+                locations.equals(place, &column, &row[direction][name]);
+            }
+        }
+    }
+    let designs = file("table=designs&format=parquet").await;
+    assert_eq!(named(&designs).0, "application/vnd.apache.parquet");
+    let designs = SerializedFileReader::new(designs.bytes().await.expect("a body"));
+    let designs = designs.expect("a Parquet file");
+    assert_eq!(designs.metadata().file_metadata().num_rows(), 2);
+    let whole: Value = file("format=json").await.json().await.expect("JSON");
+    assert_eq!(whole, compared);
+
+    let wrong = problem(
+        file("format=vtu&table=points").await,
+        StatusCode::BAD_REQUEST,
+    );
+    assert_eq!(
+        wrong.await["detail"],
+        "format is one of csv, json, parquet; table is one of locations, designs"
+    );
+    let nobody = app.get("/v1/comparison/export?format=csv").await;
+    problem(nobody, StatusCode::BAD_REQUEST).await;
+    let absent = app.get("/v1/comparison/export?studies=none").await;
+    problem(absent, StatusCode::NOT_FOUND).await;
+}
