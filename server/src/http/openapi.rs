@@ -15,7 +15,7 @@ use utoipa_axum::routes;
 use super::access::Access;
 use super::wire::ProblemDocument;
 use super::{AppState, docs, examples};
-use crate::export::{FileFormat, Table};
+use crate::export::{ComparisonFormat, ComparisonTable, FileFormat, Table};
 
 #[derive(OpenApi)]
 #[openapi(
@@ -27,11 +27,10 @@ use crate::export::{FileFormat, Table};
                        them. Every answer has an `x-request-id`.",
         license(name = "MIT OR Apache-2.0", identifier = "MIT OR Apache-2.0")
     ),
-    components(schemas(ProblemDocument, FileFormat, Table)),
+    components(schemas(ProblemDocument, ComparisonFormat, ComparisonTable, FileFormat, Table)),
     tags(
         (name = "studies", description = "Estimate, submit, follow and cancel"),
         (name = "answers", description = "What a study found"),
-        (name = "sweeps", description = "One study and many designs, and what differs between them"),
         (name = "sweeps", description = "One study and many designs, and what differs between them"),
         (name = "service", description = "The service itself")
     )
