@@ -8,9 +8,10 @@ use crate::additive;
 use crate::composite::Decomposed;
 pub use crate::composite::MOST_FOR_PAIRS;
 use crate::design::Design;
-use crate::error::{self, ByInput, Effects, ErrorParts};
+use crate::error::{self, ByInput, ErrorParts};
 use crate::evidence::Evidence;
 use crate::mdrm::Mdrm;
+use crate::misses::{Effects, Misses};
 use crate::scale::times_power_of_two;
 use crate::section::Sections;
 pub use crate::verdict::Form;
@@ -69,6 +70,9 @@ pub struct Analysis {
     pub mdrm_total: Option<Vec<f64>>,
     /// Errors of `first_order`.
     pub error: ErrorParts,
+    /// What the form misses at the check points, by which two models' indices are compared; `None` without check points, and where
+    /// another form than M-DRM's, the sum or the shifted product gave the indices.
+    pub misses: Option<Misses>,
 }
 
 /// Analyses every output: `values` has a row per point of the design, in its order, and a column per output. A run
@@ -190,9 +194,14 @@ impl Forms<'_> {
                 (shares.clone(), shares, additive::moments(sections))
             }
         };
+        let misses = self.misses(sections, verdict.form, &first_order, moments);
         let errors = ByInput {
             quadrature: error::quadrature(sections.missing.as_deref(), &first_order, &total),
-            decomposition: self.decomposition(sections, verdict.form, &first_order, moments),
+            // A single section is the output itself.
+            decomposition: match sections.inputs() {
+                1 => Some(vec![0.0]),
+                _ => misses.as_ref().map(Misses::errors),
+            },
             sampling: None,
             missing: error::missing(sections.missing.as_deref(), &total),
             missing_of_interactions: Vec::new(),
@@ -217,6 +226,7 @@ impl Forms<'_> {
             mdrm_first_order: self.mdrm.as_ref().map(Mdrm::first_order),
             mdrm_total: self.mdrm.as_ref().map(Mdrm::total),
             error: ErrorParts::new(errors, sections.floor()),
+            misses,
         };
         if mean.is_none() || variance.is_none() {
             analysis.note("the mean or the variance is beyond the range of double precision");
@@ -224,17 +234,13 @@ impl Forms<'_> {
         analysis
     }
 
-    fn decomposition(
+    fn misses(
         &self,
         sections: &Sections,
         form: Form,
         first_order: &[f64],
         (mean, variance): (f64, f64),
-    ) -> Option<Vec<f64>> {
-        if sections.inputs() == 1 {
-            // A single section is the output itself.
-            return Some(vec![0.0]);
-        }
+    ) -> Option<Misses> {
         let checks = &self.evidence.as_ref()?.checks;
         let chosen = self.chosen(form);
         let predictions: Vec<f64> = checks
@@ -269,9 +275,10 @@ impl Forms<'_> {
         };
         let fitted = usize::from(form == Form::Shifted);
         let values: Vec<f64> = checks.iter().map(|(_, h)| *h).collect();
-        Some(error::decomposition(
-            &values,
-            &predictions,
+        let nodes = checks.iter().flat_map(|(check, _)| check.nodes()).copied();
+        Some(Misses::new(
+            nodes.collect(),
+            (&values, &predictions),
             &effects,
             self.pair_weight,
             fitted,
@@ -330,6 +337,7 @@ impl Analysis {
             mdrm_first_order: None,
             mdrm_total: None,
             error: ErrorParts::without_indices(floor),
+            misses: None,
         }
     }
 
@@ -351,6 +359,7 @@ impl Analysis {
             second_order: found.second_order,
             method,
             status: Status::ProductFormBroken,
+            misses: None,
             ..self
         }
     }

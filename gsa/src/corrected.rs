@@ -14,10 +14,11 @@ use std::collections::BTreeMap;
 use crate::composite::{Composite, Decomposed, Missing};
 use crate::design::{Design, Line};
 use crate::dictionary::Dictionary;
-use crate::error::{self, Effects};
+use crate::error;
 use crate::evidence::Checks;
 use crate::factors::Tables;
 use crate::mdrm::departure;
+use crate::misses::{Effects, Misses};
 use crate::regression;
 use crate::scale::times_power_of_two;
 use crate::section::Sections;
@@ -304,7 +305,9 @@ impl Frame {
             main: &main,
         };
         let values: Vec<f64> = checks.iter().map(|(_, h)| *h).collect();
-        error::decomposition(&values, &predictions, &effects, weight, fitted)
+        let nodes = checks.iter().flat_map(|(check, _)| check.nodes()).copied();
+        let forms = (&values[..], &predictions[..]);
+        Misses::new(nodes.collect(), forms, &effects, weight, fitted).errors()
     }
 }
 

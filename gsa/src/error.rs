@@ -15,31 +15,13 @@
 //! dS_i = S_i (1 - S_i) m_i + S_i sum_{j != i} S_Tj m_j
 //! ```
 //!
-//! **Decomposition.** With r = h - form at the check points x_k, g_i the main effect of input i in the form and V its
-//! variance, the form's V_i = Var\[g_i\] is short of 2 E\[g_i r\] to first order in r, and V of E\[2 (form - mean) r + r^2\].
-//! Both expectations are means over the check points, so that the error of S_i = V_i/V is a mean over points too, of
-//!
-//! ```text
-//! psi_ik = (2 g_i r - S_i (2 (form - mean) r + r^2)) / V   at x_k
-//! dS_i   = |mean_k psi_ik| + T rms_k(psi_ik) / sqrt(K) + R mean_k r^2 / V
-//! ```
-//!
-//! where the second term covers the chance in K points, and the last what is of second order in r. Residuals that no
-//! main effect has a share in, as those of pure interactions, cost an index far less than their size.
+//! **Decomposition.** What the form misses at the check points, weighed by what it does to an index: [`crate::misses`].
 //!
 //! Where a whole grid or all pairs are known, points off all nodes show what the nodes don't resolve: it lowers or confirms what the
 //! modes make suspect (`spectrum`), and a share of its mean square is part of the decomposition error.
 //!
 //! The sum is an estimate, not a bound: few check points may all miss an interaction. Indicators that cost nothing
 //! (1 - sum S_i, the difference between two forms) were found to carry no information and are not used.
-
-/// T for many points; K of them have (1 + 4/K) times as much. Student's t has 2.0 and, for five points, 1.4 times as
-/// much; the rest is for skew residuals. Set by the coverage over random models.
-const CHANCE: f64 = 2.2;
-const CHANCE_OF_FEW: f64 = 4.0;
-/// R: all of r^2 in one main effect would be 1, as may be where the form was fitted and the main effects with it.
-const REMAINDER: f64 = 0.5;
-const REMAINDER_OF_FIT: f64 = 1.0;
 
 /// Parts of the error of an output's first-order indices.
 #[derive(Debug, Clone, PartialEq)]
@@ -131,61 +113,6 @@ pub(crate) fn quadrature(
         at_most_one(s * ((1.0 - s) * missing[i] + others.max(0.0)))
     };
     Some((0..first_order.len()).map(error).collect())
-}
-
-/// What a form says of the output and of its main effects, in the units of the sections.
-pub(crate) struct Effects<'a> {
-    pub(crate) first_order: &'a [f64],
-    pub(crate) mean: f64,
-    pub(crate) variance: f64,
-    /// g_i at a check point over the standard deviation of the output
-    pub(crate) main: &'a dyn Fn(usize, usize) -> f64,
-}
-
-/// Error of each first-order index from the values at the check points and a form there, of which `fitted` numbers were
-/// fitted to them.
-pub(crate) fn decomposition(
-    values: &[f64],
-    predictions: &[f64],
-    effects: &Effects<'_>,
-    pair_weight: f64,
-    fitted: usize,
-) -> Vec<f64> {
-    let deviation = effects.variance.sqrt();
-    let count = values.len();
-    // The axes, where there is no residual, take their share of the means.
-    let share = pair_weight / (count.saturating_sub(fitted).max(1) as f64);
-    let residuals: Vec<f64> = values
-        .iter()
-        .zip(predictions)
-        .map(|(h, form)| (h - form) / deviation)
-        .collect();
-    let square = share * residuals.iter().map(|r| r * r).sum::<f64>();
-    let whole: Vec<f64> = residuals
-        .iter()
-        .zip(predictions)
-        .map(|(r, form)| r * (2.0 * (form - effects.mean) / deviation + r))
-        .collect();
-    // V may turn out larger, never so much smaller that the first order in r says nothing.
-    let variance = (1.0 + share * whole.iter().sum::<f64>()).max(0.5);
-    let student = CHANCE * (1.0 + CHANCE_OF_FEW / count as f64);
-    let remainder = if fitted > 0 {
-        REMAINDER_OF_FIT
-    } else {
-        REMAINDER
-    };
-    let error = |input: usize| {
-        let s = effects.first_order[input];
-        let (mut sum, mut squares) = (0.0, 0.0);
-        for (k, (r, whole)) in residuals.iter().zip(&whole).enumerate() {
-            let psi = (2.0 * (effects.main)(input, k) * r - s * whole) / variance;
-            sum += psi;
-            squares += psi * psi;
-        }
-        let chance = (squares * share / (count as f64) * pair_weight).sqrt();
-        at_most_one((share * sum).abs() + student * chance + remainder * square / variance)
-    };
-    (0..effects.first_order.len()).map(error).collect()
 }
 
 /// An index lies in \[0, 1\], so an error above 1 says nothing more; nor does one that overflowed.

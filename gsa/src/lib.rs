@@ -23,7 +23,7 @@
 //!
 //! Read in this order, each module importing only those above it: `recurrence`, `golub_welsch`, `basis`, [`rule`];
 //! `density`, `panel`, `discretisation`, `probability`, [`distribution`]; `polynomials`, `grid`, [`design`]; `scale`,
-//! `spectrum`, `refinement`, `section`, `mdrm`, `shift`, `additive`; `evidence`, [`error`], `composite`, `verdict`, [`analysis`]; `factors`,
+//! `spectrum`, `refinement`, `section`, `mdrm`, `shift`, `additive`; `evidence`, [`error`], [`misses`], `composite`, `verdict`, [`analysis`]; `factors`,
 //! `regression`, `dictionary`, `corrected`; [`method`], `climb`, `bivariate`; `sobol`, [`saltelli`], `pce`, `scattered`;
 //! [`campaign`], which is the way in; [`certainty`].
 //!
@@ -97,6 +97,8 @@ mod additive;
 mod evidence;
 
 pub mod error;
+
+pub mod misses;
 
 mod composite;
 

@@ -2,6 +2,8 @@
 
 #[path = "support/asking.rs"]
 mod asking;
+#[path = "coverage/differences.rs"]
+mod differences;
 mod models;
 
 use std::collections::BTreeMap;

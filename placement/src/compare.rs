@@ -7,13 +7,15 @@
 //! mesh error of I - J = factor |(I - J) - (I' - J')|, the largest over the inputs
 //! ```
 //!
-//! The methods' errors are independent, so that those of a difference add up as e^2 = e_I^2 + e_J^2; and so do the meshes' where a study has no
-//! coarser one. A difference beyond its error is real, any other noise.
+//! And two studies that were checked at the same points of their inputs miss nearly the same there: the method's error of the difference is that of the differences
+//! of what they miss, point by point ([`gsa::misses`]). Whatever two errors have not in common is independent, so that it adds up as e^2 = e_I^2 + e_J^2: all
+//! of the mesh's where a study has no coarser one. A difference beyond its error is real, any other noise.
 
+use gsa::misses::{Claim, Misses, error_of_difference};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::result::{Output, RankedLocation, StudyCost, StudyResult};
+use crate::result::{FormMisses, Output, RankedLocation, StudyCost, StudyResult};
 
 /// A study to be compared.
 #[derive(Debug, Clone)]
@@ -214,11 +216,9 @@ fn row(
     let certain = other.is_some_and(|other| other.rank_certain && location.rank_certain);
     let known = other.is_some_and(|other| other.knows_error() && location.knows_error());
     let index = |direction: &str| {
-        let against = base.zip(other).and_then(|(base, other)| {
-            let outputs = (centre(result, direction)?, centre(base, direction)?);
-            Some((Index::of(other, direction), outputs))
-        });
-        Index::of(location, direction).beside(against)
+        let against = base.zip(other);
+        let against = against.map(|(base, other)| Index::of(base, other, direction));
+        Index::of(result, location, direction).beside(against)
     };
     ComparedLocation {
         study: id.to_owned(),
@@ -240,36 +240,45 @@ fn places(rank: usize) -> i64 {
     i64::try_from(rank).unwrap_or(i64::MAX)
 }
 
-/// An index of a location with its error, percent.
+/// An index of a location.
 #[derive(Debug, Clone, Copy)]
-struct Index {
+struct Index<'r> {
     percent: Option<f64>,
+    /// Percentage points.
     error: Option<f64>,
+    /// Which input it is of.
+    input: Option<usize>,
+    /// The strain that it is of.
+    output: Option<&'r Output>,
 }
 
-impl Index {
-    fn of(location: &RankedLocation, direction: &str) -> Self {
+impl<'r> Index<'r> {
+    fn of(result: &'r StudyResult, location: &RankedLocation, direction: &str) -> Self {
         let (percent, error) = match direction {
             "x" => (location.gsi_x_percent, location.gsi_x_error_percent),
             _ => (location.gsi_y_percent, location.gsi_y_error_percent),
         };
-        Self { percent, error }
+        let name = location.input.as_ref();
+        Self {
+            percent,
+            error,
+            input: name.and_then(|name| result.inputs.iter().position(|i| i.name == *name)),
+            output: centre(result, direction),
+        }
     }
 
-    /// Beside another study's, with the strains that both are indices of.
-    fn beside(self, other: Option<(Self, (&Output, &Output))>) -> ComparedIndex {
+    /// Beside another study's.
+    fn beside(self, other: Option<Self>) -> ComparedIndex {
         let alone = ComparedIndex {
             gsi_percent: self.percent,
             error_percent: self.error,
             ..ComparedIndex::default()
         };
-        let Some((other, (ours, theirs))) = other else {
+        let difference = other.and_then(|other| Some((other, self.percent? - other.percent?)));
+        let Some((other, difference)) = difference else {
             return alone;
         };
-        let Some(difference) = self.percent.zip(other.percent).map(|(a, b)| a - b) else {
-            return alone;
-        };
-        let error = difference_error((self.error, ours), (other.error, theirs));
+        let error = self.error_of_difference(other);
         ComparedIndex {
             difference_percent: Some(difference),
             difference_error_percent: error,
@@ -281,22 +290,46 @@ impl Index {
             ..alone
         }
     }
+
+    /// Error of the difference from another study's, percentage points; `None` where one of their errors isn't known.
+    fn error_of_difference(self, other: Self) -> Option<f64> {
+        let (own, theirs) = (self.claim()?, other.claim()?);
+        let meshes = self.output.zip(other.output);
+        let Some(mesh) = meshes.and_then(|(output, other)| shared_mesh_error(output, other)) else {
+            return self.error.zip(other.error).map(|(a, b)| a.hypot(b));
+        };
+        let method = match (self.input, other.input) {
+            (Some(input), Some(same)) if input == same => {
+                error_of_difference(input, own.claim(), theirs.claim())
+            }
+            _ => own.error.hypot(theirs.error),
+        };
+        Some(100.0 * (mesh + method).min(1.0))
+    }
+
+    /// The method's part of the error.
+    fn claim(self) -> Option<MethodClaim> {
+        let (error, output) = (self.error? / 100.0, self.output?);
+        Some(MethodClaim {
+            error: (error - output.error.mesh.unwrap_or(0.0)).max(0.0),
+            misses: output.misses.as_ref().map(FormMisses::misses),
+        })
+    }
 }
 
-/// Error of the difference of two indices with these errors, percentage points; `None` where one of them isn't known.
-fn difference_error(
-    (a, ours): (Option<f64>, &Output),
-    (b, theirs): (Option<f64>, &Output),
-) -> Option<f64> {
-    let (a, b) = (a?, b?);
-    let Some(mesh) = shared_mesh_error(ours, theirs) else {
-        return Some(a.hypot(b));
-    };
-    let of_method = |error: f64, output: &Output| {
-        let of_mesh = 100.0 * output.error.mesh.unwrap_or(0.0);
-        (error - of_mesh).max(0.0)
-    };
-    Some(100.0 * mesh + of_method(a, ours).hypot(of_method(b, theirs)))
+/// What is claimed of a method's error, absolute.
+struct MethodClaim {
+    error: f64,
+    misses: Option<Misses>,
+}
+
+impl MethodClaim {
+    fn claim(&self) -> Claim<'_> {
+        Claim {
+            error: self.error,
+            misses: self.misses.as_ref(),
+        }
+    }
 }
 
 /// What the meshes leave of the difference between two studies' indices of a strain, absolute; `None` where a coarser mesh is missing,
@@ -390,13 +423,16 @@ mod tests {
                 reason: None,
             },
             coarser,
+            misses: None,
         }
     }
 
-    fn index(percent: f64, error: Option<f64>) -> Index {
+    fn index(percent: f64, error: Option<f64>, output: &Output) -> Index<'_> {
         Index {
             percent: Some(percent),
             error,
+            input: Some(0),
+            output: Some(output),
         }
     }
 
@@ -408,8 +444,11 @@ mod tests {
     fn what_both_meshes_get_wrong_alike_is_no_error_of_the_difference() {
         let ours = output(0.72, Some([0.010, -0.004]));
         let theirs = output(0.70, Some([0.009, -0.004]));
-        let (a, b) = (index(72.0, Some(4.3)), index(70.0, Some(4.4)));
-        let beside = a.beside(Some((b, (&ours, &theirs))));
+        let (a, b) = (
+            index(72.0, Some(4.3), &ours),
+            index(70.0, Some(4.4), &theirs),
+        );
+        let beside = a.beside(Some(b));
         assert!(close(beside.difference_percent, 2.0));
         // 4 (0.010 - 0.009) of the meshes; 0.3 and 0.4 of the methods.
         assert!(
@@ -420,13 +459,48 @@ mod tests {
     }
 
     #[test]
+    fn what_both_forms_miss_alike_is_no_error_of_the_difference() {
+        let missing = |factor: f64| Output {
+            misses: Some(FormMisses {
+                nodes: vec![0, 1, 1, 0],
+                residuals: vec![0.0; 2],
+                contributions: [1e-3, 2e-3, 0.0, 0.0].map(|c| c * factor).to_vec(),
+                weight: 1.0,
+                fitted: 0,
+            }),
+            ..output(0.72, Some([0.0, 0.0]))
+        };
+        let errors = |output: &Output| {
+            let misses = output.misses.as_ref().expect("misses");
+            100.0 * misses.misses().errors()[0]
+        };
+        let (ours, theirs) = (missing(1.0), missing(0.9));
+        // Beside the mesh's 4 points, and 0.3 and 0.4 of the rules.
+        let a = index(72.0, Some(4.0 + 0.3 + errors(&ours)), &ours);
+        let b = index(70.0, Some(4.0 + 0.4 + errors(&theirs)), &theirs);
+        let error = a.beside(Some(b)).difference_error_percent;
+        assert!(close(error, 0.1 * errors(&ours) + 0.5), "{error:?}");
+        // Another input's depth has nothing in common with this one's.
+        let other = Index {
+            input: Some(1),
+            ..b
+        };
+        let apart = a.beside(Some(other)).difference_error_percent;
+        let expected = (0.3 + errors(&ours)).hypot(0.4 + errors(&theirs));
+        assert!(close(apart, expected), "{apart:?}");
+    }
+
+    #[test]
     fn without_coarser_meshes_errors_are_independent() {
         let (ours, theirs) = (output(0.72, None), output(0.70, Some([0.01, 0.0])));
-        let (a, b) = (index(72.0, Some(3.0)), index(70.0, Some(4.0)));
-        let beside = a.beside(Some((b, (&ours, &theirs))));
+        let (a, b) = (
+            index(72.0, Some(3.0), &ours),
+            index(70.0, Some(4.0), &theirs),
+        );
+        let beside = a.beside(Some(b));
         assert!(close(beside.difference_error_percent, 5.0));
         assert_eq!(beside.verdict, Some(Verdict::Noise));
-        let unknown = index(72.0, None).beside(Some((b, (&ours, &theirs))));
+        let unknown = index(72.0, None, &ours).beside(Some(b));
         assert_eq!(
             (unknown.difference_error_percent, unknown.verdict),
             (None, Some(Verdict::Unknown))
@@ -436,8 +510,8 @@ mod tests {
     #[test]
     fn a_study_is_its_own_equal() {
         let ours = output(0.72, Some([0.010, -0.004]));
-        let a = index(72.0, Some(4.0));
-        let beside = a.beside(Some((a, (&ours, &ours))));
+        let a = index(72.0, Some(4.0), &ours);
+        let beside = a.beside(Some(a));
         assert_eq!(
             (beside.difference_percent, beside.verdict),
             (Some(0.0), Some(Verdict::Noise))

@@ -38,7 +38,10 @@ pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
     let mut locations: Vec<RankedLocation> = own
         .iter()
         .enumerate()
-        .map(|(i, input)| matrix.unranked(i, *input))
+        .map(|(i, input)| RankedLocation {
+            input: input.map(|input| study.inputs[input].name.clone()),
+            ..matrix.unranked(i, *input)
+        })
         .collect();
     for (column, place) in [
         (gsi_x as Key, set_rank_x as fn(&mut RankedLocation, usize)),
@@ -174,6 +177,7 @@ impl<'s> Matrix<'s> {
         };
         RankedLocation {
             name: self.x[location].0.location.clone(),
+            input: None,
             rank: 0,
             gsi_x_percent: at(self.x[centre].0),
             gsi_y_percent: at(self.y[centre].0),
@@ -203,6 +207,7 @@ mod tests {
     ) -> RankedLocation {
         RankedLocation {
             name: name.to_owned(),
+            input: None,
             rank: 0,
             gsi_x_percent,
             gsi_y_percent,

@@ -3,6 +3,7 @@
 //! Numbers that do not exist are `None` (null in JSON) with a reason beside them.
 
 use fem_client::solver::{MapShape, ModelSummary};
+use gsa::misses::Misses;
 use serde::{Deserialize, Serialize};
 
 use crate::fidelity::FidelityReport;
@@ -129,6 +130,9 @@ pub struct Output {
     /// The indices on a coarser mesh, where there is one.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub coarser: Option<CoarserIndices>,
+    /// What the method's form misses at the check points, where it has any.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub misses: Option<FormMisses>,
 }
 
 /// Indices of the same points on a coarser mesh: the witness of the mesh's error, and of how much of it two studies share.
@@ -139,6 +143,47 @@ pub struct CoarserIndices {
     pub first_order: Vec<f64>,
     /// What the finer mesh may be off, over its difference from the coarser one.
     pub factor: f64,
+}
+
+/// What a form misses at the check points: the witness of the method's error, and of how much of it two studies share.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct FormMisses {
+    /// Which node of its input's rule each coordinate of each check point is, point after point.
+    pub nodes: Vec<usize>,
+    /// Strain minus the form's at each check point, over the standard deviation.
+    pub residuals: Vec<f64>,
+    /// What each of them adds to the error of a first-order index, input after input.
+    pub contributions: Vec<f64>,
+    /// Probability of the interactions, which the residuals stand for.
+    pub weight: f64,
+    /// How many numbers of the form were fitted to the check points.
+    pub fitted: usize,
+}
+
+impl FormMisses {
+    /// `None` where a number isn't finite: the form overflows there.
+    pub(crate) fn of(misses: &Misses) -> Option<Self> {
+        let mut numbers = misses.residuals.iter().chain(&misses.contributions);
+        numbers.all(|number| number.is_finite()).then(|| Self {
+            nodes: misses.nodes.clone(),
+            residuals: misses.residuals.clone(),
+            contributions: misses.contributions.clone(),
+            weight: misses.weight,
+            fitted: misses.fitted,
+        })
+    }
+
+    /// As the analysis knows them.
+    pub(crate) fn misses(&self) -> Misses {
+        Misses {
+            nodes: self.nodes.clone(),
+            residuals: self.residuals.clone(),
+            contributions: self.contributions.clone(),
+            weight: self.weight,
+            fitted: self.fitted,
+        }
+    }
 }
 
 /// Parts of the error of an index, absolute.
@@ -171,6 +216,9 @@ impl IndexError {
 pub struct RankedLocation {
     /// P1, P2, ...
     pub name: String,
+    /// The input that is this location's own: the depth of the station below it.
+    #[serde(default)]
+    pub input: Option<String>,
     /// 1 is best.
     pub rank: usize,
     /// 100 times the first-order index of this location's own depth for the x strain at the centre.

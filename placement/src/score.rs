@@ -8,7 +8,7 @@ use ndarray::{Array2, Axis};
 
 use crate::archive::Outcome;
 use crate::directions::Directions;
-use crate::result::{CoarserIndices, IndexError, IndexMap, MapLayer, Output};
+use crate::result::{CoarserIndices, FormMisses, IndexError, IndexMap, MapLayer, Output};
 
 /// Why an index has no error of the mesh.
 pub const NO_MESH_ERROR: &str = "no coarser mesh gave indices to compare with";
@@ -254,6 +254,7 @@ fn output(location: &str, direction: &str, analysed: &Analysed) -> Output {
         mdrm_first_order: analysis.mdrm_first_order.clone().filter(|_| broken),
         error: index_error(analysed),
         coarser: analysed.coarser.clone(),
+        misses: analysis.misses.as_ref().and_then(FormMisses::of),
     }
 }
 

@@ -32,6 +32,7 @@ DESCRIBED: list[tuple[type, str, set[str]]] = [
     (strainsite.Input, "InputReport", set()),
     (strainsite.Output, "Output", set()),
     (strainsite.CoarserIndices, "CoarserIndices", set()),
+    (strainsite.FormMisses, "FormMisses", set()),
     (strainsite.ErrorParts, "IndexError", set()),
     (strainsite.Location, "RankedLocation", set()),
     (strainsite.Layout, "RankedLayout", set()),

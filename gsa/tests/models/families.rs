@@ -10,19 +10,26 @@ use super::small_grid;
 use super::sum_of_products::{Factor, Term, known};
 
 /// A source of random parameters.
-struct Draw(ChaCha8Rng);
+struct Draw {
+    rng: ChaCha8Rng,
+    /// What parameters are moved by: a source of its own, and how far, as a share of their range.
+    nudge: Option<(ChaCha8Rng, f64)>,
+}
+
+fn unit(rng: &mut ChaCha8Rng) -> f64 {
+    (rng.next_u64() >> 11) as f64 * (0.5 * f64::EPSILON)
+}
 
 impl Draw {
-    fn unit(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 * (0.5 * f64::EPSILON)
-    }
-
     fn range(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
+        let drawn = low + (high - low) * unit(&mut self.rng);
+        let nudge = self.nudge.as_mut();
+        let by = nudge.map_or(0.0, |(rng, size)| *size * (2.0 * unit(rng) - 1.0));
+        (drawn + (high - low) * by).clamp(low, high)
     }
 
     fn count(&mut self, low: usize, high: usize) -> usize {
-        low + (self.unit() * (high - low + 1) as f64) as usize
+        low + (unit(&mut self.rng) * (high - low + 1) as f64) as usize
     }
 
     fn law(&mut self) -> Distribution {
@@ -99,7 +106,17 @@ fn joined(mut a: Vec<Term>, b: Vec<Term>) -> Vec<Term> {
 
 /// One model of every family for a seed.
 pub fn all(seed: u64) -> Vec<Known> {
-    let mut d = Draw(ChaCha8Rng::seed_from_u64(seed));
+    drawn(seed, None)
+}
+
+/// The same models of the same inputs, every parameter moved by up to this share of its range.
+pub fn neighbours(seed: u64, size: f64) -> Vec<Known> {
+    drawn(seed, Some((ChaCha8Rng::seed_from_u64(!seed), size)))
+}
+
+fn drawn(seed: u64, nudge: Option<(ChaCha8Rng, f64)>) -> Vec<Known> {
+    let rng = ChaCha8Rng::seed_from_u64(seed);
+    let mut d = Draw { rng, nudge };
     let mut models = separable(&mut d);
     models.extend(interactions(&mut d));
     models.extend(rough(&mut d));

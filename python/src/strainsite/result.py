@@ -83,6 +83,20 @@ class CoarserIndices:
 
 
 @dataclass(frozen=True)
+class FormMisses:
+    """What a form misses at the check points: the method's error, and how much of it two studies share."""
+
+    nodes: tuple[int, ...]
+    """Which node of its input's rule each coordinate of each check point is, point after point."""
+    residuals: tuple[float, ...]
+    """Strain minus the form's at each check point, over the standard deviation."""
+    contributions: tuple[float, ...]
+    """What each of them adds to the error of a first-order index, input after input."""
+    weight: float
+    fitted: int
+
+
+@dataclass(frozen=True)
 class Output:
     """The strain at one location in one direction, with the Sobol index of each input."""
 
@@ -103,6 +117,8 @@ class Output:
     error: ErrorParts
     coarser: CoarserIndices | None
     """None where there is no coarser mesh."""
+    misses: FormMisses | None
+    """None without check points, or where the method has no form."""
 
 
 @dataclass(frozen=True)
@@ -111,6 +127,8 @@ class Location:
 
     rank: int
     name: str
+    input: str | None
+    """The input that is its own: the depth of the station below it."""
     gsi_x_percent: float | None
     """Index of this location's own depth for the circumferential strain at the centre."""
     gsi_y_percent: float | None

@@ -61,6 +61,7 @@ fn locations(locations: &[RankedLocation]) -> Rows<&RankedLocation> {
     Rows::of(locations)
         .integer("rank", |l| Some(l.rank))
         .text("name", |l| Some(&l.name))
+        .text("input", |l| l.input.as_deref())
         .float("gsi_x_percent", PERCENT, |l| l.gsi_x_percent)
         .float("gsi_y_percent", PERCENT, |l| l.gsi_y_percent)
         .float("mean_gsi_x_percent", PERCENT, |l| l.mean_gsi_x_percent)

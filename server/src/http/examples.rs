@@ -53,7 +53,7 @@ pub fn estimate() -> Value {
 /// A place in the ranking.
 pub fn location() -> Value {
     json!({
-        "name": "P3", "rank": 1, "gsi_x_percent": 88.3, "gsi_y_percent": 73.3, "gsi_x_error_percent": 0.2, "gsi_y_error_percent": 0.4,
+        "name": "P3", "input": "P3", "rank": 1, "gsi_x_percent": 88.3, "gsi_y_percent": 73.3, "gsi_x_error_percent": 0.2, "gsi_y_error_percent": 0.4,
         "mean_gsi_x_percent": 60.7, "mean_gsi_y_percent": 59.4, "own_gsi_x_percent": 88.3, "own_gsi_y_percent": 73.3,
         "mdrm_gsi_x_percent": 85.2, "mdrm_gsi_y_percent": 73.3, "rank_x": 1, "rank_y": 1, "rank_certain": true,
     })
@@ -114,7 +114,7 @@ pub fn result() -> Value {
 
 /// The first rows of a table.
 pub fn csv() -> &'static str {
-    "rank,name,gsi_x_percent,gsi_y_percent\n1,P3,72.86,55.33\n"
+    "rank,name,input,gsi_x_percent,gsi_y_percent\n1,P3,P3,72.86,55.33\n"
 }
 
 /// The beginning of a Parquet file.
