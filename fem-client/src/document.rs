@@ -91,6 +91,12 @@ pub fn parse(text: &str, format: Format) -> Result<Value, Vec<Fault>> {
     }
 }
 
+/// A value as typed on a command line: JSON, or else a word.
+pub fn json_or_word(text: &str) -> Value {
+    let text = text.trim();
+    serde_json::from_str(text).unwrap_or_else(|_| Value::String(text.to_owned()))
+}
+
 /// Most parts of a dotted TOML key. Each part nests a table, and tables are dropped recursively; the parser itself
 /// bounds how deep brackets and braces nest, not dots.
 const MAX_KEY_PARTS: usize = 100;

@@ -63,7 +63,7 @@ pub fn shown(value: &Value) -> String {
 }
 
 /// A text whose control characters are written out: they could forge lines of a log, or move a terminal's cursor.
-pub(crate) fn visible(text: &str) -> String {
+pub fn visible(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for c in text.chars() {
         if c.is_control() {

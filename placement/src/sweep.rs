@@ -6,19 +6,28 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+mod typed;
+mod wish;
+
 use std::collections::HashMap;
 
-use fem_client::fault::{Fault, entry, member};
-use fem_client::fields::{Fields, shown};
+use fem_client::fault::{Fault, member};
+use fem_client::fields::{Fields, visible};
 use fem_client::scene_edit::put_in;
 use serde_json::{Map, Value};
 
+pub use typed::typed_grid;
+use wish::{Wish, field_of, names, of_grid, of_list};
+
 use crate::input_reader::read_name;
+use crate::plan::first_points;
 use crate::study::Study;
 use crate::study_reader::{LONGEST_NAME, Resolve};
 
 /// Most designs of a sweep.
 pub const MOST_DESIGNS: usize = 1000;
+/// Most solves that all designs of a document ask for at first: each is planned before anything is stored.
+const MOST_SOLVES: usize = 100_000;
 /// Parts of a study's document that aren't its scene.
 const OF_STUDY: [&str; 5] = ["inputs", "candidates", "layouts", "method", "accuracy"];
 
@@ -130,16 +139,6 @@ pub fn designs_of(base: &Study, value: &Value) -> Result<Vec<Design>, Vec<Fault>
     }
 }
 
-/// A design before its study is made.
-struct Wish {
-    name: Option<String>,
-    set: Map<String, Value>,
-    /// Where each value stands in the document, in their order.
-    pointers: Vec<String>,
-    /// Where the design stands.
-    pointer: String,
-}
-
 fn read_designs(base: &Study, fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Vec<Design>> {
     let wishes = match (fields.get("grid"), fields.get("designs")) {
         (Some((grid, pointer)), None) => of_grid(grid, &pointer, faults)?,
@@ -153,11 +152,17 @@ fn read_designs(base: &Study, fields: &Fields<'_>, faults: &mut Vec<Fault>) -> O
     };
     let names = names(&wishes);
     let mut seen: HashMap<String, String> = HashMap::new();
-    let mut designs = Vec::new();
+    let (mut designs, mut solves) = (Vec::new(), 0_usize);
     for (wish, name) in wishes.into_iter().zip(names) {
         let Some(study) = study_of(base, &wish, &name, faults) else {
             continue;
         };
+        solves = solves.saturating_add(first_points(&study.method, study.inputs.len()));
+        if solves > MOST_SOLVES && !designs.is_empty() {
+            let detail = format!("the designs ask for more than {MOST_SOLVES} solves together");
+            Fault::add(faults, &wish.pointer, detail);
+            return None;
+        }
         if let Some(twin) = seen.insert(nameless(&study), wish.pointer.clone()) {
             let detail = format!("is the same design as that of {twin}");
             Fault::add(faults, &wish.pointer, detail);
@@ -180,141 +185,20 @@ pub fn nameless(study: &Study) -> String {
     nameless.canonical()
 }
 
-/// Every combination, the last path varying fastest.
-fn of_grid(grid: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Vec<Wish>> {
-    let what = "a table with a list of values for each path";
-    let table = grid.as_object().filter(|table| !table.is_empty());
-    let Some(table) = table else {
-        Fault::add(
-            faults,
-            pointer,
-            format!("must be {what}; it is {}", shown(grid)),
-        );
-        return None;
-    };
-    let mut wishes = vec![Wish {
-        name: None,
-        set: Map::new(),
-        pointers: Vec::new(),
-        pointer: pointer.to_owned(),
-    }];
-    for (path, values) in table {
-        let at = member(pointer, path);
-        let Some(values) = values.as_array().filter(|values| !values.is_empty()) else {
-            let detail = format!("must be a list of values; it is {}", shown(values));
-            Fault::add(faults, &at, detail);
-            continue;
-        };
-        if wishes.len().saturating_mul(values.len()) > MOST_DESIGNS {
-            Fault::add(faults, pointer, too_many());
-            return None;
-        }
-        let with = |wish: &Wish, (index, value): (usize, &Value)| {
-            let mut set = wish.set.clone();
-            set.insert(path.clone(), value.clone());
-            let mut pointers = wish.pointers.clone();
-            pointers.push(entry(&at, index));
-            Wish {
-                name: None,
-                set,
-                pointers,
-                pointer: pointer.to_owned(),
-            }
-        };
-        wishes = wishes
-            .iter()
-            .flat_map(|wish| {
-                values
-                    .iter()
-                    .enumerate()
-                    .map(move |value| with(wish, value))
-            })
-            .collect();
-    }
-    faults.is_empty().then_some(wishes)
-}
-
-fn too_many() -> String {
-    format!("these are more than {MOST_DESIGNS} designs, the most of one sweep")
-}
-
-fn of_list(list: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Vec<Wish>> {
-    let Some(items) = list.as_array().filter(|items| !items.is_empty()) else {
-        let detail = format!("must be a list of designs; it is {}", shown(list));
-        Fault::add(faults, pointer, detail);
-        return None;
-    };
-    if items.len() > MOST_DESIGNS {
-        Fault::add(faults, pointer, too_many());
-        return None;
-    }
-    let wishes = items.iter().enumerate().filter_map(|(index, item)| {
-        let at = entry(pointer, index);
-        let fields = Fields::open(item, &at, &["name", "set"], faults)?;
-        let name = name(&fields, faults)?;
-        let (set, within) = fields.required("set", "a table of values by path", faults)?;
-        let Some(set) = set.as_object() else {
-            let detail = format!("must be a table of values by path; it is {}", shown(set));
-            Fault::add(faults, &within, detail);
-            return None;
-        };
-        Some(Wish {
-            name,
-            set: set.clone(),
-            pointers: set.keys().map(|path| member(&within, path)).collect(),
-            pointer: at,
-        })
-    });
-    let wishes: Vec<Wish> = wishes.collect();
-    faults.is_empty().then_some(wishes)
-}
-
-/// The names that designs have, or else what they set: paths by their last step, where that tells them apart.
-fn names(wishes: &[Wish]) -> Vec<String> {
-    let last = |path: &str| path.rsplit('.').next().unwrap_or(path).to_owned();
-    let mut paths: Vec<&String> = wishes.iter().flat_map(|wish| wish.set.keys()).collect();
-    paths.sort();
-    paths.dedup();
-    let mut count: HashMap<String, usize> = HashMap::new();
-    for path in paths {
-        *count.entry(last(path)).or_default() += 1;
-    }
-    let short = |path: &str| match count.get(&last(path)) {
-        Some(1) => last(path),
-        _ => path.to_owned(),
-    };
-    let named = |wish: &Wish| {
-        let texts: Vec<String> = wish
-            .set
-            .iter()
-            .map(|(path, value)| match value {
-                Value::String(text) => format!("{} = {text}", short(path)),
-                other => format!("{} = {other}", short(path)),
-            })
-            .collect();
-        let text = texts.join(", ");
-        match (&wish.name, text.is_empty()) {
-            (Some(name), _) => name.clone(),
-            (None, true) => "unchanged".to_owned(),
-            (None, false) => text,
-        }
-    };
-    wishes.iter().map(named).collect()
-}
-
 /// The study of a design; its faults stand where the values do.
 fn study_of(base: &Study, wish: &Wish, name: &str, faults: &mut Vec<Fault>) -> Option<Study> {
     let (of_study, of_scene): (Vec<_>, Vec<_>) = wish
         .set
         .iter()
-        .map(|(path, value)| (path.strip_prefix("scene.").unwrap_or(path), value))
+        .map(|(path, value)| (field_of(path), value))
         .partition(|(path, _)| OF_STUDY.contains(&first_step(path)));
     let mut found = Vec::new();
     let mut scene = base.scene.clone();
     if let Err(refused) = scene.set_all(&of_scene) {
         found.extend(refused);
     }
-    if wish.set.keys().any(|path| path.ends_with("model.level")) {
+    let asked = wish.set.keys().any(|path| field_of(path) == "model.level");
+    if asked || scene.model.level != base.scene.model.level {
         let detail = "the mesh of a study is set by accuracy.preset";
         Fault::add(&mut found, "/model/level", detail);
     }
@@ -367,8 +251,7 @@ fn blame(wish: &Wish, name: &str, fault: &Fault, faults: &mut Vec<Fault>) {
         .strip_prefix("/scene")
         .unwrap_or(&fault.pointer);
     let culprit = wish.set.keys().zip(&wish.pointers).find(|(path, _)| {
-        let path = path.strip_prefix("scene.").unwrap_or(path);
-        let of_path = as_pointer(path);
+        let of_path = as_pointer(field_of(path));
         within == of_path || within.starts_with(&format!("{of_path}/"))
     });
     let told = match culprit {
@@ -378,7 +261,7 @@ fn blame(wish: &Wish, name: &str, fault: &Fault, faults: &mut Vec<Fault>) {
         },
         None => Fault {
             pointer: wish.pointer.clone(),
-            detail: format!("the design {name}: {fault}"),
+            detail: format!("the design {}: {fault}", visible(name)),
         },
     };
     if !faults.contains(&told) {
@@ -393,130 +276,4 @@ fn as_pointer(path: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use serde_json::json;
-
-    use super::*;
-    use crate::study::presets;
-    use fem_client::document::{Format, parse};
-
-    fn document(rest: Value) -> Value {
-        let mut document = json!({"study": parse(presets()[0].1, Format::Toml).unwrap()});
-        let members = rest.as_object().unwrap().clone();
-        document.as_object_mut().unwrap().extend(members);
-        document
-    }
-
-    fn read(rest: Value) -> Result<Sweep, Vec<Fault>> {
-        Sweep::from_value(&document(rest), &|path| Err(path.to_owned()))
-    }
-
-    fn faults(rest: Value) -> Vec<(String, String)> {
-        let faults = read(rest).unwrap_err();
-        let pair = |fault: Fault| (fault.pointer, fault.detail);
-        faults.into_iter().map(pair).collect()
-    }
-
-    #[test]
-    fn a_grid_is_every_combination_and_nothing_else_changes() {
-        let grid = json!({"geometry.wall_mm": [2.5, 3], "scene.carcass.angle_deg": [50, 55, 60]});
-        let sweep = read(json!({"name": "wall and cord", "grid": grid})).unwrap();
-        assert_eq!(
-            (sweep.name.as_str(), sweep.designs.len()),
-            ("wall and cord", 6)
-        );
-        let names: Vec<&str> = sweep
-            .designs
-            .iter()
-            .map(|design| design.name.as_str())
-            .collect();
-        assert_eq!(names[1], "wall_mm = 2.5, angle_deg = 55");
-        assert_eq!(names[3], "wall_mm = 3, angle_deg = 50");
-        let fourth = &sweep.designs[3].study;
-        assert!(fourth.name.ends_with(": wall_mm = 3, angle_deg = 50"));
-        let mut expected = sweep.base.clone();
-        expected.name.clone_from(&fourth.name);
-        expected.scene.set("carcass.angle_deg", &json!(50)).unwrap();
-        assert_eq!(*fourth, expected, "3 mm is the base's wall");
-    }
-
-    #[test]
-    fn designs_may_set_fields_of_the_study_too() {
-        let designs = json!([
-            {"name": "as it is", "set": {}},
-            {"set": {"method.nodes": 7, "accuracy.tolerance": 0.1}},
-            {"set": {"ground.depths_mm": [1.0, 1.0, 1.0], "inputs": [
-                {"name": "a", "vary": "ground.depths_mm[1]", "distribution": {"kind": "uniform", "min": 0.7, "max": 1.3}}]}},
-        ]);
-        let sweep = read(json!({"designs": designs})).unwrap();
-        assert_eq!(sweep.name, sweep.base.name);
-        let [plain, other, three] = &sweep.designs[..] else {
-            panic!("three designs")
-        };
-        assert_eq!(plain.name, "as it is");
-        assert_eq!(other.name, "nodes = 7, tolerance = 0.1");
-        assert_eq!(other.study.method.nodes, 7);
-        assert_eq!(other.study.accuracy, crate::study::Accuracy::Tolerance(0.1));
-        assert_eq!(
-            (three.study.scene.ground.stations, three.study.inputs.len()),
-            (3, 1)
-        );
-    }
-
-    #[test]
-    fn further_designs_are_read_alone() {
-        let sweep = read(json!({"grid": {"geometry.wall_mm": [3]}})).unwrap();
-        let further = json!({"grid": {"geometry.wall_mm": [2.5]}});
-        let designs = designs_of(&sweep.base, &further).unwrap();
-        assert_eq!(designs[0].study.scene.geometry.wall_mm, 2.5);
-    }
-
-    #[test]
-    fn all_faults_are_told_at_once_of_the_values_that_made_them() {
-        let found = faults(json!({"grid": {
-            "geometry.wall_mm": [2.5, -1, "thick"], "carcass.angle_deg": [50, 500], "geometry.walls_mm": [1], "model.level": ["draft"]}}));
-        let at = |pointer: &str| found.iter().filter(|(p, _)| p == pointer).count();
-        for pointer in [
-            "/grid/geometry.wall_mm/1",
-            "/grid/geometry.wall_mm/2",
-            "/grid/carcass.angle_deg/1",
-            "/grid/geometry.walls_mm/0",
-            "/grid/model.level/0",
-        ] {
-            assert_eq!(at(pointer), 1, "{pointer} {found:?}");
-        }
-        assert_eq!(found.len(), 5, "{found:?}");
-    }
-
-    #[test]
-    fn what_is_no_sweep_is_refused() {
-        for (rest, pointer) in [
-            (json!({}), ""),
-            (json!({"grid": {}}), "/grid"),
-            (
-                json!({"grid": {"geometry.wall_mm": 3}}),
-                "/grid/geometry.wall_mm",
-            ),
-            (json!({"grid": {"geometry.wall_mm": [3, 3.0]}}), "/grid"),
-            (json!({"designs": []}), "/designs"),
-            (json!({"designs": [{"set": 3}]}), "/designs/0/set"),
-            (
-                json!({"designs": [{"name": " ", "set": {}}]}),
-                "/designs/0/name",
-            ),
-            (json!({"designs": [{"set": {}}], "grid": {"a": [1]}}), ""),
-            (json!({"designs": [{"set": {"a b": 1}}]}), "/designs/0"),
-            (
-                json!({"designs": [{"set": {"geometry.wall_mm": 2.0}}], "name": 3}),
-                "/name",
-            ),
-        ] {
-            let found = faults(rest.clone());
-            assert_eq!(found[0].0, pointer, "{rest} {found:?}");
-        }
-        let many: Vec<u32> = (0..40).collect();
-        let found =
-            faults(json!({"grid": {"geometry.wall_mm": many, "geometry.outer_radius_mm": many}}));
-        assert!(found[0].1.contains("more than 1000"), "{found:?}");
-    }
-}
+mod tests;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use fem_client::body::Body;
+use fem_client::document::json_or_word;
 use fem_client::gauge::{Gauge, GaugeReading};
 use fem_client::scene::Scene;
 use fem_client::solver::{LocationStrain, Readout, SolveError, SolveRequest, Solved};
@@ -104,12 +105,6 @@ fn assignment(text: &str) -> Result<(&str, Value), Failure> {
         )));
     };
     Ok((path.trim(), json_or_word(value)))
-}
-
-/// A value as typed: JSON, or else a word.
-pub fn json_or_word(text: &str) -> Value {
-    let text = text.trim();
-    serde_json::from_str(text).unwrap_or_else(|_| Value::String(text.to_owned()))
 }
 
 fn failure(error: SolveError) -> Failure {

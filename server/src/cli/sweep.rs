@@ -6,8 +6,8 @@ use std::sync::Arc;
 use clap::Args;
 use placement::compare::{Comparison, compare};
 use placement::study::Study;
-use placement::sweep::{Design, Sweep as Plan, designs_of, sweep_of};
-use serde_json::{Map, Value, json};
+use placement::sweep::{Design, Sweep as Plan, designs_of, sweep_of, typed_grid};
+use serde_json::json;
 use tokio::runtime::Runtime;
 
 use super::Failure;
@@ -18,7 +18,6 @@ use super::library::the_only;
 use super::output::{JsonTarget, tell};
 use super::progress::progress_bar;
 use super::signals::stop_flag;
-use super::solve::json_or_word;
 use crate::comparison::of_designs;
 use crate::config::Config;
 use crate::engine::Engine;
@@ -101,7 +100,7 @@ impl Sweep {
     fn plan(&self, path: &std::path::Path) -> Result<Plan, Failure> {
         let text = read_file(path).map_err(Failure::Input)?;
         let base = read_study(&text, path).map_err(Failure::Input)?;
-        let grid = grid(&self.grid)?;
+        let grid = typed_grid(&self.grid).map_err(Failure::Input)?;
         sweep_of(base, self.name.as_deref(), &grid).map_err(Failure::Input)
     }
 
@@ -210,47 +209,10 @@ impl Sweep {
         if self.grid.is_empty() {
             return Ok(Vec::new());
         }
-        let document = json!({"grid": grid(&self.grid)?});
+        let grid = typed_grid(&self.grid).map_err(Failure::Input)?;
+        let document = json!({"grid": grid});
         designs_of(base, &document).map_err(Failure::Input)
     }
-}
-
-/// Lists of values by path, from `KEY=V1,V2,...`.
-fn grid(texts: &[String]) -> Result<Map<String, Value>, Failure> {
-    let mut grid = Map::new();
-    for text in texts {
-        let wrong = |why: &str| {
-            Failure::input(format!(
-                "--grid {text:?}: {why}; a grid is KEY=V1,V2,..., as in geometry.wall_mm=2.5,3,3.5"
-            ))
-        };
-        let (path, list) = text.split_once('=').ok_or_else(|| wrong("it has no ="))?;
-        let values = split(list).into_iter().map(json_or_word).collect();
-        if grid.insert(path.trim().to_owned(), values).is_some() {
-            return Err(wrong("its key stands twice"));
-        }
-    }
-    Ok(grid)
-}
-
-/// At commas outside of brackets and quotes.
-fn split(list: &str) -> Vec<&str> {
-    let (mut depth, mut quoted, mut begin) = (0_usize, false, 0);
-    let mut parts = Vec::new();
-    for (at, c) in list.char_indices() {
-        match c {
-            '"' => quoted = !quoted,
-            '[' | '{' if !quoted => depth += 1,
-            ']' | '}' if !quoted => depth = depth.saturating_sub(1),
-            ',' if depth == 0 && !quoted => {
-                parts.push(&list[begin..at]);
-                begin = at + 1;
-            }
-            _ => {}
-        }
-    }
-    parts.push(&list[begin..]);
-    parts
 }
 
 async fn designs_in(store: &Store, sweep: &str) -> Result<Vec<DesignRow>, StoreError> {
@@ -278,25 +240,4 @@ async fn go_on(to: &Store, sweep: &SweepRow, further: &[Design]) -> Result<(), S
     resume(&mut transaction, sweep).await?;
     extend(&mut transaction, sweep, further).await?;
     to.commit(transaction, 0).await
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_are_json_or_words_and_lists_stay_whole() {
-        let texts = [
-            "geometry.wall_mm = 2.5, 3",
-            "ground.depths_mm=[1,1,1],[1,2,1]",
-            "model.level=draft",
-        ];
-        let read = grid(&texts.map(str::to_owned)).expect("reads");
-        assert_eq!(
-            Value::Object(read),
-            json!({"geometry.wall_mm": [2.5, 3], "ground.depths_mm": [[1, 1, 1], [1, 2, 1]], "model.level": ["draft"]})
-        );
-        assert!(grid(&["wall".to_owned()]).is_err());
-        assert!(grid(&["a=1".to_owned(), "a=2".to_owned()]).is_err());
-    }
 }
