@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
+use anstyle::Style;
 use clap::Args;
 use placement::compare::{
     ComparedIndex, ComparedLocation, ComparedStudy, Comparison, Entry, Verdict, compare,
@@ -13,6 +14,7 @@ use super::Failure;
 use super::export::{deliver, readable};
 use super::library::{Database, study, the_only};
 use super::output::{JsonTarget, tell};
+use super::paint::{FAINT, HEADER, STRONG, header, left, of_state, painted};
 use crate::comparison::{of_designs, of_studies};
 use crate::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
 use crate::store::sweeps;
@@ -113,7 +115,7 @@ pub fn table(comparison: &Comparison) -> String {
                 text,
                 "- {}: {}: {}",
                 study.name.escape_debug(),
-                study.state,
+                painted(of_state(&study.state), &study.state),
                 reason.escape_debug()
             );
         }
@@ -126,7 +128,7 @@ pub fn table(comparison: &Comparison) -> String {
 
 /// A line for each study: force, signals, who wins, what it took.
 fn overview(comparison: &Comparison, width: usize) -> String {
-    let mut text = format!(
+    let mut text = header(&format!(
         "{:width$}  {:<9} {:>8} {:>9} {:>9}  {:<14} {:<14} {:>7} {:>7} {:>8}\n{:width$}  {:<9} {:>8} {:>9} {:>9}\n",
         "design",
         "state",
@@ -143,7 +145,7 @@ fn overview(comparison: &Comparison, width: usize) -> String {
         "",
         "(std of the strain, 1e-6)",
         ""
-    );
+    ));
     for study in &comparison.studies {
         text.push_str(&line(study, width));
     }
@@ -156,10 +158,10 @@ fn line(study: &ComparedStudy, width: usize) -> String {
         value.map_or_else(|| "-".to_owned(), |value| format!("{value:.decimals$}"))
     };
     let micro = |strain: Option<f64>| number(strain.map(|strain| 1e6 * strain), 0);
-    let best = match (&study.best, study.best_certain) {
-        (Some(best), Some(true)) => format!("{best} certain"),
-        (Some(best), _) => format!("{best} uncertain"),
-        (None, _) => "-".to_owned(),
+    let (style, best) = match (&study.best, study.best_certain) {
+        (Some(best), Some(true)) => (STRONG, format!("{best} certain")),
+        (Some(best), _) => (FAINT, format!("{best} uncertain")),
+        (None, _) => (FAINT, "-".to_owned()),
     };
     let layout = match (study.layout_spacing_deg, &study.layout_position) {
         (Some(spacing), Some(position)) => format!("{spacing} deg {position}"),
@@ -168,13 +170,13 @@ fn line(study: &ComparedStudy, width: usize) -> String {
     let cost = study.cost.as_ref();
     let count = |part: Option<usize>| part.map_or_else(|| "-".to_owned(), |part| part.to_string());
     format!(
-        "{:width$}  {:<9} {:>8} {:>9} {:>9}  {:<14} {:<14} {:>7} {:>7} {:>8}\n",
+        "{:width$}  {} {:>8} {:>9} {:>9}  {} {:<14} {:>7} {:>7} {:>8}\n",
         shortened(&study.name, width),
-        study.state,
+        left(of_state(&study.state), &study.state, 9),
         number(study.reaction_n, 2),
         micro(study.std_strain_x),
         micro(study.std_strain_y),
-        best,
+        left(style, &best, 14),
         layout,
         count(cost.map(|cost| cost.solves + cost.coarser_solves + cost.effect_solves)),
         count(cost.map(|cost| cost.reused)),
@@ -203,15 +205,15 @@ fn matrix(comparison: &Comparison, direction: &str, strain: &str, width: usize) 
     if names.is_empty() {
         return String::new();
     }
-    let mut text = format!(
-        "first-order index of each location's own depth for the {strain} strain at the centre, %; in brackets the difference from {}, with its error, * where it is real\n{:width$}",
-        baseline_name(comparison),
-        "design"
+    let caption = format!(
+        "first-order index of each location's own depth for the {strain} strain at the centre, %; in brackets the difference from {}, with its error, * where it is real\n",
+        baseline_name(comparison)
     );
+    let mut heads = format!("{:width$}", "design");
     for name in &names {
-        let _ = write!(text, "  {name:<CELL$}");
+        let _ = write!(heads, "  {name:<CELL$}");
     }
-    text.push('\n');
+    let mut text = caption + &painted(HEADER, heads) + "\n";
     for study in &comparison.studies {
         let of_study: Vec<&ComparedLocation> = comparison
             .rows
@@ -225,7 +227,8 @@ fn matrix(comparison: &Comparison, direction: &str, strain: &str, width: usize) 
         for name in &names {
             let row = of_study.iter().find(|row| row.location == *name);
             let index = row.map(|row| if direction == "x" { &row.x } else { &row.y });
-            let _ = write!(text, "  {:<CELL$}", index.map_or("-".to_owned(), cell));
+            let cell = index.map_or_else(|| pad("-", "", Style::new()), cell);
+            let _ = write!(text, "  {cell}");
         }
         // Padding at a line's end is of no use to anybody.
         text.truncate(text.trim_end().len());
@@ -250,20 +253,61 @@ fn baseline_name(comparison: &Comparison) -> String {
     )
 }
 
+/// The index, and behind it the difference: what is noise stands back.
 fn cell(index: &ComparedIndex) -> String {
     let Some(percent) = index.gsi_percent else {
-        return "-".to_owned();
+        return pad("-", "", Style::new());
     };
+    let percent = format!("{percent:6.2}");
     let Some(difference) = index.difference_percent else {
-        return format!("{percent:6.2}");
+        return pad(&percent, "", Style::new());
     };
     let error = index
         .difference_error_percent
         .map_or_else(|| "+-?".to_owned(), |error| format!("+-{error:.2}"));
-    let mark = if index.verdict == Some(Verdict::Real) {
-        "*"
-    } else {
-        ""
+    let (style, mark) = match index.verdict {
+        Some(Verdict::Real) => (STRONG, "*"),
+        _ => (FAINT, ""),
     };
-    format!("{percent:6.2} ({difference:+.2}{error}{mark})")
+    pad(
+        &(percent + " "),
+        &format!("({difference:+.2}{error}{mark})"),
+        style,
+    )
+}
+
+/// A cell whose second part is painted.
+fn pad(first: &str, second: &str, style: Style) -> String {
+    let rest = CELL.saturating_sub(first.chars().count());
+    first.to_owned() + &left(style, second, rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_real_difference_stands_out_and_noise_stands_back_in_cells_of_one_width() {
+        let index = |verdict, error| ComparedIndex {
+            gsi_percent: Some(71.64),
+            difference_percent: Some(3.55),
+            difference_error_percent: error,
+            verdict: Some(verdict),
+            ..ComparedIndex::default()
+        };
+        let real = cell(&index(Verdict::Real, Some(1.82)));
+        let noise = cell(&index(Verdict::Noise, Some(5.0)));
+        assert!(
+            real.contains("\u{1b}[1m(+3.55+-1.82*)\u{1b}[0m"),
+            "{real:?}"
+        );
+        assert!(
+            noise.contains("\u{1b}[2m(+3.55+-5.00)\u{1b}[0m"),
+            "{noise:?}"
+        );
+        for cell in [real, noise] {
+            let plain = anstream::adapter::strip_str(&cell).to_string();
+            assert_eq!(plain.chars().count(), CELL, "{plain:?}");
+        }
+    }
 }

@@ -7,6 +7,7 @@ use tokio::runtime::Runtime;
 
 use super::Failure;
 use super::output::{JsonTarget, tell};
+use super::paint::{BAD, GOOD, painted};
 use crate::store::upkeep::{self, Inspection};
 
 /// Look after the database file
@@ -122,10 +123,11 @@ fn report(path: &Path, found: &Inspection) -> String {
     }
     text.push('\n');
     for fault in &found.faults {
-        text.push_str(&format!("- {fault}\n"));
+        text.push_str(&format!("- {}\n", painted(BAD, fault)));
     }
     if found.faults.is_empty() {
-        text.push_str("every row matches its hash, every reference leads somewhere, every study has its points\n");
+        let whole = "every row matches its hash, every reference leads somewhere, every study has its points";
+        text.push_str(&(painted(GOOD, whole) + "\n"));
     }
     text
 }

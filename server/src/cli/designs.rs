@@ -15,6 +15,7 @@ use placement::run::Event;
 use tokio::runtime::Handle;
 
 use super::Failure;
+use super::progress::say_failed;
 use crate::engine::{End, Engine};
 use crate::forecast::memory_bytes;
 use crate::store::sweeps::DesignRow;
@@ -196,7 +197,7 @@ impl<'b> Progress<'b> {
                 cause,
             } => {
                 self.set(index, *done, *of);
-                self.bar.println(format!("point {ordinal}: {cause}"));
+                say_failed(self.bar, *ordinal, cause);
             }
             Event::Analysing => {}
         }

@@ -4,11 +4,13 @@ use std::fmt::Write;
 
 use placement::result::{Estimate, Forecast, StudyResult};
 
+use super::paint::{HEADER, painted};
 use crate::http::sweep_wire::{DesignEstimate, SweepEstimate};
 
 /// Everything that `run --dry-run` prints.
 pub fn dry_run(name: &str, estimate: &Estimate) -> String {
-    let mut text = format!("{}\n\n{}", name.escape_debug(), solves(estimate));
+    let title = painted(HEADER, name.escape_debug());
+    let mut text = format!("{title}\n\n{}", solves(estimate));
     let time = estimate.wall_s.as_ref().map_or("unknown".to_owned(), range);
     let _ = writeln!(text, "time       {time} on {} threads", estimate.threads);
     let _ = writeln!(
@@ -34,7 +36,7 @@ pub fn dry_run(name: &str, estimate: &Estimate) -> String {
 
 /// Everything that `sweep --dry-run` prints.
 pub fn dry_sweep(name: &str, threads: usize, sweep: &SweepEstimate) -> String {
-    let mut text = format!("{}\n\n", name.escape_debug());
+    let mut text = painted(HEADER, name.escape_debug()) + "\n\n";
     for DesignEstimate { name, estimate } in &sweep.designs {
         let time = estimate.wall_s.as_ref().map_or("unknown".to_owned(), range);
         let _ = writeln!(

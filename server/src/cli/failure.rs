@@ -3,7 +3,10 @@
 use std::fmt;
 
 use fem_client::fault::Fault;
+use fem_client::fields::visible;
 use serde_json::{Value, json};
+
+use super::paint::{BAD, painted};
 
 /// A command's failure.
 #[derive(Debug)]
@@ -48,6 +51,25 @@ impl Failure {
         }
     }
 
+    /// What [`Display`](fmt::Display) says, painted for a terminal: what failed, or where, stands out.
+    pub fn painted(&self) -> String {
+        let line = |text: &dyn fmt::Display| painted(BAD, text) + "\n";
+        match self {
+            Self::Input(faults) => faults
+                .iter()
+                .map(|fault| match visible(&fault.pointer) {
+                    pointer if pointer.is_empty() => line(fault),
+                    pointer => format!("{}: {}\n", painted(BAD, pointer), fault.detail),
+                })
+                .collect(),
+            Self::Physics { status, detail, .. } => {
+                let what = format!("no equilibrium ({status})");
+                format!("{}: {detail}\n", painted(BAD, what))
+            }
+            Self::Partial(detail) | Self::Other(detail) => line(detail),
+        }
+    }
+
     /// The failure as a JSON document.
     pub fn document(&self) -> Value {
         match self {
@@ -80,6 +102,38 @@ impl fmt::Display for Failure {
                 writeln!(f, "no equilibrium ({status}): {detail}")
             }
             Self::Partial(detail) | Self::Other(detail) => writeln!(f, "{detail}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paint_changes_nothing_that_is_said() {
+        let fault = |pointer: &str, detail: &str| Fault {
+            pointer: pointer.to_owned(),
+            detail: detail.to_owned(),
+        };
+        let failures = [
+            Failure::Input(vec![
+                fault("", "there is no such study"),
+                fault("/a\u{7f}b", "must be 0"),
+            ]),
+            Failure::Physics {
+                status: "limit-point".to_owned(),
+                detail: "at 0.12 MPa".to_owned(),
+                known: Value::Null,
+            },
+            Failure::Partial("1 of 2 designs have no result".to_owned()),
+            Failure::Other("stopped on request".to_owned()),
+        ];
+        for failure in failures {
+            let painted = failure.painted();
+            assert!(painted.contains("\u{1b}[31m"), "{painted:?}");
+            let plain = anstream::adapter::strip_str(&painted).to_string();
+            assert_eq!(plain, failure.to_string());
         }
     }
 }

@@ -17,7 +17,8 @@ use serde_json::{Value, json};
 
 use super::Failure;
 use super::examples;
-use super::output::{JsonTarget, print, tell, write_whole};
+use super::output::{JsonTarget, print, tell, warn, write_whole};
+use super::paint::{HEADER, WARNING, painted};
 use crate::study_document::{format_of, read_file};
 
 /// Analyse a model of your own: print the points to run, then read their outputs back
@@ -154,11 +155,13 @@ impl Analyse {
         };
         let wanted = (0..points).filter(|id| !table.has(*id)).count();
         if wanted > 0 {
-            eprintln!(
-                "the method asks for {wanted} more points: strainsite gsa plan {} --values {}",
+            let more = format!("the method asks for {wanted} more points");
+            warn(&format!(
+                "{}: strainsite gsa plan {} --values {}\n",
+                painted(WARNING, more),
                 self.inputs.display(),
                 self.values.display()
-            );
+            ));
         }
         let text = people_table(&inputs.names, table.outputs(), &found);
         tell(&text, self.json.as_ref())?;
@@ -211,16 +214,15 @@ fn people_table(inputs: &[String], outputs: &[String], found: &[Analysis]) -> St
     for (name, analysis) in outputs.iter().zip(found) {
         let status = match analysis.status {
             Status::Ok => String::new(),
-            status => format!(", {}", status.as_str()),
+            status => format!(", {}", painted(WARNING, status.as_str())),
         };
-        text.push_str(&format!("{name}: {}{status}\n", analysis.method.as_str()));
+        let (name, method) = (painted(HEADER, name), analysis.method.as_str());
+        text.push_str(&format!("{name}: {method}{status}\n"));
         if let (Some(first), Some(total)) = (&analysis.first_order, &analysis.total) {
             let width = inputs.iter().map(|name| name.chars().count()).max();
             let width = width.unwrap_or(0).max(5);
-            text.push_str(&format!(
-                "  {:width$}  first order      total    +-\n",
-                "input"
-            ));
+            let heads = format!("  {:width$}  first order      total    +-", "input");
+            text.push_str(&(painted(HEADER, heads) + "\n"));
             let errors = analysis.error.by_input.as_ref();
             for (i, input) in inputs.iter().enumerate() {
                 let error = errors.map_or("unknown".to_owned(), |e| format!("{:.1e}", e[i]));

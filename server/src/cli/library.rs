@@ -10,7 +10,8 @@ use sqlx::SqliteConnection;
 use tokio::runtime::Runtime;
 
 use super::Failure;
-use super::output::{JsonTarget, tell};
+use super::output::{JsonTarget, is_seen, tell};
+use super::paint::{BAD, header, left, of_state, painted};
 use super::table::report;
 use crate::http::wire::StudySummary;
 use crate::store::studies::{self, State, StudyRow};
@@ -94,8 +95,22 @@ impl List {
             let studies: Vec<StudySummary> = rows.iter().map(StudySummary::of).collect();
             target.write(&json!({"studies": studies}))?;
         }
-        tell(&lines(&rows), self.json.as_ref())
+        let text = headed(&rows, self.json.as_ref());
+        tell(&text, self.json.as_ref())
     }
+}
+
+/// The lines of the studies below a header, which only people need: scripts take a line for a study.
+fn headed(rows: &[StudyRow], json: Option<&JsonTarget>) -> String {
+    let mut text = String::new();
+    if is_seen(json) && !rows.is_empty() {
+        let head = format!(
+            "{:<36}  {:<9}  {:<16}  {:<24}  name\n",
+            "study", "state", "points", "created"
+        );
+        text = header(&head);
+    }
+    text + &lines(rows)
 }
 
 fn lines(rows: &[StudyRow]) -> String {
@@ -106,9 +121,9 @@ fn lines(rows: &[StudyRow]) -> String {
             .map_or("?".to_owned(), |total| total.to_string());
         let _ = writeln!(
             text,
-            "{}  {:<9}  {:>6} of {total:<6}  {}  {}",
+            "{}  {}  {:>6} of {total:<6}  {}  {}",
             row.id,
-            row.state().as_str(),
+            left(of_state(row.state().as_str()), row.state().as_str(), 9),
             row.points_done,
             row.created,
             row.name.escape_debug()
@@ -143,9 +158,9 @@ impl Show {
             let study = StudySummary::of(&row);
             target.write(&json!({"study": study, "document": document, "result": found}))?;
         }
-        let mut text = lines(std::slice::from_ref(&row));
+        let mut text = headed(std::slice::from_ref(&row), self.json.as_ref());
         if let Some(error) = &row.error {
-            let _ = writeln!(text, "{}", error.escape_debug());
+            let _ = writeln!(text, "{}", painted(BAD, error.escape_debug()));
         }
         if let Some(result) = &found {
             text = format!("{text}\n{}", report(result));

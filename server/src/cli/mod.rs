@@ -13,6 +13,7 @@ mod failure;
 mod gsa;
 mod library;
 mod output;
+mod paint;
 mod progress;
 mod run;
 mod serve;
@@ -32,7 +33,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::telemetry;
 pub use failure::Failure;
-use output::JsonTarget;
+use output::{JsonTarget, warn};
 
 /// Ranks strain-sensor locations in a smart tire
 #[derive(Debug, Parser)]
@@ -126,11 +127,11 @@ fn ended(done: Result<(), Failure>, json: Option<JsonTarget>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprint!("{failure}");
+            warn(&failure.painted());
             if let Some(target) = json.filter(|_| !matches!(failure, Failure::Partial(_)))
                 && let Err(error) = target.write(&failure.document())
             {
-                eprintln!("{error}");
+                warn(&error.painted());
             }
             ExitCode::from(failure.code())
         }

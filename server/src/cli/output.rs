@@ -1,7 +1,7 @@
 //! Where results are written.
 
 use std::convert::Infallible;
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -50,24 +50,41 @@ impl JsonTarget {
 /// # Errors
 /// When standard output can't be written.
 pub fn print(content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failure> {
-    let mut out = std::io::stdout().lock();
-    let written = out.write_all(content.as_ref());
+    write_to(std::io::stdout().lock(), content.as_ref())
+}
+
+fn write_to(mut out: impl Write, content: &[u8]) -> Result<(), Failure> {
+    let written = out.write_all(content);
     match written.and_then(|()| out.flush()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::other(error)),
         _ => Ok(()),
     }
 }
 
-/// Prints where people look: on standard output, unless a JSON document goes there.
+/// Prints painted text where people look: on standard output, unless a JSON document goes there. The paint stays on a terminal alone, or
+/// where `CLICOLOR_FORCE` asks for it, and comes off where `NO_COLOR` does.
 ///
 /// # Errors
 /// When standard output can't be written.
 pub fn tell(text: &str, json: Option<&JsonTarget>) -> Result<(), Failure> {
     if json == Some(&JsonTarget::Stdout) {
-        eprint!("{text}");
+        warn(text);
         return Ok(());
     }
-    print(text)
+    write_to(anstream::stdout().lock(), text.as_bytes())
+}
+
+/// Prints painted text on standard error, as [`tell`] does.
+pub fn warn(text: &str) {
+    anstream::eprint!("{text}");
+}
+
+/// Whether what is told goes to a terminal.
+pub fn is_seen(json: Option<&JsonTarget>) -> bool {
+    match json {
+        Some(JsonTarget::Stdout) => std::io::stderr().is_terminal(),
+        _ => std::io::stdout().is_terminal(),
+    }
 }
 
 /// Writes a file so that it is either there whole or as it was before.

@@ -2,8 +2,11 @@
 
 use std::time::Duration;
 
+use anstream::{AutoStream, ColorChoice};
 use indicatif::{ProgressBar, ProgressStyle};
 use placement::run::Event;
+
+use super::paint::{BAD, painted};
 
 /// A bar on standard error, on a terminal only, after a label.
 pub fn progress_bar(label: &str) -> ProgressBar {
@@ -41,6 +44,16 @@ pub fn clock(what: &str) -> ProgressBar {
 
 const TICK: Duration = Duration::from_millis(200);
 
+/// Says above the bar which point failed, and why.
+pub fn say_failed(bar: &ProgressBar, ordinal: usize, cause: &str) {
+    let point = format!("point {ordinal}");
+    let point = match AutoStream::choice(&std::io::stderr()) {
+        ColorChoice::Never => point,
+        _ => painted(BAD, point),
+    };
+    bar.println(format!("{point}: {cause}"));
+}
+
 /// Moves the bar, and says above it what failed.
 pub fn show(bar: &ProgressBar, event: &Event) {
     let count = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
@@ -68,7 +81,7 @@ pub fn show(bar: &ProgressBar, event: &Event) {
             ..
         } => {
             bar.set_position(count(*done));
-            bar.println(format!("point {ordinal}: {cause}"));
+            say_failed(bar, *ordinal, cause);
         }
         Event::Analysing => bar.set_message("analysing"),
     }

@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 
 use super::Failure;
 use super::output::{JsonTarget, tell, write_whole};
+use super::paint::{HEADER, painted};
 use super::progress::clock;
 use super::signals::stop_flag;
 use crate::solver::SolverChoice;
@@ -161,17 +162,17 @@ fn report(solved: &Solved) -> String {
         "inflated radius     {:12.4} mm",
         response.inflated.outer_radius_mm
     );
-    let _ = writeln!(
-        text,
-        "\nstrain since inflation, microstrain      x circumferential           y meridional      von Mises MPa"
+    heading(
+        &mut text,
+        "strain since inflation, microstrain      x circumferential           y meridional      von Mises MPa",
     );
     for location in &response.locations {
         let _ = writeln!(text, "{}", location_row(location));
     }
     if !response.gauges.is_empty() {
-        let _ = writeln!(
-            text,
-            "\ntheta, phi, angle deg       strain since inflation, microstrain    stretch and Green-Lagrange, undeformed"
+        heading(
+            &mut text,
+            "theta, phi, angle deg       strain since inflation, microstrain    stretch and Green-Lagrange, undeformed",
         );
     }
     for reading in &response.gauges {
@@ -193,9 +194,9 @@ fn report(solved: &Solved) -> String {
             stretch.min, stretch.max, tension.min, tension.max
         );
     }
-    let _ = writeln!(
-        text,
-        "\nload step   relative residuals of Newton's iterations"
+    heading(
+        &mut text,
+        "load step   relative residuals of Newton's iterations",
     );
     for (step, residuals) in response.residual_history.iter().enumerate() {
         let residuals: Vec<String> = residuals
@@ -216,6 +217,11 @@ fn report(solved: &Solved) -> String {
         solved.cost.wall_s
     );
     text
+}
+
+/// The head of a table, below an empty line.
+fn heading(text: &mut String, line: &str) {
+    let _ = writeln!(text, "\n{}", painted(HEADER, line));
 }
 
 /// A value with its error, both in units of `unit`; the error is left out where there is no estimate.

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use placement::result::{RankedLocation, StudyResult};
 
 use super::estimate::comparison;
+use super::paint::{BAD, FAINT, GOOD, HEADER, STRONG, header, painted};
 
 /// Table 2 of the paper (Sensors 2025, 25, 4026): P1 to P5, x and y, percent.
 const PAPER: [(&str, f64, f64); 5] = [
@@ -27,10 +28,10 @@ pub fn report(result: &StudyResult) -> String {
 
 /// One row per location, best first. Global sensitivity indices in percent; the first pair with its error.
 fn ranked(result: &StudyResult) -> String {
-    let mut text = format!("{}\n\n", result.study.name.escape_debug());
-    text.push_str("                gsi: own depth, strain at         mean over all     strain at the     M-DRM's gsi,      paper's\n");
-    text.push_str("                the centre, %, with its error     locations, %      location, %       valid or not, %   Table 2, %\n");
-    text.push_str("rank  location         x               y             x       y         x       y         x       y         x       y   rank is\n");
+    let mut text = painted(HEADER, result.study.name.escape_debug()) + "\n\n";
+    text.push_str(&header("                gsi: own depth, strain at         mean over all     strain at the     M-DRM's gsi,      paper's\n"));
+    text.push_str(&header("                the centre, %, with its error     locations, %      location, %       valid or not, %   Table 2, %\n"));
+    text.push_str(&header("rank  location         x               y             x       y         x       y         x       y         x       y   rank is\n"));
     for location in &result.locations {
         text.push_str(&row(location));
     }
@@ -60,11 +61,11 @@ fn row(location: &RankedLocation) -> String {
     for (x, y) in pairs {
         let _ = write!(text, " {} {} ", percent(x), percent(y));
     }
-    text.push_str(if location.rank_certain {
-        " certain\n"
-    } else {
-        " uncertain\n"
-    });
+    let (style, rank_is) = match location.rank_certain {
+        true => (STRONG, "certain"),
+        false => (FAINT, "uncertain"),
+    };
+    let _ = writeln!(text, " {}", painted(style, rank_is));
     text
 }
 
@@ -105,9 +106,10 @@ fn climb(result: &StudyResult) -> String {
     let Some(climb) = &result.climb else {
         return String::new();
     };
+    let (met, missed) = (painted(GOOD, "is met"), painted(BAD, "is out of reach"));
     let mut text = match (climb.tolerance, climb.budget_s) {
-        (Some(tolerance), _) if climb.met => format!("\nA tolerance of {tolerance} is met:\n"),
-        (Some(tolerance), _) => format!("\nA tolerance of {tolerance} is out of reach:\n"),
+        (Some(tolerance), _) if climb.met => format!("\nA tolerance of {tolerance} {met}:\n"),
+        (Some(tolerance), _) => format!("\nA tolerance of {tolerance} {missed}:\n"),
         (None, budget) => format!("\nWithin {} s:\n", budget.unwrap_or_default()),
     };
     for (rung, wall_s) in climb.rungs.iter().zip(&result.cost.rungs_wall_s) {

@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Instant;
 
+use anstyle::Style;
 use clap::Args;
 use fem_client::extremes;
 use fem_client::verify::{self, Case, Family, Verdict};
@@ -11,7 +12,8 @@ use placement::extremes as studies;
 use serde_json::json;
 
 use super::Failure;
-use super::output::{JsonTarget, tell};
+use super::output::{JsonTarget, tell, warn};
+use super::paint::{BAD, GOOD, HEADER, left, painted};
 use super::progress::counting_bar;
 use super::signals::stop_flag;
 
@@ -49,7 +51,9 @@ impl Verify {
             .filter(|case| case.verdict == Verdict::Fail)
             .count();
         let (count, wall) = (cases.len(), begun.elapsed().as_secs_f64());
-        eprintln!("{count} cases, {failed} failed, {wall:.1} s");
+        let style = if failed > 0 { BAD } else { GOOD };
+        let failures = painted(style, format!("{failed} failed"));
+        warn(&format!("{count} cases, {failures}, {wall:.1} s\n"));
         if failed > 0 {
             return Err(Failure::Other(format!("{failed} of {count} cases failed")));
         }
@@ -133,7 +137,7 @@ fn table(cases: &[Case]) -> String {
     for (index, row) in rows.iter().enumerate() {
         for (cell, width) in row.iter().zip(&widths) {
             // Writing to a string cannot fail.
-            let _ = write!(text, "| {cell:width$} ");
+            let _ = write!(text, "| {} ", left(style_of(index, cell), cell, *width));
         }
         text.push_str("|\n");
         if index == 0 {
@@ -146,6 +150,19 @@ fn table(cases: &[Case]) -> String {
     text
 }
 
+/// Of a cell in a row, the first of which is the header.
+fn style_of(row: usize, cell: &str) -> Style {
+    match cell {
+        _ if row == 0 => HEADER,
+        PASS => GOOD,
+        FAIL => BAD,
+        _ => Style::new(),
+    }
+}
+
+const PASS: &str = "pass";
+const FAIL: &str = "FAIL";
+
 fn row(case: &Case) -> Vec<String> {
     let value = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), number);
     let small =
@@ -154,8 +171,8 @@ fn row(case: &Case) -> Vec<String> {
         .slope
         .map(|slope| format!("{:.2} ({})", slope.observed, slope.theoretical));
     let verdict = match case.verdict {
-        Verdict::Pass => "pass",
-        Verdict::Fail => "FAIL",
+        Verdict::Pass => PASS,
+        Verdict::Fail => FAIL,
     };
     vec![
         case.name.clone(),
@@ -207,7 +224,7 @@ mod tests {
             verdict: Verdict::Fail,
             detail: Some("no limit point".to_owned()),
         };
-        let text = table(&[case]);
+        let text = anstream::adapter::strip_str(&table(&[case])).to_string();
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.len(), 3, "{text}");
         assert!(lines[2].contains("| none ") && lines[2].contains("| FAIL "));

@@ -13,6 +13,7 @@ mod settings;
 #[cfg(unix)]
 mod signals;
 mod sweep;
+mod terminal;
 mod verification;
 
 use std::path::Path;

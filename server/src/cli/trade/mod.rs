@@ -18,7 +18,8 @@ use placement::trade::{Trade as Measured, answer, compare};
 use tokio::runtime::Runtime;
 
 use super::Failure;
-use super::output::{JsonTarget, tell, write_whole};
+use super::output::{JsonTarget, tell, warn, write_whole};
+use super::paint::{WARNING, painted};
 use super::progress::{progress_bar, show};
 use super::signals::stop_flag;
 use crate::config::Config;
@@ -105,7 +106,7 @@ impl Trade {
             }
         }
         for rung in left_out {
-            eprintln!("left out: {rung}");
+            warn(&format!("{}: {rung}\n", painted(WARNING, "left out")));
         }
         let truth = self.answer(study, reference, stop)?;
         let truth = truth.map_err(|error| match error {

@@ -4,11 +4,13 @@ use std::fmt::Write;
 
 use placement::trade::{Rung, Trade};
 
+use crate::cli::paint::{BAD, GOOD, HEADER, header, left, painted};
+
 /// Everything that `trade` prints.
 pub fn report(trade: &Trade) -> String {
-    let mut text = format!("{}\n\n", trade.study.escape_debug());
-    text.push_str("                          wall      CPU            largest error of an index     claims that\n");
-    text.push_str("mesh, method, nodes          s        s   solves   true        claimed           hold, %      ranking   front\n");
+    let mut text = painted(HEADER, trade.study.escape_debug()) + "\n\n";
+    text.push_str(&header("                          wall      CPU            largest error of an index     claims that\n"));
+    text.push_str(&header("mesh, method, nodes          s        s   solves   true        claimed           hold, %      ranking   front\n"));
     for rung in &trade.rungs {
         text.push_str(&row(rung));
     }
@@ -28,19 +30,19 @@ fn row(rung: &Rung) -> String {
     let covered = rung
         .covered
         .map_or_else(|| "-".to_owned(), |share| format!("{:.0}", 100.0 * share));
+    let (style, ranking) = match rung.ranking_agrees {
+        true => (GOOD, "agrees"),
+        false => (BAD, "differs"),
+    };
     format!(
-        "{:24} {:7.2}  {:7.2}  {:6}   {}   {}   {covered:>10}         {:8} {}\n",
+        "{:24} {:7.2}  {:7.2}  {:6}   {}   {}   {covered:>10}         {} {}\n",
         rung.label,
         rung.wall_s,
         rung.cpu_s,
         rung.solves,
         error(rung.error_true),
         error(rung.error_claimed),
-        if rung.ranking_agrees {
-            "agrees"
-        } else {
-            "differs"
-        },
+        left(style, ranking, 8),
         if rung.pareto { "*" } else { "" },
     )
 }
