@@ -1,11 +1,34 @@
 //! What a study would cost, and how that compares with what it took, for people.
 
 use std::fmt::Write;
+use std::path::Path;
 
 use placement::result::{Estimate, Forecast, StudyResult};
+use tokio::runtime::Runtime;
 
+use super::Failure;
 use super::paint::{HEADER, painted};
+use crate::forecast::ForecastError;
 use crate::http::sweep_wire::{DesignEstimate, SweepEstimate};
+use crate::store::Store;
+
+/// Asks for an estimate with what a database knows. Makes no database: where there is none, nothing is known.
+pub fn estimated<T>(
+    runtime: &Runtime,
+    database: &Path,
+    ask: impl AsyncFnOnce(Option<&Store>) -> Result<T, ForecastError>,
+) -> Result<T, Failure> {
+    let estimate = runtime.block_on(async {
+        if !database.exists() {
+            return ask(None).await;
+        }
+        let store = Store::open(database).await?;
+        let estimate = ask(Some(&store)).await;
+        store.close().await;
+        estimate
+    });
+    estimate.map_err(Failure::other)
+}
 
 /// Everything that `run --dry-run` prints.
 pub fn dry_run(name: &str, estimate: &Estimate) -> String {

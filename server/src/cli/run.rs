@@ -11,7 +11,7 @@ use serde_json::json;
 use tokio::runtime::Runtime;
 
 use super::Failure;
-use super::estimate::dry_run;
+use super::estimate::{dry_run, estimated};
 use super::output::{JsonTarget, tell, write_whole};
 use super::progress::{progress_bar, show};
 use super::signals::stop_flag;
@@ -75,22 +75,12 @@ impl Run {
         self.answer(end?)
     }
 
-    /// Makes no database: where there is none, nothing is known.
     fn estimate(&self, runtime: &Runtime, study: &Study) -> Result<(), Failure> {
         let solver = self.solver.solver().map_err(Failure::other)?;
         let threads = self.config.threads();
-        let estimate = runtime.block_on(async {
-            let store = match self.config.db.exists() {
-                true => Some(Store::open(&self.config.db).await?),
-                false => None,
-            };
-            let estimate = forecast(store.as_ref(), &solver, threads, study).await;
-            if let Some(store) = store {
-                store.close().await;
-            }
-            estimate
-        });
-        let estimate = estimate.map_err(Failure::other)?;
+        let estimate = estimated(runtime, &self.config.db, async |store| {
+            forecast(store, &solver, threads, study).await
+        })?;
         if let Some(target) = &self.json {
             target.write(&estimate)?;
         }

@@ -13,7 +13,7 @@ use tokio::runtime::Runtime;
 use super::Failure;
 use super::compare::table;
 use super::designs::Crew;
-use super::estimate::dry_sweep;
+use super::estimate::{dry_sweep, estimated};
 use super::library::the_only;
 use super::output::{JsonTarget, tell};
 use super::progress::progress_bar;
@@ -104,22 +104,12 @@ impl Sweep {
         sweep_of(base, self.name.as_deref(), &grid).map_err(Failure::Input)
     }
 
-    /// Makes no database: where there is none, nothing is known.
     fn estimate(&self, runtime: &Runtime, plan: &Plan) -> Result<(), Failure> {
         let solver = self.solver.solver().map_err(Failure::other)?;
         let threads = self.config.threads();
-        let estimate = runtime.block_on(async {
-            let store = match self.config.db.exists() {
-                true => Some(Store::open(&self.config.db).await?),
-                false => None,
-            };
-            let estimate = forecast_sweep(store.as_ref(), &solver, threads, plan).await;
-            if let Some(store) = store {
-                store.close().await;
-            }
-            estimate
-        });
-        let estimate = estimate.map_err(Failure::other)?;
+        let estimate = estimated(runtime, &self.config.db, async |store| {
+            forecast_sweep(store, &solver, threads, plan).await
+        })?;
         if let Some(target) = &self.json {
             target.write(&estimate)?;
         }
