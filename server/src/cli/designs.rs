@@ -4,7 +4,7 @@
 //! threads, as many as memory allows; their results are the same to the bit as one after the other. Designs that share points stay
 //! together, in their order, so that none solves what another one is at.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, HashMap};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -131,34 +131,35 @@ fn groups(designs: &[&DesignRow], solver: &dyn Solver) -> Vec<Vec<usize>> {
     grouped(keys)
 }
 
+/// A forest, in which each design points to an earlier one of its group, and the first of a group to itself.
 fn grouped(designs: impl Iterator<Item = Vec<String>>) -> Vec<Vec<usize>> {
-    let mut groups: Vec<(Vec<usize>, Vec<String>)> = Vec::new();
-    let mut group_of: HashMap<String, usize> = HashMap::new();
+    let mut earlier: Vec<usize> = Vec::new();
+    let mut first_with: HashMap<String, usize> = HashMap::new();
     for (index, keys) in designs.enumerate() {
-        let met: BTreeSet<usize> = keys
-            .iter()
-            .filter_map(|key| group_of.get(key).copied())
-            .collect();
-        let (mut members, mut all) = (Vec::new(), Vec::new());
-        for group in met {
-            let (others, theirs) = std::mem::take(&mut groups[group]);
-            members.extend(others);
-            all.extend(theirs);
+        earlier.push(index);
+        for key in keys {
+            let other = *first_with.entry(key).or_insert(index);
+            let (one, other) = (root(&mut earlier, index), root(&mut earlier, other));
+            earlier[one.max(other)] = one.min(other);
         }
-        members.push(index);
-        all.extend(keys);
-        for key in &all {
-            group_of.insert(key.clone(), groups.len());
-        }
-        groups.push((members, all));
     }
-    let mut groups: Vec<Vec<usize>> = groups.into_iter().map(|(members, _)| members).collect();
-    groups.retain(|members| !members.is_empty());
-    groups
-        .iter_mut()
-        .for_each(|members| members.sort_unstable());
-    groups.sort();
-    groups
+    let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for index in 0..earlier.len() {
+        groups
+            .entry(root(&mut earlier, index))
+            .or_default()
+            .push(index);
+    }
+    groups.into_values().collect()
+}
+
+/// The first of a design's group; the ways that were long are shorter afterwards.
+fn root(earlier: &mut [usize], mut index: usize) -> usize {
+    while earlier[index] != index {
+        earlier[index] = earlier[earlier[index]];
+        index = earlier[index];
+    }
+    index
 }
 
 /// The bar of a whole sweep, as if designs that have not begun had as many points as the largest that have.
@@ -234,6 +235,8 @@ impl<'b> Progress<'b> {
 
 #[cfg(test)]
 mod tests {
+    use std::time::{Duration, Instant};
+
     use super::*;
 
     #[test]
@@ -253,5 +256,26 @@ mod tests {
             [vec![0, 1, 2, 3]]
         );
         assert_eq!(keys(&[&[], &[]]), [vec![0], vec![1]]);
+    }
+
+    #[test]
+    fn a_long_chain_of_designs_is_grouped_as_quickly_as_it_is_read() {
+        // Each design shares a key with the next: moving a group's keys to the next one's would take an hour.
+        const DESIGNS: usize = 100_000;
+        let chain = |index: usize| vec![index.to_string(), (index + 1).to_string()];
+        let begun = Instant::now();
+        let forward = grouped((0..DESIGNS).map(chain));
+        let backward = grouped((0..DESIGNS).rev().map(chain));
+        // The last one joins all others, which stood alone until then.
+        let all = (0..DESIGNS).map(|index| index.to_string()).collect();
+        let alone = (0..DESIGNS).map(|index| vec![index.to_string()]);
+        let joined = grouped(alone.chain([all]));
+        assert_eq!((forward.len(), backward.len(), joined.len()), (1, 1, 1));
+        assert_eq!(forward[0].len(), DESIGNS);
+        assert!(
+            begun.elapsed() < Duration::from_secs(30),
+            "{:?}",
+            begun.elapsed()
+        );
     }
 }
