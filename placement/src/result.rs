@@ -382,7 +382,7 @@ pub struct StudyCost {
     pub factorisations: usize,
     /// Wall-clock time of this run, s.
     pub wall_s: f64,
-    /// Processor time of the program during this run, s: that of other studies at work beside it, too.
+    /// Processor time of this run's own threads, s; 0 where the system doesn't tell it.
     pub cpu_s: f64,
     /// Peak memory of the process, bytes.
     pub peak_memory_bytes: u64,

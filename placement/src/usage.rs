@@ -1,25 +1,30 @@
-//! What a run takes of the machine, read from Linux's `/proc/self`. Elsewhere every figure is 0.
+//! What a run takes of the machine, read from Linux's `/proc`. Elsewhere every figure is 0.
 
+use std::cell::Cell;
 use std::fs::read_to_string;
 
-/// Ticks per second of the times in `/proc`: fixed at 100 for user space on every Linux architecture that Rust's
-/// standard library supports.
-const TICKS_PER_S: f64 = 100.0;
-
-/// Processor time of this process with all its threads so far, s; 0 where `/proc` is absent.
-pub fn cpu_s() -> f64 {
-    read_to_string("/proc/self/stat")
-        .ok()
-        .and_then(|text| cpu_ticks(&text))
-        .map_or(0.0, |ticks| ticks / TICKS_PER_S)
+thread_local! {
+    /// Processor time of ended threads that worked for this one, s.
+    static CREDITED: Cell<f64> = const { Cell::new(0.0) };
 }
 
-/// User and system time from the line of `/proc/self/stat`: fields 14 and 15.
-fn cpu_ticks(stat: &str) -> Option<f64> {
-    // The second field is the program's name in brackets and may hold anything, so count from its closing one.
-    let mut fields = stat.rsplit_once(')')?.1.split_whitespace().skip(11);
-    let mut ticks = || fields.next()?.parse::<f64>().ok();
-    Some(ticks()? + ticks()?)
+/// Processor time of this thread so far, and of those that [`credit`] counted with it, s; 0 where `/proc` is absent. What runs beside it
+/// in the same process isn't counted.
+pub fn cpu_s() -> f64 {
+    let own = read_to_string("/proc/thread-self/schedstat");
+    let own = own.ok().and_then(|text| on_processor_s(&text));
+    own.unwrap_or(0.0) + CREDITED.get()
+}
+
+/// Counts the processor time of a thread that worked for this one, and has ended, with this one's.
+pub fn credit(cpu_s: f64) {
+    CREDITED.set(CREDITED.get() + cpu_s);
+}
+
+/// The first number is the time on a processor, ns.
+fn on_processor_s(schedstat: &str) -> Option<f64> {
+    let nanoseconds: f64 = schedstat.split_whitespace().next()?.parse().ok()?;
+    Some(1e-9 * nanoseconds)
 }
 
 /// Largest resident memory of this process so far, bytes; 0 where `/proc` is absent.
@@ -56,10 +61,28 @@ mod tests {
     use super::*;
 
     #[test]
-    fn times_are_found_behind_any_program_name() {
-        let stat = "7 (a) b (c) R 1 2 3 4 5 6 7 8 9 10 250 50 0 0 20 0 2 0 100 0 0";
-        assert_eq!(cpu_ticks(stat), Some(300.0));
-        assert_eq!(cpu_ticks("7 (a"), None);
+    fn time_on_a_processor_is_in_nanoseconds() {
+        assert_eq!(on_processor_s("2500000000 17 3\n"), Some(2.5));
+        assert_eq!(on_processor_s(""), None);
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_thread_s_time_is_its_own_until_it_is_credited() {
+        const BUSY: f64 = 0.2;
+        let busy = || {
+            while cpu_s() < BUSY {
+                std::hint::black_box(0);
+            }
+            cpu_s()
+        };
+        let before = cpu_s();
+        let theirs = std::thread::spawn(busy).join().unwrap();
+        assert!(theirs >= BUSY);
+        let waited = cpu_s() - before;
+        assert!(waited < BUSY / 2.0, "{waited} s of waiting");
+        credit(theirs);
+        assert!(cpu_s() - before >= theirs);
     }
 
     #[test]
@@ -78,6 +101,5 @@ mod tests {
         assert!(memory_bytes() > 1 << 20);
         assert!(peak_memory_bytes() >= memory_bytes());
         assert!(machine_memory_bytes() > memory_bytes());
-        assert!(cpu_s() >= 0.0);
     }
 }

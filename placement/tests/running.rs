@@ -10,6 +10,7 @@ use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{SolveError, SolveRequest};
 use placement::plan::Plan;
 use placement::run::{Event, Means, RunError, run};
+use placement::usage::cpu_s;
 use support::{MemoryArchive, Twisted, observed, shipped, text};
 
 const POINTS: usize = 26;
@@ -133,6 +134,47 @@ fn a_finished_study_is_answered_from_the_archive_alone() {
         ]
     );
     assert_eq!(refuses.solves.load(Ordering::Relaxed), 0);
+}
+
+/// Linux alone tells it.
+#[cfg(target_os = "linux")]
+#[test]
+fn processor_time_is_that_of_the_run_s_own_threads() {
+    const OF_A_SOLVE: f64 = 0.02;
+    const OTHERS: usize = 4;
+    let busy = || {
+        let begun = cpu_s();
+        while cpu_s() - begun < OF_A_SOLVE {
+            std::hint::black_box(0);
+        }
+    };
+    let solver = Twisted::new(|_: &SolveRequest<'_>| {
+        busy();
+        None
+    });
+    let ended = AtomicBool::new(false);
+    let other = || {
+        while !ended.load(Ordering::Relaxed) {
+            busy();
+        }
+        cpu_s()
+    };
+    std::thread::scope(|scope| {
+        // At work beside it, as other designs of a sweep are.
+        let others: Vec<_> = (0..OTHERS).map(|_| scope.spawn(other)).collect();
+        let (study, archive) = (shipped("foot-tire"), MemoryArchive::default());
+        let result = observed(&study, &solver, &archive, 2).0.unwrap();
+        ended.store(true, Ordering::Relaxed);
+        let own = result.cost.cpu_s;
+        let others: f64 = others.into_iter().map(|o| o.join().unwrap()).sum();
+        let solves = solver.solves.load(Ordering::Relaxed) as f64 * OF_A_SOLVE;
+        // The rest is the analysis.
+        let bound = solves..solves + 0.5 * others;
+        assert!(
+            bound.contains(&own),
+            "{own} s, solves {solves} s, others {others} s"
+        );
+    });
 }
 
 #[test]

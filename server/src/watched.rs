@@ -15,6 +15,7 @@ use fem_client::mesh_error::Coarser;
 use fem_client::omission::Omission;
 use fem_client::scene::Scene;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
+use placement::usage::{cpu_s, credit};
 
 /// How often the caller's wish to stop is looked at. An answer is taken at once.
 const LOOK: Duration = Duration::from_millis(10);
@@ -27,6 +28,8 @@ pub struct Watched {
 }
 
 type Answer = Result<Solved, SolveError>;
+/// An answer and the processor time of its thread, s.
+type Timed = (Answer, f64);
 
 impl Watched {
     /// Gives each solve of `solver` the time `limit`, and `grace` to heed its stop flag then.
@@ -41,7 +44,7 @@ impl Watched {
     /// Waits for an answer, passing the caller's wish to stop on, until the time is over.
     fn wait(
         &self,
-        answers: &Receiver<Answer>,
+        answers: &Receiver<Timed>,
         thread: JoinHandle<()>,
         asked: &AtomicBool,
         told: &AtomicBool,
@@ -50,10 +53,14 @@ impl Watched {
         let mut stopping: Option<Instant> = None;
         loop {
             match answers.recv_timeout(LOOK) {
-                Ok(Err(SolveError::Stopped)) if !asked.load(Ordering::Relaxed) => {
-                    return Err(self.over_time(false));
+                Ok((answer, cpu_s)) => {
+                    credit(cpu_s);
+                    let stopped = matches!(answer, Err(SolveError::Stopped));
+                    return match stopped && !asked.load(Ordering::Relaxed) {
+                        true => Err(self.over_time(false)),
+                        false => answer,
+                    };
                 }
-                Ok(answer) => return answer,
                 Err(RecvTimeoutError::Disconnected) => return Err(broken(thread)),
                 Err(RecvTimeoutError::Timeout) => {}
             }
@@ -116,7 +123,8 @@ impl Solver for Watched {
                 stop: &stop,
             };
             // Nobody listens any more to a solve that was left behind.
-            let _ = tell.send(solver.solve(&request));
+            let answer = solver.solve(&request);
+            let _ = tell.send((answer, cpu_s()));
         };
         match thread::Builder::new().name("solve".to_owned()).spawn(solve) {
             Ok(thread) => self.wait(&answers, thread, request.stop, &told),

@@ -4,6 +4,7 @@
 //! a start from whichever neighbour happens to be ready would make the answer depend on the order of the work. So a
 //! point's answer is the same to the bit on any number of threads and after any interruption.
 
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -17,6 +18,7 @@ use super::{Event, Observer, RunError, refusals};
 use crate::archive::{Archive, ArchiveError, PointRecord, Unsolved};
 use crate::result::FailedPoint;
 use crate::study::sha256_hex;
+use crate::usage::{cpu_s, credit};
 
 /// What the points of one run share.
 pub(crate) struct Points<'r> {
@@ -245,8 +247,14 @@ impl Points<'_> {
             }
         };
         std::thread::scope(|scope| {
-            for _ in 0..threads.clamp(1, ordinals.len().max(1)) {
-                scope.spawn(work);
+            let threads = threads.clamp(1, ordinals.len().max(1));
+            let timed = || {
+                work();
+                cpu_s()
+            };
+            let workers: Vec<_> = (0..threads).map(|_| scope.spawn(timed)).collect();
+            for worker in workers {
+                credit(worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
             }
         });
         let mut outcomes = outcomes
