@@ -1,6 +1,7 @@
 //! `strainsite db`: looks after the database file.
 
 use std::path::{Path, PathBuf};
+use std::pin::pin;
 
 use clap::{Args, Subcommand};
 use tokio::runtime::Runtime;
@@ -8,6 +9,7 @@ use tokio::runtime::Runtime;
 use super::Failure;
 use super::output::{JsonTarget, tell};
 use super::paint::{BAD, GOOD, painted};
+use super::progress::{TICK, bytes_bar, clock, count, counting_bar};
 use crate::store::upkeep::{self, Inspection};
 
 /// Look after the database file
@@ -59,7 +61,11 @@ impl Db {
     fn check(&self, runtime: &Runtime) -> Result<(), Failure> {
         let found = runtime.block_on(async {
             let mut connection = upkeep::open(&self.db).await?;
-            upkeep::inspect(&mut connection).await
+            let bar = counting_bar(0, "rows");
+            let seen = |done, of| count(&bar, done, of);
+            let found = upkeep::inspect(&mut connection, &seen).await;
+            bar.finish_and_clear();
+            found
         });
         let found = found.map_err(Failure::other)?;
         if let Some(target) = &self.json {
@@ -76,7 +82,11 @@ impl Db {
     fn backup(&self, runtime: &Runtime, target: &Path) -> Result<(), Failure> {
         let copied = runtime.block_on(async {
             let mut connection = upkeep::open(&self.db).await?;
-            upkeep::copy_to(&mut connection, target).await
+            let bar = bytes_bar(upkeep::used_bytes(&mut connection).await?);
+            let copying = upkeep::copy_to(&mut connection, target);
+            let copied = watched(copying, || bar.set_position(size(target).unwrap_or(0))).await;
+            bar.finish_and_clear();
+            copied
         });
         copied.map_err(Failure::other)?;
         let text = format!("{} was copied to {}\n", self.db.display(), target.display());
@@ -94,7 +104,9 @@ impl Db {
 
     fn vacuum(&self, runtime: &Runtime) -> Result<(), Failure> {
         let before = size(&self.db)?;
+        let waiting = clock("compacting");
         let compacted = runtime.block_on(upkeep::compact(&self.db));
+        waiting.finish_and_clear();
         compacted.map_err(Failure::other)?;
         let text = format!(
             "{} went from {before} to {} bytes\n",
@@ -102,6 +114,18 @@ impl Db {
             size(&self.db)?
         );
         tell(&text, self.json.as_ref())
+    }
+}
+
+/// Looks now and then how far something is.
+async fn watched<T>(work: impl Future<Output = T>, look: impl Fn()) -> T {
+    let mut ticks = tokio::time::interval(TICK);
+    let mut work = pin!(work);
+    loop {
+        tokio::select! {
+            done = &mut work => return done,
+            _ = ticks.tick() => look(),
+        }
     }
 }
 

@@ -19,6 +19,7 @@ use super::Failure;
 use super::examples;
 use super::output::{JsonTarget, print, tell, warn, write_whole};
 use super::paint::{HEADER, WARNING, painted};
+use super::progress::clock;
 use crate::study_document::{format_of, read_file};
 
 /// Analyse a model of your own: print the points to run, then read their outputs back
@@ -94,7 +95,10 @@ fn replay(
     inputs: &Inputs,
     values: &ArrayView2<f64>,
 ) -> Result<(Campaign, Option<Vec<Analysis>>), Failure> {
-    Campaign::replay(&inputs.laws, inputs.method, values).map_err(|error| {
+    let waiting = clock("planning and analysing");
+    let replayed = Campaign::replay(&inputs.laws, inputs.method, values);
+    waiting.finish_and_clear();
+    replayed.map_err(|error| {
         Failure::Input(vec![Fault {
             pointer: "/inputs".to_owned(),
             detail: error.to_string(),

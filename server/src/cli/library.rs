@@ -12,6 +12,7 @@ use tokio::runtime::Runtime;
 use super::Failure;
 use super::output::{JsonTarget, is_seen, tell};
 use super::paint::{BAD, header, left, of_state, painted};
+use super::progress::clock;
 use super::table::report;
 use crate::http::wire::StudySummary;
 use crate::store::studies::{self, State, StudyRow};
@@ -39,7 +40,10 @@ impl Database {
         let runtime = Runtime::new().map_err(Failure::other)?;
         runtime.block_on(async {
             let mut connection = upkeep::open(&self.db).await.map_err(Failure::other)?;
-            task(&mut connection).await
+            let waiting = clock("reading the database");
+            let done = task(&mut connection).await;
+            waiting.finish_and_clear();
+            done
         })
     }
 }

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use anstream::{AutoStream, ColorChoice};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use placement::run::Event;
 
 use super::paint::{BAD, painted};
@@ -22,27 +22,65 @@ pub fn progress_bar(label: &str) -> ProgressBar {
 
 /// A bar that counts so many things of this kind.
 pub fn counting_bar(of: usize, kind: &str) -> ProgressBar {
-    let bar = ProgressBar::new(u64::try_from(of).unwrap_or(u64::MAX));
-    let template = format!("{{wide_bar}} {{pos}}/{{len}} {kind}, {{elapsed}} gone, {{eta}} to go");
+    ticking_bar(number(of), &format!("{{pos}}/{{len}} {kind}"))
+}
+
+/// A bar of a file that grows to so many bytes.
+pub fn bytes_bar(of: u64) -> ProgressBar {
+    ticking_bar(of, "{bytes}/{total_bytes}")
+}
+
+fn ticking_bar(of: u64, counted: &str) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(of), ProgressDrawTarget::hidden());
+    let template = format!("{{wide_bar}} {counted}, {{elapsed}} gone, {{eta}} to go");
     if let Ok(style) = ProgressStyle::with_template(&template) {
         bar.set_style(style);
     }
-    bar.enable_steady_tick(TICK);
-    bar
+    seen_in_time(bar)
+}
+
+/// Moves a bar; what comes before the first of all isn't counted in the time that one takes.
+pub fn count(bar: &ProgressBar, done: usize, of: usize) {
+    bar.set_length(number(of));
+    bar.set_position(number(done));
+    if done == 1 {
+        bar.reset_eta();
+    }
+}
+
+fn number(count: usize) -> u64 {
+    u64::try_from(count).unwrap_or(u64::MAX)
 }
 
 /// What stands there while something takes its time, of which nobody knows how much.
 pub fn clock(what: &str) -> ProgressBar {
-    let bar = ProgressBar::new_spinner();
+    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
     if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}, {elapsed} gone") {
         bar.set_style(style);
     }
     bar.set_message(what.to_owned());
-    bar.enable_steady_tick(TICK);
+    seen_in_time(bar)
+}
+
+/// The bar, hidden so far, is seen from its second second on: nothing flickers on the terminal for what is done before.
+fn seen_in_time(bar: ProgressBar) -> ProgressBar {
+    let waiting = bar.downgrade();
+    std::thread::spawn(move || {
+        std::thread::sleep(PATIENCE);
+        let still = waiting.upgrade().filter(|bar| !bar.is_finished());
+        if let Some(bar) = still {
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+            bar.enable_steady_tick(TICK);
+        }
+    });
     bar
 }
 
-const TICK: Duration = Duration::from_millis(200);
+/// What takes less needs no bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How often a bar is drawn anew when nothing else moves it.
+pub const TICK: Duration = Duration::from_millis(200);
 
 /// Says above the bar which point failed, and why.
 pub fn say_failed(bar: &ProgressBar, ordinal: usize, cause: &str) {
@@ -56,11 +94,10 @@ pub fn say_failed(bar: &ProgressBar, ordinal: usize, cause: &str) {
 
 /// Moves the bar, and says above it what failed.
 pub fn show(bar: &ProgressBar, event: &Event) {
-    let count = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
     match event {
         Event::Started { points, reused } => {
-            bar.set_length(count(*points));
-            bar.set_position(count(*reused));
+            bar.set_length(number(*points));
+            bar.set_position(number(*reused));
             bar.reset_eta();
         }
         Event::PointSolved {
@@ -69,7 +106,7 @@ pub fn show(bar: &ProgressBar, event: &Event) {
             wall_s,
             ..
         } => {
-            bar.set_position(count(*done));
+            bar.set_position(number(*done));
             bar.set_message(format!(
                 "last: {newton_iterations} iterations, {wall_s:.1} s"
             ));
@@ -80,7 +117,7 @@ pub fn show(bar: &ProgressBar, event: &Event) {
             cause,
             ..
         } => {
-            bar.set_position(count(*done));
+            bar.set_position(number(*done));
             say_failed(bar, *ordinal, cause);
         }
         Event::Analysing => bar.set_message("analysing"),

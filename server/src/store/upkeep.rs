@@ -8,7 +8,7 @@ use std::path::Path;
 use placement::result::StudyResult;
 use serde::Serialize;
 use sqlx::sqlite::SqliteConnectOptions;
-use sqlx::{Connection, SqliteConnection};
+use sqlx::{ConnectOptions, Connection, SqliteConnection};
 
 use super::{StoreError, crashes, evaluations, lock, pools, results, trades};
 
@@ -30,7 +30,7 @@ pub async fn open(path: &Path) -> Result<SqliteConnection, StoreError> {
         path: path.to_owned(),
         cause,
     };
-    let options = SqliteConnectOptions::new().filename(path).read_only(true);
+    let options = options(path).read_only(true);
     let mut connection = SqliteConnection::connect_with(&options)
         .await
         .map_err(|error| failed(error.to_string()))?;
@@ -47,21 +47,38 @@ pub async fn open(path: &Path) -> Result<SqliteConnection, StoreError> {
     ))
 }
 
-/// Reads everything: SQLite's own structures, every reference, every hash, and that each study has the points it counts.
+/// What looks after a whole file takes its time, of which the log needn't warn.
+fn options(path: &Path) -> SqliteConnectOptions {
+    SqliteConnectOptions::new()
+        .filename(path)
+        .disable_statement_logging()
+}
+
+/// Reads everything: SQLite's own structures, every reference, every hash, and that each study has the points it counts. Tells `seen` how
+/// many rows it has read, and of how many.
 ///
 /// # Errors
 /// When the database can't be read at all.
-pub async fn inspect(connection: &mut SqliteConnection) -> Result<Inspection, StoreError> {
+pub async fn inspect(
+    connection: &mut SqliteConnection,
+    seen: &dyn Fn(usize, usize),
+) -> Result<Inspection, StoreError> {
     let mut found = Inspection::default();
+    let mut tables = Vec::new();
+    for (table, keys) in KEYED {
+        let keys: Vec<String> = sqlx::query_scalar(keys).fetch_all(&mut *connection).await?;
+        found.rows.insert(table, keys.len());
+        tables.push((table, keys));
+    }
+    let (mut done, of) = (0, found.rows.values().sum());
+    seen(done, of);
     let verdicts: Vec<String> = sqlx::query_scalar("pragma integrity_check(20)")
         .fetch_all(&mut *connection)
         .await?;
     let damages = verdicts.into_iter().filter(|verdict| verdict != "ok");
     found.faults.extend(damages);
     found.faults.extend(dangling(connection).await?);
-    for (table, keys) in KEYED {
-        let keys: Vec<String> = sqlx::query_scalar(keys).fetch_all(&mut *connection).await?;
-        found.rows.insert(table, keys.len());
+    for (table, keys) in tables {
         for key in keys {
             let read = match table {
                 "evaluations" => evaluations::find(connection, &[key]).await.err(),
@@ -74,6 +91,8 @@ pub async fn inspect(connection: &mut SqliteConnection) -> Result<Inspection, St
                 Some(error) => return Err(error),
                 None => {}
             }
+            done += 1;
+            seen(done, of);
         }
     }
     found.faults.extend(short(connection).await?);
@@ -114,6 +133,20 @@ async fn short(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreEr
     .await?;
     let sentence = |(id, done, points)| format!("study {id} counts {done} points and has {points}");
     Ok(rows.into_iter().map(sentence).collect())
+}
+
+/// Bytes that a copy will have: those of all pages that aren't free.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn used_bytes(connection: &mut SqliteConnection) -> Result<u64, StoreError> {
+    let bytes: i64 = sqlx::query_scalar(
+        "select (page_count - freelist_count) * page_size
+         from pragma_page_count, pragma_freelist_count, pragma_page_size",
+    )
+    .fetch_one(connection)
+    .await?;
+    Ok(u64::try_from(bytes).unwrap_or(0))
 }
 
 /// Writes a copy as it is now, without free pages, to a file that isn't there yet.
@@ -163,6 +196,5 @@ pub async fn release(path: &Path) -> Result<u64, StoreError> {
 
 async fn open_to_write(path: &Path) -> Result<SqliteConnection, StoreError> {
     open(path).await?.close().await?;
-    let options = SqliteConnectOptions::new().filename(path);
-    Ok(SqliteConnection::connect_with(&options).await?)
+    Ok(SqliteConnection::connect_with(&options(path)).await?)
 }

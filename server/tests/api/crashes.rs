@@ -65,7 +65,7 @@ async fn failed_point(app: &App, id: &str) -> String {
 /// A point that left nothing isn't taken for one that was lost.
 async fn assert_whole(home: &Home) {
     let opened = upkeep::open(&home.database()).await;
-    let found = upkeep::inspect(&mut opened.expect("opens")).await;
+    let found = upkeep::inspect(&mut opened.expect("opens"), &|_, _| {}).await;
     assert_eq!(found.expect("reads").faults, Vec::<String>::new());
 }
 
