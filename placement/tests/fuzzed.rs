@@ -30,6 +30,14 @@ fn studies() {
 }
 
 #[test]
+fn sweeps() {
+    replay(
+        include_str!("../../tests/fuzz/corpus/sweep.jsonl"),
+        checks::sweep,
+    );
+}
+
+#[test]
 fn inputs_of_other_models() {
     replay(
         include_str!("../../tests/fuzz/corpus/inputs.jsonl"),

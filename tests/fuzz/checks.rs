@@ -2,6 +2,8 @@
 //!
 //! The fuzzer calls these with texts of its own making, `placement/tests/fuzzed.rs` with those that it kept.
 
+use std::sync::OnceLock;
+
 use fem_client::document::{Format, parse};
 use fem_client::fault::{Fault, MAX_FAULTS};
 use fem_client::scene::Scene;
@@ -10,10 +12,11 @@ use gsa::campaign::Campaign;
 use gsa::distribution::Distribution;
 use gsa::method::{Kind, Method};
 use placement::inputs_document::Inputs;
-use placement::plan::Plan;
-use placement::study::Study;
+use placement::plan::{Plan, first_points};
+use placement::study::{Study, presets};
+use placement::sweep::{Design, MOST_DESIGNS, Sweep, designs_of, sweep_of, typed_grid};
 use placement::value_table::ValueTable;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 const OF_SCENE: [&str; 8] = [
     "geometry", "material", "carcass", "film", "pressure", "ground", "contact", "model",
@@ -28,6 +31,7 @@ const OF_STUDY: [&str; 7] = [
     "accuracy",
 ];
 const OF_INPUTS: [&str; 2] = ["inputs", "method"];
+const OF_SWEEP: [&str; 4] = ["name", "study", "grid", "designs"];
 
 /// More points than this take longer to plan than a fuzzer should wait.
 const MOST_PLANNED: usize = 2000;
@@ -58,6 +62,107 @@ pub fn study(text: &str) {
     }
 }
 
+/// A sweep's document, further designs of one (a document without a study), or grids as typed, a line each: refused with the faults, or its
+/// designs hold.
+pub fn sweep(text: &str) {
+    if text.starts_with("--grid ") {
+        return typed(text);
+    }
+    let document = match parse(text, format_of(text)) {
+        Ok(document) => document,
+        Err(faults) => return say_where(&faults, text, &OF_SWEEP),
+    };
+    if document.get("study").is_none() {
+        return match designs_of(base(), &document) {
+            Ok(designs) => hold(base(), &designs),
+            Err(faults) => say_where_of_sweep(&faults, text),
+        };
+    }
+    match Sweep::from_value(&document, &shipped) {
+        Ok(sweep) => hold(&sweep.base, &sweep.designs),
+        Err(faults) => say_where_of_sweep(&faults, text),
+    }
+}
+
+/// Grids of a command line.
+fn typed(text: &str) {
+    let texts: Vec<String> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("--grid "))
+        .map(str::to_owned)
+        .collect();
+    let swept = typed_grid(&texts).and_then(|grid| sweep_of(base().clone(), None, &grid));
+    match swept {
+        Ok(sweep) => hold(&sweep.base, &sweep.designs),
+        Err(faults) => {
+            assert!(!faults.is_empty() && faults.len() <= MAX_FAULTS + 1);
+            for fault in faults {
+                assert!(!fault.to_string().contains(char::is_control), "{fault:?}");
+                let placed = fault.pointer.starts_with("/grid");
+                assert!(
+                    placed
+                        || fault.detail.starts_with("--grid")
+                        || fault.detail.contains("more than"),
+                    "{fault:?}"
+                );
+            }
+        }
+    }
+}
+
+/// The study that further designs and typed grids are of.
+fn base() -> &'static Study {
+    static BASE: OnceLock<Study> = OnceLock::new();
+    BASE.get_or_init(|| {
+        Study::from_document(presets()[0].1, Format::Toml, &shipped).expect("the study ships")
+    })
+}
+
+/// Each design is a study of its own that has what the design sets, reads back as itself, and is the same when it is told alone.
+fn hold(base: &Study, designs: &[Design]) {
+    assert!((1..=MOST_DESIGNS).contains(&designs.len()));
+    // The others of a large grid are made in the same way.
+    let some = &designs[..designs.len().min(MOST_HELD)];
+    for design in some {
+        let Design { name, set, study } = design;
+        assert!(
+            !name.trim().is_empty() && !name.contains(char::is_control),
+            "{name:?}"
+        );
+        let canonical = study.canonical();
+        let again = Study::from_document(&canonical, Format::Json, &shipped);
+        assert_eq!(again.as_ref(), Ok(study), "{canonical}");
+        assert_eq!(study.scene.model.level, study.level);
+        if let (1, Some((path, value))) = (set.len(), set.iter().next())
+            && let (Some(wanted), Ok(found)) = (value.as_f64(), study.scene.number_at(path))
+        {
+            assert_eq!(found, wanted, "{path}");
+        }
+    }
+    let alone = some
+        .iter()
+        .map(|Design { name, set, .. }| json!({"name": name, "set": set}));
+    let alone = json!({"designs": alone.collect::<Vec<_>>()});
+    assert_eq!(designs_of(base, &alone).as_deref(), Ok(some), "{alone}");
+}
+
+/// Designs of which more is asked than that they are there.
+const MOST_HELD: usize = 8;
+
+/// As of any other document, but that it may lack both grid and designs, or have both.
+fn say_where_of_sweep(faults: &[Fault], text: &str) {
+    let either =
+        |fault: &Fault| fault.pointer.is_empty() && fault.detail.contains("exactly one of grid");
+    let placed: Vec<Fault> = faults
+        .iter()
+        .filter(|fault| !either(fault))
+        .cloned()
+        .collect();
+    if !placed.is_empty() || faults.is_empty() {
+        say_where(&placed, text, &OF_SWEEP);
+    }
+}
+
 /// Inputs and method are refused with their faults, or there is a reason why they have no plan, or a plan of finite points.
 pub fn inputs(text: &str) {
     let inputs = match Inputs::from_document(text, format_of(text)) {
@@ -65,7 +170,8 @@ pub fn inputs(text: &str) {
         Err(faults) => return say_where(&faults, text, &OF_INPUTS),
     };
     assert_eq!(inputs.names.len(), inputs.laws.len());
-    if asked_at_most(&inputs) > MOST_PLANNED {
+    let points = first_points(&inputs.method, inputs.laws.len());
+    if points.saturating_mul(inputs.laws.len()) > MOST_PLANNED {
         return;
     }
     match Campaign::new(&inputs.laws, inputs.method) {
@@ -152,22 +258,6 @@ fn say_where(faults: &[Fault], text: &str, known: &[&str]) {
             "{fault:?}"
         );
     }
-}
-
-/// How many points a method asks for first, or more.
-fn asked_at_most(inputs: &Inputs) -> usize {
-    let (count, method) = (inputs.laws.len(), &inputs.method);
-    let power = u32::try_from(count).unwrap_or(u32::MAX);
-    let points = match method.kind {
-        Kind::Tensor => method.nodes.saturating_pow(power),
-        Kind::Bivariate => (count * method.nodes).saturating_pow(2),
-        Kind::Saltelli => method.samples.saturating_mul(count + 2),
-        Kind::Pce => method.samples,
-        _ => count * method.nodes,
-    };
-    points
-        .saturating_add(method.check_points)
-        .saturating_mul(count)
 }
 
 fn is_finite(analysis: &Analysis) -> bool {
