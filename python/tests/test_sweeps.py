@@ -40,6 +40,9 @@ def test_a_grid_is_every_combination(sweep: Sweep, client: Client) -> None:
         assert scene["carcass"]["angle_deg"] == design.set["carcass.angle_deg"]
         assert study.result().locations[0].name == "P3"
     assert [known.id for known in client.sweeps()] == [sweep.id]
+    designs = {design.study.id for design in sweep.designs}
+    assert {study.id for study in client.studies(sweep=sweep)} == designs
+    assert designs.isdisjoint(study.id for study in client.studies(sweep="none"))
     assert next(client.sweeps()).designs == client.find_sweep(sweep.id).designs == sweep.designs
 
 

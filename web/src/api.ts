@@ -38,8 +38,10 @@ export function presets(): Promise<Presets> {
   return request("GET", "/presets");
 }
 
+/** Studies by themselves: the designs of a sweep are on its own page. */
 export function studies(cursor: string | null): Promise<StudyPage> {
-  return request("GET", cursor === null ? "/studies" : `/studies?cursor=${encodeURIComponent(cursor)}`);
+  const alone = "/studies?sweep=none";
+  return request("GET", cursor === null ? alone : `${alone}&cursor=${encodeURIComponent(cursor)}`);
 }
 
 export function study(id: string): Promise<StudySummary> {
@@ -107,6 +109,12 @@ export function sweepAddress(id: string): string {
 /** The address of its comparison. */
 export function comparisonAddress(sweep: string, baseline: string | null): string {
   return `${ROOT}${comparisonPath(sweep, baseline)}`;
+}
+
+/** The address of its comparison as a table to download. */
+export function comparisonExport(sweep: string, baseline: string | null, query: string): string {
+  const rest = baseline === null ? query : `${query}&baseline=${encodeURIComponent(baseline)}`;
+  return `${ROOT}/comparison/export?sweep=${encodeURIComponent(sweep)}&${rest}`;
 }
 
 /** Listens to a study until the returned function is called. */

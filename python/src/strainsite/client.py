@@ -191,9 +191,16 @@ class Client:
         """
         return Study(self._transport, read(StudySummary, self._transport.get(f"/v1/studies/{_part(id)}")))
 
-    def studies(self, state: State | None = None) -> Iterator[Study]:
-        """All studies, newest first, or those of one state; pages are asked for as they are needed."""
-        for entry in self._pages("studies", {} if state is None else {"state": state}):
+    def studies(self, state: State | None = None, sweep: Sweep | str | None = None) -> Iterator[Study]:
+        """All studies, newest first; pages are asked for as they are needed.
+
+        Args:
+            state: Those of this state alone.
+            sweep: Designs of this sweep alone, or with `"none"` studies that are no design of any.
+
+        """
+        asked = {"state": state, "sweep": sweep.id if isinstance(sweep, Sweep) else sweep}
+        for entry in self._pages("studies", {name: value for name, value in asked.items() if value is not None}):
             yield Study(self._transport, read(StudySummary, entry))
 
     def sweep(

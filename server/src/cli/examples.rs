@@ -56,6 +56,7 @@ pub const COMPARE: &str = "Examples:
 /// Examples of `list`.
 pub const LIST: &str = "Examples:
   strainsite list
+  strainsite list --sweeps
   strainsite list --state done --limit 10 --json -";
 
 /// Examples of `show`.

@@ -14,9 +14,10 @@ use super::output::{JsonTarget, is_seen, tell};
 use super::paint::{BAD, header, left, of_state, painted};
 use super::progress::clock;
 use super::table::report;
+use crate::http::sweep_wire::SweepSummary;
 use crate::http::wire::StudySummary;
-use crate::store::studies::{self, State, StudyRow};
-use crate::store::{results, upkeep};
+use crate::store::studies::{self, Filter, State, StudyRow};
+use crate::store::{results, sweeps, upkeep};
 
 /// The database to read.
 #[derive(Debug, Args)]
@@ -75,7 +76,10 @@ pub struct List {
     /// Studies of this state alone: queued, running, done, failed, cancelled
     #[arg(long, value_name = "STATE", value_parser = state)]
     state: Option<State>,
-    /// Most studies to list
+    /// List the sweeps instead
+    #[arg(long, conflicts_with = "state")]
+    sweeps: bool,
+    /// Most studies or sweeps to list
     #[arg(long, value_name = "N", default_value_t = 50)]
     limit: u32,
     /// Write the list as JSON to a file, or to standard output with -
@@ -89,10 +93,17 @@ fn state(name: &str) -> Result<State, String> {
 }
 
 impl List {
-    /// Prints a line for each study.
+    /// Prints a line for each study or sweep.
     pub fn execute(&self) -> Result<(), Failure> {
+        if self.sweeps {
+            return self.list_sweeps();
+        }
         let rows = self.database.read(async |connection| {
-            let page = studies::page(connection, self.state, None, self.limit).await;
+            let filter = Filter {
+                state: self.state,
+                sweep: None,
+            };
+            let page = studies::page(connection, filter, None, self.limit).await;
             page.map_err(Failure::other)
         })?;
         if let Some(target) = &self.json {
@@ -100,6 +111,43 @@ impl List {
             target.write(&json!({"studies": studies}))?;
         }
         let text = headed(&rows, self.json.as_ref());
+        tell(&text, self.json.as_ref())
+    }
+
+    fn list_sweeps(&self) -> Result<(), Failure> {
+        let summaries = self.database.read(async |connection| {
+            let page = sweeps::page(connection, None, self.limit).await;
+            let mut summaries = Vec::new();
+            for row in page.map_err(Failure::other)? {
+                let designs = sweeps::designs(connection, &row.id).await;
+                summaries.push(SweepSummary::of(&row, &designs.map_err(Failure::other)?));
+            }
+            Ok(summaries)
+        })?;
+        if let Some(target) = &self.json {
+            target.write(&json!({"sweeps": summaries}))?;
+        }
+        let mut text = String::new();
+        if is_seen(self.json.as_ref()) && !summaries.is_empty() {
+            let head = format!(
+                "{:<36}  {:<9}  {:<16}  {:<24}  name\n",
+                "sweep", "state", "designs done", "created"
+            );
+            text = header(&head);
+        }
+        for sweep in &summaries {
+            let counts = &sweep.counts;
+            let _ = writeln!(
+                text,
+                "{}  {}  {:>6} of {:<6}  {}  {}",
+                sweep.id,
+                left(of_state(sweep.state.as_str()), sweep.state.as_str(), 9),
+                counts.done,
+                counts.queued + counts.running + counts.done + counts.failed + counts.cancelled,
+                sweep.created,
+                sweep.name.escape_debug()
+            );
+        }
         tell(&text, self.json.as_ref())
     }
 }

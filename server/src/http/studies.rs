@@ -22,7 +22,7 @@ use super::problem::Problem;
 use super::wire::{ProblemDocument, StudyDetail, StudyDocument, StudyPage, StudySummary};
 use crate::forecast::{ForecastError, admit, forecast};
 use crate::queue::SubmitError;
-use crate::store::studies::{self, State as StudyState, StudyRow};
+use crate::store::studies::{self, Filter, State as StudyState, StudyRow};
 use crate::store::{Store, results, sweeps, trades};
 
 /// `/v1/studies` and `/v1/studies/{id}`.
@@ -145,6 +145,7 @@ pub(super) struct PageQuery {
     pub limit: Option<String>,
     pub cursor: Option<String>,
     pub state: Option<String>,
+    pub sweep: Option<String>,
 }
 
 const PAGE: u32 = 50;
@@ -168,7 +169,8 @@ pub(super) fn page_limit(text: Option<&str>) -> Result<u32, Problem> {
         ("If-None-Match" = Option<String>, Header, description = "ETag of the page that the client has"),
         ("limit" = Option<u32>, Query, description = "Studies of a page, 50 when left out", minimum = 1, maximum = 200, example = 20),
         ("cursor" = Option<String>, Query, description = "`next_cursor` of the page before", example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b"),
-        ("state" = Option<StudyState>, Query, description = "Studies of this state alone")),
+        ("state" = Option<StudyState>, Query, description = "Studies of this state alone"),
+        ("sweep" = Option<String>, Query, description = "Designs of the sweep of this identifier alone; `none`: studies that are no design of any", example = "none")),
     responses((status = 304, description = "The client has it"),
               (status = 200, description = "A page", body = StudyPage, example = json!({"studies": [examples::summary()], "next_cursor": null}))))]
 async fn list(
@@ -178,7 +180,7 @@ async fn list(
 ) -> Result<Response, Problem> {
     let wrong = |detail: &str| Problem::new(StatusCode::BAD_REQUEST, detail);
     let limit = page_limit(query.limit.as_deref())?;
-    let filter = match query.state.as_deref() {
+    let of_state = match query.state.as_deref() {
         None => None,
         Some(name) => Some(
             StudyState::named(name)
@@ -186,6 +188,10 @@ async fn list(
         ),
     };
     let mut connection = state.store.read().await?;
+    let filter = Filter {
+        state: of_state,
+        sweep: query.sweep.as_deref(),
+    };
     let rows = studies::page(&mut connection, filter, query.cursor.as_deref(), limit + 1).await?;
     let page = rows.get(..limit as usize).unwrap_or(&rows);
     let next = page

@@ -137,23 +137,36 @@ pub async fn find(
         .await?)
 }
 
-/// Up to `limit` studies, newest first, older than the study `before`, of one state or of all.
+/// Which studies are listed: all unless something is said.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Filter<'f> {
+    /// Those of this state.
+    pub state: Option<State>,
+    /// The designs of the sweep of this identifier; for `none`, those that are no design of any.
+    pub sweep: Option<&'f str>,
+}
+
+/// Up to `limit` studies, newest first, older than the study `before`.
 ///
 /// # Errors
 /// When the database can't be read.
 pub async fn page(
     connection: &mut SqliteConnection,
-    state: Option<State>,
+    filter: Filter<'_>,
     before: Option<&str>,
     limit: u32,
 ) -> Result<Vec<StudyRow>, StoreError> {
     let query = "select * from studies
                  where (?1 is null or state = ?1) and (?2 is null or id < ?2)
+                 and (?4 is null or case ?4
+                    when 'none' then not exists (select 1 from sweep_designs where study = studies.id)
+                    else exists (select 1 from sweep_designs where study = studies.id and sweep = ?4) end)
                  order by id desc limit ?3";
     Ok(sqlx::query_as(query)
-        .bind(state.map(State::as_str))
+        .bind(filter.state.map(State::as_str))
         .bind(before)
         .bind(limit)
+        .bind(filter.sweep)
         .fetch_all(connection)
         .await?)
 }
@@ -345,8 +358,14 @@ mod tests {
         for name in ["a", "b", "c"] {
             ids.push(insert(&mut tx, name, "{}", "x").await.expect("inserts"));
         }
-        let first = page(&mut tx, None, None, 2).await.expect("reads");
-        let rest = page(&mut tx, Some(State::Queued), Some(&first[1].id), 2)
+        let first = page(&mut tx, Filter::default(), None, 2)
+            .await
+            .expect("reads");
+        let of = |state: State| Filter {
+            state: Some(state),
+            sweep: None,
+        };
+        let rest = page(&mut tx, of(State::Queued), Some(&first[1].id), 2)
             .await
             .expect("reads");
         let seen: Vec<&str> = first
@@ -356,7 +375,7 @@ mod tests {
             .collect();
         assert_eq!(seen, [&ids[2], &ids[1], &ids[0]]);
         assert!(
-            page(&mut tx, Some(State::Done), None, 2)
+            page(&mut tx, of(State::Done), None, 2)
                 .await
                 .expect("reads")
                 .is_empty()

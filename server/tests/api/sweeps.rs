@@ -77,6 +77,23 @@ async fn a_sweep_is_run_extended_and_compared() {
     let detail = app.json(&format!("/v1/studies/{alone}")).await;
     assert_eq!(detail.get("sweep"), Some(&Value::Null));
 
+    let alone = app.submit(&study()).await;
+    let listed = async |sweep: &str| {
+        let list = app.json(&format!("/v1/studies?sweep={sweep}")).await;
+        let studies = list["studies"].as_array().expect("a list").clone();
+        studies
+            .iter()
+            .map(|study| study["id"].clone())
+            .collect::<Vec<_>>()
+    };
+    let id = |place: usize| sweep["designs"][place]["study"]["id"].clone();
+    assert_eq!(
+        listed(sweep["id"].as_str().expect("an id")).await,
+        [id(1), id(0)]
+    );
+    assert_eq!(listed("none").await, [json!(alone)]);
+    assert_eq!(listed("unknown").await, [json!(null); 0]);
+
     // The second design is there already, the third is new.
     let further = json!({"grid": {"geometry.wall_mm": [3, 3.5]}});
     let extended = accepted(post(&app, &address(&sweep, "/designs"), &further).await).await;

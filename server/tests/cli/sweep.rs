@@ -54,6 +54,16 @@ fn a_sweep_runs_its_designs_gives_the_table_and_is_extended_without_repeating_an
     }
     assert_eq!(again["sweep"]["designs"].as_array().map(Vec::len), Some(3));
 
+    let listed = run(&["list", "--sweeps"]);
+    assert_eq!(text(&listed.stdout).lines().count(), 1);
+    assert!(
+        text(&listed.stdout).starts_with(id),
+        "{}",
+        text(&listed.stdout)
+    );
+    let listed = json(&run(&["list", "--sweeps", "--json", "-"]).stdout);
+    assert_eq!(listed["sweeps"][0]["counts"]["done"], 3);
+
     let compared = run(&["compare", id, "--json", "-"]);
     assert_eq!(json(&compared.stdout), again["comparison"]);
     let of = |design: usize| {

@@ -1,6 +1,6 @@
 import { useMemo } from "preact/hooks";
 import type { Actions } from "../actions.ts";
-import { comparisonAddress, sweepAddress } from "../api.ts";
+import { comparisonAddress, comparisonExport, sweepAddress } from "../api.ts";
 import type { Route } from "../lib/route.ts";
 import { variedPaths } from "../lib/sweep.ts";
 import type { AppState, Loadable } from "../state.ts";
@@ -33,7 +33,10 @@ export function SweepView({ state, route, actions }: Props) {
           </header>
           <p class="provenance">
             as JSON: <a href={sweepAddress(sweep.id)}>the sweep</a>,{" "}
-            <a href={comparisonAddress(sweep.id, route.baseline)}>the comparison</a>
+            <a href={comparisonAddress(sweep.id, route.baseline)}>the comparison</a>; its locations as{" "}
+            <a href={comparisonExport(sweep.id, route.baseline, "format=csv")}>CSV</a> or{" "}
+            <a href={comparisonExport(sweep.id, route.baseline, "format=parquet")}>Parquet</a>, its designs as{" "}
+            <a href={comparisonExport(sweep.id, route.baseline, "format=csv&table=designs")}>CSV</a>
           </p>
           <SweepProgress open={open} sweep={sweep} now_ms={state.now_ms} actions={actions} />
           <Designs sweep={sweep} comparison={open.comparison} />

@@ -153,7 +153,9 @@ async fn both(tx: &mut SqliteConnection, model: &mut Model, step: Step) {
 
 /// Every study is where the model has it, and waiting is known for every priority.
 async fn agree(tx: &mut SqliteConnection, model: &Model) {
-    let rows = studies::page(tx, None, None, 1000).await.expect("reads");
+    let rows = studies::page(tx, studies::Filter::default(), None, 1000)
+        .await
+        .expect("reads");
     let mut found: Vec<_> = rows.iter().map(|row| (&row.id, row.state())).collect();
     let mut expected: Vec<_> = model.studies.iter().map(|s| (&s.id, s.state)).collect();
     found.sort_by_key(|(id, _)| id.as_str());
