@@ -1,13 +1,13 @@
 //! Hashes the sources of the analysis, so that a result is never mistaken for one of other statistics.
 
-#[path = "../build/sources.rs"]
+#[path = "../fem-client/sources.rs"]
 mod sources;
 
 /// Folders whose sources make a result of responses.
 const SOURCES: [&str; 2] = ["src", "../gsa/src"];
 
 fn main() -> std::io::Result<()> {
-    println!("cargo::rerun-if-changed=../build/sources.rs");
+    println!("cargo::rerun-if-changed=../fem-client/sources.rs");
     println!(
         "cargo::rustc-env=ANALYSIS_SOURCES={}",
         sources::hash(&SOURCES)?

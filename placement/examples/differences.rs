@@ -2,7 +2,7 @@
 //! on the coarse and the standard mesh against the same on the reference mesh, by the same method, so that what differs is the mesh; and on the coarse
 //! mesh against all 3125 combinations of the nodes on that mesh, so that what differs is the method. The tables of `docs/sweeps.md`.
 //!
-//! `cargo run --release -p placement --example differences`, three minutes on two cores; with `-- method`, fifteen.
+//! `cargo run --release -p placement --example differences`, three minutes on two cores; with `-- method`, ten.
 
 use std::sync::atomic::AtomicBool;
 

@@ -14,9 +14,9 @@ use std::collections::HashMap;
 use fem_client::fault::{Fault, member};
 use fem_client::fields::{Fields, visible};
 use fem_client::scene_edit::put_in;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
-pub use typed::typed_grid;
+pub use typed::{typed_grid, typed_settings};
 use wish::{Wish, field_of, names, of_grid, of_list};
 
 use crate::input_reader::read_name;
@@ -136,6 +136,36 @@ pub fn designs_of(base: &Study, value: &Value) -> Result<Vec<Design>, Vec<Fault>
     match designs {
         Some(designs) if faults.is_empty() => Ok(designs),
         _ => Err(faults),
+    }
+}
+
+/// A study with some fields set otherwise, by path as in a design.
+///
+/// # Errors
+/// Every fault of the values, at `/set/` and their path.
+pub fn changed(base: Study, set: Map<String, Value>) -> Result<Study, Vec<Fault>> {
+    if set.is_empty() {
+        return Ok(base);
+    }
+    let mut faults = Vec::new();
+    let list = json!([{"name": base.name, "set": set}]);
+    let wish = of_list(&list, "", &mut faults).and_then(|mut wishes| wishes.pop());
+    let study = wish.and_then(|wish| study_of(&base, &wish, &base.name, &mut faults));
+    match study {
+        Some(study) if faults.is_empty() => Ok(Study {
+            name: base.name,
+            ..study
+        }),
+        _ => Err(faults.into_iter().map(of_setting).collect()),
+    }
+}
+
+/// Of the only design in a list: its place there tells nothing.
+fn of_setting(fault: Fault) -> Fault {
+    let pointer = fault.pointer.strip_prefix("/0").unwrap_or(&fault.pointer);
+    Fault {
+        pointer: pointer.to_owned(),
+        ..fault
     }
 }
 

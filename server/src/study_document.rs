@@ -9,6 +9,7 @@ use fem_client::document::Format;
 use fem_client::fault::Fault;
 use placement::plan::Plan;
 use placement::study::Study;
+use placement::sweep::{changed, typed_settings};
 
 use crate::store::studies::StudyRow;
 
@@ -73,6 +74,15 @@ pub fn read_study(text: &str, path: &Path) -> Result<Study, Vec<Fault>> {
             .map_err(|error| format!("{} can't be read: {error}", file.display()))
     };
     Study::from_document(text, format_of(path), &scene_file)
+}
+
+/// Reads a study file, with the fields that are set by texts of the form `KEY=VALUE`.
+///
+/// # Errors
+/// Every fault of the file, or else of what is set.
+pub fn read_changed(path: &Path, set: &[String]) -> Result<Study, Vec<Fault>> {
+    let study = read_study(&read_file(path)?, path)?;
+    changed(study, typed_settings(set)?)
 }
 
 /// The format that a file's name promises.

@@ -176,3 +176,21 @@ fn what_would_take_too_much_is_refused_before_it_is_made() {
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(found[0].1.contains("more than 100000 solves"), "{found:?}");
 }
+
+#[test]
+fn a_study_is_changed_as_a_design_is_and_keeps_its_name() {
+    let base = read(json!({"grid": {"geometry.wall_mm": [2]}}))
+        .unwrap()
+        .base;
+    let set = |value: Value| changed(base.clone(), value.as_object().unwrap().clone());
+    assert_eq!(set(json!({})).unwrap(), base);
+    let study = set(json!({"geometry.wall_mm": 2.5, "method.nodes": 3})).unwrap();
+    assert_eq!((&study.name, study.method.nodes), (&base.name, 3));
+    let mut scene = base.scene.clone();
+    scene.set("geometry.wall_mm", &json!(2.5)).unwrap();
+    assert_eq!(study.scene, scene);
+    let faults = set(json!({"geometry.wal_mm": 2.5, "method.nodes": 0})).unwrap_err();
+    let pointers: Vec<&str> = faults.iter().map(|fault| fault.pointer.as_str()).collect();
+    assert_eq!(pointers.len(), 1, "{faults:?}");
+    assert_eq!(pointers, ["/set/geometry.wal_mm"]);
+}

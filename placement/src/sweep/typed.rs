@@ -1,4 +1,4 @@
-//! Grids as they are typed on a command line: `geometry.wall_mm=2.5,3,3.5`.
+//! Grids and settings as they are typed on a command line: `geometry.wall_mm=2.5,3,3.5`.
 
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -12,25 +12,40 @@ use serde_json::{Map, Value};
 /// # Errors
 /// A fault for each text that isn't of this form, or whose key stood before.
 pub fn typed_grid(texts: &[String]) -> Result<Map<String, Value>, Vec<Fault>> {
-    let (mut grid, mut faults) = (Map::new(), Vec::new());
+    let form = "a grid is KEY=V1,V2,..., as in geometry.wall_mm=2.5,3,3.5";
+    typed(("--grid", form), texts, |list| {
+        split(list).into_iter().map(json_or_word).collect()
+    })
+}
+
+/// Values by path, from texts of the form `KEY=VALUE`.
+///
+/// # Errors
+/// As for [`typed_grid`].
+pub fn typed_settings(texts: &[String]) -> Result<Map<String, Value>, Vec<Fault>> {
+    let form = "a change is KEY=VALUE, as in geometry.wall_mm=2.5";
+    typed(("--set", form), texts, json_or_word)
+}
+
+fn typed(
+    (option, form): (&str, &str),
+    texts: &[String],
+    read: impl Fn(&str) -> Value,
+) -> Result<Map<String, Value>, Vec<Fault>> {
+    let (mut fields, mut faults) = (Map::new(), Vec::new());
     for text in texts {
         let why = match text.split_once('=') {
             None => "it has no =",
-            Some((path, list)) => {
-                let values = split(list).into_iter().map(json_or_word).collect();
-                match grid.insert(path.trim().to_owned(), values) {
-                    None => continue,
-                    Some(_) => "its key stands twice",
-                }
-            }
+            Some((path, value)) => match fields.insert(path.trim().to_owned(), read(value)) {
+                None => continue,
+                Some(_) => "its key stands twice",
+            },
         };
-        let detail = format!(
-            "--grid {text:?}: {why}; a grid is KEY=V1,V2,..., as in geometry.wall_mm=2.5,3,3.5"
-        );
+        let detail = format!("{option} {text:?}: {why}; {form}");
         Fault::add(&mut faults, "", detail);
     }
     if faults.is_empty() {
-        Ok(grid)
+        Ok(fields)
     } else {
         Err(faults)
     }
@@ -89,5 +104,17 @@ mod tests {
             said[1].contains("\"a=2\": its key stands twice"),
             "{said:?}"
         );
+    }
+
+    #[test]
+    fn a_setting_is_one_value_commas_and_all() {
+        let texts = ["model.level = draft", "ground.depths_mm=[1,2]", "a=b,c"].map(str::to_owned);
+        let read = typed_settings(&texts).map(Value::Object);
+        assert_eq!(
+            read.unwrap(),
+            json!({"model.level": "draft", "ground.depths_mm": [1, 2], "a": "b,c"})
+        );
+        let faults = typed_settings(&["wall".to_owned()]).unwrap_err();
+        assert!(faults[0].detail.starts_with("--set \"wall\": it has no ="));
     }
 }

@@ -10,6 +10,7 @@ pub const SERVE: &str = "Examples:
 pub const RUN: &str = "Examples:
   strainsite run studies/foot-tire.toml
   strainsite run studies/foot-tire.toml --dry-run
+  strainsite run studies/foot-tire.toml --set geometry.wall_mm=2.5 --set accuracy.preset=coarse
   strainsite run studies/foot-tire.toml --db tires.db --out answer --json result.json";
 
 /// Examples of `solve`.
@@ -43,6 +44,7 @@ pub const TRADE: &str = "Examples:
 /// Examples of `sweep`.
 pub const SWEEP: &str = "Examples:
   strainsite sweep studies/foot-tire.toml --grid geometry.wall_mm=2.5,3,3.5 --grid carcass.angle_deg=50,55
+  strainsite sweep studies/foot-tire.toml --grid geometry.wall_mm=2.5,3 --set accuracy.preset=coarse
   strainsite sweep studies/foot-tire.toml --grid 'layouts.spacings_deg=[60],[90]' --dry-run
   strainsite sweep --resume 019aa2b3
   strainsite sweep --resume 019aa2b3 --grid geometry.wall_mm=4 --json sweep.json";

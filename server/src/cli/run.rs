@@ -25,13 +25,16 @@ use crate::queue::{enqueue, recover};
 use crate::solver::SolverChoice;
 use crate::store::studies::{self, StudyRow};
 use crate::store::{Store, StoreError, turns};
-use crate::study_document::{read_file, read_study};
+use crate::study_document::read_changed;
 
 /// Run one study without the service
 #[derive(Debug, Args)]
 pub struct Run {
     /// Study file, TOML or JSON
     study: PathBuf,
+    /// Set a field of the study or its scene otherwise; may be given more than once
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
     #[command(flatten)]
     config: Config,
     #[command(flatten)]
@@ -50,8 +53,7 @@ pub struct Run {
 impl Run {
     /// Runs the study and prints its answer.
     pub fn execute(&self) -> Result<(), Failure> {
-        let text = read_file(&self.study).map_err(Failure::Input)?;
-        let study = read_study(&text, &self.study).map_err(Failure::Input)?;
+        let study = read_changed(&self.study, &self.set).map_err(Failure::Input)?;
         let runtime = Runtime::new().map_err(Failure::other)?;
         if self.dry_run {
             return self.estimate(&runtime, &study);

@@ -28,7 +28,7 @@ use crate::queue::recover;
 use crate::solver::SolverChoice;
 use crate::store::sweeps::{self, DesignRow, SweepRow};
 use crate::store::{Store, StoreError};
-use crate::study_document::{read_file, read_study, stored_text};
+use crate::study_document::{read_changed, stored_text};
 use crate::sweeps::{extend, resume, store};
 
 /// Run one study over a grid of designs, and compare them
@@ -40,6 +40,9 @@ pub struct Sweep {
     /// Values that a field takes, as in geometry.wall_mm=2.5,3,3.5; given more than once, every combination is a design
     #[arg(long, value_name = "KEY=V1,V2,...", required_unless_present = "resume")]
     grid: Vec<String>,
+    /// Set a field of the study or its scene otherwise in all designs; may be given more than once
+    #[arg(long, value_name = "KEY=VALUE", conflicts_with = "resume")]
+    set: Vec<String>,
     /// Go on with a sweep of the database, and with the designs of --grid beside its own
     #[arg(long, value_name = "ID")]
     resume: Option<String>,
@@ -98,8 +101,7 @@ impl Sweep {
     }
 
     fn plan(&self, path: &std::path::Path) -> Result<Plan, Failure> {
-        let text = read_file(path).map_err(Failure::Input)?;
-        let base = read_study(&text, path).map_err(Failure::Input)?;
+        let base = read_changed(path, &self.set).map_err(Failure::Input)?;
         let grid = typed_grid(&self.grid).map_err(Failure::Input)?;
         sweep_of(base, self.name.as_deref(), &grid).map_err(Failure::Input)
     }

@@ -77,7 +77,6 @@ async fn a_sweep_is_run_extended_and_compared() {
     let detail = app.json(&format!("/v1/studies/{alone}")).await;
     assert_eq!(detail.get("sweep"), Some(&Value::Null));
 
-    let alone = app.submit(&study()).await;
     let listed = async |sweep: &str| {
         let list = app.json(&format!("/v1/studies?sweep={sweep}")).await;
         let studies = list["studies"].as_array().expect("a list").clone();

@@ -138,3 +138,42 @@ fn a_wrong_grid_is_refused_with_all_its_faults_before_anything_is_stored() {
         assert_eq!(run(arguments).status.code(), Some(2), "{arguments:?}");
     }
 }
+
+#[test]
+fn fields_are_set_for_a_run_and_for_all_designs() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let run = |arguments: &[&str]| strainsite(folder.path(), arguments);
+    let study = draft(folder.path());
+    let nodes = ["--set", "method.nodes=3", "--json", "-"];
+    let thin = [&["run", study, "--set", "geometry.wall_mm=2.5"], &nodes[..]].concat();
+    let alone = run(&thin);
+    assert_eq!(alone.status.code(), Some(0), "{}", text(&alone.stderr));
+    let alone = json(&alone.stdout);
+    assert_eq!(
+        alone["cost"]["solves"], 16,
+        "two points off each of five means, and five checks"
+    );
+
+    let grid = ["sweep", study, "--grid", "geometry.wall_mm=2.5,3"];
+    let ran = run(&[&grid[..], &nodes[..]].concat());
+    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+    let compared = json(&ran.stdout)["comparison"]["studies"].clone();
+    assert_eq!(compared[0]["reaction_n"], alone["cut_point"]["reaction_n"]);
+    assert_eq!(compared[0]["cost"]["reused"], 16, "the run had them");
+    assert_eq!(compared[1]["cost"]["solves"], 16);
+
+    for (wrong, told) in [
+        ("wall", "it has no ="),
+        ("method.nodes=0", "/set/method.nodes"),
+    ] {
+        for command in [&["run", study][..], &grid] {
+            let refused = run(&[command, &["--set", wrong]].concat());
+            assert_eq!(refused.status.code(), Some(2), "{wrong}");
+            assert!(
+                text(&refused.stderr).contains(told),
+                "{}",
+                text(&refused.stderr)
+            );
+        }
+    }
+}

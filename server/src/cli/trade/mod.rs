@@ -25,13 +25,16 @@ use super::signals::stop_flag;
 use crate::config::Config;
 use crate::solver::SolverChoice;
 use crate::store::{Store, StoreError, trades};
-use crate::study_document::{read_file, read_study};
+use crate::study_document::read_changed;
 
 /// Measure the trade of speed for accuracy: the study on a ladder of meshes and methods, against the best of them
 #[derive(Debug, Args)]
 pub struct Trade {
     /// Study file, TOML or JSON
     study: PathBuf,
+    /// Set a field of the study or its scene otherwise; may be given more than once
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
     #[command(flatten)]
     config: Config,
     #[command(flatten)]
@@ -62,8 +65,7 @@ const REFERENCE_NODES: usize = 5;
 impl Trade {
     /// Runs the ladder and its reference, and prints what they took and how far off they are.
     pub fn execute(&self) -> Result<(), Failure> {
-        let text = read_file(&self.study).map_err(Failure::Input)?;
-        let study = read_study(&text, &self.study).map_err(Failure::Input)?;
+        let study = read_changed(&self.study, &self.set).map_err(Failure::Input)?;
         let runtime = Runtime::new().map_err(Failure::other)?;
         let stop = stop_flag(&runtime)?;
         // Opened before the work, so that a database that is in use is said at once.

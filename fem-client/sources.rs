@@ -1,4 +1,4 @@
-//! Hashes sources at build time, so that what they computed is never mistaken for what others did. Part of the build scripts that name it.
+//! Hashes sources at build time, so that what they computed is never mistaken for what others did. A part of the build scripts of this package and of placement.
 
 use std::io;
 use std::path::{Path, PathBuf};
