@@ -1,0 +1,78 @@
+//! What a study is expected to take.
+
+use serde::{Deserialize, Serialize};
+
+/// What a study is expected to cost, and to be worth.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct Estimate {
+    /// Equilibria to solve.
+    pub solves: SolveForecast,
+    /// Wall-clock time; null where `reason` says why.
+    pub wall_s: Option<Forecast>,
+    /// Largest resident memory of the process, bytes.
+    pub peak_memory_bytes: u64,
+    /// What the answer is expected to be worth.
+    pub accuracy: ExpectedAccuracy,
+    /// Solves at once.
+    pub threads: usize,
+    /// Solves of this database by which the times were corrected for this machine; 0: the times are those of another machine.
+    pub measured_solves: usize,
+    /// Why figures are ranges or null, whole sentences.
+    pub reasons: Vec<String>,
+}
+
+/// Equilibria that are expected to be solved.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct SolveForecast {
+    /// Points on the meshes of the answer and of the rungs before it.
+    pub own: usize,
+    /// The same points on coarser meshes, for the error of the mesh.
+    pub coarser: usize,
+    /// Solves that show what the model leaves out.
+    pub effects: usize,
+    /// How many of these the database has already: they cost nothing.
+    pub known: usize,
+    /// How many are left to solve.
+    pub left: CountForecast,
+}
+
+/// A number of solves with its range.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct CountForecast {
+    /// At least.
+    pub least: usize,
+    /// As far as can be told.
+    pub expected: usize,
+    /// At most.
+    pub most: usize,
+}
+
+/// A figure with its range.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct Forecast {
+    /// At least.
+    pub least: f64,
+    /// As far as can be told.
+    pub expected: f64,
+    /// At most.
+    pub most: f64,
+}
+
+/// What studies of this kind were worth where that was measured: the largest error of the ten indices that the paper's study ranks by, absolute.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ExpectedAccuracy {
+    /// Mesh and method of the answer, in a few words.
+    pub fidelity: String,
+    /// Difference from the finest reference.
+    pub error_true: Option<f64>,
+    /// What the answer claimed itself.
+    pub error_claimed: Option<f64>,
+    /// Why there are no figures.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+}
