@@ -305,8 +305,8 @@ class Client:
             NotFound: One of them isn't there.
 
         """
-        params = {**_compared(studies, baseline), "format": format} | ({} if table is None else {"table": table})
-        return download(self._transport, "/v1/comparison/export", params, path)
+        params = _compared(studies, baseline)
+        return download(self._transport, "/v1/comparison/export", format, table, path, params)
 
     def _pages(self, kind: str, params: Mapping[str, str]) -> Iterator[Any]:
         cursor: str | None = None

@@ -16,10 +16,16 @@ if TYPE_CHECKING:
 
 
 def download(
-    transport: Transport, address: str, params: Mapping[str, str], path: str | os.PathLike[str] | None
+    transport: Transport,
+    address: str,
+    format: str,
+    table: str | None,
+    path: str | os.PathLike[str] | None,
+    params: Mapping[str, str] | None = None,
 ) -> Path:
-    """Writes an answer to a file, or into a folder under the name that the service proposes, and returns its path."""
-    answer = transport.request("GET", address, params=params)
+    """Writes an export to a file, or into a folder under the name that the service proposes, and returns its path."""
+    wanted = {**(params or {}), "format": format} | ({} if table is None else {"table": table})
+    answer = transport.request("GET", address, params=wanted)
     proposed = re.search(r'filename="([^"/\\]+)"', answer.headers.get("content-disposition", ""))
     if proposed is None:
         raise StrainsiteError(f"{address} answered without a file")

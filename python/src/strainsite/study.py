@@ -176,8 +176,7 @@ class Study:
             path: The file, or a folder; the name that the service proposes, in the working folder, when left out.
 
         """
-        params = {"format": format} | ({} if table is None else {"table": table})
-        return download(self._transport, f"{self._path}/export", params, path)
+        return download(self._transport, f"{self._path}/export", format, table, path)
 
     def _answer(self, part: str, params: dict[str, str] | None = None) -> dict[str, Any]:
         try:

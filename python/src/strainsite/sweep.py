@@ -206,8 +206,7 @@ class Sweep:
             baseline: The design that the others are compared with; the first one when left out.
 
         """
-        params = {**self._compared(baseline), "format": format} | ({} if table is None else {"table": table})
-        return download(self._transport, "/v1/comparison/export", params, path)
+        return download(self._transport, "/v1/comparison/export", format, table, path, self._compared(baseline))
 
     def _compared(self, baseline: Study | str | None) -> dict[str, str]:
         if baseline is None:
