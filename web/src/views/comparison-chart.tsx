@@ -165,7 +165,7 @@ export function MarkKey({ shown }: { shown: Shown }) {
       ))}
       <span>
         {shown === "index"
-          ? "Bars are the errors of the indices; those of a difference are smaller where both meshes err alike."
+          ? "Bars are the errors of the indices; those of a difference are smaller where both err alike."
           : "Bars are the errors of the differences."}
       </span>
     </p>

@@ -1,6 +1,7 @@
 import { bytes, duration, integer, percent } from "../lib/format.ts";
 import { compare } from "../lib/estimate.ts";
 import type { Estimate, StudyCost } from "../types.ts";
+import { Facts } from "./facts.tsx";
 
 /** What the answer took, and what it was expected to take. */
 export function CostView({ cost, estimate }: { cost: StudyCost; estimate: Estimate | null }) {
@@ -15,14 +16,7 @@ export function CostView({ cost, estimate }: { cost: StudyCost; estimate: Estima
   return (
     <section class="panel" aria-labelledby="cost-title">
       <h2 id="cost-title">Cost</h2>
-      <dl class="facts">
-        {facts.map(([name, value]) => (
-          <div key={name}>
-            <dt>{name}</dt>
-            <dd>{value}</dd>
-          </div>
-        ))}
-      </dl>
+      <Facts facts={facts} />
       <Shares cost={cost} />
       {estimate !== null && <Expected estimate={estimate} cost={cost} />}
     </section>

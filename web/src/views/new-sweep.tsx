@@ -5,6 +5,7 @@ import { bytes, integer } from "../lib/format.ts";
 import { designCount, locateInGrid, readGrid } from "../lib/grid.ts";
 import type { SweepDraft } from "../state.ts";
 import type { SweepEstimate } from "../sweep-types.ts";
+import { Facts } from "./facts.tsx";
 import { Faults, selectIn, type Place } from "./faults.tsx";
 
 const IDLE = "Every combination is a design: two lines of three values are nine. The sweep is checked and estimated before it can be run.";
@@ -105,14 +106,7 @@ function Estimated({ estimate }: { estimate: SweepEstimate }) {
   const reasons = new Set(designs.flatMap((design) => design.estimate.reasons));
   return (
     <div role="status">
-      <dl class="facts">
-        {facts.map(([name, value]) => (
-          <div key={name}>
-            <dt>{name}</dt>
-            <dd>{value}</dd>
-          </div>
-        ))}
-      </dl>
+      <Facts facts={facts} />
       {[...reasons].map((reason) => (
         <p key={reason} class="quiet">
           {reason}

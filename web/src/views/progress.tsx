@@ -3,6 +3,7 @@ import {
   elapsedSeconds, isOver, newtonIterations, secondsLeft, share, type PointFailure, type Progress,
 } from "../lib/progress.ts";
 import type { Link, OpenStudy } from "../state.ts";
+import { Facts } from "./facts.tsx";
 import { ProblemText } from "./loading.tsx";
 
 interface Props {
@@ -21,7 +22,7 @@ export function ProgressView({ open, progress, now_ms, onCancel }: Props) {
       <progress class="wide" max={1} value={share(progress)} aria-label="Points solved">
         {progress.done} of {progress.total}
       </progress>
-      <Facts progress={progress} now_ms={now_ms} />
+      <Standing progress={progress} now_ms={now_ms} />
       <Failures failures={progress.failures} />
       {open.cancelProblem !== null && (
         <div class="problem" role="alert">
@@ -61,29 +62,17 @@ function Outcome({ progress }: { progress: Progress }) {
   }
 }
 
-function Facts({ progress, now_ms }: { progress: Progress; now_ms: number }) {
+function Standing({ progress, now_ms }: { progress: Progress; now_ms: number }) {
   const solved = progress.newton.size;
   const iterations = newtonIterations(progress);
-  return (
-    <dl class="facts">
-      <Fact name="Points" value={`${integer(progress.done)} of ${progress.total > 0 ? integer(progress.total) : "?"}`} />
-      {progress.reused !== null && <Fact name="Reused" value={integer(progress.reused)} />}
-      <Fact name="Elapsed" value={duration(elapsedSeconds(progress, now_ms))} />
-      {progress.state === "running" && <Fact name="Time left" value={duration(secondsLeft(progress, now_ms))} />}
-      {solved > 0 && (
-        <Fact name="Newton iterations" value={`${integer(iterations)}, ${fixed(iterations / solved, 1)} a point`} />
-      )}
-    </dl>
-  );
-}
-
-function Fact({ name, value }: { name: string; value: string }) {
-  return (
-    <div>
-      <dt>{name}</dt>
-      <dd>{value}</dd>
-    </div>
-  );
+  const facts: [string, string][] = [
+    ["Points", `${integer(progress.done)} of ${progress.total > 0 ? integer(progress.total) : "?"}`],
+  ];
+  if (progress.reused !== null) facts.push(["Reused", integer(progress.reused)]);
+  facts.push(["Elapsed", duration(elapsedSeconds(progress, now_ms))]);
+  if (progress.state === "running") facts.push(["Time left", duration(secondsLeft(progress, now_ms))]);
+  if (solved > 0) facts.push(["Newton iterations", `${integer(iterations)}, ${fixed(iterations / solved, 1)} a point`]);
+  return <Facts facts={facts} />;
 }
 
 function Failures({ failures }: { failures: readonly PointFailure[] }) {

@@ -4,6 +4,7 @@ import { isOver } from "../lib/progress.ts";
 import { countsText, designsOf, designsOver, designsToResume, sweepSecondsLeft, sweepShare, workedSeconds } from "../lib/sweep.ts";
 import type { OpenSweep } from "../state.ts";
 import type { SweepDetail } from "../sweep-types.ts";
+import { Facts } from "./facts.tsx";
 import { ProblemText } from "./loading.tsx";
 
 interface Props {
@@ -21,7 +22,7 @@ export function SweepProgress({ open, sweep, now_ms, actions }: Props) {
       <progress class="wide" max={1} value={sweepShare(sweep)} aria-label="Designs done">
         {designsOver(sweep)} of {designsOf(sweep)}
       </progress>
-      <Facts sweep={sweep} now_ms={now_ms} />
+      <Standing sweep={sweep} now_ms={now_ms} />
       {open.problem !== null && (
         <div class="problem" role="alert">
           <ProblemText problem={open.problem} />
@@ -47,23 +48,14 @@ function outcome(sweep: SweepDetail): string {
   }
 }
 
-function Facts({ sweep, now_ms }: { sweep: SweepDetail; now_ms: number }) {
+function Standing({ sweep, now_ms }: { sweep: SweepDetail; now_ms: number }) {
   const facts: [string, string][] = [
     ["Designs", countsText(sweep)],
     ["Points", `${integer(sweep.points_done)} of ${sweep.points_total === null ? "?" : integer(sweep.points_total)}`],
     ["At work", duration(workedSeconds(sweep, now_ms))],
   ];
   if (!isOver(sweep.state)) facts.push(["Time left", duration(sweepSecondsLeft(sweep, now_ms))]);
-  return (
-    <dl class="facts">
-      {facts.map(([name, value]) => (
-        <div key={name}>
-          <dt>{name}</dt>
-          <dd>{value}</dd>
-        </div>
-      ))}
-    </dl>
-  );
+  return <Facts facts={facts} />;
 }
 
 function Cancel({ open, actions }: { open: OpenSweep; actions: Actions }) {
