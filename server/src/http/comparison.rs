@@ -14,7 +14,7 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use super::examples::{self, absent};
-use super::export::file;
+use super::export::{both, file};
 use super::extract::Params;
 use super::problem::Problem;
 use super::wire::ProblemDocument;
@@ -93,12 +93,8 @@ async fn export_comparison(
 fn wanted(query: &ExportQuery) -> Result<ComparisonExport, Problem> {
     let format = ComparisonFormat::named(query.format.as_deref().unwrap_or("csv"));
     let table = ComparisonTable::named(query.table.as_deref().unwrap_or("locations"));
-    match (format, table) {
-        (Some(format), Some(table)) => Ok(ComparisonExport { format, table }),
-        (None, Some(_)) => Err(wrong(FORMATS)),
-        (Some(_), None) => Err(wrong(TABLES)),
-        (None, None) => Err(wrong(&format!("{FORMATS}; {TABLES}"))),
-    }
+    let (format, table) = both((format, FORMATS), (table, TABLES))?;
+    Ok(ComparisonExport { format, table })
 }
 
 const FORMATS: &str = "format is one of csv, json, parquet";

@@ -78,19 +78,25 @@ pub fn file(format: FileFormat, name: &str, bytes: Vec<u8>) -> Response {
 }
 
 fn wanted(query: &ExportQuery) -> Result<Export, Problem> {
-    let wrong = |detail: &str| Problem::new(StatusCode::BAD_REQUEST, detail);
-    let format = query.format.as_deref().unwrap_or("csv");
-    let table = query.table.as_deref().unwrap_or("indices");
-    match (FileFormat::named(format), Table::named(table)) {
-        (Some(format), Some(table)) => Ok(Export { format, table }),
-        (None, Some(_)) => Err(wrong(FORMATS)),
-        (Some(_), None) => Err(wrong(TABLES)),
-        (None, None) => Err(wrong(&format!("{FORMATS}; {TABLES}"))),
-    }
+    let format = FileFormat::named(query.format.as_deref().unwrap_or("csv"));
+    let table = Table::named(query.table.as_deref().unwrap_or("indices"));
+    let (format, table) = both((format, FORMATS), (table, TABLES))?;
+    Ok(Export { format, table })
 }
 
 const FORMATS: &str = "format is one of csv, json, parquet, vtu";
 const TABLES: &str = "table is one of indices, locations, layouts, points";
+
+/// The format and the table that a query names, or what each that names nothing could be.
+pub fn both<F, T>(format: (Option<F>, &str), table: (Option<T>, &str)) -> Result<(F, T), Problem> {
+    let detail = match (format, table) {
+        ((Some(format), _), (Some(table), _)) => return Ok((format, table)),
+        ((None, formats), (Some(_), _)) => formats.to_owned(),
+        ((Some(_), _), (None, tables)) => tables.to_owned(),
+        ((None, formats), (None, tables)) => format!("{formats}; {tables}"),
+    };
+    Err(Problem::new(StatusCode::BAD_REQUEST, detail))
+}
 
 impl From<ExportError> for Problem {
     fn from(error: ExportError) -> Self {
