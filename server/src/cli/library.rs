@@ -110,7 +110,7 @@ impl List {
             let studies: Vec<StudySummary> = rows.iter().map(StudySummary::of).collect();
             target.write(&json!({"studies": studies}))?;
         }
-        let text = headed(&rows, self.json.as_ref());
+        let text = headed_studies(&rows, self.json.as_ref());
         tell(&text, self.json.as_ref())
     }
 
@@ -127,58 +127,73 @@ impl List {
         if let Some(target) = &self.json {
             target.write(&json!({"sweeps": summaries}))?;
         }
-        let mut text = String::new();
-        if is_seen(self.json.as_ref()) && !summaries.is_empty() {
-            let head = format!(
-                "{:<36}  {:<9}  {:<16}  {:<24}  name\n",
-                "sweep", "state", "designs done", "created"
-            );
-            text = header(&head);
-        }
-        for sweep in &summaries {
-            let counts = &sweep.counts;
-            let _ = writeln!(
-                text,
-                "{}  {}  {:>6} of {:<6}  {}  {}",
-                sweep.id,
-                left(of_state(sweep.state.as_str()), sweep.state.as_str(), 9),
-                counts.done,
-                counts.queued + counts.running + counts.done + counts.failed + counts.cancelled,
-                sweep.created,
-                sweep.name.escape_debug()
-            );
-        }
+        let lines: Vec<Line> = summaries.iter().map(line_of_sweep).collect();
+        let text = headed("sweep", "designs done", &lines, self.json.as_ref());
         tell(&text, self.json.as_ref())
     }
 }
 
-/// The lines of the studies below a header, which only people need: scripts take a line for a study.
-fn headed(rows: &[StudyRow], json: Option<&JsonTarget>) -> String {
+/// What a list says of a study or a sweep.
+struct Line<'r> {
+    id: &'r str,
+    state: &'static str,
+    done: String,
+    total: String,
+    created: &'r str,
+    name: &'r str,
+}
+
+fn line_of_study(row: &StudyRow) -> Line<'_> {
+    Line {
+        id: &row.id,
+        state: row.state().as_str(),
+        done: row.points_done.to_string(),
+        total: row
+            .points_total
+            .map_or("?".to_owned(), |total| total.to_string()),
+        created: &row.created,
+        name: &row.name,
+    }
+}
+
+fn line_of_sweep(sweep: &SweepSummary) -> Line<'_> {
+    let counts = &sweep.counts;
+    let total = counts.queued + counts.running + counts.done + counts.failed + counts.cancelled;
+    Line {
+        id: &sweep.id,
+        state: sweep.state.as_str(),
+        done: counts.done.to_string(),
+        total: total.to_string(),
+        created: &sweep.created,
+        name: &sweep.name,
+    }
+}
+
+fn headed_studies(rows: &[StudyRow], json: Option<&JsonTarget>) -> String {
+    let lines: Vec<Line> = rows.iter().map(line_of_study).collect();
+    headed("study", "points", &lines, json)
+}
+
+/// The lines below a header, which only people need: scripts take a line for a study.
+fn headed(kind: &str, counted: &str, lines: &[Line], json: Option<&JsonTarget>) -> String {
     let mut text = String::new();
-    if is_seen(json) && !rows.is_empty() {
+    if is_seen(json) && !lines.is_empty() {
         let head = format!(
-            "{:<36}  {:<9}  {:<16}  {:<24}  name\n",
-            "study", "state", "points", "created"
+            "{kind:<36}  {:<9}  {counted:<16}  {:<24}  name\n",
+            "state", "created"
         );
         text = header(&head);
     }
-    text + &lines(rows)
-}
-
-fn lines(rows: &[StudyRow]) -> String {
-    let mut text = String::new();
-    for row in rows {
-        let total = row
-            .points_total
-            .map_or("?".to_owned(), |total| total.to_string());
+    for line in lines {
         let _ = writeln!(
             text,
-            "{}  {}  {:>6} of {total:<6}  {}  {}",
-            row.id,
-            left(of_state(row.state().as_str()), row.state().as_str(), 9),
-            row.points_done,
-            row.created,
-            row.name.escape_debug()
+            "{}  {}  {:>6} of {:<6}  {}  {}",
+            line.id,
+            left(of_state(line.state), line.state, 9),
+            line.done,
+            line.total,
+            line.created,
+            line.name.escape_debug()
         );
     }
     text
@@ -210,7 +225,7 @@ impl Show {
             let study = StudySummary::of(&row);
             target.write(&json!({"study": study, "document": document, "result": found}))?;
         }
-        let mut text = headed(std::slice::from_ref(&row), self.json.as_ref());
+        let mut text = headed_studies(std::slice::from_ref(&row), self.json.as_ref());
         if let Some(error) = &row.error {
             let _ = writeln!(text, "{}", painted(BAD, error.escape_debug()));
         }
