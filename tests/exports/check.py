@@ -65,13 +65,18 @@ class Service:
     def run(self, document):
         """Submits a study, waits until it is done and returns its identifier."""
         ident = json.loads(self.ask("/v1/studies", document)[1])["id"]
+        ended = self.wait(f"/v1/studies/{ident}")
+        assert ended["state"] == "done", ended
+        return ident
+
+    def wait(self, path):
+        """A study or a sweep when it has ended, or as it is after a minute."""
         for _ in range(1200):
-            state = json.loads(self.ask(f"/v1/studies/{ident}")[1])
-            if state["state"] not in ("queued", "running"):
+            seen = json.loads(self.ask(path)[1])
+            if seen["state"] not in ("queued", "running"):
                 break
             time.sleep(0.05)
-        assert state["state"] == "done", state
-        return ident
+        return seen
 
     def part(self, ident, part):
         """A part of a study's answer."""
@@ -240,11 +245,7 @@ def check_comparison(service, program, folder):
     body = {"study": study("walls", candidates={"points": "P1-P5"}), "designs": [{"set": each} for each in designs]}
     body["designs"][1]["name"] = "thin, \"µ\""
     ident = json.loads(service.ask("/v1/sweeps", body)[1])["id"]
-    for _ in range(1200):
-        sweep = json.loads(service.ask(f"/v1/sweeps/{ident}")[1])
-        if sweep["state"] not in ("queued", "running"):
-            break
-        time.sleep(0.05)
+    sweep = service.wait(f"/v1/sweeps/{ident}")
     assert sweep["counts"]["done"] == 3 and sweep["counts"]["failed"] == 1, sweep["counts"]
     comparison = json.loads(service.ask(f"/v1/comparison?sweep={ident}")[1])
     verdicts = [row[d]["verdict"] for row in comparison["rows"] for d in "xy"]
