@@ -5,10 +5,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use fem_client::body::Body;
-use fem_client::document::json_or_word;
 use fem_client::gauge::{Gauge, GaugeReading};
 use fem_client::scene::Scene;
 use fem_client::solver::{LocationStrain, Readout, SolveError, SolveRequest, Solved};
+use placement::sweep::typed_settings;
 use serde_json::{Value, json};
 
 use super::Failure;
@@ -84,28 +84,16 @@ impl Solve {
     fn scene(&self) -> Result<Scene, Failure> {
         let text = read_file(&self.scene).map_err(Failure::Input)?;
         let mut scene = Scene::from_text(&text, format_of(&self.scene)).map_err(Failure::Input)?;
-        let changes = self
-            .set
+        let changes = typed_settings(&self.set).map_err(Failure::Input)?;
+        let changes: Vec<(&str, &Value)> = changes
             .iter()
-            .map(|text| assignment(text))
-            .collect::<Result<Vec<_>, _>>()?;
-        let changes: Vec<(&str, &Value)> =
-            changes.iter().map(|(path, value)| (*path, value)).collect();
+            .map(|(path, value)| (path.as_str(), value))
+            .collect();
         if !changes.is_empty() {
             scene.set_all(&changes).map_err(Failure::Input)?;
         }
         Ok(scene)
     }
-}
-
-/// Splits KEY=VALUE; the value is JSON, or a word.
-fn assignment(text: &str) -> Result<(&str, Value), Failure> {
-    let Some((path, value)) = text.split_once('=') else {
-        return Err(Failure::input(format!(
-            "--set {text:?}: a change is KEY=VALUE, as in pressure.internal_mpa=0.15"
-        )));
-    };
-    Ok((path.trim(), json_or_word(value)))
 }
 
 fn failure(error: SolveError) -> Failure {
@@ -277,19 +265,6 @@ mod tests {
     use fem_client::closed_form::ClosedFormSolver;
     use fem_client::fault::Fault;
     use fem_client::solver::{NoEquilibrium, Reached, Solver};
-
-    #[test]
-    fn a_change_is_json_or_a_word() {
-        assert_eq!(
-            assignment("ground.depths_mm=[1, 2]").expect("reads"),
-            ("ground.depths_mm", json!([1, 2]))
-        );
-        assert_eq!(
-            assignment("model.level = draft").expect("reads"),
-            ("model.level", json!("draft"))
-        );
-        assert_eq!(assignment("model.level").expect_err("no value").code(), 2);
-    }
 
     #[test]
     fn the_document_has_the_fields_that_scripts_read() {

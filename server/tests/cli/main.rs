@@ -170,6 +170,21 @@ fn one_equilibrium_is_solved_and_changed_by_its_keys() {
 }
 
 #[test]
+fn every_fault_of_the_changes_to_a_scene_is_told_at_once() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let scene = format!("{REPOSITORY}/scenes/foot-tire.toml");
+    let sets = ["pressure", "geometry.wall_mm=2", "geometry.wall_mm=3"];
+    let sets = sets.iter().flat_map(|set| ["--set", set]);
+    let arguments: Vec<&str> = ["solve", &scene].into_iter().chain(sets).collect();
+    let output = strainsite(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(2));
+    let lines: Vec<&str> = text(&output.stderr).lines().collect();
+    assert_eq!(lines.len(), 2, "{lines:?}");
+    assert!(lines[0].contains("\"pressure\": it has no ="), "{lines:?}");
+    assert!(lines[1].contains("its key stands twice"), "{lines:?}");
+}
+
+#[test]
 fn wrong_input_ends_with_2_and_every_fault_on_a_line_of_its_own() {
     let folder = tempfile::tempdir().expect("temp dir");
     std::fs::write(
