@@ -38,7 +38,7 @@ test-web: setup-test
 test-browser: setup-test test-rust
 	cd tests/browser && npm ci && npm test
 
-# The running service against its own description, for two minutes.
+# The running service against its own description, for a minute.
 test-conformance: setup-conformance test-rust
 	tests/conformance/run
 
