@@ -4,7 +4,6 @@
 
 use fem::newton::NewtonSettings;
 use fem_client::embedded::EmbeddedSolver;
-use fem_client::far_field::{About, FarField};
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Solved, StartState};
 use fem_client::tire::mesh_plan;
@@ -38,7 +37,6 @@ struct Variant {
     is_warm: bool,
     /// Take a point's mirror image where that is known.
     is_mirrored: bool,
-    far_field: FarField,
 }
 
 /// What the points took, and their answers.
@@ -87,7 +85,6 @@ fn exact() -> Variant {
         level: Level::Standard,
         is_warm: false,
         is_mirrored: false,
-        far_field: FarField::Nonlinear,
     }
 }
 
@@ -109,10 +106,6 @@ fn variants() -> Vec<Variant> {
         acceleration_depth: 0,
         ..settings(USUAL)
     };
-    let condensed = |name, beyond_deg, about| Variant {
-        far_field: FarField::Linear { beyond_deg, about },
-        ..product(name, USUAL)
-    };
     vec![
         cold("pure Newton from nothing, 1e-8", pure(USUAL)),
         cold("kept tangent from nothing, 1e-8", settings(USUAL)),
@@ -122,19 +115,6 @@ fn variants() -> Vec<Variant> {
         product("kept tangent, mirrored points, 1e-8: the product", USUAL),
         product("the same, 1e-6", 1e-6),
         product("the same, 1e-10", 1e-10),
-        condensed(
-            "the product, linear beyond 18 deg about the inflated state",
-            18.0,
-            About::Inflated,
-        ),
-        condensed(
-            "the product, linear beyond 18 deg about the cut point",
-            18.0,
-            About::Start,
-        ),
-        condensed("the same beyond 23 deg", 19.0, About::Start),
-        condensed("the same beyond 32 deg", 30.0, About::Start),
-        condensed("the same beyond 52 deg", 50.0, About::Start),
         Variant {
             level: Level::Reference,
             ..product("the product on the reference mesh", USUAL)
@@ -144,8 +124,7 @@ fn variants() -> Vec<Variant> {
 
 fn run(variant: &Variant, range: f64) -> Outcome {
     let begin = cpu_seconds();
-    let solver =
-        || EmbeddedSolver::with_settings(variant.settings).with_far_field(variant.far_field);
+    let solver = || EmbeddedSolver::with_settings(variant.settings);
     // Whatever one solver has seen it mirrors: another one makes mirror images anew.
     let (solver, other) = (solver(), solver());
     let solver_of = |station| match station {

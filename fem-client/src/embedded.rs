@@ -8,7 +8,6 @@ use fem::path::PathReport;
 use fem::problem::{Loads, State};
 use sha2::{Digest, Sha256};
 
-use crate::far_field::FarField;
 use crate::gauge;
 use crate::hexadecimal::hexadecimal;
 use crate::mesh_error::{self, Coarser};
@@ -80,13 +79,6 @@ impl EmbeddedSolver {
             settings,
             neighbourhoods: Neighbourhoods::default(),
         }
-    }
-
-    /// The same solver with another model of the far field. Its version says nothing of that either.
-    #[must_use]
-    pub fn with_far_field(mut self, far_field: FarField) -> Self {
-        self.neighbourhoods.far_field = far_field;
-        self
     }
 
     /// Solves a scene on a mesh of the caller's choice.
@@ -182,17 +174,6 @@ fn press_near(
     // With friction the equilibrium depends on the path: always the one from the inflated state.
     if session.scene.contact.friction > 0.0 {
         return session.press(&near.inflated, target, None);
-    }
-    if let Some(condensed) = &near.condensed {
-        let (settings, stop) = (session.newton.settings, session.stop);
-        if let Some(found) = condensed.press(&near.equilibrium, target, settings, stop) {
-            session.newton.effort += found.effort;
-            return Ok(Pressed {
-                state: found.state,
-                report: found.report,
-                iterations: found.effort.iterations,
-            });
-        }
     }
     let neighbour = (&near.equilibrium, &near.loads);
     session.press(&near.inflated, target, Some(neighbour))

@@ -19,7 +19,6 @@
 //! - [`tire_mesh`]: the structured mesh of a tire
 //! - `tire_surfaces`: its surfaces, and points of them
 //! - `tire_mirror`: its states, left and right exchanged
-//! - `tire_sector`: a sector of it, cut out and put back
 //! - [`tire`]: a scene as a boundary value problem: what is modelled, and what is left out
 //! - [`mesh_error`]: which coarser mesh shows a level's error
 //! - [`probe`], [`readout`]: strains of an equilibrium with their errors
@@ -27,7 +26,6 @@
 //! - `session`: one solve on its way: a scene's model, its Newton method, and the loads they meet
 //! - `failure`: why a tire can't be pressed further
 //! - `inflation`: the inflated state, or why there is none
-//! - [`far_field`]: the part far from the contact, condensed
 //! - `neighbourhood`: what solves from the same equilibrium share
 //! - `pressing`: the tire pressed on the ground
 //! - [`embedded`]: the solver built on `fem`
@@ -45,7 +43,6 @@ pub mod document;
 pub mod embedded;
 pub mod extremes;
 mod failure;
-pub mod far_field;
 pub mod fault;
 pub mod fields;
 pub mod gauge;
@@ -69,7 +66,6 @@ pub mod start_state;
 pub mod tire;
 pub mod tire_mesh;
 mod tire_mirror;
-mod tire_sector;
 mod tire_surfaces;
 pub mod verify;
 pub mod vtu;

@@ -14,7 +14,6 @@ use fem::problem::{Loads, State};
 use fem::tangent::Tangent;
 use sha2::{Digest, Sha256};
 
-use crate::far_field::{Around, Condensed, FarField};
 use crate::hexadecimal::hexadecimal;
 use crate::scene::{Ground, Scene};
 use crate::solver::StartState;
@@ -37,7 +36,6 @@ pub(crate) struct Neighbourhood {
     pub(crate) equilibrium: State,
     pub(crate) loads: Loads,
     pub(crate) tangent: Arc<Tangent>,
-    pub(crate) condensed: Option<Condensed>,
     /// Whether left and right are alike here, so that mirrored depths have mirrored equilibria.
     symmetric: bool,
     pressed: Mutex<VecDeque<(Vec<f64>, Arc<Pressed>)>>,
@@ -53,13 +51,7 @@ pub(crate) struct Pressed {
 
 impl Neighbourhood {
     /// `None` when the state belongs to another mesh or inflation, or its tangent can't be had.
-    fn new(
-        scene: &Scene,
-        plan: &MeshPlan,
-        extent: Extent,
-        start: &StartState,
-        far_field: FarField,
-    ) -> Option<Self> {
+    fn new(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> Option<Self> {
         let model = TireModel::new(scene, plan, extent);
         let inflated = model.fit(&start.inflated)?;
         let equilibrium = model.fit(&start.equilibrium)?;
@@ -81,13 +73,6 @@ impl Neighbourhood {
         };
         let mut newton = Newton::for_contact(&model.problem, &equilibrium, &raised).ok()?;
         let tangent = newton.tangent_at(&equilibrium, &loads).ok()?;
-        let around = Around {
-            inflated: &inflated,
-            equilibrium: &equilibrium,
-            loads: &loads,
-            raised: &raised,
-        };
-        let condensed = Condensed::new(scene, &model, around, far_field);
         Some(Self {
             inflated_key: start.inflated_key.clone(),
             model,
@@ -95,7 +80,6 @@ impl Neighbourhood {
             equilibrium,
             loads,
             tangent,
-            condensed,
             symmetric: extent == Extent::Half && is_symmetric(&depths),
             pressed: Mutex::default(),
         })
@@ -136,7 +120,6 @@ type Slot = Arc<OnceLock<Option<Arc<Neighbourhood>>>>;
 /// The last few neighbourhoods.
 #[derive(Debug, Default)]
 pub(crate) struct Neighbourhoods {
-    pub(crate) far_field: FarField,
     slots: Mutex<Vec<(String, Slot)>>,
 }
 
@@ -150,10 +133,8 @@ impl Neighbourhoods {
         start: &StartState,
     ) -> Option<Arc<Neighbourhood>> {
         let slot = self.slot(key(scene, plan, extent, start));
-        slot.get_or_init(|| {
-            Neighbourhood::new(scene, plan, extent, start, self.far_field).map(Arc::new)
-        })
-        .clone()
+        slot.get_or_init(|| Neighbourhood::new(scene, plan, extent, start).map(Arc::new))
+            .clone()
     }
 
     fn slot(&self, key: String) -> Slot {

@@ -104,8 +104,8 @@ impl TireModel {
     }
 }
 
-/// The boundary value problem of a scene on a grid, all of the tire's or a sector's.
-pub(crate) fn problem(scene: &Scene, grid: &TireGrid) -> Problem {
+/// The boundary value problem of a scene on a grid.
+fn problem(scene: &Scene, grid: &TireGrid) -> Problem {
     let (mesh, layout) = grid.mesh();
     let supports = supports(grid, mesh.nodes.len());
     let carcass = scene.carcass.iter();
@@ -125,7 +125,6 @@ pub(crate) fn problem(scene: &Scene, grid: &TireGrid) -> Problem {
         pressure: Some(pressure),
         contact: Some(contact),
         dead_forces: vec![],
-        superelement: None,
     }
 }
 

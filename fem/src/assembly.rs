@@ -107,10 +107,6 @@ impl<'p> Assembler<'p> {
                 target.add(&setup.equations, nodes, &self.face.residual);
             }
         }
-        if let Some(element) = &problem.superelement {
-            let forces = element.forces(&state.displacement);
-            target.add(&setup.equations, &element.nodes, &forces);
-        }
         if loads.traction_factor != 0.0 {
             for (node, force) in &problem.dead_forces {
                 let force = force.map(|component| -loads.traction_factor * component);
@@ -206,12 +202,6 @@ impl<'p> Assembler<'p> {
                 self.face
                     .scatter(&setup, nodes, index, scatter, pending, entries);
             }
-        }
-        if let Some(element) = &problem.superelement {
-            let stiffness = element.symmetric_stiffness();
-            let scatter = &setup.superelement_scatter;
-            let nodes = &element.nodes;
-            entries.add(&setup.equations, nodes, &stiffness, scatter, pending);
         }
     }
 

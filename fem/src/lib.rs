@@ -24,13 +24,11 @@
 //! - [`pressure`]: live pressure on a surface
 //! - [`traction`]: dead forces on a surface
 //! - [`obstacle`], [`friction`], [`contact`]: rigid ground and contact with it
-//! - [`superelement`]: a linear part of the body, as the rest feels it
 //! - [`problem`]: a boundary value problem, its loads and its state
 //! - [`ordering`], [`sparsity`], `substitution`, [`linear`]: the sparse linear system
 //! - [`setup`]: what all states of a problem share
 //! - [`system`], [`assembly`]: residual and tangent of the whole problem
 //! - `focus`, `condensed_contact`, [`tangent`]: linear body, nonlinear contact
-//! - [`substructure`]: a part of the body condensed onto the rest, and recovered
 //! - [`newton`]: equilibrium under given loads
 //! - [`volume_control`]: equilibrium at a given volume of a cavity, and limit points
 //! - [`path`]: load stepping with automatic cut-back
@@ -61,8 +59,6 @@ pub mod solid;
 pub mod sparsity;
 pub mod stretch;
 mod substitution;
-pub mod substructure;
-pub mod superelement;
 pub mod surface;
 pub mod surface_law;
 pub mod system;

@@ -6,7 +6,6 @@ use crate::mesh::Mesh;
 use crate::obstacle::HeightField;
 use crate::pressure::PressureSurface;
 use crate::solid::SolidModel;
-use crate::superelement::Superelement;
 use crate::tensor::Vector;
 
 /// What is solved: a body, how it is held, and where it can be loaded.
@@ -28,8 +27,6 @@ pub struct Problem {
     pub contact: Option<ContactSurface>,
     /// Dead forces on nodes at traction factor 1, N: they keep their direction as the body moves.
     pub dead_forces: Vec<(u32, Vector)>,
-    /// A part of the body that isn't meshed but answers linearly on nodes that are.
-    pub superelement: Option<Superelement>,
 }
 
 /// Loads of a problem.

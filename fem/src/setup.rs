@@ -32,7 +32,6 @@ pub struct Setup {
     pub(crate) brick_scatter: Vec<u32>,
     pub(crate) membrane_scatter: Vec<Vec<u32>>,
     pub(crate) pressure_scatter: Vec<u32>,
-    pub(crate) superelement_scatter: Vec<u32>,
     /// Shear modulus times volume^(2/3), and fibre stiffnesses times the root of their area, N.
     pub(crate) natural_force: f64,
     /// Which contact faces the border serves.
@@ -49,19 +48,6 @@ impl Setup {
         let geometry = Arc::new(SolidGeometry::new(&problem.mesh)?);
         let faces = contact_faces(problem, state, loads);
         Self::with_border(problem, geometry, border_axes(problem, &faces), faces)
-    }
-
-    /// Sets a problem up with all free displacements of these nodes as its border.
-    ///
-    /// # Errors
-    /// As [`Setup::new`].
-    pub(crate) fn with_nodes_last(problem: &Problem, nodes: &[u32]) -> Result<Self, SetupError> {
-        let geometry = Arc::new(SolidGeometry::new(&problem.mesh)?);
-        let mut border = vec![[false; 3]; problem.mesh.nodes.len()];
-        for &node in nodes {
-            border[node as usize] = [true; 3];
-        }
-        Self::with_border(problem, geometry, border, Vec::new())
     }
 
     /// The same problem with a border that serves these contact faces too; `None` when the present one does.
@@ -93,10 +79,8 @@ impl Setup {
         border_faces: Vec<bool>,
     ) -> Result<Self, SetupError> {
         let mesh = &problem.mesh;
-        let shared = problem.superelement.as_ref();
-        let shared = shared.map_or(&[][..], |element| &element.nodes);
-        let equations = Equations::new(mesh, &problem.layout, &problem.supports, shared, &border);
-        let pattern = Pattern::new(mesh, shared, &equations);
+        let equations = Equations::new(mesh, &problem.layout, &problem.supports, &border);
+        let pattern = Pattern::new(mesh, &equations);
         let scatter = |nodes: &[u32]| pattern.scatter(&equations.of(nodes).collect::<Vec<_>>());
         let of_surface = |surface: &Surface| surface.iter().flat_map(scatter).collect::<Vec<_>>();
         let brick_scatter = (0..mesh.brick_count())
@@ -106,7 +90,6 @@ impl Setup {
         let membrane_scatter = membranes.map(|m| of_surface(&m.surface)).collect();
         let pressure = problem.pressure.as_ref();
         let pressure_scatter = pressure.map_or_else(Vec::new, |p| of_surface(&p.surface));
-        let superelement_scatter = scatter(shared);
         let symbolic = Symbolic::new(pattern, equations.interior)?;
         Ok(Self {
             equations,
@@ -116,7 +99,6 @@ impl Setup {
             brick_scatter,
             membrane_scatter,
             pressure_scatter,
-            superelement_scatter,
             border_faces,
         })
     }

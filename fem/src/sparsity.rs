@@ -18,41 +18,30 @@ pub struct Equations {
 }
 
 impl Equations {
-    /// Numbers the free displacements by nested dissection, then those of the `shared` nodes, all of which are coupled, last
-    /// those that `border` marks.
+    /// Numbers the free displacements by nested dissection, last those that `border` marks.
     pub fn new(
         mesh: &Mesh,
         layout: &[[f64; 3]],
         supports: &[[Option<f64>; 3]],
-        shared: &[u32],
         border: &[[bool; 3]],
     ) -> Self {
         let mut of_node = vec![[NONE; 3]; mesh.nodes.len()];
         let order = nested_dissection(mesh, layout);
-        let mut is_shared = vec![false; mesh.nodes.len()];
-        for &node in shared {
-            is_shared[node as usize] = true;
-        }
-        let group = |node: usize, axis: usize| match (border[node][axis], is_shared[node]) {
-            (true, _) => Group::Border,
-            (false, true) => Group::Shared,
-            (false, false) => Group::Own,
-        };
         let mut count = 0;
-        let mut number = |wanted: Group| {
+        let mut number = |in_border: bool| {
             for &node in &order {
+                let node = node as usize;
                 for axis in 0..3 {
-                    let held = supports[node as usize][axis].is_some();
-                    if !held && group(node as usize, axis) == wanted {
-                        of_node[node as usize][axis] = count;
+                    let held = supports[node][axis].is_some();
+                    if !held && border[node][axis] == in_border {
+                        of_node[node][axis] = count;
                         count += 1;
                     }
                 }
             }
             count as usize
         };
-        number(Group::Own);
-        let (interior, count) = (number(Group::Shared), number(Group::Border));
+        let (interior, count) = (number(false), number(true));
         Self {
             of_node,
             count,
@@ -66,14 +55,6 @@ impl Equations {
     }
 }
 
-/// Equations in the order in which they are numbered.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Group {
-    Own,
-    Shared,
-    Border,
-}
-
 /// Upper triangle of a symmetric sparse matrix by columns, rows ascending.
 #[derive(Debug)]
 pub struct Pattern {
@@ -84,9 +65,9 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// Pattern in which all unknowns of a brick are coupled, and all of the `shared` nodes.
-    pub fn new(mesh: &Mesh, shared: &[u32], equations: &Equations) -> Self {
-        let neighbours = node_neighbours(mesh, shared);
+    /// Pattern in which all unknowns of a brick are coupled.
+    pub fn new(mesh: &Mesh, equations: &Equations) -> Self {
+        let neighbours = node_neighbours(mesh);
         let mut column_starts = vec![0; equations.count + 1];
         let mut columns: Vec<Vec<u32>> = vec![Vec::new(); equations.count];
         for (node, neighbours) in neighbours.iter().enumerate() {
@@ -144,15 +125,12 @@ impl Pattern {
 }
 
 /// Nodes that share a brick with each node, itself included, or are `shared` with it, ascending.
-fn node_neighbours(mesh: &Mesh, shared: &[u32]) -> Vec<Vec<u32>> {
+fn node_neighbours(mesh: &Mesh) -> Vec<Vec<u32>> {
     let mut neighbours: Vec<Vec<u32>> = vec![Vec::new(); mesh.nodes.len()];
     for element in 0..mesh.brick_count() {
         for &node in mesh.brick(element) {
             neighbours[node as usize].extend_from_slice(mesh.brick(element));
         }
-    }
-    for &node in shared {
-        neighbours[node as usize].extend_from_slice(shared);
     }
     for list in &mut neighbours {
         list.sort_unstable();

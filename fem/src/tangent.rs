@@ -61,26 +61,6 @@ impl Tangent {
         }
     }
 
-    /// Schur complement of the border, without contact.
-    pub(crate) fn schur(&self) -> &Mat<f64> {
-        &self.schur
-    }
-
-    /// Eliminates the interior from a right-hand side, whose border then belongs to the Schur complement.
-    pub(crate) fn eliminate(&self, rhs: &mut [f64], workspace: &mut Workspace) {
-        self.factor.eliminate(rhs, workspace);
-    }
-
-    /// Completes what [`Tangent::eliminate`] left once its border holds the increments there.
-    pub(crate) fn complete(&self, solution: &mut [f64], workspace: &mut Workspace) {
-        self.factor.complete(solution, workspace);
-    }
-
-    /// Signs of the interior's pivots.
-    pub(crate) fn interior_inertia(&self) -> Inertia {
-        self.factor.interior_inertia()
-    }
-
     /// Puts a spring as stiff as the body's mean diagonal on each unknown of the border; returns its stiffness.
     fn add_springs(&self, entries: &mut Entries) -> f64 {
         let starts = &self.setup.symbolic.pattern().column_starts;

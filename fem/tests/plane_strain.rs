@@ -51,7 +51,6 @@ fn problem(block: Block, compliance: f64) -> Problem {
         pressure: None,
         contact: None,
         dead_forces: vec![],
-        superelement: None,
     }
 }
 

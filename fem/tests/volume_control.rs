@@ -57,7 +57,6 @@ fn octant(n: usize, radial: usize, material: MooneyRivlin) -> Problem {
         pressure: Some(PressureSurface::new(surface)),
         contact: None,
         dead_forces: vec![],
-        superelement: None,
         mesh,
     }
 }

@@ -44,7 +44,6 @@ pub(crate) fn free(mesh: Mesh, layout: Vec<[f64; 3]>, solid: SolidModel) -> Prob
         pressure: None,
         contact: None,
         dead_forces: vec![],
-        superelement: None,
     }
 }
 

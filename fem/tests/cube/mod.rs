@@ -67,6 +67,5 @@ pub fn problem(order: Order, n: usize, distorted: bool, compliance: f64) -> Prob
         pressure: None,
         contact: None,
         dead_forces: vec![],
-        superelement: None,
     }
 }
