@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release -p fem-client --example convergence`, three minutes and 4 GB.
 
-use fem::element::Order;
-use fem::surface::Recovery;
+use fem::cell::element::Order;
+use fem::surface::chart::Recovery;
 use fem_client::embedded::EmbeddedSolver;
 use fem_client::solver::Solved;
 use fem_client::tire::TireModel;

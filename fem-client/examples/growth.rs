@@ -3,8 +3,8 @@
 //!
 //! `cargo run --release -p fem-client --example growth`, seven minutes and 4 GB.
 
-use fem::element::Order;
-use fem::newton::NewtonSettings;
+use fem::cell::element::Order;
+use fem::newton::iteration::NewtonSettings;
 use fem_client::embedded::EmbeddedSolver;
 use fem_client::solver::Cost;
 use fem_client::tire_mesh::MeshPlan;

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p fem-client --example variants`, a minute or two.
 
-use fem::newton::NewtonSettings;
+use fem::newton::iteration::NewtonSettings;
 use fem_client::embedded::EmbeddedSolver;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Solved, StartState};

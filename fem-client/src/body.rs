@@ -1,6 +1,6 @@
 //! The whole solved tire, for pictures.
 
-use fem::element::Order;
+use fem::cell::element::Order;
 use fem::problem::State;
 use fem::solid::{MeanStress, SolidGeometry};
 use fem::tensor::{Tensor, Vector};

@@ -21,7 +21,7 @@ mod results;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use fem::element::Order;
+use fem::cell::element::Order;
 
 use self::case::Case;
 use self::program::Program;

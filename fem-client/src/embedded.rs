@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use fem::newton::{Effort, Newton, NewtonSettings};
-use fem::path::PathReport;
+use fem::newton::iteration::{Effort, Newton, NewtonSettings};
+use fem::newton::path::PathReport;
 use fem::problem::{Loads, State};
 use sha2::{Digest, Sha256};
 

@@ -2,8 +2,8 @@
 
 use std::sync::atomic::Ordering;
 
-use fem::newton::Cause;
-use fem::path::{PathFailure, PathReport, Stability};
+use fem::newton::iteration::Cause;
+use fem::newton::path::{PathFailure, PathReport, Stability};
 use fem::problem::{Loads, State};
 
 use crate::scene::Scene;

@@ -3,11 +3,11 @@
 //! The pressure is raised in large steps. Where they fail the volume takes over, which has an equilibrium beyond a limit
 //! point too, and tells a limit point, buckling and endless growth apart.
 
-use fem::newton::{Cause, NewtonSettings, NotConverged};
-use fem::path::Stability;
+use fem::linear::setup::SetupError;
+use fem::newton::iteration::{Cause, NewtonSettings, NotConverged};
+use fem::newton::path::Stability;
+use fem::newton::volume_control::{Ending, Inflated, VolumeControl};
 use fem::problem::{Loads, State};
-use fem::setup::SetupError;
-use fem::volume_control::{Ending, Inflated, VolumeControl};
 
 use crate::failure::{cause_text, crushed, no_equilibrium};
 use crate::session::Session;

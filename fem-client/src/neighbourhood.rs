@@ -8,10 +8,10 @@ use std::cmp::Ordering;
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use fem::newton::Newton;
-use fem::path::PathReport;
+use fem::newton::iteration::Newton;
+use fem::newton::path::PathReport;
+use fem::newton::tangent::Tangent;
 use fem::problem::{Loads, State};
-use fem::tangent::Tangent;
 use sha2::{Digest, Sha256};
 
 use crate::hexadecimal::hexadecimal;

@@ -1,7 +1,7 @@
 //! The tire pressed on the ground, from its inflated state or from a neighbouring equilibrium.
 
-use fem::newton::NewtonSettings;
-use fem::path::{PathReport, Stability};
+use fem::newton::iteration::NewtonSettings;
+use fem::newton::path::{PathReport, Stability};
 use fem::problem::{Loads, State};
 
 use crate::failure::{pressing_failure, self_contact};

@@ -5,9 +5,9 @@
 //! recovered one is more accurate, so that it is on the safe side on quadratic elements. An error that comes from far away,
 //! such as the stiffness of coarse linear elements, changes both alike and isn't seen: `tests/strain_error.rs` measures it.
 
-use fem::mesh::SurfacePoint;
-use fem::stretch::Stretch;
-use fem::surface::Recovery;
+use fem::cell::mesh::SurfacePoint;
+use fem::surface::chart::Recovery;
+use fem::surface::stretch::Stretch;
 
 /// Stretches of the equilibrium and of the inflated state.
 #[derive(Debug, Clone, Copy)]

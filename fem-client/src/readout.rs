@@ -1,9 +1,9 @@
 //! Strains of an equilibrium, read off the inner surface.
 
-use fem::membrane::Membrane;
 use fem::problem::{Loads, State};
-use fem::surface::Recovery;
-use fem::surface_law::{InPlane, SurfaceLaw};
+use fem::surface::chart::Recovery;
+use fem::surface::membrane::Membrane;
+use fem::surface::surface_law::{InPlane, SurfaceLaw};
 use fem::tensor::Vector;
 
 use crate::gauge::{Gauge, GaugeError, GaugeReading};

@@ -2,8 +2,8 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::newton::Newton;
-use fem::path::{PathFailure, PathReport, Stability, follow};
+use fem::newton::iteration::Newton;
+use fem::newton::path::{PathFailure, PathReport, Stability, follow};
 use fem::problem::{Loads, State};
 
 use crate::scene::Scene;

@@ -1,16 +1,16 @@
 //! A scene as a boundary value problem: what is modelled, and what is left out.
 
-use fem::contact::{ContactSurface, Penalty};
-use fem::element::Order;
-use fem::friction::Friction;
-use fem::membrane::Membrane;
-use fem::mesh::Mesh;
-use fem::obstacle::{self, HeightField};
-use fem::pressure::PressureSurface;
+use fem::cell::element::Order;
+use fem::cell::mesh::Mesh;
+use fem::load::contact::{ContactSurface, Penalty};
+use fem::load::friction::Friction;
+use fem::load::obstacle::{self, HeightField};
+use fem::load::pressure::PressureSurface;
 use fem::problem::{Problem, State};
 use fem::solid::SolidModel;
-use fem::surface::Chart;
-use fem::surface_law::{FibreFamily, Film, SurfaceLaw};
+use fem::surface::chart::Chart;
+use fem::surface::membrane::Membrane;
+use fem::surface::surface_law::{FibreFamily, Film, SurfaceLaw};
 use fem::tensor::Vector;
 
 use crate::omission::omissions;

@@ -5,8 +5,8 @@
 //! y >= 0 only, because ground and loads are constant across the wheel; a quarter mesh keeps x >= 0 too. Bricks run
 //! along (phi, theta, rho), which is right-handed; brick numbers run fastest along rho, then phi, then theta.
 
-use fem::element::Order;
-use fem::mesh::Mesh;
+use fem::cell::element::Order;
+use fem::cell::mesh::Mesh;
 
 use crate::grid_lines::{graded, half_circle, layers};
 

@@ -80,7 +80,7 @@ impl TireGrid {
 
 #[cfg(test)]
 mod tests {
-    use fem::element::Order;
+    use fem::cell::element::Order;
 
     use super::*;
     use crate::tire_mesh::{MeshPlan, TireShape};

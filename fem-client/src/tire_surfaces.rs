@@ -1,7 +1,7 @@
 //! Surfaces of a tire mesh: inner surface, carcass and tread, and the points of the inner surface by their angles.
 
-use fem::membrane::Window;
-use fem::mesh::{Surface, SurfacePoint};
+use fem::cell::mesh::{Surface, SurfacePoint};
+use fem::surface::membrane::Window;
 
 use crate::grid_lines::locate;
 use crate::tire_mesh::{Extent, TireGrid};
@@ -131,8 +131,8 @@ fn wrapped(theta: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use fem::element::Order;
-    use fem::membrane::Membrane;
+    use fem::cell::element::Order;
+    use fem::surface::membrane::Membrane;
 
     use super::*;
     use crate::tire_mesh::tests::{SHAPE, plan};
@@ -173,7 +173,7 @@ mod tests {
                 (4.0, 0.1),
             ] {
                 let point = grid.inner_point(theta, phi);
-                let (values, _) = fem::element::face_shape(grid.order, point.local);
+                let (values, _) = fem::cell::element::face_shape(grid.order, point.local);
                 let nodes = surface.face(point.face);
                 let at = [0, 1, 2].map(|i| {
                     nodes

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-use fem::element::Order;
+use fem::cell::element::Order;
 use fem_client::calculix::CalculixSolver;
 use fem_client::embedded::EmbeddedSolver;
 use fem_client::scene::{Carcass, Geometry, Law, Level, Scene};

@@ -5,9 +5,9 @@ mod independent;
 
 use std::sync::atomic::AtomicBool;
 
-use fem::element::Order;
-use fem::surface::Recovery;
-use fem::volume_control::{Inflated, VolumeControl};
+use fem::cell::element::Order;
+use fem::newton::volume_control::{Inflated, VolumeControl};
+use fem::surface::chart::Recovery;
 use fem_client::tire_mesh::{Extent, MeshPlan};
 
 use independent::tire::Press;

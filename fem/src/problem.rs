@@ -1,11 +1,11 @@
 //! A boundary value problem, its loads and its state.
 
-use crate::contact::ContactSurface;
-use crate::membrane::Membrane;
-use crate::mesh::Mesh;
-use crate::obstacle::HeightField;
-use crate::pressure::PressureSurface;
+use crate::cell::mesh::Mesh;
+use crate::load::contact::ContactSurface;
+use crate::load::obstacle::HeightField;
+use crate::load::pressure::PressureSurface;
 use crate::solid::SolidModel;
+use crate::surface::membrane::Membrane;
 use crate::tensor::Vector;
 
 /// What is solved: a body, how it is held, and where it can be loaded.

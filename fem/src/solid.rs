@@ -18,10 +18,10 @@ mod stress;
 
 pub use self::stress::MeanStress;
 
-use crate::element::{Order, brick_gradients, brick_points, pressure_modes};
+use crate::cell::element::{Order, brick_gradients, brick_points, pressure_modes};
+use crate::cell::mesh::Mesh;
 use crate::material::Isochoric;
-use crate::mesh::Mesh;
-use crate::stretch::StretchRange;
+use crate::surface::stretch::StretchRange;
 use crate::tensor::{Tensor, cofactor, cofactor_derivative, determinant};
 
 /// Ratio of the step's bulk modulus to the shear modulus for (nearly) incompressible solids. A Newton step then leaves

@@ -5,13 +5,13 @@ mod cube;
 use std::sync::atomic::AtomicBool;
 
 use cube::problem;
-use fem::contact::{ContactSurface, Penalty};
-use fem::element::Order;
-use fem::friction::Friction;
-use fem::mesh::Surface;
-use fem::newton::Newton;
-use fem::obstacle::{HeightField, StationFunctions};
-use fem::path::{Stability, follow};
+use fem::cell::element::Order;
+use fem::cell::mesh::Surface;
+use fem::load::contact::{ContactSurface, Penalty};
+use fem::load::friction::Friction;
+use fem::load::obstacle::{HeightField, StationFunctions};
+use fem::newton::iteration::Newton;
+use fem::newton::path::{Stability, follow};
 use fem::problem::{Loads, Problem, State};
 use fem::tensor::Vector;
 

@@ -2,15 +2,15 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::block::Block;
-use fem::contact::{ContactSurface, Penalty};
-use fem::element::Order;
+use fem::cell::block::Block;
+use fem::cell::element::Order;
+use fem::cell::mesh::Surface;
+use fem::load::contact::{ContactSurface, Penalty};
+use fem::load::obstacle::{HeightField, StationFunctions};
+use fem::load::pressure::PressureSurface;
 use fem::material::MooneyRivlin;
-use fem::mesh::Surface;
-use fem::newton::Newton;
-use fem::obstacle::{HeightField, StationFunctions};
-use fem::path::{Stability, follow};
-use fem::pressure::PressureSurface;
+use fem::newton::iteration::Newton;
+use fem::newton::path::{Stability, follow};
 use fem::problem::{Loads, Problem, State};
 use fem::solid::SolidModel;
 use fem::tensor::Vector;

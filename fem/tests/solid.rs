@@ -5,12 +5,12 @@ mod cube;
 use std::sync::atomic::AtomicBool;
 
 use cube::problem;
-use fem::element::Order;
+use fem::cell::element::Order;
+use fem::cell::mesh::Surface;
+use fem::load::pressure::PressureSurface;
 use fem::material::MooneyRivlin;
-use fem::mesh::Surface;
-use fem::newton::Newton;
-use fem::path::{Stability, follow};
-use fem::pressure::PressureSurface;
+use fem::newton::iteration::Newton;
+use fem::newton::path::{Stability, follow};
 use fem::problem::{Loads, Problem, State};
 use fem::tensor::Vector;
 

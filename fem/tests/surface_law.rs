@@ -1,6 +1,6 @@
 //! The contract of every surface law: a new law is a line in `laws`.
 
-use fem::surface_law::{FibreFamily, Film, InPlane, SurfaceLaw};
+use fem::surface::surface_law::{FibreFamily, Film, InPlane, SurfaceLaw};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 

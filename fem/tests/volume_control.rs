@@ -2,15 +2,15 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::block::{Block, join};
-use fem::element::Order;
+use fem::cell::block::{Block, join};
+use fem::cell::element::Order;
+use fem::cell::mesh::Surface;
+use fem::load::pressure::PressureSurface;
 use fem::material::MooneyRivlin;
-use fem::mesh::Surface;
-use fem::pressure::PressureSurface;
+use fem::newton::volume_control::{Ending, VolumeControl};
 use fem::problem::Problem;
 use fem::solid::SolidModel;
 use fem::tensor::{Vector, norm};
-use fem::volume_control::{Ending, VolumeControl};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 const RATIO: f64 = 2.0;

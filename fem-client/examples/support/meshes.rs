@@ -1,6 +1,6 @@
 //! Families of ever finer meshes of the reference tire.
 
-use fem::element::Order;
+use fem::cell::element::Order;
 use fem_client::tire_mesh::MeshPlan;
 
 /// Both element families with their names.

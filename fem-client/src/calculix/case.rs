@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::obstacle::HeightField;
+use fem::load::obstacle::HeightField;
 use fem::problem::{Loads, State};
 use fem::solid::SolidGeometry;
 

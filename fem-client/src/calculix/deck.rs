@@ -7,8 +7,8 @@
 use std::collections::HashMap;
 use std::fmt::Write;
 
-use fem::element::Order;
-use fem::mesh::{Mesh, Surface};
+use fem::cell::element::Order;
+use fem::cell::mesh::{Mesh, Surface};
 use fem::problem::Problem;
 
 use super::ground::RigidGround;

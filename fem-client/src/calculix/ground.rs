@@ -1,6 +1,6 @@
 //! The rigid ground as a strip of bricks whose nodes are all held.
 
-use fem::obstacle::HeightField;
+use fem::load::obstacle::HeightField;
 
 /// Facets between neighbouring stations of an uneven ground.
 const FACETS_PER_STATION: f64 = 8.0;
@@ -69,9 +69,9 @@ fn lines(field: &HeightField, half_width: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use fem::element::Order;
-    use fem::mesh::Mesh;
-    use fem::obstacle::StationFunctions;
+    use fem::cell::element::Order;
+    use fem::cell::mesh::Mesh;
+    use fem::load::obstacle::StationFunctions;
     use fem::solid::SolidGeometry;
 
     fn field(depths: &[f64]) -> HeightField {

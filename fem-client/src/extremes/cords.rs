@@ -4,7 +4,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::volume_control::LIMIT_TOLERANCE;
+use fem::newton::volume_control::LIMIT_TOLERANCE;
 
 use super::draft::{Bench, REACTION_NOISE, STRAIN_NOISE, reference};
 use super::trend::{Limit, Point, rises};

@@ -2,8 +2,8 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::block::Block;
-use fem::element::Order;
+use fem::cell::block::Block;
+use fem::cell::element::Order;
 use fem::tensor::{Tensor, Vector, norm};
 
 use crate::verify::body::{PLANE, RUBBER, SPACE, free_block, load, rubber};

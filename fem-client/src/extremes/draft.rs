@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::newton::NewtonSettings;
+use fem::newton::iteration::NewtonSettings;
 
 use crate::embedded::EmbeddedSolver;
 use crate::scene::{Level, Scene};

@@ -13,9 +13,9 @@
 use std::f64::consts::PI;
 use std::sync::atomic::AtomicBool;
 
-use fem::contact::Penalty;
-use fem::element::Order;
-use fem::newton::Newton;
+use fem::cell::element::Order;
+use fem::load::contact::Penalty;
+use fem::newton::iteration::Newton;
 use fem::problem::{Loads, State};
 
 use super::draft::reference;

@@ -29,7 +29,7 @@ fn scene(compliance: f64) -> Scene {
 fn volume_noise(scene: &Scene) -> Result<f64, Unsolved> {
     let plan = mesh_plan(scene, scene.model.level);
     let mesh = TireModel::new(scene, &plan, Extent::Quarter).problem.mesh;
-    let geometry = SolidGeometry::new(&mesh).map_err(fem::setup::SetupError::from)?;
+    let geometry = SolidGeometry::new(&mesh).map_err(fem::linear::setup::SetupError::from)?;
     let volumes: Vec<f64> = (0..mesh.brick_count())
         .map(|e| geometry.volume(e))
         .collect();

@@ -5,7 +5,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::element::Order;
+use fem::cell::element::Order;
 
 use super::draft::{Bench, Refusal, reference};
 use crate::scene::{Law, Scene};

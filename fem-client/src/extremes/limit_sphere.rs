@@ -2,10 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::newton::Newton;
-use fem::path::{Stability, follow};
+use fem::newton::iteration::Newton;
+use fem::newton::path::{Stability, follow};
+use fem::newton::volume_control::{Ending, Inflated, LIMIT_TOLERANCE, VolumeControl};
 use fem::problem::{Loads, Problem};
-use fem::volume_control::{Ending, Inflated, LIMIT_TOLERANCE, VolumeControl};
 
 use crate::verify::convergence::Refinement;
 use crate::verify::sphere::{MESHES, NEO_HOOKEAN, RATIO, SLOPE, exact, octant, reference};

@@ -13,8 +13,8 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::element::Order;
-use fem::newton::Newton;
+use fem::cell::element::Order;
+use fem::newton::iteration::Newton;
 use fem::problem::{Loads, State};
 use fem::tensor::norm;
 

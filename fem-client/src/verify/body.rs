@@ -2,16 +2,16 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::block::Block;
-use fem::element::Order;
+use fem::cell::block::Block;
+use fem::cell::element::Order;
+use fem::cell::mesh::Mesh;
 use fem::material::MooneyRivlin;
-use fem::mesh::Mesh;
-use fem::newton::Newton;
-use fem::path::{Stability, follow};
+use fem::newton::iteration::Newton;
+use fem::newton::path::{Stability, follow};
+use fem::newton::volume_control::{Inflated, VolumeControl};
 use fem::problem::{Loads, Problem, State};
 use fem::solid::SolidModel;
 use fem::tensor::{Tensor, Vector};
-use fem::volume_control::{Inflated, VolumeControl};
 
 use super::Unsolved;
 

@@ -3,11 +3,11 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::block::Block;
-use fem::element::Order;
+use fem::cell::block::Block;
+use fem::cell::element::Order;
+use fem::load::traction::nodal_forces;
 use fem::material::MooneyRivlin;
 use fem::problem::{Loads, Problem};
-use fem::traction::nodal_forces;
 
 use super::body::{free_block, load, rubber};
 use super::{Case, Unsolved};

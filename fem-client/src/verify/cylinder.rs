@@ -2,11 +2,11 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::block::Block;
-use fem::element::Order;
-use fem::pressure::PressureSurface;
+use fem::cell::block::Block;
+use fem::cell::element::Order;
+use fem::load::pressure::PressureSurface;
+use fem::newton::volume_control::VolumeControl;
 use fem::problem::Problem;
-use fem::volume_control::VolumeControl;
 
 use super::body::{
     PLANE, RUBBER, SHEAR_MODULUS, free_block, hold_coordinate_planes, inflate, quarter_circle,

@@ -2,11 +2,11 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::block::Block;
-use fem::element::Order;
-use fem::mesh::Surface;
-use fem::newton::Newton;
-use fem::pressure::PressureSurface;
+use fem::cell::block::Block;
+use fem::cell::element::Order;
+use fem::cell::mesh::Surface;
+use fem::load::pressure::PressureSurface;
+use fem::newton::iteration::Newton;
 use fem::problem::{Loads, Problem, State};
 use fem::tensor::{Tensor, Vector, multiply, norm, transpose};
 

@@ -14,8 +14,8 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::newton::Cause;
-use fem::setup::SetupError;
+use fem::linear::setup::SetupError;
+use fem::newton::iteration::Cause;
 use serde::Serialize;
 
 use crate::solver::SolveError;

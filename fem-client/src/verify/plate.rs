@@ -2,10 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::contact::{ContactSurface, Penalty};
-use fem::mesh::Surface;
-use fem::newton::Newton;
-use fem::obstacle::{HeightField, StationFunctions};
+use fem::cell::mesh::Surface;
+use fem::load::contact::{ContactSurface, Penalty};
+use fem::load::obstacle::{HeightField, StationFunctions};
+use fem::newton::iteration::Newton;
 use fem::problem::{Loads, Problem, State};
 use fem::tensor::Vector;
 

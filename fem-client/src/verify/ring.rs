@@ -2,8 +2,8 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::block::Block;
-use fem::element::Order;
+use fem::cell::block::Block;
+use fem::cell::element::Order;
 use fem::problem::Problem;
 
 use super::body::{

@@ -2,14 +2,14 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::block::{Block, join};
-use fem::element::Order;
+use fem::cell::block::{Block, join};
+use fem::cell::element::Order;
+use fem::cell::mesh::Surface;
+use fem::load::pressure::PressureSurface;
 use fem::material::MooneyRivlin;
-use fem::mesh::Surface;
-use fem::pressure::PressureSurface;
+use fem::newton::volume_control::{Ending, Inflated, VolumeControl};
 use fem::problem::Problem;
 use fem::tensor::{Vector, norm};
-use fem::volume_control::{Ending, Inflated, VolumeControl};
 
 use super::body::{RUBBER, free, hold_coordinate_planes, inflate, rubber};
 use super::convergence::Refinement;

@@ -3,8 +3,8 @@
 //! With the extension s = lambda - 1 and half the width w the tension is k (c s + (1 - c) r(s)): c the ratio of the stiffness in
 //! compression to that in tension, r = (s + w)^2 / (4 w) between -w and w, 0 below and s above.
 
-use fem::membrane::Membrane;
-use fem::surface_law::{FibreFamily, InPlane, SurfaceLaw};
+use fem::surface::membrane::Membrane;
+use fem::surface::surface_law::{FibreFamily, InPlane, SurfaceLaw};
 use fem::tensor::Vector;
 use fem_client::scene::Carcass;
 use fem_client::tire::{TireModel, cord_families};

@@ -1,6 +1,6 @@
 //! Extremes over a whole pressed tire, as the other code prints them.
 
-use fem::element::{brick_points, face_rule, face_shape};
+use fem::cell::element::{brick_points, face_rule, face_shape};
 use fem::problem::State;
 use fem::tensor::determinant;
 use fem_client::scene::Scene;

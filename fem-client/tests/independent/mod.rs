@@ -6,7 +6,7 @@
 // Each target that includes this module uses a part of it.
 #![allow(dead_code)]
 
-use fem::element::Order;
+use fem::cell::element::Order;
 use fem_client::scene::Scene;
 use fem_client::tire_mesh::{Extent, MeshPlan};
 

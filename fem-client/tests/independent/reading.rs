@@ -4,10 +4,10 @@
 //!
 //! Its description says nothing of this, we found it by trying: see `docs/independent.md`.
 
-use fem::element::{Order, brick_gradients};
-use fem::mesh::SurfacePoint;
+use fem::cell::element::{Order, brick_gradients};
+use fem::cell::mesh::SurfacePoint;
 use fem::problem::{Problem, State};
-use fem::surface::Recovery;
+use fem::surface::chart::Recovery;
 use fem::tensor::{Tensor, cofactor, determinant, multiply, transpose};
 use fem_client::tire::TireModel;
 use fem_client::tire_mesh::MeshPlan;

@@ -1,6 +1,6 @@
 //! The other code's sensitivity studies, on its half meshes.
 
-use fem::element::Order;
+use fem::cell::element::Order;
 use fem_client::scene::{Scene, StationFunctions};
 use fem_client::tire_mesh::{Extent, MeshPlan};
 use gsa::design::Design;

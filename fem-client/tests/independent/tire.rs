@@ -5,8 +5,8 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::newton::Newton;
-use fem::path::{Stability, follow};
+use fem::newton::iteration::Newton;
+use fem::newton::path::{Stability, follow};
 use fem::problem::{Loads, State};
 use fem_client::scene::Scene;
 use fem_client::tire::{TireModel, ground};

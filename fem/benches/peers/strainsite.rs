@@ -8,12 +8,12 @@ use std::process::ExitCode;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use fem::element::Order;
-use fem::mesh::SurfacePoint;
-use fem::newton::Newton;
-use fem::path::{Stability, follow};
+use fem::cell::element::Order;
+use fem::cell::mesh::SurfacePoint;
+use fem::newton::iteration::Newton;
+use fem::newton::path::{Stability, follow};
 use fem::problem::{Loads, State};
-use fem::surface::Recovery;
+use fem::surface::chart::Recovery;
 use fem_client::calculix::deck::Deck;
 use fem_client::calculix::ground::RigidGround;
 use fem_client::scene::{Geometry, Material, Scene};

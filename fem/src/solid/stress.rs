@@ -56,9 +56,9 @@ impl SolidGeometry {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::Order;
+    use crate::cell::element::Order;
+    use crate::cell::mesh::Mesh;
     use crate::material::NeoHookean;
-    use crate::mesh::Mesh;
 
     /// A unit cube stretched by l along x and by l^(-1/2) across: sigma_x - sigma_y = mu (l^2 - 1/l), which is the von Mises stress too.
     #[test]

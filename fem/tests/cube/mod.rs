@@ -1,8 +1,8 @@
 //! A cube of bricks, for problems with exact answers.
 
-use fem::element::Order;
+use fem::cell::element::Order;
+use fem::cell::mesh::Mesh;
 use fem::material::MooneyRivlin;
-use fem::mesh::Mesh;
 use fem::problem::Problem;
 use fem::solid::SolidModel;
 

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use crate::element::Order;
+use crate::cell::element::Order;
+use crate::linear::setup::Setup;
+use crate::linear::sparsity::NONE;
+use crate::linear::system::{Entries, Imbalance, Residuals};
 use crate::problem::{Loads, Problem, State};
-use crate::setup::Setup;
 use crate::solid::{SolidContribution, SolidGeometry};
-use crate::sparsity::NONE;
-use crate::stretch::StretchRange;
-use crate::system::{Entries, Imbalance, Residuals};
+use crate::surface::stretch::StretchRange;
 use crate::tensor::Vector;
 
 /// Share of the body's natural force below which forces count as round-off: a body that nothing loads is in balance

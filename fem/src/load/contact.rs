@@ -7,10 +7,10 @@
 
 use std::collections::HashSet;
 
-use crate::element::{FacePoint, face_points};
-use crate::friction::{Friction, Traction};
-use crate::mesh::{Mesh, Surface};
-use crate::obstacle::HeightField;
+use crate::cell::element::{FacePoint, face_points};
+use crate::cell::mesh::{Mesh, Surface};
+use crate::load::friction::{Friction, Traction};
+use crate::load::obstacle::HeightField;
 use crate::tensor::{Vector, cross, norm};
 
 mod penalty;
@@ -272,8 +272,8 @@ fn add_outer(b: &[f64], block: &[[f64; 3]; 3], stiffness: &mut [f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::Order;
-    use crate::obstacle::StationFunctions;
+    use crate::cell::element::Order;
+    use crate::load::obstacle::StationFunctions;
 
     fn patch() -> (Vec<Vector>, ContactSurface) {
         let order = Order::Quadratic;

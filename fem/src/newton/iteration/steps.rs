@@ -1,10 +1,10 @@
 //! Newton's iteration step by step, for methods that add equations of their own.
 
 use super::{Cause, Newton};
-use crate::linear::Inertia;
+use crate::linear::factor::Inertia;
+use crate::linear::sparsity::Equations;
+use crate::linear::system::Imbalance;
 use crate::problem::{Loads, State};
-use crate::sparsity::Equations;
-use crate::system::Imbalance;
 
 impl Newton<'_> {
     /// Prescribes the held displacements at this factor: the first step from `state` makes them.

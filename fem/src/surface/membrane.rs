@@ -7,9 +7,9 @@
 //!
 //! > f_a = S_AB N_a,A x_B,   K_ab = N_a,A N_b,B (D_(AC)(BD) x_C x x_D + S_AB 1).
 
-use crate::element::{FacePoint, face_point, face_rule};
-use crate::mesh::{Mesh, Surface};
-use crate::surface_law::{InPlane, SurfaceLaw};
+use crate::cell::element::{FacePoint, face_point, face_rule};
+use crate::cell::mesh::{Mesh, Surface};
+use crate::surface::surface_law::{InPlane, SurfaceLaw};
 use crate::tensor::{Tensor, Vector, cross, dot, norm};
 
 /// First axis of the layers as a function of reference position and unit normal; its tangential part is taken.
@@ -248,8 +248,8 @@ fn add_stiffness(gradients: &[[f64; 2]], blocks: &[[Tensor; 2]; 2], stiffness: &
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::Order;
-    use crate::surface_law::{FibreFamily, Film};
+    use crate::cell::element::Order;
+    use crate::surface::surface_law::{FibreFamily, Film};
 
     const PVDF: Film = Film {
         modulus: 2500.0,

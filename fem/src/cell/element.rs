@@ -6,7 +6,7 @@
 //! lies in the plane (x, z) and its lateral displacements, along y, must be held. The lateral stretch is then exactly one,
 //! and forces are per unit thickness.
 
-use crate::quadrature;
+use crate::cell::quadrature;
 use crate::tensor::Vector;
 
 /// Polynomial order of the displacements, in space or in the plane.

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::element::Order;
-use crate::mesh::{Mesh, Surface};
+use crate::cell::element::Order;
+use crate::cell::mesh::{Mesh, Surface};
 use crate::tensor::Vector;
 
 /// A mapped cube of `cells[0]` x `cells[1]` x `cells[2]` bricks.
@@ -148,7 +148,7 @@ fn grid(counts: [usize; 3]) -> impl Iterator<Item = [usize; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pressure::PressureSurface;
+    use crate::load::pressure::PressureSurface;
     use crate::solid::SolidGeometry;
 
     #[test]

@@ -3,8 +3,8 @@
 use std::ops::AddAssign;
 use std::time::Duration;
 
-use crate::linear::LinearError;
-use crate::system::Imbalance;
+use crate::linear::factor::LinearError;
+use crate::linear::system::Imbalance;
 
 /// When to stop.
 #[derive(Debug, Clone, Copy, PartialEq)]

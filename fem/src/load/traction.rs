@@ -1,7 +1,7 @@
 //! Dead tractions: forces per reference area that keep their direction as the body moves.
 
-use crate::element::face_points;
-use crate::mesh::{Mesh, Surface};
+use crate::cell::element::face_points;
+use crate::cell::mesh::{Mesh, Surface};
 use crate::tensor::{Vector, cross, norm};
 
 /// Consistent nodal forces of a uniform traction (MPa) on a surface: the integral of N_a t over the reference area, N.
@@ -27,7 +27,7 @@ pub fn nodal_forces(mesh: &Mesh, surface: &Surface, traction: Vector) -> Vec<(u3
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::Order;
+    use crate::cell::element::Order;
 
     #[test]
     fn a_line_of_order_two_takes_a_sixth_and_two_thirds() {

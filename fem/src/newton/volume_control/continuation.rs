@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use super::{Inflated, VolumeControl};
-use crate::newton::{Cause, NotConverged};
+use crate::newton::iteration::{Cause, NotConverged};
 
 /// Largest growth of the volume from one equilibrium to the next.
 const GROWTH: f64 = 0.2;

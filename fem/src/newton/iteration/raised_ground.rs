@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::newton::{Cause, Newton};
+use crate::linear::setup::{SetupError, contact_faces};
+use crate::newton::iteration::{Cause, Newton};
 use crate::problem::{Loads, State};
-use crate::setup::{SetupError, contact_faces};
 
 impl Newton<'_> {
     /// Takes back a step that touched the ground outside the focus, and brings that into focus.

@@ -1,6 +1,6 @@
 //! Equilibrium under given loads by Newton's method with a tangent that is kept while it serves.
 //!
-//! Each step solves a factorised tangent of the body for the displacements - contact in full, see [`crate::tangent`] - and
+//! Each step solves a factorised tangent of the body for the displacements - contact in full, see [`crate::newton::tangent`] - and
 //! recovers the pressures element by element. A tangent is renewed when, at the rate seen, the steps that it would still
 //! need cost more than a new one. A step that would turn an element inside out is halved. The iteration ends when the
 //! out-of-balance forces and the volume residuals, both relative to the problem's own, are below the tolerance; every
@@ -10,19 +10,19 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use crate::acceleration::Acceleration;
-use crate::assembly::Assembler;
-use crate::focus::Focus;
-use crate::linear::{Inertia, Workspace};
+use crate::linear::assembly::Assembler;
+use crate::linear::factor::{Inertia, Workspace};
+use crate::linear::setup::{Setup, SetupError};
+use crate::linear::sparsity::NONE;
+use crate::linear::system::{Entries, Imbalance, Residuals};
+use crate::newton::acceleration::Acceleration;
+use crate::newton::focus::Focus;
+use crate::newton::tangent::Tangent;
 use crate::problem::{Loads, Problem, State};
-use crate::setup::{Setup, SetupError};
-use crate::sparsity::NONE;
-use crate::stretch::StretchRange;
-use crate::system::{Entries, Imbalance, Residuals};
-use crate::tangent::Tangent;
+use crate::surface::stretch::StretchRange;
 use crate::tensor::Vector;
 
-mod ground;
+mod raised_ground;
 mod report;
 mod steps;
 

@@ -19,8 +19,8 @@ use faer::sparse::linalg::cholesky::{
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 
-use crate::sparsity::Pattern;
-use crate::substitution;
+use crate::linear::sparsity::Pattern;
+use crate::linear::substitution;
 
 /// Entries that are rounded before their memory is given back: 8 MB.
 const ROUNDED_AT_ONCE: usize = 1 << 20;

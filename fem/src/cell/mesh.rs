@@ -1,6 +1,6 @@
 //! Nodes, bricks and surfaces.
 
-use crate::element::Order;
+use crate::cell::element::Order;
 use crate::tensor::Vector;
 
 /// A mesh of bricks of one order.

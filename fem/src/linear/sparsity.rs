@@ -1,7 +1,7 @@
 //! Equation numbers and the pattern of the tangent.
 
-use crate::mesh::Mesh;
-use crate::ordering::nested_dissection;
+use crate::cell::mesh::Mesh;
+use crate::linear::ordering::nested_dissection;
 
 /// Marks a held displacement in [`Equations`], and an absent entry in a scatter list.
 pub const NONE: u32 = u32::MAX;

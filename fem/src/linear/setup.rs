@@ -3,12 +3,12 @@
 
 use std::sync::Arc;
 
-use crate::linear::{LinearError, Symbolic};
-use crate::membrane::Membrane;
-use crate::mesh::Surface;
+use crate::cell::mesh::Surface;
+use crate::linear::factor::{LinearError, Symbolic};
+use crate::linear::sparsity::{Equations, NONE, Pattern};
 use crate::problem::{Loads, Problem, State};
 use crate::solid::{InvalidReference, SolidGeometry};
-use crate::sparsity::{Equations, NONE, Pattern};
+use crate::surface::membrane::Membrane;
 
 /// Setting up a problem failed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]

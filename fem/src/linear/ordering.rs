@@ -4,7 +4,7 @@
 //! the separator and come last (A. George, SIAM J. Numer. Anal. 10 (1973) 345). On a regular chart each separator is one
 //! layer of nodes.
 
-use crate::mesh::Mesh;
+use crate::cell::mesh::Mesh;
 
 /// Parts of no more bricks than this are not dissected further.
 const LEAF_BRICKS: usize = 4;
@@ -125,7 +125,7 @@ impl Dissection<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::Order;
+    use crate::cell::element::Order;
 
     #[test]
     fn every_node_is_ordered_once() {

@@ -1,6 +1,6 @@
 //! Polynomials fitted to samples around a corner of a surface mesh.
 
-use crate::element::Order;
+use crate::cell::element::Order;
 
 /// Samples of a patch: position relative to its corner, and (s1, s2, shear) there.
 pub type Sample = ([f64; 2], [f64; 3]);

@@ -2,10 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use crate::linear::Inertia;
-use crate::newton::{Cause, Converged, Newton, NotConverged};
+use crate::linear::factor::Inertia;
+use crate::linear::system::Imbalance;
+use crate::newton::iteration::{Cause, Converged, Newton, NotConverged};
 use crate::problem::{Loads, State};
-use crate::system::Imbalance;
 
 /// Newton iterations after which a path that fails again goes on in the smallest steps: each step needs some ten.
 const MANY_ITERATIONS: usize = 160;

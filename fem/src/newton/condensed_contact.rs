@@ -12,12 +12,12 @@
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Col, ColRef, Mat, Side};
 
-use crate::contact::ContactSurface;
-use crate::focus::Focus;
-use crate::linear::Inertia;
-use crate::obstacle::HeightField;
+use crate::linear::factor::Inertia;
+use crate::linear::setup::Setup;
+use crate::load::contact::ContactSurface;
+use crate::load::obstacle::HeightField;
+use crate::newton::focus::Focus;
 use crate::problem::{Problem, State};
-use crate::setup::Setup;
 use crate::tensor::Vector;
 
 /// Newton steps on the border; opening and closing settles in ten or less.

@@ -7,11 +7,11 @@
 //! Meth. Engng 33 (1992) 1331); within a face the polynomials of its corners are blended bilinearly. Faces beyond a
 //! symmetry line take part as mirror images.
 
-use crate::element::{Order, face_rule, face_shape};
-use crate::mesh::{Mesh, Surface, SurfacePoint};
-use crate::patch::{Patch, Sample};
-use crate::quadrature;
-use crate::stretch::Stretch;
+use crate::cell::element::{Order, face_rule, face_shape};
+use crate::cell::mesh::{Mesh, Surface, SurfacePoint};
+use crate::cell::quadrature;
+use crate::surface::patch::{Patch, Sample};
+use crate::surface::stretch::Stretch;
 use crate::tensor::{Vector, dot, norm};
 
 /// A surface with coordinates on it.

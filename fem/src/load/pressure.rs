@@ -5,8 +5,8 @@
 //! plane the load has the potential -p V, so the assembled tangent is symmetric. A face alone is not: its skew part,
 //! which cancels against its neighbours', is left out here.
 
-use crate::element::{FacePoint, face_points};
-use crate::mesh::Surface;
+use crate::cell::element::{FacePoint, face_points};
+use crate::cell::mesh::Surface;
 use crate::tensor::{Vector, cross};
 
 /// A surface under pressure, oriented so that x,1 x x,2 points where the pressure pushes.
@@ -105,7 +105,7 @@ fn add_symmetric_tangent(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::Order;
+    use crate::cell::element::Order;
 
     /// Six faces of a cube, outward: the resultant vanishes and the enclosed volume is exact; the assembled tangent of
     /// the closed surface is the exact derivative, although each face's skew part was left out.

@@ -8,13 +8,13 @@ use std::sync::Arc;
 
 use faer::Mat;
 
-use crate::condensed_contact::{CondensedContact, inertia, solve_free};
-use crate::focus::Focus;
-use crate::linear::{Factor, Inertia, LinearError, Workspace};
-use crate::obstacle::HeightField;
+use crate::linear::factor::{Factor, Inertia, LinearError, Workspace};
+use crate::linear::setup::Setup;
+use crate::linear::system::Entries;
+use crate::load::obstacle::HeightField;
+use crate::newton::condensed_contact::{CondensedContact, inertia, solve_free};
+use crate::newton::focus::Focus;
 use crate::problem::{Problem, State};
-use crate::setup::Setup;
-use crate::system::Entries;
 
 /// Tangent of everything but contact at one state, factorised.
 #[derive(Debug)]

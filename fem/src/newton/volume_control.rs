@@ -14,20 +14,20 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::linear::Inertia;
-use crate::newton::{Cause, Effort, Newton, NotConverged, is_lost};
-use crate::pressure::PressureSurface;
+use crate::linear::factor::Inertia;
+use crate::linear::setup::SetupError;
+use crate::linear::sparsity::NONE;
+use crate::linear::system::Imbalance;
+use crate::load::pressure::PressureSurface;
+use crate::newton::iteration::{Cause, Effort, Newton, NotConverged, is_lost};
 use crate::problem::{Loads, Problem, State};
-use crate::setup::SetupError;
-use crate::sparsity::NONE;
-use crate::system::Imbalance;
 
 /// Newton iterations of one equilibrium; those that are found take six to ten.
 const MOST_ITERATIONS: usize = 20;
 
-mod path;
+mod continuation;
 
-pub use path::{Ending, LIMIT_TOLERANCE};
+pub use continuation::{Ending, LIMIT_TOLERANCE};
 
 /// An equilibrium of the inflated body.
 #[derive(Debug, Clone, PartialEq)]

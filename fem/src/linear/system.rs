@@ -1,7 +1,7 @@
 //! The residuals and the tangent entries into which elements are summed.
 
-use crate::setup::Setup;
-use crate::sparsity::{Equations, NONE};
+use crate::linear::setup::Setup;
+use crate::linear::sparsity::{Equations, NONE};
 use crate::tensor::Vector;
 
 /// Residuals at one state, in buffers that are reused.

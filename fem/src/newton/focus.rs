@@ -6,8 +6,8 @@
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Col, Mat, Side};
 
+use crate::linear::setup::Setup;
 use crate::problem::Problem;
-use crate::setup::Setup;
 
 /// The focused part of a border.
 #[derive(Debug)]
