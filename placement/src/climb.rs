@@ -8,7 +8,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use fem_client::scene::Level;
-use fem_client::tire::mesh_plan;
 use gsa::method::Kind;
 
 use crate::directions::Directions;
@@ -224,7 +223,11 @@ impl<'c> Climber<'c> {
         let Some(deadline) = self.deadline else {
             return true;
         };
-        let cells = |level| mesh_plan(&self.study.scene, level).cells() as f64;
+        let mut scene = self.study.scene.clone();
+        let mut cells = |level| {
+            scene.model.level = level;
+            self.means.solver.cells(&scene) as f64
+        };
         let size = (cells(to.level) / cells(from.level)).powf(GROWTH);
         let adapting = if from.kind == to.kind {
             1.0

@@ -3,8 +3,8 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use fem_client::fault::{Fault, entry};
-use fem_client::fields::{Fields, Range, alternatives, number, shown};
+use fem_client::document::fault::{Fault, entry};
+use fem_client::document::fields::{Fields, Range, alternatives, number, shown};
 use gsa::distribution::{Distribution, DistributionError, KINDS, Kind, Parameter};
 use serde_json::Value;
 

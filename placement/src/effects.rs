@@ -4,8 +4,8 @@
 //! level are within a tenth of the standard's on the reference tire. The draft's aren't: friction has 3.5 times its true effect
 //! there, so that a draft states none.
 
-use fem_client::omission::Omission;
 use fem_client::scene::{Level, Scene};
+use fem_client::solver::Omission;
 use fem_client::solver::{Choice, Response};
 
 use crate::archive::Outcome;

@@ -229,7 +229,7 @@ fn mean_s(series: &[Point], machine: &Machine) -> f64 {
 #[cfg(test)]
 mod tests {
     use fem_client::document::Format;
-    use fem_client::embedded::EmbeddedSolver;
+    use tire::embedded::EmbeddedSolver;
 
     use super::*;
     use crate::study::{Study, presets};

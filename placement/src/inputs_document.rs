@@ -3,9 +3,9 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use fem_client::document::fault::{Fault, entry};
+use fem_client::document::fields::{Fields, shown};
 use fem_client::document::{Format, parse};
-use fem_client::fault::{Fault, entry};
-use fem_client::fields::{Fields, shown};
 use gsa::distribution::Distribution;
 use gsa::method::Method;
 use serde_json::Value;

@@ -22,7 +22,6 @@
 //! - [`compare`]: studies side by side, and which differences are real
 //! - [`estimate`]: what a study will cost, before anything is solved
 //! - [`trade`]: what accuracy a second buys
-//! - [`extremes`]: studies at the ends of what their inputs can spread
 //! - [`inputs_document`], [`value_table`]: inputs and outputs of models that others run
 
 pub mod archive;
@@ -34,7 +33,6 @@ pub mod directions;
 pub mod distribution_reader;
 pub mod effects;
 pub mod estimate;
-pub mod extremes;
 pub mod fidelity;
 mod input_reader;
 pub mod inputs_document;

@@ -3,8 +3,8 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use fem_client::fault::Fault;
-use fem_client::fields::{Fields, Range};
+use fem_client::document::fault::Fault;
+use fem_client::document::fields::{Fields, Range};
 use gsa::method::{Kind, Method};
 
 /// What a document may ask of a method.

@@ -3,7 +3,7 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use fem_client::fault::Fault;
+use fem_client::document::fault::Fault;
 use fem_client::scene::{Level, Scene};
 use gsa::campaign::Campaign;
 use gsa::design::DesignError;

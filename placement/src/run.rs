@@ -7,7 +7,7 @@ mod points;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use fem_client::fault::Fault;
+use fem_client::document::fault::Fault;
 use fem_client::scene::Scene;
 use fem_client::solver::{Cost, Readout, Solver};
 use gsa::analysis::Status;

@@ -1,6 +1,6 @@
 //! Responses to indices per output: the strains at P1, P2, ... and those of the dense map, in one analysis.
 
-use fem_client::mesh_error::Coarser;
+use fem_client::solver::Coarser;
 use fem_client::solver::{Response, StrainMap};
 use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;

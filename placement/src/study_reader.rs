@@ -3,9 +3,9 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use fem_client::document::fault::{Fault, member};
+use fem_client::document::fields::{Fields, Range, alternatives, choice, shown};
 use fem_client::document::{Format, parse};
-use fem_client::fault::{Fault, member};
-use fem_client::fields::{Fields, Range, alternatives, choice, shown};
 use fem_client::scene::{Level, PRESETS, Scene};
 use gsa::method::{Kind, Method};
 use serde_json::Value;

@@ -11,9 +11,9 @@ mod wish;
 
 use std::collections::HashMap;
 
-use fem_client::fault::{Fault, member};
-use fem_client::fields::{Fields, visible};
-use fem_client::scene_edit::put_in;
+use fem_client::document::fault::{Fault, member};
+use fem_client::document::fields::{Fields, visible};
+use fem_client::scene::edit::put_in;
 use serde_json::{Map, Value, json};
 
 pub use typed::{typed_grid, typed_settings};

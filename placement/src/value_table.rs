@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use fem_client::fault::Fault;
+use fem_client::document::fault::Fault;
 use ndarray::Array2;
 
 /// Points named in one sentence.

@@ -8,15 +8,16 @@ mod support;
 use std::time::{Duration, Instant};
 
 use fem_client::closed_form::ClosedFormSolver;
-use fem_client::mesh_error::{self, Coarser};
 use fem_client::scene::{Level, Scene};
+use fem_client::solver::Coarser;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
-use fem_client::tire::mesh_plan;
 use gsa::method::Kind;
 use placement::result::{Output, RankedLocation, StudyResult};
 use placement::run::RunError;
 use placement::study::{Accuracy, Study};
 use support::{MemoryArchive, observed, shipped, text};
+use tire::mesh_error;
+use tire::model::mesh_plan;
 
 /// Strain at P3 that a mesh adds for each mm at P2 beyond 1 mm, over the square of its size.
 const OF_MESH: f64 = 0.03;

@@ -6,8 +6,8 @@ mod support;
 
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::document::Format;
-use fem_client::mesh_error::{self, Coarser};
 use fem_client::scene::{Level, Scene};
+use fem_client::solver::Coarser;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use gsa::method::{Kind, Method};
 use placement::directions::Directions;
@@ -15,6 +15,7 @@ use placement::result::{RankedLocation, StudyResult};
 use placement::study::{Accuracy, Study};
 use serde_json::{Value, json};
 use support::{MemoryArchive, observed, shipped};
+use tire::mesh_error;
 
 /// The closed form, whose y strains are linear, with x strains that bend sharply with P1's depth and err with the mesh.
 struct Awkward(ClosedFormSolver);
@@ -63,7 +64,7 @@ fn answer(study: &Study) -> StudyResult {
     result.unwrap()
 }
 
-fn read(directions: Value) -> Result<Study, Vec<fem_client::fault::Fault>> {
+fn read(directions: Value) -> Result<Study, Vec<fem_client::document::fault::Fault>> {
     let mut document: Value = serde_json::from_str(&shipped("foot-tire").canonical()).unwrap();
     document["candidates"]["directions"] = directions;
     Study::from_value(&document, &|_| Err(String::new()))

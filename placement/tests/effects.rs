@@ -3,7 +3,6 @@
 use std::sync::atomic::AtomicBool;
 
 use fem_client::document::Format;
-use fem_client::embedded::EmbeddedSolver;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, Response, SolveRequest, Solver};
 use placement::climb;
@@ -12,6 +11,7 @@ use placement::memory::MemoryArchive;
 use placement::plan::Plan;
 use placement::run::Means;
 use placement::study::Study;
+use tire::embedded::EmbeddedSolver;
 
 /// Two inputs and the cheapest method; `changes` are laid over the shipped tire.
 fn study(changes: &str) -> Study {

@@ -117,7 +117,7 @@ pub enum ExportError {
     NoShape,
     /// The map isn't one.
     #[error("the VTU file can't be made: {0}")]
-    Vtu(#[from] fem_client::vtu::VtuError),
+    Vtu(#[from] vtu::VtuError),
     /// The writer of Parquet failed.
     #[error("the Parquet file can't be made: {0}")]
     Parquet(#[from] ::parquet::errors::ParquetError),

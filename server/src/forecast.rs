@@ -58,7 +58,7 @@ pub async fn forecast(
         known = evaluations::known(&mut connection, &keys).await?;
         samples = evaluations::samples(&mut connection).await?;
     }
-    let machine = Machine::measured(solves_at_once(threads), &samples);
+    let machine = Machine::measured(solves_at_once(threads), &samples, solver.as_ref());
     Ok(estimate(&work, &known, &machine))
 }
 
@@ -100,7 +100,7 @@ pub async fn forecast_sweep(
             }
         }
         let samples = samples.as_deref().unwrap_or_default();
-        let machine = Machine::measured(solves_at_once(threads), samples);
+        let machine = Machine::measured(solves_at_once(threads), samples, solver.as_ref());
         designs.push(DesignEstimate {
             name: design.name.clone(),
             estimate: estimate(&work, &known, &machine),

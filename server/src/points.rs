@@ -1,6 +1,6 @@
 //! The points of a study as a reader sees them: inputs beside what came of them.
 
-use fem_client::scene_edit::number_in;
+use fem_client::scene::edit::number_in;
 use fem_client::solver::{LocationStrain, Reached};
 use placement::study::Input;
 use serde::{Deserialize, Serialize};

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
+use calculix::{CalculixSolver, NotInstalled};
 use clap::{Args, ValueEnum};
-use fem_client::calculix::{CalculixSolver, NotInstalled};
-use fem_client::embedded::EmbeddedSolver;
 use fem_client::solver::Solver;
+use tire::embedded::EmbeddedSolver;
 
 use crate::config::seconds;
 use crate::watched::Watched;

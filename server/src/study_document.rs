@@ -6,7 +6,7 @@
 use std::path::Path;
 
 use fem_client::document::Format;
-use fem_client::fault::Fault;
+use fem_client::document::fault::Fault;
 use placement::plan::Plan;
 use placement::study::Study;
 use placement::sweep::{changed, typed_settings};

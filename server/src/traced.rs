@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use fem_client::mesh_error::Coarser;
-use fem_client::omission::Omission;
 use fem_client::scene::Scene;
+use fem_client::solver::Coarser;
+use fem_client::solver::Omission;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use tracing::Span;
 
@@ -32,6 +32,14 @@ impl Solver for Traced {
 
     fn omissions(&self, scene: &Scene) -> Vec<Omission> {
         self.solver.omissions(scene)
+    }
+
+    fn cells(&self, scene: &Scene) -> usize {
+        self.solver.cells(scene)
+    }
+
+    fn has_time_law(&self) -> bool {
+        self.solver.has_time_law()
     }
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {

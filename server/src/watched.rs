@@ -11,9 +11,9 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use fem_client::mesh_error::Coarser;
-use fem_client::omission::Omission;
 use fem_client::scene::Scene;
+use fem_client::solver::Coarser;
+use fem_client::solver::Omission;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use placement::usage::{cpu_s, credit};
 
@@ -105,6 +105,14 @@ impl Solver for Watched {
 
     fn omissions(&self, scene: &Scene) -> Vec<Omission> {
         self.solver.omissions(scene)
+    }
+
+    fn cells(&self, scene: &Scene) -> usize {
+        self.solver.cells(scene)
+    }
+
+    fn has_time_law(&self) -> bool {
+        self.solver.has_time_law()
     }
 
     fn solve(&self, request: &SolveRequest<'_>) -> Answer {

@@ -4,8 +4,8 @@
 
 use std::sync::OnceLock;
 
+use fem_client::document::fault::{Fault, MAX_FAULTS};
 use fem_client::document::{Format, parse};
-use fem_client::fault::{Fault, MAX_FAULTS};
 use fem_client::scene::Scene;
 use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;

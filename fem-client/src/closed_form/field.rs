@@ -14,8 +14,8 @@
 
 use std::f64::consts::PI;
 
-use crate::gauge::{Gauge, GaugeReading};
 use crate::scene::{Geometry, Scene};
+use crate::solver::gauge::{Gauge, GaugeReading};
 use crate::solver::{
     Choice, Grid, Inflated, LocationStrain, MapShape, ModelSummary, Position, Response,
     ResponseError, Ring, Section, SolveRequest, StartState, StrainMap, StrainPair,

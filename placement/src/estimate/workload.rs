@@ -5,10 +5,9 @@ use std::collections::HashSet;
 
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::Solver;
-use fem_client::tire::is_symmetric;
 use gsa::method::Kind;
 
-use super::law::{How, Task, holds_for, mirror_class, tire};
+use super::law::{How, Task, mirror_class, tire};
 use crate::climb::LEVELS;
 use crate::fidelity::Fidelity;
 use crate::plan::{Plan, PlanError};
@@ -103,7 +102,7 @@ impl Workload {
                 Err(_) => break,
             };
             let mut fresh = |scenes: &[Scene]| -> Vec<Point> {
-                let mut points = points(scenes, keys);
+                let mut points = points(scenes, solver, keys);
                 points.retain(|point| known.insert(point.key.clone()));
                 points
             };
@@ -132,7 +131,7 @@ impl Workload {
         Ok(Self {
             stages,
             accuracy: study.accuracy,
-            law_holds: holds_for(solver),
+            law_holds: solver.has_time_law(),
             readings: readings(study),
         })
     }
@@ -191,12 +190,16 @@ fn effect_scenes(plan: &Plan, solver: &dyn Solver) -> Vec<Scene> {
 }
 
 /// Points that start from the first one; none of no scenes.
-fn points(scenes: &[Scene], keys: &dyn Fn(&[Scene]) -> Vec<String>) -> Vec<Point> {
+fn points(
+    scenes: &[Scene],
+    solver: &dyn Solver,
+    keys: &dyn Fn(&[Scene]) -> Vec<String>,
+) -> Vec<Point> {
     let Some(cut) = scenes.first() else {
         return Vec::new();
     };
     let keys = keys(scenes);
-    let (tire_of_cut, symmetric) = (tire(cut), is_symmetric(&cut.ground));
+    let (tire_of_cut, symmetric) = (tire(cut), cut.ground.is_symmetric());
     let mut classes = HashSet::new();
     let how = |ordinal: usize, scene: &Scene, classes: &mut HashSet<Vec<u64>>| {
         if ordinal == 0 {
@@ -216,7 +219,7 @@ fn points(scenes: &[Scene], keys: &dyn Fn(&[Scene]) -> Vec<String>) -> Vec<Point
         .enumerate()
         .map(|(ordinal, (scene, key))| Point {
             key,
-            task: Task::of(scene, how(ordinal, scene, &mut classes)),
+            task: Task::of(scene, solver, how(ordinal, scene, &mut classes)),
         })
         .collect()
 }

@@ -109,7 +109,7 @@ pub struct IndexError {
 
 impl IndexError {
     /// What quadrature and decomposition add, for comparisons on one mesh.
-    pub(crate) fn of_method(&self) -> f64 {
+    pub fn of_method(&self) -> f64 {
         self.quadrature.unwrap_or(0.0) + self.decomposition.unwrap_or(0.0)
     }
 }

@@ -6,8 +6,8 @@
 use std::collections::{HashMap, HashSet};
 
 use fem_client::document::MAX_BYTES;
-use fem_client::fault::{Fault, entry, member};
-use fem_client::fields::{Fields, shown, visible};
+use fem_client::document::fault::{Fault, entry, member};
+use fem_client::document::fields::{Fields, shown, visible};
 use serde_json::{Map, Value};
 
 use super::{MOST_DESIGNS, name};

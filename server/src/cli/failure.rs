@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use fem_client::fault::Fault;
-use fem_client::fields::visible;
+use fem_client::document::fault::Fault;
+use fem_client::document::fields::visible;
 use serde_json::{Value, json};
 
 use super::paint::{BAD, painted};

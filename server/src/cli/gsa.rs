@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use ::gsa::analysis::{Analysis, Status};
 use ::gsa::campaign::Campaign;
 use clap::{Args, Subcommand};
-use fem_client::fault::Fault;
+use fem_client::document::fault::Fault;
 use ndarray::ArrayView2;
 use placement::inputs_document::Inputs;
 use placement::value_table::{ValueTable, quoted};

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use fem_client::fault::Fault;
+use fem_client::document::fault::Fault;
 
 use super::Failure;
 use super::output::print;

@@ -4,12 +4,12 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use fem_client::body::Body;
-use fem_client::gauge::{Gauge, GaugeReading};
 use fem_client::scene::Scene;
+use fem_client::solver::gauge::{Gauge, GaugeReading};
 use fem_client::solver::{LocationStrain, Readout, SolveError, SolveRequest, Solved};
 use placement::sweep::typed_settings;
 use serde_json::{Value, json};
+use vtu::solved_body::Body;
 
 use super::Failure;
 use super::output::{JsonTarget, tell, write_whole};
@@ -263,7 +263,7 @@ mod tests {
 
     use super::*;
     use fem_client::closed_form::ClosedFormSolver;
-    use fem_client::fault::Fault;
+    use fem_client::document::fault::Fault;
     use fem_client::solver::{NoEquilibrium, Reached, Solver};
 
     #[test]

@@ -6,10 +6,10 @@ use std::time::Instant;
 
 use anstyle::Style;
 use clap::Args;
-use fem_client::extremes;
-use fem_client::verify::{self, Case, Family, Verdict};
-use placement::extremes as studies;
 use serde_json::json;
+use verify::extremes;
+use verify::extremes::studies;
+use verify::{self, Case, Family, Verdict};
 
 use super::Failure;
 use super::output::{JsonTarget, tell, warn};
@@ -208,7 +208,7 @@ fn last(case: &Case) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use fem_client::verify::Measure;
+    use verify::Measure;
 
     #[test]
     fn a_case_without_an_answer_fails_and_says_why() {

@@ -1,8 +1,8 @@
 //! A study's map as a VTU file: the inner surface at the means, with strains and indices on it.
 
-use fem_client::vtu::{CellShape, DataArray, VtuGrid};
 use placement::result::{IndexMap, MapLayer, StudyResult};
 use serde_json::{Map, Value};
+use vtu::{CellShape, DataArray, VtuGrid};
 
 use super::ExportError;
 
@@ -119,8 +119,8 @@ const READING: &str = "Points are those of the inner surface of the inflated tir
 #[cfg(test)]
 mod tests {
     use fem_client::solver::MapShape;
-    use fem_client::vtu::Values;
     use serde_json::json;
+    use vtu::Values;
 
     use super::*;
     use crate::http::examples;

@@ -3,7 +3,7 @@
 use axum::Json;
 use axum::http::{HeaderName, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use fem_client::fault::Fault;
+use fem_client::document::fault::Fault;
 use serde_json::json;
 
 use super::request_id;

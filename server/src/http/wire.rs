@@ -1,6 +1,6 @@
 //! The documents that the service answers with, and those that it takes.
 
-use fem_client::fault::Fault;
+use fem_client::document::fault::Fault;
 use placement::result::{Estimate, RankedLayout, RankedLocation};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
