@@ -1,6 +1,6 @@
 import { render } from "preact";
-import { createActions } from "./actions.ts";
-import { createStore, initialState } from "./state.ts";
+import { createActions } from "./state/actions.ts";
+import { createStore, initialState } from "./state/app-state.ts";
 import "./style.css";
 import { App } from "./views/app.tsx";
 

@@ -1,11 +1,11 @@
-import type { Actions } from "../actions.ts";
+import type { Actions } from "../state/actions.ts";
 import { formatRoute } from "../lib/route.ts";
-import type { AppState } from "../state.ts";
-import { NewStudy } from "./new-study.tsx";
-import { StudyListView } from "./study-list.tsx";
-import { StudyView } from "./study.tsx";
-import { SweepListView } from "./sweep-list.tsx";
-import { SweepView } from "./sweep.tsx";
+import type { AppState } from "../state/app-state.ts";
+import { NewStudy } from "./home/study-form.tsx";
+import { StudyListView } from "./sidebar/study-list.tsx";
+import { StudyView } from "./study/study-page.tsx";
+import { SweepListView } from "./sidebar/sweep-list.tsx";
+import { SweepView } from "./sweep/sweep-page.tsx";
 
 const HOME = formatRoute({ view: "home", preset: null });
 
