@@ -1,7 +1,8 @@
 import { render } from "preact";
 import { createActions } from "./state/actions.ts";
-import { createStore, initialState } from "./state/app-state.ts";
-import "./style.css";
+import { initialState } from "./state/app-state.ts";
+import { createStore } from "./state/store.ts";
+import "./style/all.css";
 import { App } from "./views/app.tsx";
 
 const root = document.getElementById("app");

@@ -1,4 +1,7 @@
-import type { Direction } from "../types.ts";
+/** The two directions of strain on the inner surface; the service sends them as texts. */
+
+export const DIRECTIONS = ["x", "y"] as const;
+export type Direction = (typeof DIRECTIONS)[number];
 
 /** A direction in words. */
 export function directionName(direction: Direction): string {

@@ -1,48 +1,51 @@
 /** Everything that changes the state: the reader's choices, and what the service answers. */
 
 import * as api from "../api.ts";
-import { parseDraft, withAccuracy, type Accuracy } from "../lib/document/draft.ts";
-import { formatRoute, parseRoute, studyRoute, type Route } from "../lib/route.ts";
-import { draftOf, mergeLists, newKey, type Draft, type Store } from "./app-state.ts";
-import { createFollower } from "./study-follower.ts";
-import { createSweepActions, type SweepActions } from "./sweep-actions.ts";
+import { formatRoute, parseRoute, type Route } from "../lib/route.ts";
+import { createEntryList, type EntryList } from "./entry-list.ts";
+import { createOpenStudy, type OpenStudyActions } from "./open-study.ts";
+import { createOpenSweep, type OpenSweepActions } from "./open-sweep.ts";
+import { partOf, type Store } from "./store.ts";
+import { createStudyDraft, type StudyDraftActions } from "./study-draft.ts";
+import { createSweepDraft, type SweepDraftActions } from "./sweep-draft.ts";
 
 const LIST_REFRESH_MS = 4000;
 const CLOCK_MS = 1000;
 
-export interface Actions extends SweepActions {
+/** By the part of the state that they change. */
+export interface Actions {
   start(): void;
-  go(route: Route): void;
   /** Changes what a view shows without a new entry in the browser's history. */
   adjust(route: Route): void;
-  choosePreset(name: string): void;
-  editDraft(text: string): void;
-  setAccuracy(accuracy: Accuracy): void;
-  submitDraft(): Promise<void>;
-  reloadList(): Promise<void>;
-  loadOlder(): Promise<void>;
-  reloadPresets(): Promise<void>;
-  reopen(): void;
-  cancelStudy(): Promise<void>;
+  studies: EntryList;
+  sweeps: EntryList;
+  studyDraft: StudyDraftActions;
+  sweepDraft: SweepDraftActions;
+  openStudy: OpenStudyActions;
+  openSweep: OpenSweepActions;
 }
 
 export function createActions(store: Store): Actions {
-  const follower = createFollower(store, () => void reloadList());
-  const sweeps = createSweepActions(store, go);
-  const setDraft = (change: Partial<Draft>): void =>
-    store.update((state) => ({ ...state, draft: { ...state.draft, ...change } }));
+  const studies = createEntryList(partOf(store, "studies"), api.studies);
+  const sweeps = createEntryList(partOf(store, "sweeps"), api.sweeps);
+  const studyDraft = createStudyDraft(store, (route) => go(route, studies));
+  const sweepDraft = createSweepDraft(store, (route) => go(route, sweeps));
+  const openStudy = createOpenStudy(store, () => void studies.reload());
+  const openSweep = createOpenSweep(store, () => void sweeps.reload());
+
+  /** To what was submitted; its list has a new entry. */
+  function go(route: Route, list: EntryList): void {
+    void list.reload();
+    location.hash = formatRoute(route);
+  }
 
   function showRoute(route: Route): void {
     store.update((state) => ({ ...state, route }));
-    if (route.view === "study") follower.open(route.id);
-    else follower.close();
-    if (route.view === "sweep") sweeps.openSweep(route.id);
-    else sweeps.closeSweep();
-    if (route.view === "home" && route.preset !== null && route.preset !== store.get().draft.preset) choosePreset(route.preset);
-  }
-
-  function go(route: Route): void {
-    location.hash = formatRoute(route);
+    if (route.view === "study") openStudy.open(route.id);
+    else openStudy.close();
+    if (route.view === "sweep") openSweep.open(route.id);
+    else openSweep.close();
+    if (route.view === "home") studyDraft.showPreset(route.preset);
   }
 
   function adjust(route: Route): void {
@@ -50,101 +53,21 @@ export function createActions(store: Store): Actions {
     showRoute(route);
   }
 
-  async function reloadList(): Promise<void> {
-    try {
-      const page = await api.studies(null);
-      store.update((state) => ({
-        ...state,
-        list: { status: "ready", value: state.list.status === "ready" ? mergeLists(state.list.value, page) : page },
-      }));
-    } catch (error) {
-      store.update((state) => ({ ...state, list: { status: "failed", problem: api.problemOf(error) } }));
-    }
-  }
-
-  async function loadOlder(): Promise<void> {
-    const { list } = store.get();
-    if (list.status !== "ready" || list.value.next_cursor === null) return;
-    try {
-      const older = await api.studies(list.value.next_cursor);
-      const studies = [...list.value.studies, ...older.studies];
-      store.update((state) => ({
-        ...state,
-        list: { status: "ready", value: { studies, next_cursor: older.next_cursor } },
-      }));
-    } catch (error) {
-      store.update((state) => ({ ...state, list: { status: "failed", problem: api.problemOf(error) } }));
-    }
-  }
-
-  async function reloadPresets(): Promise<void> {
-    try {
-      const value = await api.presets();
-      store.update((state) => ({ ...state, presets: { status: "ready", value } }));
-      const { route, draft } = store.get();
-      const wanted = route.view === "home" ? route.preset : null;
-      const name = wanted ?? draft.preset ?? value.studies[0]?.name;
-      if (name !== undefined && draft.text === "") choosePreset(name);
-    } catch (error) {
-      store.update((state) => ({ ...state, presets: { status: "failed", problem: api.problemOf(error) } }));
-    }
-  }
-
-  function choosePreset(name: string): void {
-    const { presets } = store.get();
-    const preset = presets.status === "ready" ? presets.value.studies.find((entry) => entry.name === name) : undefined;
-    if (preset !== undefined) store.update((state) => ({ ...state, draft: draftOf(preset.name, preset.document) }));
-  }
-
-  async function submitDraft(): Promise<void> {
-    const { draft } = store.get();
-    const parsed = parseDraft(draft.text);
-    if ("fault" in parsed) {
-      setDraft({ problem: { title: "The document can't be read.", status: 0, detail: parsed.fault.detail } });
-      return;
-    }
-    setDraft({ sending: true, problem: null });
-    try {
-      const { id } = await api.submit(parsed.document, draft.idempotencyKey);
-      setDraft({ sending: false, idempotencyKey: newKey() });
-      void reloadList();
-      go(studyRoute(id));
-    } catch (error) {
-      setDraft({ sending: false, problem: api.problemOf(error) });
-    }
-  }
-
-  async function cancelStudy(): Promise<void> {
-    const id = store.get().open?.id;
-    if (id === undefined) return;
-    try {
-      await api.cancel(id);
-      follower.refresh();
-      void reloadList();
-    } catch (error) {
-      const cancelProblem = api.problemOf(error);
-      store.update((state) => (state.open?.id === id ? { ...state, open: { ...state.open, cancelProblem } } : state));
-    }
+  function reloadLists(): void {
+    void studies.reload();
+    void sweeps.reload();
   }
 
   function start(): void {
     window.addEventListener("hashchange", () => showRoute(parseRoute(location.hash)));
-    void reloadPresets();
-    void reloadList();
-    void sweeps.reloadSweeps();
+    void studyDraft.reloadPresets();
+    reloadLists();
     showRoute(parseRoute(location.hash));
     window.setInterval(() => store.update((state) => ({ ...state, now_ms: Date.now() })), CLOCK_MS);
     window.setInterval(() => {
-      if (document.visibilityState !== "visible") return;
-      void reloadList();
-      void sweeps.reloadSweeps();
+      if (document.visibilityState === "visible") reloadLists();
     }, LIST_REFRESH_MS);
   }
 
-  const editDraft = (text: string): void => setDraft({ text, problem: null, idempotencyKey: newKey() });
-  const setAccuracy = (accuracy: Accuracy): void => editDraft(withAccuracy(store.get().draft.text, accuracy));
-  return {
-    ...sweeps, start, go, adjust, choosePreset, editDraft, setAccuracy, submitDraft, reloadList, loadOlder, reloadPresets,
-    reopen: follower.reopen, cancelStudy,
-  };
+  return { start, adjust, studies, sweeps, studyDraft, sweepDraft, openStudy, openSweep };
 }

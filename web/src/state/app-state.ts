@@ -1,29 +1,15 @@
 /** The one state of the page. Views are functions of it; actions alone change it. */
 
-import { textOf } from "../lib/document/draft.ts";
-import type { Progress } from "../lib/study/point-progress.ts";
+import type { Problem } from "../api.ts";
+import { textOf } from "../lib/document/draft-text.ts";
+import type { Page } from "../lib/pages.ts";
 import { parseRoute, type Route } from "../lib/route.ts";
-import type { Comparison, SweepDetail, SweepEstimate, SweepSummary } from "../sweep-types.ts";
-import type { Presets, Problem, StudyResult, StudySummary, Trade } from "../types.ts";
+import type { Progress } from "../lib/study/point-progress.ts";
+import type { Comparison, Presets, StudyDetail, StudyResult, StudySummary, SweepDetail, SweepEstimate, SweepSummary, Trade } from "../wire.ts";
+import type { Loadable } from "./loadable.ts";
 
-/** Something that is asked for: not here yet, here, or refused. */
-export type Loadable<T> =
-  | { status: "loading" }
-  | { status: "ready"; value: T }
-  | { status: "failed"; problem: Problem };
-
-export interface StudyList {
-  studies: StudySummary[];
-  next_cursor: string | null;
-}
-
-export interface SweepList {
-  sweeps: SweepSummary[];
-  next_cursor: string | null;
-}
-
-/** The document being written. */
-export interface Draft {
+/** The study document being written. */
+export interface StudyDraft {
   preset: string | null;
   text: string;
   sending: boolean;
@@ -38,14 +24,15 @@ export type Link = "connecting" | "live" | "polling" | "closed";
 /** The study in view. */
 export interface OpenStudy {
   id: string;
-  summary: Loadable<StudySummary>;
+  detail: Loadable<StudyDetail>;
   progress: Progress | null;
   link: Link;
   /** Null until the study is done. */
   result: Loadable<StudyResult> | null;
   /** What accuracy costs; null where nobody has measured it. */
   trade: Trade | null;
-  cancelProblem: Problem | null;
+  /** Why it couldn't be cancelled. */
+  problem: Problem | null;
 }
 
 /** What a sweep of the document being written varies. */
@@ -83,12 +70,12 @@ export interface AppState {
   route: Route;
   /** The page's clock, milliseconds since the epoch. */
   now_ms: number;
-  list: Loadable<StudyList>;
-  sweeps: Loadable<SweepList>;
+  studies: Loadable<Page<StudySummary>>;
+  sweeps: Loadable<Page<SweepSummary>>;
   presets: Loadable<Presets>;
-  draft: Draft;
+  studyDraft: StudyDraft;
   sweepDraft: SweepDraft;
-  open: OpenStudy | null;
+  openStudy: OpenStudy | null;
   openSweep: OpenSweep | null;
 }
 
@@ -96,86 +83,34 @@ export function initialState(hash: string, now_ms: number): AppState {
   return {
     route: parseRoute(hash),
     now_ms,
-    list: { status: "loading" },
+    studies: { status: "loading" },
     sweeps: { status: "loading" },
     presets: { status: "loading" },
-    draft: emptyDraft(),
+    studyDraft: emptyDraft(),
     sweepDraft: { name: "", grid: "", busy: null, problem: null, estimated: null },
-    open: null,
+    openStudy: null,
     openSweep: null,
   };
 }
 
-export function emptyDraft(): Draft {
+function emptyDraft(): StudyDraft {
   return { preset: null, text: "", sending: false, problem: null, idempotencyKey: newKey() };
 }
 
-export function draftOf(preset: string, document: unknown): Draft {
+export function draftOf(preset: string, document: unknown): StudyDraft {
   return { ...emptyDraft(), preset, text: textOf(document) };
 }
 
-export function openStudy(id: string): OpenStudy {
-  return {
-    id,
-    summary: { status: "loading" },
-    progress: null,
-    link: "connecting",
-    result: null,
-    trade: null,
-    cancelProblem: null,
-  };
+export function openedStudy(id: string): OpenStudy {
+  return { id, detail: { status: "loading" }, progress: null, link: "connecting", result: null, trade: null, problem: null };
 }
 
-export function openSweep(id: string): OpenSweep {
+export function openedSweep(id: string): OpenSweep {
   return { id, detail: { status: "loading" }, lost: false, comparison: null, problem: null };
-}
-
-/** The newer entries take the place of the older ones; what only the older list has stays behind them. */
-export function mergeLists(older: StudyList, newer: StudyList): StudyList {
-  const studies = merged(older.studies, newer.studies);
-  const next_cursor = studies.length > newer.studies.length ? older.next_cursor : newer.next_cursor;
-  return { studies, next_cursor };
-}
-
-/** The same for sweeps. */
-export function mergeSweeps(older: SweepList, newer: SweepList): SweepList {
-  const sweeps = merged(older.sweeps, newer.sweeps);
-  const next_cursor = sweeps.length > newer.sweeps.length ? older.next_cursor : newer.next_cursor;
-  return { sweeps, next_cursor };
-}
-
-function merged<T extends { id: string }>(older: T[], newer: T[]): T[] {
-  const known = new Set(newer.map((entry) => entry.id));
-  return [...newer, ...older.filter((entry) => !known.has(entry.id))];
 }
 
 /** 128 random bits in hex; `crypto.randomUUID` is missing on plain http beyond localhost. */
 export function newKey(): string {
   const values = crypto.getRandomValues(new Uint8Array(16));
   return [...values].map((value) => value.toString(16).padStart(2, "0")).join("");
-}
-
-/** A state that tells its listeners of every change. */
-export interface Store {
-  get(): AppState;
-  update(change: (state: AppState) => AppState): void;
-  subscribe(listener: () => void): () => void;
-}
-
-export function createStore(initial: AppState): Store {
-  let state = initial;
-  const listeners = new Set<() => void>();
-  return {
-    get: () => state,
-    update: (change) => {
-      const next = change(state);
-      if (next === state) return;
-      state = next;
-      listeners.forEach((listener) => listener());
-    },
-    subscribe: (listener) => {
-      listeners.add(listener);
-      return () => listeners.delete(listener);
-    },
-  };
 }

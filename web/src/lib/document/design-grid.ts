@@ -1,6 +1,6 @@
 /** The grid of a sweep as it is written: `path = value, value`, one path a line. */
 
-import type { Fault } from "../../types.ts";
+import type { Fault } from "../../wire.ts";
 import { pointerKeys, type Span } from "./json-pointer.ts";
 
 interface Value {

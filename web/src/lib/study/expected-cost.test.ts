@@ -1,10 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import type { Estimate, StudyCost } from "../../types.ts";
+import type { Estimate, Forecast, StudyCost } from "../../wire.ts";
 import { compare } from "./expected-cost.ts";
 
 const cost = { wall_s: 5.04, peak_memory_bytes: 120_000_000 } as StudyCost;
-const estimate = (wall_s: Estimate["wall_s"]): Estimate => ({ wall_s, peak_memory_bytes: 100_000_000, reasons: [] });
+const estimate = (wall_s: Forecast | null) => ({ wall_s, peak_memory_bytes: 100_000_000, reasons: [] as string[] }) as Estimate;
 
 test("what was expected stands beside what it took, with its range", () => {
   assert.deepEqual(compare(estimate({ least: 2, expected: 4.2, most: 70 }), cost), [

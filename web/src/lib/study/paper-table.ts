@@ -1,10 +1,11 @@
+import type { Direction } from "../direction.ts";
+
 /**
  * Table 2 of the paper (Sensors 2025, 25, 4026): first-order indices in percent.
  *
  * P2's two figures are read with four decimals each, as all the others have.
  */
 
-import type { Direction } from "../../types.ts";
 
 const TABLE_2: Record<string, Record<Direction, number>> = {
   P1: { x: 1.4719, y: 0.0662 },

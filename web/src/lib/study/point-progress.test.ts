@@ -1,12 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import type { StudyEvent, StudySummary } from "../../types.ts";
-import {
-  advance, elapsedSeconds, fromSummary, newtonIterations, secondsLeft, share, withSummary, type Progress,
-} from "./point-progress.ts";
+import type { StudySummary } from "../../wire.ts";
+import { advance, elapsedSeconds, fromSummary, newtonIterations, secondsLeft, share, withSummary, type Progress } from "./point-progress.ts";
+import type { StudyEvent } from "./stream-events.ts";
 
 const queued: StudySummary = {
-  id: "1", name: "n", state: "queued", points_total: 0, points_done: 0,
+  id: "1", name: "n", state: "queued", spec_sha256: "b", priority: 0, points_total: null, points_done: 0,
   created: "2026-01-01T00:00:00Z", started: null, finished: null, error: null,
 };
 const solved = (ordinal: number, done: number): StudyEvent => ({
@@ -49,6 +48,16 @@ test("a point without an equilibrium is done, and its study goes on", () => {
   const running = after([solved(1, 2), failed, solved(3, 4)]);
   assert.deepEqual([running.state, running.done, running.failures.length], ["running", 4, 1]);
   assert.equal(after([solved(1, 2), failed]).done, 3);
+});
+
+test("a plan that isn't known yet has no share and no end, and is never forgotten", () => {
+  const waiting = fromSummary(queued);
+  assert.deepEqual([waiting.total, share(waiting)], [null, 0]);
+  const solving = { ...waiting, state: "running" as const, done: 2, started_ms: 0 };
+  assert.equal(secondsLeft(solving, 4_000), null);
+  const planned = withSummary(solving, { ...queued, state: "running", points_total: 31, points_done: 2 });
+  assert.equal(planned.total, 31);
+  assert.equal(withSummary(planned, queued).total, 31);
 });
 
 test("failed points are kept in order with their causes", () => {

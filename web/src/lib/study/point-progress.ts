@@ -1,6 +1,8 @@
+import type { FailedPoint, State, StudySummary } from "../../wire.ts";
+import type { StudyEvent } from "./stream-events.ts";
+
 /** How far a study is, from the list entry and the events of its stream. Pure: time comes in as a number. */
 
-import type { FailedPoint, StudyEvent, StudyState, StudySummary } from "../../types.ts";
 
 /** One failed point as the stream told it; its inputs come with the end of the study. */
 export interface PointFailure {
@@ -10,8 +12,9 @@ export interface PointFailure {
 }
 
 export interface Progress {
-  state: StudyState;
-  total: number;
+  state: State;
+  /** Null until the plan is known. */
+  total: number | null;
   done: number;
   /** Points taken from the archive; null until the stream tells. */
   reused: number | null;
@@ -32,7 +35,7 @@ export interface Progress {
 export function fromSummary(summary: StudySummary): Progress {
   return {
     state: summary.state,
-    total: summary.points_total,
+    total: summary.points_total ?? null,
     done: summary.points_done,
     reused: null,
     newton: new Map(),
@@ -41,7 +44,7 @@ export function fromSummary(summary: StudySummary): Progress {
     analysing: false,
     started_ms: milliseconds(summary.started),
     finished_ms: milliseconds(summary.finished),
-    error: summary.error,
+    error: summary.error ?? null,
   };
 }
 
@@ -51,7 +54,7 @@ export function withSummary(progress: Progress, summary: StudySummary): Progress
   return {
     ...progress,
     state: isOver(progress.state) ? progress.state : fresh.state,
-    total: Math.max(progress.total, fresh.total),
+    total: fresh.total === null ? progress.total : Math.max(fresh.total, progress.total ?? 0),
     done: Math.max(progress.done, fresh.done),
     started_ms: fresh.started_ms ?? progress.started_ms,
     finished_ms: fresh.finished_ms ?? progress.finished_ms,
@@ -108,13 +111,13 @@ export function advance(progress: Progress, event: StudyEvent, now_ms: number): 
   }
 }
 
-export function isOver(state: StudyState): boolean {
+export function isOver(state: State): boolean {
   return state === "done" || state === "failed" || state === "cancelled";
 }
 
 /** Share of the points that are done, 0 to 1. */
-export function share(progress: Pick<Progress, "total" | "done">): number {
-  return progress.total > 0 ? Math.min(1, progress.done / progress.total) : 0;
+export function share({ total, done }: Pick<Progress, "total" | "done">): number {
+  return total === null || total <= 0 ? 0 : Math.min(1, done / total);
 }
 
 export function elapsedSeconds(progress: Progress, now_ms: number): number | null {
@@ -126,7 +129,7 @@ export function elapsedSeconds(progress: Progress, now_ms: number): number | nul
 export function secondsLeft(progress: Progress, now_ms: number): number | null {
   const elapsed = elapsedSeconds(progress, now_ms);
   const solved = progress.done - (progress.reused ?? 0);
-  if (elapsed === null || solved <= 0 || progress.state !== "running") return null;
+  if (elapsed === null || progress.total === null || solved <= 0 || progress.state !== "running") return null;
   return (elapsed / solved) * Math.max(0, progress.total - progress.done);
 }
 
@@ -148,7 +151,7 @@ function failuresOf(known: readonly PointFailure[], event: StudyEvent): readonly
 }
 
 /** A moment of the service in milliseconds since the epoch. */
-export function milliseconds(text: string | null): number | null {
-  const time = text === null ? Number.NaN : Date.parse(text);
+export function milliseconds(text: string | null | undefined): number | null {
+  const time = text == null ? Number.NaN : Date.parse(text);
   return Number.isNaN(time) ? null : time;
 }

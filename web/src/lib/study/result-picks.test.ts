@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import type { Output, RankedLocation, StudyResult } from "../../types.ts";
-import { bars, byRank, centreName, centreOutput, largest, locationNames, mdrmGap, paperGap, productFormBroken } from "./result-picks.ts";
+import type { Output, RankedLocation, StudyResult } from "../../wire.ts";
 import { paperPercent } from "./paper-table.ts";
+import { bars, byRank, centreName, centreOutput, largest, locationNames, mdrmGap, paperGap, productFormBroken, scoreOf } from "./result-picks.ts";
 
 const output = (location: string, direction: "x" | "y"): Output => ({
   location, direction, mean: 0.01, std: 0.001, first_order: [0.1, 0.8, 0.1], total: [0.1, 0.8, 0.1],
@@ -39,8 +39,8 @@ test("a broken product form is seen per direction", () => {
 });
 
 test("the largest value of a column skips what doesn't exist", () => {
-  assert.equal(largest(byRank(result), (row) => row.gsi_x_percent)?.name, "P2");
-  assert.equal(largest(byRank(result), (row) => row.gsi_y_percent), null);
+  assert.equal(largest(byRank(result), (row) => scoreOf(row, "gsi", "x"))?.name, "P2");
+  assert.equal(largest(byRank(result), (row) => scoreOf(row, "gsi", "y")), null);
 });
 
 test("the paper's table is largest at P3 in both directions and knows five locations", () => {
@@ -61,7 +61,7 @@ test("columns are compared with the paper's at the location where they differ mo
 test("M-DRM's distance from the valid column is held against the error", () => {
   // The error is 2 points; M-DRM has half of each: 40 points away at P2.
   assert.deepEqual(mdrmGap(result, "x"), { points: 40, covered: false });
-  const close = { ...result, locations: result.locations.map((row) => ({ ...row, mdrm_gsi_x_percent: row.gsi_x_percent })) };
+  const close = { ...result, locations: result.locations.map((row) => ({ ...row, mdrm_gsi_x_percent: row.gsi_x_percent ?? null })) };
   assert.deepEqual(mdrmGap(close, "x"), { points: 0, covered: true });
   assert.equal(mdrmGap(result, "y"), null);
 });

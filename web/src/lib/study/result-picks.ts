@@ -1,6 +1,7 @@
 /** Picks from a result what a view shows. The service computes and ranks; nothing here does. */
 
-import type { Direction, Output, RankedLocation, StudyResult } from "../../types.ts";
+import type { Output, RankedLocation, StudyResult } from "../../wire.ts";
+import type { Direction } from "../direction.ts";
 import { paperPercent } from "./paper-table.ts";
 
 /** One bar: an index in percent with what stands beside it. */
@@ -39,13 +40,21 @@ export function byRank(result: StudyResult): RankedLocation[] {
   return [...result.locations].sort((a, b) => a.rank - b.rank);
 }
 
+/** Scores of a location, in percent, each with a figure for either direction. */
+export type Score = "gsi" | "mean_gsi" | "own_gsi" | "mdrm_gsi";
+
+/** One figure of a location; null when it doesn't exist. */
+export function scoreOf(location: RankedLocation, score: Score, direction: Direction): number | null {
+  return location[`${score}_${direction}_percent`] ?? null;
+}
+
 /** Bars of one direction, best location first. */
 export function bars(result: StudyResult, direction: Direction): Bar[] {
   return byRank(result).map((location) => ({
     name: location.name,
-    percent: direction === "x" ? location.gsi_x_percent : location.gsi_y_percent,
-    error: (direction === "x" ? location.gsi_x_error_percent : location.gsi_y_error_percent) ?? null,
-    mdrm: direction === "x" ? location.mdrm_gsi_x_percent : location.mdrm_gsi_y_percent,
+    percent: scoreOf(location, "gsi", direction),
+    error: location[`gsi_${direction}_error_percent`] ?? null,
+    mdrm: scoreOf(location, "mdrm_gsi", direction),
   }));
 }
 
@@ -54,31 +63,12 @@ export function productFormBroken(result: StudyResult, direction: Direction): bo
   return centreOutput(result, direction)?.status === "product-form-broken";
 }
 
-/** The key of the largest value in a column, to be set in bold; null without values. */
+/** The row with the largest value of a column, which is set in bold; null without values. */
 export function largest<T>(rows: readonly T[], value: (row: T) => number | null): T | null {
   return rows.reduce<T | null>((best, row) => {
     const [candidate, record] = [value(row), best === null ? null : value(best)];
     return candidate !== null && (record === null || candidate > record) ? row : best;
   }, null);
-}
-
-/** A method's name in words. */
-export function methodName(method: string): string {
-  return method === "mdrm" ? "M-DRM (product form)" : method === "additive" ? "additive form" : method;
-}
-
-/** A status in words. */
-export function statusName(status: string): string {
-  switch (status) {
-    case "ok":
-      return "ok";
-    case "constant":
-      return "constant: no variance, so no indices";
-    case "product-form-broken":
-      return "product form broken";
-    default:
-      return status;
-  }
 }
 
 /** How far two columns lie from the paper's, largest difference over the locations, percentage points. */

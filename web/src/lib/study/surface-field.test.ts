@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import type { IndexMap } from "../../types.ts";
+import type { IndexMap } from "../../wire.ts";
 import { borders, cellAt, countStatus, fieldOf, indexOf, locationMarks, shareOf } from "./surface-field.ts";
 
 const map: IndexMap = {

@@ -1,7 +1,8 @@
 /** The unrolled inner surface as a field of cells: what one choice of direction and quantity shows. */
 
-import type { Direction, IndexMap, LocationStrain, OutputStatus } from "../../types.ts";
+import type { IndexMap, LocationStrain } from "../../wire.ts";
 import { diverging, sequential, type ColourMap } from "../colour.ts";
+import type { Direction } from "../direction.ts";
 import type { Quantity } from "../route.ts";
 
 /** One layer on the grid, rows by columns, row after row. */
@@ -10,7 +11,7 @@ export interface Field {
   phi_deg: readonly number[];
   values: readonly (number | null)[];
   errors: readonly (number | null)[];
-  status: readonly OutputStatus[];
+  status: readonly string[];
   /** Whether the values depend on the status: all but the strain at the means do. */
   judged: boolean;
   scale: Scale;
@@ -32,7 +33,7 @@ export interface Cell {
 }
 
 /** A named place on the surface. */
-export interface Mark {
+export interface PlaceMark {
   name: string;
   theta_deg: number;
   phi_deg: number;
@@ -98,14 +99,14 @@ export function borders(centres: readonly number[]): number[] {
 }
 
 /** P1, P2, ... on the crown. */
-export function locationMarks(locations: readonly LocationStrain[]): Mark[] {
+export function locationMarks(locations: readonly LocationStrain[]): PlaceMark[] {
   return locations.map(({ name, theta_deg }) => ({ name, theta_deg, phi_deg: 0 }));
 }
 
 /** The counts of cells by status. */
-export function countStatus(status: readonly OutputStatus[]): Record<OutputStatus, number> {
-  const counts: Record<OutputStatus, number> = { ok: 0, constant: 0, "product-form-broken": 0 };
-  for (const name of status) counts[name] += 1;
+export function countStatus(status: readonly string[]): Record<string, number> {
+  const counts: Record<string, number> = {};
+  for (const name of status) counts[name] = (counts[name] ?? 0) + 1;
   return counts;
 }
 

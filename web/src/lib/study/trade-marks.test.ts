@@ -1,17 +1,16 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-
-import type { Trade, TradeRung } from "../../types.ts";
+import type { Rung, Trade } from "../../wire.ts";
 import { cheapest, decades, front, LEAST_ERROR, marks } from "./trade-marks.ts";
 
-function rung(label: string, wall_s: number, change: Partial<TradeRung> = {}): TradeRung {
+function rung(label: string, wall_s: number, change: Partial<Rung> = {}): Rung {
   return {
-    label, wall_s, cpu_s: wall_s, solves: 1, error_true: 0.1, error_claimed: 0.2, covered: 1, ranking_agrees: true,
+    label, fidelity: { level: "coarse", method: "mdrm", nodes: 5, check_points: 0 }, indices: [], wall_s, cpu_s: wall_s, solves: 1, error_true: 0.1, error_claimed: 0.2, covered: 1, ranking_agrees: true,
     pareto: false, ...change,
   };
 }
 
-function trade(rungs: TradeRung[]): Trade {
+function trade(rungs: Rung[]): Trade {
   return { study: "a", spec_sha256: "b", reference: rung("best", 100), rungs };
 }
 

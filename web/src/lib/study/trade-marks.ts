@@ -1,6 +1,7 @@
+import type { Rung, Trade } from "../../wire.ts";
+
 /** What accuracy costs, as coordinates of a picture with two logarithmic axes. */
 
-import type { Trade, TradeRung } from "../../types.ts";
 
 /** Errors below this are drawn there: a logarithm has no zero. */
 export const LEAST_ERROR = 1e-5;
@@ -14,29 +15,29 @@ export function decades(values: readonly number[]): [number, number] {
 }
 
 /** A point of the plot: time in seconds, error absolute. */
-export interface Mark {
-  rung: TradeRung;
+export interface RungMark {
+  rung: Rung;
   seconds: number;
   error: number;
 }
 
 /** The marks of one kind of error, the rungs without it left out. */
-export function marks(trade: Trade, kind: "error_true" | "error_claimed"): Mark[] {
+export function marks(trade: Trade, kind: "error_true" | "error_claimed"): RungMark[] {
   return trade.rungs.flatMap((rung) => {
     const error = rung[kind];
-    return error === null ? [] : [{ rung, seconds: rung.wall_s, error: Math.max(error, LEAST_ERROR) }];
+    return error == null ? [] : [{ rung, seconds: rung.wall_s, error: Math.max(error, LEAST_ERROR) }];
   });
 }
 
 /** True errors on the Pareto front, fastest first. */
-export function front(trade: Trade): Mark[] {
+export function front(trade: Trade): RungMark[] {
   return marks(trade, "error_true")
     .filter((mark) => mark.rung.pareto)
     .sort((a, b) => a.seconds - b.seconds);
 }
 
 /** The fastest rung that ranks as the reference does; null if none does. */
-export function cheapest(trade: Trade): TradeRung | null {
+export function cheapest(trade: Trade): Rung | null {
   const agreeing = trade.rungs.filter((rung) => rung.ranking_agrees);
-  return agreeing.reduce<TradeRung | null>((best, rung) => (best === null || rung.wall_s < best.wall_s ? rung : best), null);
+  return agreeing.reduce<Rung | null>((best, rung) => (best === null || rung.wall_s < best.wall_s ? rung : best), null);
 }

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import type { ComparedIndex, ComparedLocation, ComparedStudy, Comparison } from "../../sweep-types.ts";
+import type { ComparedIndex, ComparedLocation, ComparedStudy, Comparison } from "../../wire.ts";
 import { designAxis, matrixOf, realDifferences, strips } from "./comparison-matrix.ts";
 
 const NOTHING: ComparedIndex = {

@@ -1,7 +1,7 @@
 /** Picks from a comparison what its tables and charts show. The service computes and judges; nothing here does. */
 
-import type { ComparedIndex, ComparedLocation, ComparedStudy, Comparison, Verdict } from "../../sweep-types.ts";
-import type { Direction } from "../../types.ts";
+import type { ComparedLocation, ComparedStudy, Comparison, Verdict } from "../../wire.ts";
+import type { Direction } from "../direction.ts";
 import type { Shown } from "../route.ts";
 
 /** A design with its places in the order of the columns. */
@@ -34,15 +34,11 @@ export function matrixOf(comparison: Comparison): Matrix {
     const ofStudy = cells.get(study.id);
     return ofStudy === undefined ? [] : [{ number: index + 1, study, cells: ofStudy }];
   });
-  return { locations, rows, baseline: comparison.baseline };
-}
-
-export function indexOf(cell: ComparedLocation, direction: Direction): ComparedIndex {
-  return direction === "x" ? cell.x : cell.y;
+  return { locations, rows, baseline: comparison.baseline ?? null };
 }
 
 /** A design in the chart of one location. */
-export interface Mark {
+export interface DesignMark {
   number: number;
   name: string;
   /** Percent, or percentage points of a difference. */
@@ -55,7 +51,7 @@ export interface Mark {
 /** One location over the designs; those without a figure are left out. */
 export interface Strip {
   location: string;
-  marks: Mark[];
+  marks: DesignMark[];
   /** What the vertical axis reaches from and to. */
   low: number;
   high: number;
@@ -81,20 +77,20 @@ export function strips(matrix: Matrix, direction: Direction, shown: Shown): Stri
 /** Percentage points that an axis spans at least, so that rounding doesn't look like a difference. */
 const LEAST_SPAN = 1;
 
-function markOf(row: DesignRow, column: number, direction: Direction, shown: Shown, baseline: string | null): Mark[] {
+function markOf(row: DesignRow, column: number, direction: Direction, shown: Shown, baseline: string | null): DesignMark[] {
   const cell = row.cells[column];
   if (cell == null) return [];
-  const index = indexOf(cell, direction);
-  const common = { number: row.number, name: row.study.name, verdict: index.verdict };
+  const index = cell[direction];
+  const common = { number: row.number, name: row.study.name, verdict: index.verdict ?? null };
   if (shown === "index") {
-    return index.gsi_percent === null ? [] : [{ ...common, value: index.gsi_percent, error: index.error_percent }];
+    return index.gsi_percent == null ? [] : [{ ...common, value: index.gsi_percent, error: index.error_percent ?? null }];
   }
   if (row.study.id === baseline) return [{ ...common, value: 0, error: null }];
-  if (index.difference_percent === null) return [];
-  return [{ ...common, value: index.difference_percent, error: index.difference_error_percent }];
+  if (index.difference_percent == null) return [];
+  return [{ ...common, value: index.difference_percent, error: index.difference_error_percent ?? null }];
 }
 
-function reachOf(marks: readonly Mark[]): [number, number] {
+function reachOf(marks: readonly DesignMark[]): [number, number] {
   let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (const { value, error } of marks) {
     low = Math.min(low, value - (error ?? 0));
@@ -106,7 +102,7 @@ function reachOf(marks: readonly Mark[]): [number, number] {
 /** How many differences of a direction are real, and of how many. */
 export function realDifferences(matrix: Matrix, direction: Direction): { real: number; of: number } {
   const verdicts = matrix.rows.flatMap((row) =>
-    row.cells.flatMap((cell) => (cell === null ? [] : (indexOf(cell, direction).verdict ?? []))),
+    row.cells.flatMap((cell) => (cell === null ? [] : (cell[direction].verdict ?? []))),
   );
   return { real: verdicts.filter((verdict) => verdict === "real").length, of: verdicts.length };
 }

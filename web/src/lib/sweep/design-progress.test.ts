@@ -1,7 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import type { DesignView, SweepDetail } from "../../sweep-types.ts";
-import type { StudySummary } from "../../types.ts";
+import type { DesignView, StudySummary, SweepDetail } from "../../wire.ts";
 import {
   countsText, designsOf, designsOver, designsToResume, nameSaysAll, settingsText, sweepSecondsLeft, sweepShare, variedPaths, workedSeconds,
 } from "./design-progress.ts";
@@ -10,7 +9,7 @@ const second = (seconds: number): string => new Date(1000 * seconds).toISOString
 
 function design(ordinal: number, study: Partial<StudySummary>, change: Partial<DesignView> = {}): DesignView {
   const summary: StudySummary = {
-    id: `s${ordinal}`, name: "n", state: "queued", points_total: 0, points_done: 0, created: second(0), started: null, finished: null,
+    id: `s${ordinal}`, name: "n", state: "queued", spec_sha256: "b", priority: 0, points_total: null, points_done: 0, created: second(0), started: null, finished: null,
     error: null, ...study,
   };
   return { ordinal, name: `wall_mm = ${ordinal}`, set: { "geometry.wall_mm": ordinal }, study: summary, ...change };
@@ -19,7 +18,7 @@ function design(ordinal: number, study: Partial<StudySummary>, change: Partial<D
 function sweep(designs: DesignView[], state: SweepDetail["state"] = "running"): SweepDetail {
   const counts = { queued: 0, running: 0, done: 0, failed: 0, cancelled: 0 };
   for (const { study } of designs) counts[study.state] += 1;
-  return { id: "w", name: "walls", state, counts, points_total: null, points_done: 0, created: second(0), finished: null, document: {}, designs };
+  return { id: "w", name: "walls", state, counts, priority: 0, points_total: null, points_done: 0, created: second(0), finished: null, document: {}, designs };
 }
 
 const done = (ordinal: number, from: number, to: number): DesignView =>

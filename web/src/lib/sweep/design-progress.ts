@@ -1,11 +1,10 @@
 /** How far a sweep is, and what its designs set. Pure: time comes in as a number. */
 
-import type { DesignView, Settings, SweepDetail, SweepSummary } from "../../sweep-types.ts";
-import type { StudyState } from "../../types.ts";
+import type { DesignView, State, SweepDetail, SweepSummary } from "../../wire.ts";
 import { isOver, milliseconds, share } from "../study/point-progress.ts";
 
 /** In the order in which designs go through them. */
-const STATES: readonly StudyState[] = ["queued", "running", "done", "failed", "cancelled"];
+const STATES: readonly State[] = ["queued", "running", "done", "failed", "cancelled"];
 
 export function designsOf(sweep: SweepSummary): number {
   return STATES.reduce((sum, state) => sum + sweep.counts[state], 0);
@@ -32,7 +31,7 @@ export function designsToResume(sweep: SweepSummary): number {
 function workDone(designs: readonly DesignView[]): number {
   return designs.reduce((sum, { study }) => {
     if (isOver(study.state)) return sum + 1;
-    return sum + share({ total: study.points_total, done: study.points_done });
+    return sum + share({ total: study.points_total ?? null, done: study.points_done });
   }, 0);
 }
 
@@ -87,7 +86,7 @@ export function valueText(value: unknown): string {
 }
 
 /** What a design sets, in full: `geometry.wall_mm = 2.5, carcass.angle_deg = 50`. */
-export function settingsText(set: Settings): string {
+export function settingsText(set: DesignView["set"]): string {
   return Object.entries(set)
     .map(([path, value]) => `${path} = ${valueText(value)}`)
     .join(", ");

@@ -1,6 +1,7 @@
+import type { Problem } from "../../api.ts";
 import type { Span } from "../../lib/document/json-pointer.ts";
-import type { Fault, Problem } from "../../types.ts";
-import { ProblemText } from "../shared/loaded.tsx";
+import type { Fault } from "../../wire.ts";
+import { ProblemText } from "../shared/problem-box.tsx";
 
 /** A text that faults stand in. */
 export interface Place {

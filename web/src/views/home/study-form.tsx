@@ -1,15 +1,16 @@
 import { useRef } from "preact/hooks";
-import type { Actions } from "../../state/actions.ts";
-import { ACCURACIES, accuracyOf, parseDraft, type Accuracy } from "../../lib/document/draft.ts";
+import { ACCURACIES, accuracyOf, parseDraft, type Accuracy } from "../../lib/document/draft-text.ts";
 import { locate } from "../../lib/document/json-pointer.ts";
-import type { Draft, Loadable, SweepDraft } from "../../state/app-state.ts";
-import type { Preset, Presets } from "../../types.ts";
-import { Faults, selectIn, type Place } from "./fault-list.tsx";
+import type { Actions } from "../../state/actions.ts";
+import type { StudyDraft, SweepDraft } from "../../state/app-state.ts";
+import type { Loadable } from "../../state/loadable.ts";
+import type { Preset, Presets } from "../../wire.ts";
 import { Loaded } from "../shared/loaded.tsx";
-import { NewSweep } from "./sweep-form.tsx";
+import { Faults, selectIn, type Place } from "./fault-list.tsx";
+import { SweepForm } from "./sweep-form.tsx";
 
 interface Props {
-  draft: Draft;
+  draft: StudyDraft;
   sweep: SweepDraft;
   presets: Loadable<Presets>;
   actions: Actions;
@@ -19,7 +20,7 @@ const IDLE =
   "The document is checked when it is sent. Every fault is listed here with its place, and nothing runs until there is none.";
 
 /** Picks a preset, edits its document, submits it or a sweep of it, and shows what is wrong with it. */
-export function NewStudy({ draft, sweep, presets, actions }: Props) {
+export function StudyForm({ draft, sweep, presets, actions }: Props) {
   const text = useRef<HTMLTextAreaElement>(null);
   const placeOf = (pointer: string): Place | null => {
     const span = locate(draft.text, pointer);
@@ -27,21 +28,21 @@ export function NewStudy({ draft, sweep, presets, actions }: Props) {
   };
   const submit = (event: Event): void => {
     event.preventDefault();
-    void actions.submitDraft();
+    void actions.studyDraft.submit();
   };
   return (
     <>
       <section class="panel">
         <h1>New study</h1>
         <form class="new-study" onSubmit={submit}>
-          <Loaded of={presets} what="the presets" onRetry={() => void actions.reloadPresets()}>
-            {(value) => <PresetChoice presets={value.studies} chosen={draft.preset} onChoose={actions.choosePreset} />}
+          <Loaded of={presets} what="the presets" onRetry={() => void actions.studyDraft.reloadPresets()}>
+            {(value) => <PresetChoice presets={value.studies} chosen={draft.preset} onChoose={actions.studyDraft.choosePreset} />}
           </Loaded>
           <div class="document">
             <div class="document-text">
               <div class="document-head">
                 <label for="document">Study document (JSON)</label>
-                <AccuracyChoice text={draft.text} onChoose={actions.setAccuracy} />
+                <AccuracyChoice text={draft.text} onChoose={actions.studyDraft.setAccuracy} />
               </div>
               <textarea
                 id="document"
@@ -52,7 +53,7 @@ export function NewStudy({ draft, sweep, presets, actions }: Props) {
                 value={draft.text}
                 aria-describedby="document-faults"
                 aria-invalid={draft.problem !== null}
-                onInput={(event) => actions.editDraft(event.currentTarget.value)}
+                onInput={(event) => actions.studyDraft.edit(event.currentTarget.value)}
               />
             </div>
             <div id="document-faults" class="faults" aria-live="polite">
@@ -67,7 +68,7 @@ export function NewStudy({ draft, sweep, presets, actions }: Props) {
           </div>
         </form>
       </section>
-      <NewSweep draft={sweep} text={draft.text} placeInStudy={placeOf} actions={actions} />
+      <SweepForm draft={sweep} text={draft.text} placeInStudy={placeOf} actions={actions} />
     </>
   );
 }

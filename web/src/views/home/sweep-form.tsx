@@ -1,10 +1,10 @@
 import { useRef } from "preact/hooks";
-import type { Actions } from "../../state/actions.ts";
-import { expectedTime } from "../../lib/study/expected-cost.ts";
-import { bytes, integer } from "../../lib/format.ts";
 import { designCount, locateInGrid, readGrid } from "../../lib/document/design-grid.ts";
+import { bytes, integer } from "../../lib/format.ts";
+import { expectedTime } from "../../lib/study/expected-cost.ts";
+import type { Actions } from "../../state/actions.ts";
 import type { SweepDraft } from "../../state/app-state.ts";
-import type { SweepEstimate } from "../../sweep-types.ts";
+import type { SweepEstimate } from "../../wire.ts";
 import { Facts } from "../shared/facts.tsx";
 import { Faults, selectIn, type Place } from "./fault-list.tsx";
 
@@ -20,7 +20,7 @@ interface Props {
 }
 
 /** Writes a sweep of the study above: what it varies, what it would take, what is wrong with it. */
-export function NewSweep({ draft, text, placeInStudy, actions }: Props) {
+export function SweepForm({ draft, text, placeInStudy, actions }: Props) {
   const area = useRef<HTMLTextAreaElement>(null);
   const placeOf = (pointer: string): Place | null => {
     if (pointer.startsWith(STUDY)) return placeInStudy(pointer.slice(STUDY.length));
@@ -29,7 +29,7 @@ export function NewSweep({ draft, text, placeInStudy, actions }: Props) {
   };
   const submit = (event: Event): void => {
     event.preventDefault();
-    void actions.estimateSweep();
+    void actions.sweepDraft.estimate();
   };
   return (
     <section class="panel" aria-labelledby="sweep-title">
@@ -43,7 +43,7 @@ export function NewSweep({ draft, text, placeInStudy, actions }: Props) {
               class="line"
               autocomplete="off"
               value={draft.name}
-              onInput={(event) => actions.editSweep({ name: event.currentTarget.value })}
+              onInput={(event) => actions.sweepDraft.edit({ name: event.currentTarget.value })}
             />
             <label for="grid">What varies, a path and its values in each line</label>
             <textarea
@@ -56,7 +56,7 @@ export function NewSweep({ draft, text, placeInStudy, actions }: Props) {
               value={draft.grid}
               aria-describedby="sweep-faults"
               aria-invalid={draft.problem !== null}
-              onInput={(event) => actions.editSweep({ grid: event.currentTarget.value })}
+              onInput={(event) => actions.sweepDraft.edit({ grid: event.currentTarget.value })}
             />
           </div>
           <div id="sweep-faults" class="faults" aria-live="polite">
@@ -76,7 +76,7 @@ function SweepSteps({ draft, text, actions }: { draft: SweepDraft; text: string;
       <>
         <Estimated estimate={estimated.estimate} />
         <div class="actions">
-          <button type="button" class="primary" disabled={busy !== null} onClick={() => void actions.submitSweep()}>
+          <button type="button" class="primary" disabled={busy !== null} onClick={() => void actions.sweepDraft.submit()}>
             {busy === "sending" ? "Sending …" : `Run ${estimated.estimate.designs.length} designs`}
           </button>
         </div>

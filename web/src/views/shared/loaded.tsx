@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
-import type { Loadable } from "../../state/app-state.ts";
-import type { Problem } from "../../types.ts";
+import type { Loadable } from "../../state/loadable.ts";
+import { ProblemBox } from "./problem-box.tsx";
 
 /** Shows what is here, or that it is on its way, or why it isn't and a button to ask again. */
 export function Loaded<T>(props: {
@@ -19,17 +19,10 @@ export function Loaded<T>(props: {
     );
   }
   return (
-    <div class="problem" role="alert">
-      <ProblemText problem={of.problem} />
+    <ProblemBox problem={of.problem}>
       <button type="button" onClick={onRetry}>
         Ask again
       </button>
-    </div>
+    </ProblemBox>
   );
-}
-
-/** A problem in a sentence: the detail when there is one, for the title of most is only their status in words. */
-export function ProblemText({ problem }: { problem: Problem }) {
-  const text = problem.detail == null || problem.detail === "" ? problem.title : problem.detail;
-  return <p>{text.charAt(0).toUpperCase() + text.slice(1)}</p>;
 }

@@ -1,10 +1,10 @@
 import { bytes, duration, integer, percent } from "../../lib/format.ts";
 import { compare } from "../../lib/study/expected-cost.ts";
-import type { Estimate, StudyCost } from "../../types.ts";
+import type { Estimate, StudyCost } from "../../wire.ts";
 import { Facts } from "../shared/facts.tsx";
 
 /** What the answer took, and what it was expected to take. */
-export function CostView({ cost, estimate }: { cost: StudyCost; estimate: Estimate | null }) {
+export function CostPanel({ cost, estimate }: { cost: StudyCost; estimate: Estimate | null }) {
   const facts: [string, string][] = [
     ["Points", integer(cost.solves)],
     ["Reused", integer(cost.reused)],
@@ -58,7 +58,7 @@ function Expected({ estimate, cost }: { estimate: Estimate; cost: StudyCost }) {
 function Shares({ cost }: { cost: StudyCost }) {
   const shares: [string, number, string][] = [
     ["factorisation", cost.factorisation_share, "share-a"],
-    ["substitution and contact", cost.substitution_share, "share-d"],
+    ["substitution and contact", cost.substitution_share ?? 0, "share-d"],
     ["assembly", cost.assembly_share, "share-b"],
     ["the rest", cost.other_share, "share-c"],
   ];

@@ -1,5 +1,5 @@
 import { significant } from "../../lib/format.ts";
-import type { StudyResult } from "../../types.ts";
+import type { StudyResult } from "../../wire.ts";
 
 /** Points of a finished study that have no response, with their inputs and causes. */
 export function FailedPoints({ result }: { result: StudyResult }) {

@@ -1,63 +1,54 @@
 import { useState } from "preact/hooks";
 import { css, sequential } from "../../lib/colour.ts";
 import { fixed, microstrain, percent } from "../../lib/format.ts";
-import { methodName, statusName } from "../../lib/study/result-picks.ts";
-import type { Output, StudyResult } from "../../types.ts";
+import { methodName, statusName } from "../../lib/study/output-words.ts";
+import type { Output, StudyResult } from "../../wire.ts";
+import { RadioChoice, type Option } from "../shared/radio-choice.tsx";
+import { ScrollTable } from "../shared/scroll-table.tsx";
 
 type Kind = "first_order" | "total";
 
+const KINDS: readonly Option<Kind>[] = [
+  { value: "first_order", label: "First-order" },
+  { value: "total", label: "Total" },
+];
+
 /** Every output by every input. */
-export function MatrixView({ result }: { result: StudyResult }) {
+export function MatrixPanel({ result }: { result: StudyResult }) {
   const [kind, setKind] = useState<Kind>("first_order");
   return (
     <section class="panel" aria-labelledby="matrix-title">
       <h2 id="matrix-title">All outputs by all inputs</h2>
-      <fieldset class="choice">
-        <legend class="hidden">Kind of index</legend>
-        <KindButton kind="first_order" label="First-order" chosen={kind} onChoose={setKind} />
-        <KindButton kind="total" label="Total" chosen={kind} onChoose={setKind} />
-      </fieldset>
-      <div class="scroll" tabIndex={0} role="region" aria-label="Indices of all outputs">
-        <table class="matrix" aria-label="Indices of all outputs">
-          <thead>
-            <tr>
-              <th scope="col">Strain</th>
-              {result.inputs.map((input) => (
-                <th key={input.name} scope="col" title={input.vary}>
-                  {input.name}
-                </th>
-              ))}
-              <th scope="col">Error ±</th>
-              <th scope="col">Mean µε</th>
-              <th scope="col">Std µε</th>
-              <th scope="col" class="words">
-                Method, status
+      <RadioChoice name="matrix-kind" legend="Kind of index" isLegendHidden options={KINDS} chosen={kind} onChoose={setKind} />
+      <ScrollTable name="Indices of all outputs" kind="matrix">
+        <thead>
+          <tr>
+            <th scope="col">Strain</th>
+            {result.inputs.map((input) => (
+              <th key={input.name} scope="col" title={input.vary}>
+                {input.name}
               </th>
-            </tr>
-          </thead>
-          <tbody>
-            {result.outputs.map((output) => (
-              <Rows key={output.location + output.direction} output={output} kind={kind} inputs={result.inputs.length} />
             ))}
-          </tbody>
-        </table>
-      </div>
+            <th scope="col">Error ±</th>
+            <th scope="col">Mean µε</th>
+            <th scope="col">Std µε</th>
+            <th scope="col" class="words">
+              Method, status
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {result.outputs.map((output) => (
+            <Rows key={output.location + output.direction} output={output} kind={kind} inputs={result.inputs.length} />
+          ))}
+        </tbody>
+      </ScrollTable>
       <p class="quiet">
         {kind === "first_order" ? "First-order" : "Total"} indices, percent of the output's variance. Mean and standard
         deviation of the strain in microstrain (µε, 10⁻⁶), relative to the inflated state. Error: of the first-order
         indices, percentage points.
       </p>
     </section>
-  );
-}
-
-function KindButton(props: { kind: Kind; label: string; chosen: Kind; onChoose: (kind: Kind) => void }) {
-  const { kind, label, chosen, onChoose } = props;
-  return (
-    <label>
-      <input type="radio" name="matrix-kind" checked={kind === chosen} onChange={() => onChoose(kind)} />
-      <span>{label}</span>
-    </label>
   );
 }
 
@@ -72,7 +63,7 @@ function Rows({ output, kind, inputs }: { output: Output; kind: Kind; inputs: nu
         {Array.from({ length: inputs }, (_, index) => (
           <IndexCell key={index} share={output[kind]?.[index] ?? null} />
         ))}
-        <td title={errorParts(output)}>{output.error.total === null ? "?" : percent(output.error.total)}</td>
+        <td title={errorParts(output)}>{output.error.total == null ? "?" : percent(output.error.total)}</td>
         <td>{microstrain(output.mean)}</td>
         <td>{microstrain(output.std)}</td>
         <td class="words" title={output.reason ?? undefined}>
@@ -105,7 +96,7 @@ function IndexCell({ share }: { share: number | null }) {
 }
 
 function errorParts({ error }: Output): string {
-  const part = (name: string, value: number | null): string => `${name} ${value === null ? "?" : fixed(100 * value, 2)}`;
+  const part = (name: string, value: number | null | undefined): string => `${name} ${value == null ? "?" : fixed(100 * value, 2)}`;
   const parts = [
     part("mesh", error.mesh), part("quadrature", error.quadrature), part("decomposition", error.decomposition),
   ];

@@ -1,8 +1,8 @@
 import { fixed, integer, significant } from "../../lib/format.ts";
-import type { Choice, StudyResult } from "../../types.ts";
+import type { Choice, StudyResult } from "../../wire.ts";
 
 /** What was modelled, what was left out and why, and the answer at the means. */
-export function ModelView({ result }: { result: StudyResult }) {
+export function ModelPanel({ result }: { result: StudyResult }) {
   const { model, cut_point: cut } = result;
   return (
     <section class="panel" aria-labelledby="model-title">

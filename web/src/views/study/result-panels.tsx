@@ -1,15 +1,15 @@
 import { address } from "../../api.ts";
-import type { Route } from "../../lib/route.ts";
-import type { StudyResult, Trade } from "../../types.ts";
-import { CostView } from "./cost-panel.tsx";
+import type { Route, StudyRoute } from "../../lib/route.ts";
+import type { StudyResult, Trade } from "../../wire.ts";
+import { Notes } from "../shared/notes-panel.tsx";
+import { CostPanel } from "./cost-panel.tsx";
 import { FailedPoints } from "./failed-points.tsx";
-import { LayoutsView } from "./layouts-panel.tsx";
-import { MapView } from "./map/map-panel.tsx";
-import { MatrixView } from "./matrix-panel.tsx";
-import { ModelView } from "./model-panel.tsx";
-import { Notes } from "../shared/notes.tsx";
-import { RankingView } from "./ranking/ranking-panel.tsx";
-import { TradeView } from "./trade-panel.tsx";
+import { LayoutsPanel } from "./layouts-panel.tsx";
+import { MapPanel } from "./map/map-panel.tsx";
+import { MatrixPanel } from "./matrix-panel.tsx";
+import { ModelPanel } from "./model-panel.tsx";
+import { RankingPanel } from "./ranking/ranking-panel.tsx";
+import { TradePanel } from "./trade-panel.tsx";
 
 /** Tables that the service exports. */
 const TABLES = ["indices", "locations", "layouts", "points"] as const;
@@ -17,10 +17,8 @@ const TABLES = ["indices", "locations", "layouts", "points"] as const;
 /** Formats that they are exported in. */
 const FILES = [{ format: "csv", label: "CSV" }, { format: "parquet", label: "Parquet" }] as const;
 
-type StudyRoute = Extract<Route, { view: "study" }>;
-
 /** The answer of a study, most important first. */
-export function ResultView(props: {
+export function ResultPanels(props: {
   result: StudyResult;
   trade: Trade | null;
   route: StudyRoute;
@@ -52,13 +50,13 @@ export function ResultView(props: {
       </p>
       <Notes notes={result.notes} />
       <FailedPoints result={result} />
-      <RankingView result={result} />
-      <MapView result={result} route={route} onAdjust={onAdjust} />
-      <MatrixView result={result} />
-      <LayoutsView layouts={result.layouts} />
-      <ModelView result={result} />
-      <CostView cost={result.cost} estimate={result.estimate ?? null} />
-      {trade !== null && <TradeView trade={trade} />}
+      <RankingPanel result={result} />
+      <MapPanel result={result} route={route} onAdjust={onAdjust} />
+      <MatrixPanel result={result} />
+      <LayoutsPanel layouts={result.layouts} />
+      <ModelPanel result={result} />
+      <CostPanel cost={result.cost} estimate={result.estimate ?? null} />
+      {trade !== null && <TradePanel trade={trade} />}
     </>
   );
 }

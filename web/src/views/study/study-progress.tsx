@@ -1,10 +1,8 @@
 import { duration, fixed, integer, significant } from "../../lib/format.ts";
-import {
-  elapsedSeconds, isOver, newtonIterations, secondsLeft, share, type PointFailure, type Progress,
-} from "../../lib/study/point-progress.ts";
+import { elapsedSeconds, isOver, newtonIterations, secondsLeft, share, type PointFailure, type Progress } from "../../lib/study/point-progress.ts";
 import type { Link, OpenStudy } from "../../state/app-state.ts";
 import { Facts } from "../shared/facts.tsx";
-import { ProblemText } from "../shared/loaded.tsx";
+import { ProblemBox } from "../shared/problem-box.tsx";
 
 interface Props {
   open: OpenStudy;
@@ -14,21 +12,17 @@ interface Props {
 }
 
 /** How far a study is, or where it ended. */
-export function ProgressView({ open, progress, now_ms, onCancel }: Props) {
+export function StudyProgress({ open, progress, now_ms, onCancel }: Props) {
   const over = isOver(progress.state);
   return (
     <section class="panel" aria-label="Progress">
       <Outcome progress={progress} />
       <progress class="wide" max={1} value={share(progress)} aria-label="Points solved">
-        {progress.done} of {progress.total}
+        {progress.done} of {progress.total ?? "?"}
       </progress>
       <Standing progress={progress} now_ms={now_ms} />
       <Failures failures={progress.failures} />
-      {open.cancelProblem !== null && (
-        <div class="problem" role="alert">
-          <ProblemText problem={open.cancelProblem} />
-        </div>
-      )}
+      {open.problem !== null && <ProblemBox problem={open.problem} />}
       {!over && (
         <div class="actions">
           <button type="button" onClick={onCancel}>
@@ -66,7 +60,7 @@ function Standing({ progress, now_ms }: { progress: Progress; now_ms: number }) 
   const solved = progress.newton.size;
   const iterations = newtonIterations(progress);
   const facts: [string, string][] = [
-    ["Points", `${integer(progress.done)} of ${progress.total > 0 ? integer(progress.total) : "?"}`],
+    ["Points", `${integer(progress.done)} of ${progress.total === null ? "?" : integer(progress.total)}`],
   ];
   if (progress.reused !== null) facts.push(["Reused", integer(progress.reused)]);
   facts.push(["Elapsed", duration(elapsedSeconds(progress, now_ms))]);

@@ -1,6 +1,7 @@
 import { duration, significant } from "../../lib/format.ts";
-import { cheapest, decades, front, marks, type Mark } from "../../lib/study/trade-marks.ts";
-import type { Trade, TradeRung } from "../../types.ts";
+import { cheapest, decades, front, marks, type RungMark } from "../../lib/study/trade-marks.ts";
+import type { Rung, Trade } from "../../wire.ts";
+import { ScrollTable } from "../shared/scroll-table.tsx";
 
 const WIDTH = 720;
 const HEIGHT = 300;
@@ -12,7 +13,7 @@ const FOOT = 40;
 type Scale = (value: number) => number;
 
 /** What accuracy costs, measured: time against error, and every rung of the ladder. */
-export function TradeView({ trade }: { trade: Trade }) {
+export function TradePanel({ trade }: { trade: Trade }) {
   const best = cheapest(trade);
   return (
     <section class="panel" aria-labelledby="trade-title">
@@ -65,7 +66,7 @@ function Key({ tone, text }: { tone: string; text: string }) {
   );
 }
 
-function Marks(props: { of: Mark[]; x: Scale; y: Scale; tone: string; word: string }) {
+function Marks(props: { of: RungMark[]; x: Scale; y: Scale; tone: string; word: string }) {
   return (
     <g>
       {props.of.map(({ rung, seconds, error }) => (
@@ -109,33 +110,31 @@ function Axes(props: { x: Scale; y: Scale; seconds: [number, number]; errors: [n
   );
 }
 
-function Rungs({ rungs }: { rungs: TradeRung[] }) {
+function Rungs({ rungs }: { rungs: Rung[] }) {
   return (
-    <div class="scroll" tabIndex={0} role="region" aria-label="Rungs of the trade">
-      <table aria-label="Rungs of the trade">
-        <thead>
-          <tr>
-            <th scope="col">Mesh, method, nodes</th>
-            <th scope="col">Wall time</th>
-            <th scope="col">Solves</th>
-            <th scope="col">True error</th>
-            <th scope="col">Claimed</th>
-            <th scope="col">Ranking</th>
+    <ScrollTable name="Rungs of the trade">
+      <thead>
+        <tr>
+          <th scope="col">Mesh, method, nodes</th>
+          <th scope="col">Wall time</th>
+          <th scope="col">Solves</th>
+          <th scope="col">True error</th>
+          <th scope="col">Claimed</th>
+          <th scope="col">Ranking</th>
+        </tr>
+      </thead>
+      <tbody>
+        {rungs.map((rung) => (
+          <tr key={rung.label}>
+            <th scope="row">{rung.label}</th>
+            <td>{duration(rung.wall_s)}</td>
+            <td>{rung.solves}</td>
+            <td>{significant(rung.error_true, 2)}</td>
+            <td>{significant(rung.error_claimed, 2)}</td>
+            <td>{rung.ranking_agrees ? "agrees" : "differs"}</td>
           </tr>
-        </thead>
-        <tbody>
-          {rungs.map((rung) => (
-            <tr key={rung.label}>
-              <th scope="row">{rung.label}</th>
-              <td>{duration(rung.wall_s)}</td>
-              <td>{rung.solves}</td>
-              <td>{significant(rung.error_true, 2)}</td>
-              <td>{significant(rung.error_claimed, 2)}</td>
-              <td>{rung.ranking_agrees ? "agrees" : "differs"}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </div>
+        ))}
+      </tbody>
+    </ScrollTable>
   );
 }

@@ -1,8 +1,7 @@
-import { strips, type DesignAxis, type Mark, type Matrix, type Strip } from "../../lib/sweep/comparison-matrix.ts";
+import { directionName, type Direction } from "../../lib/direction.ts";
 import { fixed, MISSING, signed, ticks } from "../../lib/format.ts";
 import type { Shown } from "../../lib/route.ts";
-import type { Direction } from "../../types.ts";
-import { directionName } from "../../lib/direction.ts";
+import { strips, type DesignAxis, type DesignMark, type Matrix, type Strip } from "../../lib/sweep/comparison-matrix.ts";
 
 const STRIP = 84;
 const GAP = 14;
@@ -99,9 +98,9 @@ function Marks({ strip, top, designs, shown }: { strip: Strip; top: number; desi
 
 type Tone = "baseline" | "real" | "noise" | "unknown";
 
-const toneOf = (mark: Mark): Tone => mark.verdict ?? "baseline";
+const toneOf = (mark: DesignMark): Tone => mark.verdict ?? "baseline";
 
-function figure(mark: Mark, shown: Shown): string {
+function figure(mark: DesignMark, shown: Shown): string {
   const text = shown === "index" ? fixed(mark.value, 2) : signed(mark.value, 2);
   const error = mark.error === null ? MISSING : fixed(mark.error, 2);
   return mark.verdict === null ? `${text} ± ${error}, the baseline` : `${text} ± ${error}, ${mark.verdict}`;

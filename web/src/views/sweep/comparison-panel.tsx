@@ -1,16 +1,17 @@
 import { useMemo } from "preact/hooks";
+import { directionName, DIRECTIONS } from "../../lib/direction.ts";
+import type { Route, Shown, SweepRoute } from "../../lib/route.ts";
 import { designAxis, matrixOf, realDifferences, type Matrix } from "../../lib/sweep/comparison-matrix.ts";
-import type { Route, Shown } from "../../lib/route.ts";
-import type { Comparison, DesignView } from "../../sweep-types.ts";
-import type { Direction } from "../../types.ts";
+import type { Comparison, DesignView } from "../../wire.ts";
+import { Notes } from "../shared/notes-panel.tsx";
+import { RadioChoice, type Option } from "../shared/radio-choice.tsx";
 import { ComparisonChart, MarkKey } from "./comparison-chart.tsx";
 import { DifferenceTable, RankTable } from "./comparison-tables.tsx";
-import { directionName } from "../../lib/direction.ts";
-import { Notes } from "../shared/notes.tsx";
 
-const DIRECTIONS: readonly Direction[] = ["x", "y"];
-
-type SweepRoute = Extract<Route, { view: "sweep" }>;
+const SHOWN: readonly Option<Shown>[] = [
+  { value: "index", label: "Index" },
+  { value: "difference", label: "Difference" },
+];
 
 interface Props {
   comparison: Comparison;
@@ -20,7 +21,7 @@ interface Props {
 }
 
 /** What differs between the designs, and which differences are real. */
-export function ComparisonView({ comparison, designs, route, onAdjust }: Props) {
+export function ComparisonPanel({ comparison, designs, route, onAdjust }: Props) {
   // The page's clock ticks every second, thousands of marks and cells needn't.
   const matrix = useMemo(() => matrixOf(comparison), [comparison]);
   const axis = useMemo(() => designAxis(designs), [designs]);
@@ -37,7 +38,14 @@ export function ComparisonView({ comparison, designs, route, onAdjust }: Props) 
           <h2 id="comparison-title">What differs</h2>
           <div class="controls">
             <BaselineChoice matrix={matrix} onChoose={(baseline) => onAdjust({ ...route, baseline })} />
-            <ShownChoice shown={route.shown} onChoose={(shown) => onAdjust({ ...route, shown })} />
+            <RadioChoice
+              name="shown"
+              legend="Charts show"
+              isLegendHidden
+              options={SHOWN}
+              chosen={route.shown}
+              onChoose={(shown) => onAdjust({ ...route, shown })}
+            />
           </div>
           <Summary matrix={matrix} />
           <div class="charts">{charts}</div>
@@ -66,25 +74,6 @@ function BaselineChoice({ matrix, onChoose }: { matrix: Matrix; onChoose: (study
         ))}
       </select>
     </label>
-  );
-}
-
-const SHOWN: readonly { value: Shown; label: string }[] = [
-  { value: "index", label: "Index" },
-  { value: "difference", label: "Difference" },
-];
-
-function ShownChoice({ shown, onChoose }: { shown: Shown; onChoose: (shown: Shown) => void }) {
-  return (
-    <fieldset class="choice">
-      <legend class="hidden">Charts show</legend>
-      {SHOWN.map(({ value, label }) => (
-        <label key={value}>
-          <input type="radio" name="shown" value={value} checked={value === shown} onChange={() => onChoose(value)} />
-          <span>{label}</span>
-        </label>
-      ))}
-    </fieldset>
   );
 }
 

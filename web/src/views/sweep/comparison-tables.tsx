@@ -1,14 +1,14 @@
 import type { ComponentChildren } from "preact";
-import { indexOf, type DesignRow, type Matrix } from "../../lib/sweep/comparison-matrix.ts";
+import { directionName, type Direction } from "../../lib/direction.ts";
 import { fixed, MISSING, signed } from "../../lib/format.ts";
 import { formatRoute, studyRoute } from "../../lib/route.ts";
-import type { ComparedIndex, ComparedLocation, Verdict } from "../../sweep-types.ts";
-import type { Direction } from "../../types.ts";
-import { directionName } from "../../lib/direction.ts";
+import type { DesignRow, Matrix } from "../../lib/sweep/comparison-matrix.ts";
+import type { ComparedIndex, ComparedLocation, Verdict } from "../../wire.ts";
+import { ScrollTable } from "../shared/scroll-table.tsx";
 
 /** Designs by locations: the index, and below it its difference from the baseline. */
 export function DifferenceTable({ matrix, direction }: { matrix: Matrix; direction: Direction }) {
-  const cell = (location: ComparedLocation): ComponentChildren => <IndexCell index={indexOf(location, direction)} />;
+  const cell = (location: ComparedLocation): ComponentChildren => <IndexCell index={location[direction]} />;
   return <ByLocation matrix={matrix} name={`Index and difference, strain ${directionName(direction)}`} cell={cell} />;
 }
 
@@ -20,28 +20,26 @@ export function RankTable({ matrix }: { matrix: Matrix }) {
 function ByLocation(props: { matrix: Matrix; name: string; cell: (location: ComparedLocation) => ComponentChildren }) {
   const { matrix, name, cell } = props;
   return (
-    <div class="scroll tall" tabIndex={0} role="region" aria-label={name}>
-      <table class="designs" aria-label={name}>
-        <thead>
-          <tr>
-            <th scope="col">#</th>
-            <th scope="col" class="words">
-              Design
+    <ScrollTable name={name} kind="designs" isTall>
+      <thead>
+        <tr>
+          <th scope="col">#</th>
+          <th scope="col" class="words">
+            Design
+          </th>
+          {matrix.locations.map((location) => (
+            <th key={location} scope="col">
+              {location}
             </th>
-            {matrix.locations.map((location) => (
-              <th key={location} scope="col">
-                {location}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {matrix.rows.map((row) => (
-            <Row key={row.study.id} row={row} isBaseline={row.study.id === matrix.baseline} cell={cell} />
           ))}
-        </tbody>
-      </table>
-    </div>
+        </tr>
+      </thead>
+      <tbody>
+        {matrix.rows.map((row) => (
+          <Row key={row.study.id} row={row} isBaseline={row.study.id === matrix.baseline} cell={cell} />
+        ))}
+      </tbody>
+    </ScrollTable>
   );
 }
 
@@ -65,7 +63,7 @@ function IndexCell({ index }: { index: ComparedIndex }) {
   return (
     <>
       {fixed(index.gsi_percent, 2)} <span class="error">± {errorText(index.error_percent)}</span>
-      {index.difference_percent !== null && (
+      {index.difference_percent != null && (
         <span class={`difference ${index.verdict ?? ""}`}>
           <Star verdict={index.verdict} />
           {signed(index.difference_percent, 2)} ± {errorText(index.difference_error_percent)}
@@ -76,12 +74,16 @@ function IndexCell({ index }: { index: ComparedIndex }) {
   );
 }
 
-function errorText(error: number | null): string {
-  return error === null ? "?" : fixed(error, 2);
+function errorText(error: number | null | undefined): string {
+  return error == null ? "?" : fixed(error, 2);
+}
+
+interface VerdictProps {
+  verdict: Verdict | null | undefined;
 }
 
 /** A mark for the eye; a word for the ear stands behind the figures. */
-function Star({ verdict }: { verdict: Verdict | null }) {
+function Star({ verdict }: VerdictProps) {
   if (verdict !== "real") return null;
   return (
     <span class="star" aria-hidden="true">
@@ -90,8 +92,8 @@ function Star({ verdict }: { verdict: Verdict | null }) {
   );
 }
 
-function Word({ verdict }: { verdict: Verdict | null }) {
-  return verdict === null ? null : <span class="hidden"> {verdict}</span>;
+function Word({ verdict }: VerdictProps) {
+  return verdict == null ? null : <span class="hidden"> {verdict}</span>;
 }
 
 function RankCell({ location }: { location: ComparedLocation }) {
@@ -99,7 +101,7 @@ function RankCell({ location }: { location: ComparedLocation }) {
   return (
     <>
       <strong>{rank}</strong> <span class="error">{rank_certain ? "certain" : "uncertain"}</span>
-      {rank_change !== null && rank_change !== 0 && (
+      {rank_change != null && rank_change !== 0 && (
         <span class={`difference ${rank_verdict ?? ""}`}>
           <Star verdict={rank_verdict} />
           {rank_change > 0 ? "↓" : "↑"}

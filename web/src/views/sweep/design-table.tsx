@@ -1,7 +1,8 @@
 import { fixed, integer, MISSING } from "../../lib/format.ts";
 import { formatRoute, studyRoute } from "../../lib/route.ts";
 import { nameSaysAll, settingsText } from "../../lib/sweep/design-progress.ts";
-import type { ComparedStudy, Comparison, DesignView } from "../../sweep-types.ts";
+import type { ComparedStudy, Comparison, DesignView } from "../../wire.ts";
+import { ScrollTable } from "../shared/scroll-table.tsx";
 import { StateBadge } from "../shared/state-badge.tsx";
 
 /** Columns that only a design with a result fills. */
@@ -11,31 +12,29 @@ const FIGURES = ["Force N", "Signal x µε", "Signal y µε", "Best", "Best layo
 export function DesignTable({ designs, comparison }: { designs: DesignView[]; comparison: Comparison | null }) {
   const compared = new Map(comparison?.studies.map((study) => [study.id, study]));
   return (
-    <div class="scroll tall" tabIndex={0} role="region" aria-label="Designs">
-      <table class="designs" aria-label="Designs">
-        <thead>
-          <tr>
-            <th scope="col">#</th>
-            <th scope="col" class="words">
-              Design
+    <ScrollTable name="Designs" kind="designs" isTall>
+      <thead>
+        <tr>
+          <th scope="col">#</th>
+          <th scope="col" class="words">
+            Design
+          </th>
+          <th scope="col" class="state">
+            State
+          </th>
+          {FIGURES.map((title) => (
+            <th key={title} scope="col">
+              {title}
             </th>
-            <th scope="col" class="state">
-              State
-            </th>
-            {FIGURES.map((title) => (
-              <th key={title} scope="col">
-                {title}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {designs.map((design) => (
-            <Row key={design.ordinal} design={design} compared={compared.get(design.study.id)} />
           ))}
-        </tbody>
-      </table>
-    </div>
+        </tr>
+      </thead>
+      <tbody>
+        {designs.map((design) => (
+          <Row key={design.ordinal} design={design} compared={compared.get(design.study.id)} />
+        ))}
+      </tbody>
+    </ScrollTable>
   );
 }
 
@@ -51,7 +50,7 @@ function Row({ design, compared }: { design: DesignView; compared: ComparedStudy
       <td class="state">
         <StateBadge state={study.state} />
       </td>
-      {study.error === null ? (
+      {study.error == null ? (
         <Figures study={compared} />
       ) : (
         <td class="words reason" colSpan={FIGURES.length}>
@@ -71,7 +70,7 @@ function Figures({ study }: { study: ComparedStudy | undefined }) {
       <td>{signal(study?.std_strain_y)}</td>
       <td>{best(study)}</td>
       <td>{layout(study)}</td>
-      <td>{integer(cost && cost.solves + cost.coarser_solves + cost.effect_solves)}</td>
+      <td>{integer(cost && cost.solves + (cost.coarser_solves ?? 0) + (cost.effect_solves ?? 0))}</td>
       <td>{integer(cost?.reused)}</td>
       <td>{fixed(cost?.wall_s, 2)}</td>
     </>
@@ -92,7 +91,7 @@ function best(study: ComparedStudy | undefined) {
 }
 
 function layout(study: ComparedStudy | undefined): string {
-  if (study?.layout_spacing_deg == null || study.layout_position === null) return MISSING;
+  if (study?.layout_spacing_deg == null || study.layout_position == null) return MISSING;
   const spacing = study.layout_spacing_deg;
   return `${fixed(spacing, Number.isInteger(spacing) ? 0 : 1)}° ${study.layout_position}`;
 }

@@ -1,17 +1,16 @@
 import { useMemo } from "preact/hooks";
-import type { Actions } from "../../state/actions.ts";
 import { comparisonAddress, comparisonExport, sweepAddress } from "../../api.ts";
-import type { Route } from "../../lib/route.ts";
+import type { SweepRoute } from "../../lib/route.ts";
 import { variedPaths } from "../../lib/sweep/design-progress.ts";
-import type { AppState, Loadable } from "../../state/app-state.ts";
-import type { Comparison, DesignView, SweepDetail } from "../../sweep-types.ts";
-import { ComparisonView } from "./comparison-panel.tsx";
-import { DesignTable } from "./design-table.tsx";
+import type { Actions } from "../../state/actions.ts";
+import type { AppState } from "../../state/app-state.ts";
+import type { Loadable } from "../../state/loadable.ts";
+import type { Comparison, DesignView, SweepDetail } from "../../wire.ts";
 import { Loaded } from "../shared/loaded.tsx";
 import { StateBadge } from "../shared/state-badge.tsx";
+import { ComparisonPanel } from "./comparison-panel.tsx";
+import { DesignTable } from "./design-table.tsx";
 import { SweepProgress } from "./sweep-progress.tsx";
-
-type SweepRoute = Extract<Route, { view: "sweep" }>;
 
 interface Props {
   state: AppState;
@@ -20,11 +19,11 @@ interface Props {
 }
 
 /** One sweep: how far it is, its designs, and what differs between them. */
-export function SweepView({ state, route, actions }: Props) {
+export function SweepPage({ state, route, actions }: Props) {
   const open = state.openSweep;
   if (open === null) return <p class="quiet">Loading the sweep …</p>;
   return (
-    <Loaded of={open.detail} what="the sweep" onRetry={actions.reopenSweep}>
+    <Loaded of={open.detail} what="the sweep" onRetry={actions.openSweep.reopen}>
       {(sweep) => (
         <article class="study">
           <header class="study-head">
@@ -41,9 +40,9 @@ export function SweepView({ state, route, actions }: Props) {
           <SweepProgress open={open} sweep={sweep} now_ms={state.now_ms} actions={actions} />
           <Designs sweep={sweep} comparison={open.comparison} />
           {open.comparison !== null && (
-            <Loaded of={open.comparison} what="the comparison" onRetry={actions.reopenSweep}>
+            <Loaded of={open.comparison} what="the comparison" onRetry={actions.openSweep.reopen}>
               {(comparison) => (
-                <ComparisonView comparison={comparison} designs={sweep.designs} route={route} onAdjust={actions.adjust} />
+                <ComparisonPanel comparison={comparison} designs={sweep.designs} route={route} onAdjust={actions.adjust} />
               )}
             </Loaded>
           )}

@@ -1,11 +1,11 @@
-import type { Actions } from "../../state/actions.ts";
 import { duration, integer } from "../../lib/format.ts";
 import { isOver } from "../../lib/study/point-progress.ts";
 import { countsText, designsOf, designsOver, designsToResume, sweepSecondsLeft, sweepShare, workedSeconds } from "../../lib/sweep/design-progress.ts";
+import type { Actions } from "../../state/actions.ts";
 import type { OpenSweep } from "../../state/app-state.ts";
-import type { SweepDetail } from "../../sweep-types.ts";
+import type { SweepDetail } from "../../wire.ts";
 import { Facts } from "../shared/facts.tsx";
-import { ProblemText } from "../shared/loaded.tsx";
+import { ProblemBox } from "../shared/problem-box.tsx";
 
 interface Props {
   open: OpenSweep;
@@ -23,11 +23,7 @@ export function SweepProgress({ open, sweep, now_ms, actions }: Props) {
         {designsOver(sweep)} of {designsOf(sweep)}
       </progress>
       <Standing sweep={sweep} now_ms={now_ms} />
-      {open.problem !== null && (
-        <div class="problem" role="alert">
-          <ProblemText problem={open.problem} />
-        </div>
-      )}
+      {open.problem !== null && <ProblemBox problem={open.problem} />}
       {isOver(sweep.state) ? <Resume sweep={sweep} actions={actions} /> : <Cancel open={open} actions={actions} />}
     </section>
   );
@@ -51,7 +47,7 @@ function outcome(sweep: SweepDetail): string {
 function Standing({ sweep, now_ms }: { sweep: SweepDetail; now_ms: number }) {
   const facts: [string, string][] = [
     ["Designs", countsText(sweep)],
-    ["Points", `${integer(sweep.points_done)} of ${sweep.points_total === null ? "?" : integer(sweep.points_total)}`],
+    ["Points", `${integer(sweep.points_done)} of ${sweep.points_total == null ? "?" : integer(sweep.points_total)}`],
     ["At work", duration(workedSeconds(sweep, now_ms))],
   ];
   if (!isOver(sweep.state)) facts.push(["Time left", duration(sweepSecondsLeft(sweep, now_ms))]);
@@ -61,7 +57,7 @@ function Standing({ sweep, now_ms }: { sweep: SweepDetail; now_ms: number }) {
 function Cancel({ open, actions }: { open: OpenSweep; actions: Actions }) {
   return (
     <div class="actions">
-      <button type="button" onClick={() => void actions.cancelSweep()}>
+      <button type="button" onClick={() => void actions.openSweep.cancel()}>
         Cancel sweep
       </button>
       <p class="quiet">
@@ -76,7 +72,7 @@ function Resume({ sweep, actions }: { sweep: SweepDetail; actions: Actions }) {
   if (count === 0) return null;
   return (
     <div class="actions">
-      <button type="button" onClick={() => void actions.resumeSweep()}>
+      <button type="button" onClick={() => void actions.openSweep.resume()}>
         Resume {count} {count === 1 ? "design" : "designs"}
       </button>
       <p class="quiet">

@@ -1,8 +1,7 @@
-import type { ComponentChildren } from "preact";
-import { QUANTITIES, type Quantity, type Route } from "../../../lib/route.ts";
-import type { Direction, StudyResult } from "../../../types.ts";
-
-type StudyRoute = Extract<Route, { view: "study" }>;
+import { DIRECTIONS } from "../../../lib/direction.ts";
+import { QUANTITIES, type Quantity, type Route, type StudyRoute } from "../../../lib/route.ts";
+import type { StudyResult } from "../../../wire.ts";
+import { RadioChoice } from "../../shared/radio-choice.tsx";
 
 const QUANTITY_NAMES: Record<Quantity, string> = {
   index: "First-order index",
@@ -23,63 +22,29 @@ export function MapControls({ result, route, inputName, onAdjust }: Props) {
   const set = (change: Partial<StudyRoute>): void => onAdjust({ ...route, ...change });
   return (
     <div class="controls">
-      <Choice legend="Direction">
-        {(["x", "y"] as Direction[]).map((direction) => (
-          <Radio
-            key={direction}
-            name="map-direction"
-            value={direction}
-            label={direction}
-            checked={route.direction === direction}
-            onChoose={() => set({ direction })}
-          />
-        ))}
-      </Choice>
-      <Choice legend="Show">
-        {QUANTITIES.map((quantity) => (
-          <Radio
-            key={quantity}
-            name="map-quantity"
-            value={quantity}
-            label={QUANTITY_NAMES[quantity]}
-            checked={route.quantity === quantity}
-            onChoose={() => set({ quantity })}
-          />
-        ))}
-      </Choice>
+      <RadioChoice
+        name="map-direction"
+        legend="Direction"
+        options={DIRECTIONS.map((direction) => ({ value: direction, label: direction }))}
+        chosen={route.direction}
+        onChoose={(direction) => set({ direction })}
+      />
+      <RadioChoice
+        name="map-quantity"
+        legend="Show"
+        options={QUANTITIES.map((quantity) => ({ value: quantity, label: QUANTITY_NAMES[quantity] }))}
+        chosen={route.quantity}
+        onChoose={(quantity) => set({ quantity })}
+      />
       {route.quantity === "index" && (
-        <Choice legend="Of the depth at">
-          {result.inputs.map(({ name }) => (
-            <Radio
-              key={name}
-              name="map-input"
-              value={name}
-              label={name}
-              checked={name === inputName}
-              onChoose={() => set({ input: name })}
-            />
-          ))}
-        </Choice>
+        <RadioChoice
+          name="map-input"
+          legend="Of the depth at"
+          options={result.inputs.map(({ name }) => ({ value: name, label: name }))}
+          chosen={inputName}
+          onChoose={(input) => set({ input })}
+        />
       )}
     </div>
-  );
-}
-
-function Choice({ legend, children }: { legend: string; children: ComponentChildren }) {
-  return (
-    <fieldset class="choice">
-      <legend>{legend}</legend>
-      {children}
-    </fieldset>
-  );
-}
-
-function Radio(props: { name: string; value: string; label: string; checked: boolean; onChoose: () => void }) {
-  const { name, value, label, checked, onChoose } = props;
-  return (
-    <label>
-      <input type="radio" name={name} value={value} checked={checked} onChange={onChoose} />
-      <span>{label}</span>
-    </label>
   );
 }

@@ -1,12 +1,12 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
-import { cellAt, MERIDIONAL_MARKS, type Cell, type Field, type Mark } from "../../../lib/study/surface-field.ts";
 import { fixed, ticks } from "../../../lib/format.ts";
+import { cellAt, MERIDIONAL_MARKS, type Cell, type Field, type PlaceMark } from "../../../lib/study/surface-field.ts";
 import { paintField } from "./map-canvas.ts";
 import { anglesAt, cellBox, frameOf, xOf, yOf, type Frame } from "./map-frame.ts";
 
 interface Props {
   field: Field;
-  marks: Mark[];
+  marks: PlaceMark[];
   title: string;
   cell: Cell | null;
   onCell: (cell: Cell | null) => void;
@@ -118,9 +118,9 @@ function Axes({ frame }: { frame: Frame }) {
 /** Room that a label needs, CSS pixels. */
 const LABEL_WIDTH = 22;
 
-function PointMarks({ marks, frame }: { marks: Mark[]; frame: Frame }) {
-  const at = (mark: Mark): number => xOf(frame, mark.theta_deg);
-  const crowded = marks.some((mark, index) => index > 0 && at(mark) - at(marks[index - 1] as Mark) < LABEL_WIDTH);
+function PointMarks({ marks, frame }: { marks: PlaceMark[]; frame: Frame }) {
+  const at = (mark: PlaceMark): number => xOf(frame, mark.theta_deg);
+  const crowded = marks.some((mark, index) => index > 0 && at(mark) - at(marks[index - 1] as PlaceMark) < LABEL_WIDTH);
   return (
     <g class="point-mark">
       {marks.map((mark, index) => (

@@ -1,28 +1,27 @@
 import { useState } from "preact/hooks";
-import { fixed, microstrain, percent } from "../../../lib/format.ts";
-import { countStatus, fieldOf, indexOf, locationMarks, type Cell, type Field } from "../../../lib/study/surface-field.ts";
-import { centreName, statusName } from "../../../lib/study/result-picks.ts";
-import type { Quantity, Route } from "../../../lib/route.ts";
-import type { StudyResult } from "../../../types.ts";
 import { directionName } from "../../../lib/direction.ts";
+import { fixed, microstrain, percent } from "../../../lib/format.ts";
+import type { Quantity, Route, StudyRoute } from "../../../lib/route.ts";
+import { statusName } from "../../../lib/study/output-words.ts";
+import { centreName } from "../../../lib/study/result-picks.ts";
+import { countStatus, fieldOf, indexOf, locationMarks, type Cell, type Field } from "../../../lib/study/surface-field.ts";
+import type { StudyResult } from "../../../wire.ts";
 import { MapControls } from "./map-controls.tsx";
 import { MapFigure } from "./map-figure.tsx";
 import { Legend } from "./map-legend.tsx";
 
-type StudyRoute = Extract<Route, { view: "study" }>;
-
 /** The unrolled inner surface of the tire. */
-export function MapView(props: { result: StudyResult; route: StudyRoute; onAdjust: (route: Route) => void }) {
+export function MapPanel(props: { result: StudyResult; route: StudyRoute; onAdjust: (route: Route) => void }) {
   const { result, route, onAdjust } = props;
   const [cell, setCell] = useState<Cell | null>(null);
   const input = inputIndex(result, route.input);
   const inputName = result.inputs[input]?.name ?? "";
-  const field = result.map === null ? null : fieldOf(result.map, route.direction, route.quantity, input);
+  const field = result.map == null ? null : fieldOf(result.map, route.direction, route.quantity, input);
   const title = titleOf(route, inputName);
   return (
     <section class="panel" aria-labelledby="map-title">
       <h2 id="map-title">Map of the inner surface</h2>
-      {result.map === null || field === null ? (
+      {field === null ? (
         <p class="quiet">
           This study asked for no map. Add <code>"grid": {'{"circumferential": 61, "meridional": 21}'}</code> to its
           candidates.
@@ -94,12 +93,14 @@ function Readout(props: { field: Field; cell: Cell | null; quantity: Quantity; t
 
 function Remarks({ field, quantity }: { field: Field; quantity: Quantity }) {
   const counts = countStatus(field.judged ? field.status : []);
+  const [broken, constant, unusable] = [counts["product-form-broken"] ?? 0, counts["constant"] ?? 0, counts["unusable"] ?? 0];
   const parts = [
     quantity === "index" &&
       "An index is a share: where the strain hardly varies it says nothing, so look at the standard deviation too.",
-    counts["product-form-broken"] > 0 &&
-      `${counts["product-form-broken"]} of ${field.status.length} cells are hatched because M-DRM's product form is broken there; their indices come from the additive form.`,
-    counts.constant > 0 && `${counts.constant} hatched cells don't vary with the inputs and have no index.`,
+    broken > 0 &&
+      `${broken} of ${field.status.length} cells are hatched because M-DRM's product form is broken there; their indices come from another method.`,
+    constant > 0 && `${constant} hatched cells don't vary with the inputs and have no index.`,
+    unusable > 0 && `${unusable} hatched cells have no index because too few points have a strain there.`,
     "Unrolled, not to scale: θ around the wheel from the contact centre, φ across the section from the crown.",
   ];
   return <p class="quiet">{parts.filter(Boolean).join(" ")}</p>;

@@ -1,8 +1,8 @@
+import { directionName, type Direction } from "../../../lib/direction.ts";
 import { fixed, MISSING } from "../../../lib/format.ts";
 import { paperPercent } from "../../../lib/study/paper-table.ts";
 import { bars, productFormBroken, type Bar } from "../../../lib/study/result-picks.ts";
-import type { Direction, StudyResult } from "../../../types.ts";
-import { directionName } from "../../../lib/direction.ts";
+import type { StudyResult } from "../../../wire.ts";
 
 const WIDTH = 460;
 const LEFT = 34;

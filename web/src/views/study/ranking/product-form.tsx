@@ -1,6 +1,8 @@
+import type { Direction } from "../../../lib/direction.ts";
 import { fixed } from "../../../lib/format.ts";
-import { centreOutput, mdrmGap, methodName, paperGap } from "../../../lib/study/result-picks.ts";
-import type { Direction, Output, StudyResult } from "../../../types.ts";
+import { methodName } from "../../../lib/study/output-words.ts";
+import { centreOutput, mdrmGap, paperGap } from "../../../lib/study/result-picks.ts";
+import type { Output, StudyResult } from "../../../wire.ts";
 
 /** Says plainly when M-DRM's product form doesn't hold for the centre's strain, and what that means for the paper's column. */
 export function ProductFormNotice({ result, direction }: { result: StudyResult; direction: Direction }) {

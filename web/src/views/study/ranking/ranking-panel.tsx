@@ -1,11 +1,11 @@
 import { byRank, centreName } from "../../../lib/study/result-picks.ts";
-import type { StudyResult } from "../../../types.ts";
+import type { StudyResult } from "../../../wire.ts";
 import { BarKey, Bars } from "./bars.tsx";
 import { ProductFormNotice } from "./product-form.tsx";
 import { RankingTable } from "./ranking-table.tsx";
 
 /** Where to glue first: the ranking, its bars, and what its order means. */
-export function RankingView({ result }: { result: StudyResult }) {
+export function RankingPanel({ result }: { result: StudyResult }) {
   if (result.locations.length === 0) return <p class="quiet">The study ranked no location.</p>;
   return (
     <section class="panel" aria-labelledby="ranking-title">

@@ -1,115 +1,106 @@
-import { fixed } from "../../../lib/format.ts";
+import { directionName, DIRECTIONS, type Direction } from "../../../lib/direction.ts";
+import { fixed, MISSING } from "../../../lib/format.ts";
+import { methodName, statusName } from "../../../lib/study/output-words.ts";
 import { paperPercent } from "../../../lib/study/paper-table.ts";
-import { byRank, centreOutput, largest, methodName, productFormBroken, statusName } from "../../../lib/study/result-picks.ts";
-import type { Direction, RankedLocation, StudyResult } from "../../../types.ts";
-import { directionName } from "../../../lib/direction.ts";
+import { byRank, centreOutput, largest, productFormBroken, scoreOf, type Score } from "../../../lib/study/result-picks.ts";
+import type { RankedLocation, StudyResult } from "../../../wire.ts";
+import { ScrollTable } from "../../shared/scroll-table.tsx";
 
-const DIRECTIONS: readonly Direction[] = ["x", "y"];
-
-/** One figure column of a direction. */
+/** One figure column, which stands in either direction. */
 interface Column {
   title: string;
   hint: string;
-  value: (row: RankedLocation) => number | null;
+  value: (row: RankedLocation, direction: Direction) => number | null;
 }
 
-function columns(direction: Direction): { mdrm: Column; paper: Column; mean: Column; own: Column; gsi: Column } {
-  const isX = direction === "x";
-  return {
-    gsi: {
-      title: "GSI %",
-      hint: "100 times the first-order index of this location's own depth for the strain at the centre",
-      value: (row) => (isX ? row.gsi_x_percent : row.gsi_y_percent),
-    },
-    mdrm: {
-      title: "M\u2011DRM %",
-      hint: "What M-DRM's product form gives, valid or not",
-      value: (row) => (isX ? row.mdrm_gsi_x_percent : row.mdrm_gsi_y_percent),
-    },
-    paper: { title: "Paper %", hint: "Table 2 of the paper", value: (row) => paperPercent(row.name, direction) },
-    mean: {
-      title: "Mean %",
-      hint: "Mean of this depth's index over the strains at all locations",
-      value: (row) => (isX ? row.mean_gsi_x_percent : row.mean_gsi_y_percent),
-    },
-    own: {
-      title: "Own %",
-      hint: "Index of this depth for the strain at this location itself",
-      value: (row) => (isX ? row.own_gsi_x_percent : row.own_gsi_y_percent),
-    },
-  };
-}
+const scoreColumn = (title: string, score: Score, hint: string): Column => ({
+  title,
+  hint,
+  value: (row, direction) => scoreOf(row, score, direction),
+});
+
+const GSI = scoreColumn(
+  "GSI %", "gsi", "100 times the first-order index of this location's own depth for the strain at the centre",
+);
+const MDRM = scoreColumn("M\u2011DRM %", "mdrm_gsi", "What M-DRM's product form gives, valid or not");
+
+/** Columns without marks of their own. */
+const OTHERS: readonly Column[] = [
+  { title: "Paper %", hint: "Table 2 of the paper", value: (row, direction) => paperPercent(row.name, direction) },
+  scoreColumn("Mean %", "mean_gsi", "Mean of this depth's index over the strains at all locations"),
+  scoreColumn("Own %", "own_gsi", "Index of this depth for the strain at this location itself"),
+];
+
+/** Those, and the rank by the direction alone. */
+const COLUMNS_OF_A_DIRECTION = OTHERS.length + 3;
 
 /** Locations best first, with every figure that bears on their rank. */
 export function RankingTable({ result }: { result: StudyResult }) {
   const rows = byRank(result);
   return (
-    <div class="scroll" tabIndex={0} role="region" aria-label="Ranked locations">
-      <table class="ranking" aria-label="Ranked locations">
-        <thead>
-          <tr>
-            <th rowSpan={2} scope="col">
-              Rank
+    <ScrollTable name="Ranked locations" kind="ranking">
+      <thead>
+        <tr>
+          <th rowSpan={2} scope="col">
+            Rank
+          </th>
+          <th rowSpan={2} scope="col">
+            Certain
+          </th>
+          <th rowSpan={2} scope="col">
+            Place
+          </th>
+          {DIRECTIONS.map((direction) => (
+            <th key={direction} colSpan={COLUMNS_OF_A_DIRECTION} scope="colgroup" class="group">
+              Strain {directionName(direction)}
             </th>
-            <th rowSpan={2} scope="col">
-              Certain
-            </th>
-            <th rowSpan={2} scope="col">
-              Place
-            </th>
-            {DIRECTIONS.map((direction) => (
-              <th key={direction} colSpan={6} scope="colgroup" class="group">
-                Strain {directionName(direction)}
-              </th>
-            ))}
-          </tr>
-          <tr>
-            {DIRECTIONS.map((direction) => (
-              <DirectionHead key={direction} direction={direction} broken={productFormBroken(result, direction)} />
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {rows.map((row) => (
-            <tr key={row.name} data-location={row.name}>
-              <td class="rank">{row.rank}</td>
-              <td>{row.rank_certain ? "yes" : "no"}</td>
-              <th scope="row">{row.name}</th>
-              {DIRECTIONS.map((direction) => (
-                <DirectionCells key={direction} row={row} rows={rows} result={result} direction={direction} />
-              ))}
-            </tr>
           ))}
-        </tbody>
-        <tfoot>
-          <tr>
-            <th colSpan={3} scope="row">
-              Method, status
-            </th>
+        </tr>
+        <tr>
+          {DIRECTIONS.map((direction) => (
+            <DirectionHead key={direction} direction={direction} broken={productFormBroken(result, direction)} />
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {rows.map((row) => (
+          <tr key={row.name} data-location={row.name}>
+            <td class="rank">{row.rank}</td>
+            <td>{row.rank_certain ? "yes" : "no"}</td>
+            <th scope="row">{row.name}</th>
             {DIRECTIONS.map((direction) => (
-              <td key={direction} colSpan={6} class="group words">
-                <Method result={result} direction={direction} />
-              </td>
+              <DirectionCells key={direction} row={row} rows={rows} result={result} direction={direction} />
             ))}
           </tr>
-        </tfoot>
-      </table>
-    </div>
+        ))}
+      </tbody>
+      <tfoot>
+        <tr>
+          <th colSpan={3} scope="row">
+            Method, status
+          </th>
+          {DIRECTIONS.map((direction) => (
+            <td key={direction} colSpan={COLUMNS_OF_A_DIRECTION} class="group words">
+              <Method result={result} direction={direction} />
+            </td>
+          ))}
+        </tr>
+      </tfoot>
+    </ScrollTable>
   );
 }
 
 function DirectionHead({ direction, broken }: { direction: Direction; broken: boolean }) {
-  const { gsi, mdrm, paper, mean, own } = columns(direction);
   return (
     <>
-      <th scope="col" class="group" title={gsi.hint}>
-        {gsi.title}
+      <th scope="col" class="group" title={GSI.hint}>
+        {GSI.title}
       </th>
-      <th scope="col" title={mdrm.hint}>
-        {mdrm.title}
+      <th scope="col" title={MDRM.hint}>
+        {MDRM.title}
         {broken && <span class="flag"> not valid</span>}
       </th>
-      {[paper, mean, own].map((column) => (
+      {OTHERS.map((column) => (
         <th key={column.title} scope="col" title={column.hint}>
           {column.title}
         </th>
@@ -129,27 +120,26 @@ interface CellsProps {
 }
 
 function DirectionCells({ row, rows, result, direction }: CellsProps) {
-  const { gsi, mdrm, paper, mean, own } = columns(direction);
-  const error = direction === "x" ? row.gsi_x_error_percent : row.gsi_y_error_percent;
+  const error = row[`gsi_${direction}_error_percent`];
   const reason = centreOutput(result, direction)?.error.reason;
   const broken = productFormBroken(result, direction);
-  const strong = (column: Column): string => (largest(rows, column.value) === row ? "best" : "");
+  const strong = ({ value }: Column): string => (largest(rows, (other) => value(other, direction)) === row ? "best" : "");
   return (
     <>
-      <td class={`group ${strong(gsi)}`}>
-        {fixed(gsi.value(row), 2)}
+      <td class={`group ${strong(GSI)}`}>
+        {fixed(GSI.value(row, direction), 2)}
         <span class="error" title={reason ?? undefined}>
           {" "}
           ± {error == null ? "?" : fixed(error, 2)}
         </span>
       </td>
-      <td class={`${strong(mdrm)} ${broken ? "invalid" : ""}`}>{fixed(mdrm.value(row), 2)}</td>
-      {[paper, mean, own].map((column) => (
+      <td class={`${strong(MDRM)} ${broken ? "invalid" : ""}`}>{fixed(MDRM.value(row, direction), 2)}</td>
+      {OTHERS.map((column) => (
         <td key={column.title} class={strong(column)}>
-          {fixed(column.value(row), 2)}
+          {fixed(column.value(row, direction), 2)}
         </td>
       ))}
-      <td>{(direction === "x" ? row.rank_x : row.rank_y) ?? "—"}</td>
+      <td>{row[`rank_${direction}`] ?? MISSING}</td>
     </>
   );
 }

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { accuracyOf, parseDraft, textOf, withAccuracy } from "./draft.ts";
+import { accuracyOf, parseDraft, textOf, withAccuracy } from "./draft-text.ts";
 
 test("the accuracy preset is read and replaced, whatever stood there", () => {
   const text = textOf({ name: "n", accuracy: { tolerance: 0.02 } });

@@ -1,25 +1,24 @@
-/** Keeps the sweep in view up to date by polling, and its comparison with it. */
+/** The sweep in view and its comparison, kept up to date by polling. */
 
 import * as api from "../api.ts";
 import { isOver } from "../lib/study/point-progress.ts";
-import { openSweep, type OpenSweep, type Store } from "./app-state.ts";
-import type { SweepDetail } from "../sweep-types.ts";
+import type { SweepDetail } from "../wire.ts";
+import { openedSweep, type OpenSweep } from "./app-state.ts";
+import { createInView, type InView } from "./in-view.ts";
+import { answerTo } from "./loadable.ts";
+import { partOf, type Store } from "./store.ts";
 
 const POLL_MS = 2000;
 /** While designs are at work, a comparison may take one part in so many of the time: the service reads every result for it. */
 const REST = 10;
 
-export interface SweepFollower {
-  /** Opens a sweep; one that is open takes the baseline of the address. */
-  open(id: string): void;
-  close(): void;
-  /** Asks again from the start, after a failure. */
-  reopen(): void;
-  /** Takes over what the service answered to a change. */
-  take(id: string, detail: SweepDetail): void;
+export interface OpenSweepActions extends Pick<InView<OpenSweep>, "open" | "close" | "reopen"> {
+  cancel(): Promise<void>;
+  resume(): Promise<void>;
 }
 
-export function createSweepFollower(store: Store, onOver: () => void): SweepFollower {
+export function createOpenSweep(store: Store, onChanged: () => void): OpenSweepActions {
+  const inView = createInView(partOf(store, "openSweep"), { begin: openedSweep, load, stop });
   let timer: number | null = null;
   let comparing = false;
   /** What the comparison in view was made of. */
@@ -27,32 +26,15 @@ export function createSweepFollower(store: Store, onOver: () => void): SweepFoll
   let comparedFrom: string | null = null;
   let restUntil_ms = 0;
 
-  const isOpen = (id: string): boolean => store.get().openSweep?.id === id;
-
-  function change(id: string, edit: (sweep: OpenSweep) => OpenSweep): void {
-    store.update((state) =>
-      state.openSweep?.id === id ? { ...state, openSweep: edit(state.openSweep) } : state,
-    );
-  }
-
+  /** One that is open takes the baseline of the address. */
   function open(id: string): void {
-    if (isOpen(id)) return void compareIfStale();
-    close();
-    store.update((state) => ({ ...state, openSweep: openSweep(id) }));
-    void load(id);
+    if (inView.isOpen(id)) void compareIfStale();
+    else inView.open(id);
   }
 
-  function close(): void {
+  function stop(): void {
     endPolling();
     [compared, comparedFrom, restUntil_ms] = ["", null, 0];
-    store.update((state) => (state.openSweep === null ? state : { ...state, openSweep: null }));
-  }
-
-  function reopen(): void {
-    const id = store.get().openSweep?.id;
-    if (id === undefined) return;
-    close();
-    open(id);
   }
 
   function endPolling(): void {
@@ -61,28 +43,22 @@ export function createSweepFollower(store: Store, onOver: () => void): SweepFoll
   }
 
   async function load(id: string): Promise<void> {
-    try {
-      take(id, await api.sweep(id));
-    } catch (error) {
-      change(id, (sweep) =>
-        sweep.detail.status === "ready"
-          ? { ...sweep, lost: true }
-          : { ...sweep, detail: { status: "failed", problem: api.problemOf(error) } },
-      );
-      pollUnlessOver(id);
-    }
+    const answer = await answerTo(api.sweep(id));
+    if (answer.status === "ready") return take(id, answer.value);
+    inView.edit(id, (sweep) => (sweep.detail.status === "ready" ? { ...sweep, lost: true } : { ...sweep, detail: answer }));
+    pollUnlessOver(id);
   }
 
   function take(id: string, detail: SweepDetail): void {
-    const before = store.get().openSweep?.detail;
-    if (isOver(detail.state) && before?.status === "ready" && !isOver(before.value.state)) onOver();
-    change(id, (sweep) => ({ ...sweep, detail: { status: "ready", value: detail }, lost: false }));
+    const before = inView.get()?.detail;
+    if (isOver(detail.state) && before?.status === "ready" && !isOver(before.value.state)) onChanged();
+    inView.edit(id, (sweep) => ({ ...sweep, detail: { status: "ready", value: detail }, lost: false }));
     pollUnlessOver(id);
     void compareIfStale();
   }
 
   function pollUnlessOver(id: string): void {
-    const sweep = store.get().openSweep;
+    const sweep = inView.get();
     if (sweep?.id !== id || sweep.detail.status !== "ready" || isOver(sweep.detail.value.state)) return;
     endPolling();
     timer = window.setTimeout(() => {
@@ -112,16 +88,24 @@ export function createSweepFollower(store: Store, onOver: () => void): SweepFoll
   }
 
   async function loadComparison(id: string, baseline: string | null): Promise<void> {
-    change(id, (sweep) => ({ ...sweep, comparison: sweep.comparison ?? { status: "loading" } }));
-    try {
-      const value = await api.comparison(id, baseline);
-      change(id, (sweep) => ({ ...sweep, comparison: { status: "ready", value } }));
-    } catch (error) {
-      change(id, (sweep) => ({ ...sweep, comparison: { status: "failed", problem: api.problemOf(error) } }));
-    }
+    inView.edit(id, (sweep) => ({ ...sweep, comparison: sweep.comparison ?? { status: "loading" } }));
+    const comparison = await answerTo(api.comparison(id, baseline));
+    inView.edit(id, (sweep) => ({ ...sweep, comparison }));
   }
 
-  return { open, close, reopen, take };
+  /** Changes the sweep in view and takes over how it then stands. */
+  async function ask(question: (id: string) => Promise<SweepDetail>): Promise<void> {
+    const id = inView.get()?.id;
+    if (id === undefined) return;
+    inView.edit(id, (sweep) => ({ ...sweep, problem: null }));
+    const answer = await answerTo(question(id));
+    if (answer.status === "failed") return inView.edit(id, (sweep) => ({ ...sweep, problem: answer.problem }));
+    take(id, answer.value);
+    onChanged();
+  }
+
+  const { close, reopen } = inView;
+  return { open, close, reopen, cancel: () => ask(api.cancelSweep), resume: () => ask(api.resumeSweep) };
 }
 
 /** The designs that have a result, as one text. */
