@@ -22,6 +22,8 @@ before(async () => {
 
 after(async () => {
   await browser?.close();
+  // The last test has stopped it, unless it was left out by a pattern of names: then the file would never end.
+  await service?.stop();
 });
 
 /** Opens the page and chooses the first preset, the depths of 1 mm and 30 percent about it. */
@@ -167,8 +169,9 @@ test("a running study is cancelled from the page", { timeout: STUDY_MS }, async 
   await page.context().close();
 });
 
-test("a browser is let in by the printed address, once, and follows a study by its cookie", { timeout: STUDY_MS }, async () => {
+test("a browser is let in by the printed address, once, and follows a study by its cookie", { timeout: STUDY_MS }, async (t) => {
   const locked = await startService("--token");
+  t.after(() => locked.stop());
   const { page, complaints } = await openPage(browser, { viewport: { width: 1280, height: 900 } });
   let link;
   while ((link = /in a browser, once: (\S+)/.exec(locked.printed())?.[1]) === undefined) await page.waitForTimeout(20);

@@ -5,7 +5,8 @@ import { cheapest, decades, front, LEAST_ERROR, marks } from "./trade-marks.ts";
 
 function rung(label: string, wall_s: number, change: Partial<Rung> = {}): Rung {
   return {
-    label, fidelity: { level: "coarse", method: "mdrm", nodes: 5, check_points: 0 }, indices: [], wall_s, cpu_s: wall_s, solves: 1, error_true: 0.1, error_claimed: 0.2, covered: 1, ranking_agrees: true,
+    label, fidelity: { level: "coarse", method: "mdrm", nodes: 5, check_points: 0 }, indices: [],
+    wall_s, cpu_s: wall_s, solves: 1, error_true: 0.1, error_claimed: 0.2, covered: 1, ranking_agrees: true,
     pareto: false, ...change,
   };
 }
