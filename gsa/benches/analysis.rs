@@ -11,9 +11,9 @@ use std::time::Instant;
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use gsa::analysis::analyse;
 use gsa::design::Design;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
+use gsa::method::analysis::analyse;
 use ndarray::Array2;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

@@ -30,17 +30,17 @@ use ndarray::{ArrayView2, Axis, Slice};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-use crate::analysis::{self, Analysis, Status};
-use crate::bivariate::{self, PairGrid};
-use crate::climb::{self, Step};
-use crate::corrected::Frame;
 use crate::design::{Design, DesignError, MAX_CHECK_POINTS};
-use crate::distribution::Distribution;
-use crate::error::{ByInput, ErrorParts};
+use crate::form::corrected::Frame;
+use crate::judge::index_error::{ByInput, ErrorParts};
+use crate::law::distribution::Distribution;
+use crate::method::analysis::{self, Analysis, Status};
+use crate::method::auto::{self, Step};
+use crate::method::bivariate::{self, PairGrid};
+use crate::method::pce::{self, Chaos};
+use crate::method::saltelli;
+use crate::method::scattered;
 use crate::method::{Kind, Method};
-use crate::pce::{self, Chaos};
-use crate::saltelli;
-use crate::scattered;
 
 /// The runs a method asks for, and what it makes of them.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,7 +130,7 @@ impl Campaign {
     pub fn tell(&mut self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
         let analyses = self.analyse(values)?;
         if let (Kind::Auto, Runs::Lines(design)) = (self.method.kind, &mut self.runs) {
-            match climb::next_step(design, &analyses, &self.method, &mut self.confirmed) {
+            match auto::next_step(design, &analyses, &self.method, &mut self.confirmed) {
                 None => {}
                 Some(Step::Check(count)) => {
                     design.add_checks(count, &mut self.rng)?;
@@ -171,7 +171,7 @@ impl Campaign {
                     Kind::Tensor => None,
                     _ => Some(self.method.tolerance),
                 };
-                Box::new(move |values| climb::analyse(design, &frame, values, tolerance))
+                Box::new(move |values| auto::analyse(design, &frame, values, tolerance))
             }
             Runs::Pairs(design, grids) => {
                 let frame = Frame::new(design);

@@ -9,8 +9,8 @@ mod models;
 use std::collections::BTreeMap;
 
 use asking::until_enough;
-use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;
+use gsa::method::analysis::Analysis;
 use gsa::method::{Kind, Method};
 use models::{Known, families};
 

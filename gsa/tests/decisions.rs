@@ -1,8 +1,8 @@
 //! Which form answers, with which status and which reason.
 
-use gsa::analysis::{Analysis, Form, Status, analyse};
 use gsa::design::Design;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
+use gsa::method::analysis::{Analysis, Form, Status, analyse};
 use ndarray::{Array2, Axis};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

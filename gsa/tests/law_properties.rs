@@ -1,7 +1,7 @@
 //! What holds for every law with any parameters: of its rules, its distribution function, and under a change of unit.
 
-use gsa::distribution::Distribution;
-use gsa::rule::{GaussRule, RuleError};
+use gsa::law::distribution::Distribution;
+use gsa::law::rule::{GaussRule, RuleError};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -156,9 +156,9 @@ proptest! {
         bounds in prop::array::uniform2(any_value()),
         nodes in 1usize..=20,
     ) {
-        let kind = &gsa::distribution::KINDS[kind];
+        let kind = &gsa::law::distribution::KINDS[kind];
         // A negative one where that is refused at once tells nothing.
-        let fit = |(parameter, value): (&gsa::distribution::Parameter, &f64)| {
+        let fit = |(parameter, value): (&gsa::law::distribution::Parameter, &f64)| {
             if parameter.positive { value.abs() } else { *value }
         };
         let values: Vec<f64> = kind.parameters().iter().zip(&values).map(fit).collect();

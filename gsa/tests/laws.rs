@@ -1,7 +1,7 @@
 //! The contract of every law, and what the constructors refuse.
 
-use gsa::distribution::{Distribution, DistributionError};
-use gsa::rule::RuleError;
+use gsa::law::distribution::{Distribution, DistributionError};
+use gsa::law::rule::RuleError;
 
 /// What holds for every law.
 fn check_distribution(law: Distribution) {

@@ -3,7 +3,7 @@
 #[path = "support/law_data.rs"]
 mod law_data;
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use law_data::{entries, list, named_law, numbers};
 use serde_json::Value;
 

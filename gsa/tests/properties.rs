@@ -1,8 +1,8 @@
 //! What holds for every output, whatever its shape.
 
-use gsa::analysis::{Analysis, Status, analyse};
 use gsa::design::Design;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
+use gsa::method::analysis::{Analysis, Status, analyse};
 use ndarray::Array2;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;

@@ -3,8 +3,8 @@
 #[path = "support/law_data.rs"]
 mod law_data;
 
-use gsa::distribution::Distribution;
-use gsa::rule::GaussRule;
+use gsa::law::distribution::Distribution;
+use gsa::law::rule::GaussRule;
 use law_data::{entries, list, named_law, numbers};
 use serde_json::Value;
 

@@ -5,7 +5,7 @@
 use std::f64::consts::PI;
 
 use gsa::campaign::Campaign;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use gsa::method::{Kind, Method};
 use ndarray::Array2;
 

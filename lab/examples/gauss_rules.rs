@@ -6,7 +6,7 @@
 use std::error::Error;
 use std::time::Instant;
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 
 fn main() -> Result<(), Box<dyn Error>> {
     // 1. A law of each kind, and some extremes.

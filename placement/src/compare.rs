@@ -8,10 +8,10 @@
 //! ```
 //!
 //! And two studies that were checked at the same points of their inputs miss nearly the same there: the method's error of the difference is that of the differences
-//! of what they miss, point by point ([`gsa::misses`]). Whatever two errors have not in common is independent, so that it adds up as e^2 = e_I^2 + e_J^2: all
+//! of what they miss, point by point ([`gsa::judge::misses`]). Whatever two errors have not in common is independent, so that it adds up as e^2 = e_I^2 + e_J^2: all
 //! of the mesh's where a study has no coarser one. A difference beyond its error is real, any other noise.
 
-use gsa::misses::{Claim, Misses, error_of_difference};
+use gsa::judge::misses::{Claim, Misses, error_of_difference};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 

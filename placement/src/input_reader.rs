@@ -6,7 +6,7 @@
 use fem_client::document::fault::{Fault, entry};
 use fem_client::document::fields::{Fields, shown};
 use fem_client::scene::Scene;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use serde_json::Value;
 
 use crate::distribution_reader::read_distribution;

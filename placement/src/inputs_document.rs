@@ -6,7 +6,7 @@
 use fem_client::document::fault::{Fault, entry};
 use fem_client::document::fields::{Fields, shown};
 use fem_client::document::{Format, parse};
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use gsa::method::Method;
 use serde_json::Value;
 
@@ -20,7 +20,7 @@ const MOST_INPUTS: usize = 10_000;
 const LONGEST_NAME: usize = 100;
 /// Such models may be cheap.
 const LIMITS: Limits = Limits {
-    nodes: gsa::rule::MAX_NODES as u64,
+    nodes: gsa::law::rule::MAX_NODES as u64,
     check_points: gsa::design::MAX_CHECK_POINTS as u64,
     samples: gsa::design::MAX_CHECK_POINTS as u64,
     runs: 1_000_000,

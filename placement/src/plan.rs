@@ -7,7 +7,7 @@ use fem_client::document::fault::Fault;
 use fem_client::scene::{Level, Scene};
 use gsa::campaign::Campaign;
 use gsa::design::DesignError;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use gsa::method::{Kind, Method};
 use ndarray::ArrayView2;
 use serde_json::Value;

@@ -4,7 +4,7 @@
 //! the own input's first-order indices for the x and the y strain at the contact centre, or by the one that is asked for; equal sums
 //! (shares within 1e-9) are ordered by x, then by name. A location without an index comes last.
 
-use gsa::certainty::{Estimate, places_certain};
+use gsa::judge::certainty::{Estimate, places_certain};
 
 use crate::directions::Directions;
 use crate::result::{Output, RankedLocation};
@@ -127,7 +127,7 @@ fn sort_by_keys(order: &mut [usize], locations: &[RankedLocation], keys: &[Key])
 }
 
 /// A rank is certain if its location truly outranks all others, or is outranked, with the probability of
-/// [`gsa::certainty`]; locations that tie share their place.
+/// [`gsa::judge::certainty`]; locations that tie share their place.
 fn mark_certain(ranked: &mut [RankedLocation], directions: Directions) {
     let (key, key_error) = (default_key(directions), key_error(directions));
     let known = |location: &RankedLocation| {

@@ -10,7 +10,7 @@ use std::time::Instant;
 use fem_client::document::fault::Fault;
 use fem_client::scene::Scene;
 use fem_client::solver::{Cost, Readout, Solver};
-use gsa::analysis::Status;
+use gsa::method::analysis::Status;
 
 pub(crate) use self::points::keys;
 use self::points::{Answers, Place, Points};

@@ -2,8 +2,8 @@
 
 use fem_client::solver::Coarser;
 use fem_client::solver::{Response, StrainMap};
-use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;
+use gsa::method::analysis::Analysis;
 use ndarray::{Array2, Axis};
 
 use crate::archive::Outcome;
@@ -240,7 +240,7 @@ fn std(analysis: &Analysis) -> Option<f64> {
 
 fn output(location: &str, direction: &str, analysed: &Analysed) -> Output {
     let analysis = &analysed.analysis;
-    let broken = analysis.status == gsa::analysis::Status::ProductFormBroken;
+    let broken = analysis.status == gsa::method::analysis::Status::ProductFormBroken;
     Output {
         location: location.to_owned(),
         direction: direction.to_owned(),

@@ -3,7 +3,7 @@
 use fem_client::hexadecimal::hexadecimal;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Grid, Position, Readout};
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use gsa::method::{Kind, Method};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};

@@ -116,7 +116,8 @@ fn notes_tell_of_symmetry_and_of_the_missing_mesh_error() {
             .all(|output| output.error.mesh.is_none() && output.error.reason.is_some())
     );
     let mut lopsided = shipped("foot-tire");
-    lopsided.inputs[0].distribution = gsa::distribution::Distribution::uniform(0.8, 1.2).unwrap();
+    lopsided.inputs[0].distribution =
+        gsa::law::distribution::Distribution::uniform(0.8, 1.2).unwrap();
     assert!(!has_note(&answered(&lopsided), &["P1 with P5 by"]));
 }
 
@@ -229,7 +230,7 @@ fn what_never_varies_is_null_with_a_reason() {
     }
     study.inputs.truncate(1);
     study.inputs[0].vary = "material.c10_mpa".to_owned();
-    let law = gsa::distribution::Distribution::uniform(0.14, 0.15);
+    let law = gsa::law::distribution::Distribution::uniform(0.14, 0.15);
     study.inputs[0].distribution = law.unwrap();
     let result = observed(&study, &FromScratch, &MemoryArchive::default(), 1).0;
     let result = result.unwrap();

@@ -1,8 +1,8 @@
 //! How far points are from the cut, in the coordinates of the rules: deviations of each law, of ln x for lognormal ones.
 
 use super::{CheckPoint, Design};
-use crate::grid::Grid;
-use crate::rule::GaussRule;
+use crate::design::grid::Grid;
+use crate::law::rule::GaussRule;
 
 impl Design {
     /// The grid of the present lines.
@@ -70,7 +70,7 @@ mod tests {
     use rand_chacha::rand_core::SeedableRng;
 
     use super::*;
-    use crate::distribution::Distribution;
+    use crate::law::distribution::Distribution;
 
     #[test]
     fn choices_are_counted_once() {

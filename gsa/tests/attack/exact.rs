@@ -6,7 +6,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::rc::Rc;
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 
 use crate::known::Known;
 

@@ -7,7 +7,7 @@
 
 use std::f64::consts::PI;
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 

@@ -12,8 +12,8 @@ mod shapes;
 use std::collections::BTreeMap;
 
 use asking::until_enough;
-use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;
+use gsa::method::analysis::Analysis;
 use gsa::method::{Kind, Method};
 use known::Known;
 

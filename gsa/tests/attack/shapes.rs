@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 
 use super::exact::{Factor, Term, of, on_grid, sum_of_products};
 use super::families::{Draw, normal, uniform, x};

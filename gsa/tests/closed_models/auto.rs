@@ -1,7 +1,7 @@
 //! The method that chooses for itself, on every closed model: runs, claimed and true error.
 
-use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;
+use gsa::method::analysis::Analysis;
 use gsa::method::{Kind, Method};
 
 use crate::asking::until_enough;

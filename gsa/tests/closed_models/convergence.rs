@@ -1,7 +1,7 @@
 //! The reference methods against exact indices on every closed model: as their theory has it, no closer and no further.
 
 use gsa::campaign::Campaign;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use gsa::method::{Kind, Method};
 
 use crate::asking::until_enough;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use gsa::analysis::{Status, analyse};
+use gsa::method::analysis::{Status, analyse};
 
 use crate::models;
 

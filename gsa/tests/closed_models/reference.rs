@@ -1,6 +1,6 @@
 //! M-DRM against 50-digit arithmetic, on every closed model, cut point and rule size.
 
-use gsa::analysis::{Analysis, Status, analyse};
+use gsa::method::analysis::{Analysis, Status, analyse};
 
 use crate::models::{self, Model, Reference};
 

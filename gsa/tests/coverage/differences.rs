@@ -3,10 +3,10 @@
 
 use std::ops::Range;
 
-use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;
+use gsa::judge::misses::{Claim, error_of_difference};
+use gsa::method::analysis::Analysis;
 use gsa::method::{Kind, Method};
-use gsa::misses::{Claim, error_of_difference};
 
 use crate::asking::until_enough;
 use crate::models::{Known, families};

@@ -1,9 +1,9 @@
 //! Where methods break: each is right to its error there, or says what is wrong.
 
-use gsa::analysis::{Analysis, Status};
 use gsa::campaign::Campaign;
 use gsa::design::DesignError;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
+use gsa::method::analysis::{Analysis, Status};
 use gsa::method::{Kind, Method};
 
 use crate::asking::{to_the_end, until_enough};

@@ -1,8 +1,8 @@
 //! Neither the output's unit nor the order of the inputs matters.
 
-use gsa::analysis::{Analysis, Status};
 use gsa::campaign::Campaign;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
+use gsa::method::analysis::{Analysis, Status};
 use gsa::method::{Kind, Method};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;

@@ -10,7 +10,7 @@ mod known;
 mod random_study;
 mod shares;
 
-use gsa::analysis::{Analysis, Status};
+use gsa::method::analysis::{Analysis, Status};
 use gsa::method::{Kind, Method};
 
 /// A method's settings for some inputs: few enough runs for many cases, the whole grid included.

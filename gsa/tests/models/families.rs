@@ -1,6 +1,6 @@
 //! Random models, a family each: products, sums, what lies between, and what no form has a place for.
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 

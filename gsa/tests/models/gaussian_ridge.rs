@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 
 use super::Known;
 

@@ -1,6 +1,6 @@
 //! Smooth non-separable models of three uniform inputs, integrated on a grid of 24^3 Gauss nodes.
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 
 use super::Known;
 
@@ -32,7 +32,7 @@ pub fn known(
         }
     }
     let variance = square - mean * mean;
-    let share = |(section, rule): (&Vec<f64>, &gsa::rule::GaussRule)| {
+    let share = |(section, rule): (&Vec<f64>, &gsa::law::rule::GaussRule)| {
         let terms = section.iter().zip(&rule.weights);
         terms.map(|(s, w)| w * (s - mean).powi(2)).sum::<f64>() / variance
     };

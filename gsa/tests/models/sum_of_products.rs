@@ -3,7 +3,7 @@
 //! Var\[h\] = sum_ml a_m a_l (prod_i E\[f_mi f_li\] - prod_i E\[f_mi\] E\[f_li\]) and
 //! Var\[E\[h|x_i\]\] = sum_ml a_m a_l Cov(f_mi, f_li) prod_{k != i} E\[f_mk\] E\[f_lk\].
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 
 use super::Known;
 

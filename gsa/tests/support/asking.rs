@@ -1,7 +1,7 @@
 //! A campaign from its first point to its last.
 
-use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;
+use gsa::method::analysis::Analysis;
 use ndarray::Array2;
 
 /// Asks and tells until the campaign has enough; its answer, and the runs it took.

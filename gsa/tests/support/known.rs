@@ -1,6 +1,6 @@
 //! A model whose first-order indices are known.
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 
 /// Inputs to output.
 pub type Model = Box<dyn Fn(&[f64]) -> f64>;

@@ -1,6 +1,6 @@
 //! Laws in files of reference values.
 
-use gsa::distribution::{Distribution, Kind};
+use gsa::law::distribution::{Distribution, Kind};
 use serde_json::Value;
 
 /// The entries of a file, each made a case.

@@ -1,6 +1,6 @@
 //! Random laws and models for property tests.
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use proptest::prelude::*;
 
 fn law() -> impl Strategy<Value = Distribution> {

@@ -6,7 +6,7 @@ mod figure;
 #[path = "../../../placement/tests/paper_choice/grid.rs"]
 mod grid;
 
-use gsa::analysis::Analysis;
+use gsa::method::analysis::Analysis;
 use gsa::method::{Kind, Method};
 
 use figure::Panel;

@@ -1,6 +1,6 @@
 //! Indices of one strain, and how far each is off.
 
-use gsa::misses::Misses;
+use gsa::judge::misses::Misses;
 use serde::{Deserialize, Serialize};
 
 /// Indices of one strain.

@@ -1,8 +1,8 @@
 //! The strains of the shipped study at every point of its full grid: five depths with five Gauss nodes each, standard mesh.
 
-use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
+use gsa::method::analysis::Analysis;
 use gsa::method::{Kind, Method};
 use ndarray::Array2;
 

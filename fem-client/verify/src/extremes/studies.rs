@@ -13,7 +13,7 @@ use crate::extremes::{STRAIN_NOISE, tight_solver};
 use crate::{Case, Family, Unsolved};
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, Response, SolveError, SolveRequest, Solved, Solver, StartState};
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use gsa::method::{Kind, Method};
 use tire::embedded::EmbeddedSolver;
 

@@ -9,7 +9,7 @@
 
 use std::f64::consts::PI;
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 
 use crate::exact::{of, on_grid, on_grid_of, sum_of_products};
 use crate::families::{Draw, uniform, x};

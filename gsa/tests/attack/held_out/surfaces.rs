@@ -10,7 +10,7 @@
 
 use std::f64::consts::PI;
 
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 
 use crate::exact::{Factor, Term, of, on_grid, sum_of_products};
 use crate::families::{Draw, uniform, x};

@@ -3,7 +3,7 @@
 use fem::cell::element::Order;
 use fem_client::scene::{Scene, StationFunctions};
 use gsa::design::Design;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use ndarray::Array2;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -134,7 +134,7 @@ impl Study {
         }
         let shape = (design.points().len(), OUTPUTS.len());
         let values = Array2::from_shape_vec(shape, values).expect("a row for each point");
-        let analyses = gsa::analysis::analyse(&design, &values.view());
+        let analyses = gsa::method::analysis::analyse(&design, &values.view());
         let mdrm = analyses
             .into_iter()
             .map(|analysis| analysis.mdrm_first_order.expect("a product"));
