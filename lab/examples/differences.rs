@@ -7,12 +7,12 @@
 use std::sync::atomic::AtomicBool;
 
 use fem_client::document::{Format, parse};
-use placement::climb::answer;
 use placement::compare::{ComparedIndex, ComparedLocation, Comparison, Entry, Verdict, compare};
-use placement::memory::MemoryArchive;
-use placement::plan::Plan;
+use placement::ladder::climb::answer;
 use placement::result::StudyResult;
 use placement::run::Means;
+use placement::run::memory::MemoryArchive;
+use placement::study::plan::Plan;
 use placement::study::{Study, presets};
 use placement::sweep::{Design, Sweep};
 use serde_json::{Value, json};

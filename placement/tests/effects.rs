@@ -5,12 +5,12 @@ use std::sync::atomic::AtomicBool;
 use fem_client::document::Format;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, Response, SolveRequest, Solver};
-use placement::climb;
-use placement::effects::effect;
-use placement::memory::MemoryArchive;
-use placement::plan::Plan;
+use placement::ladder::climb;
+use placement::ladder::effects::effect;
 use placement::run::Means;
+use placement::run::memory::MemoryArchive;
 use placement::study::Study;
+use placement::study::plan::Plan;
 use tire::embedded::EmbeddedSolver;
 
 /// Two inputs and the cheapest method; `changes` are laid over the shipped tire.

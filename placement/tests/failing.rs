@@ -10,9 +10,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{SolveError, SolveRequest, Solver};
 use gsa::method::{Kind, Method};
-use placement::plan::Plan;
 use placement::run::{Event, Means, RunError, run};
 use placement::study::Study;
+use placement::study::plan::Plan;
 use support::{MemoryArchive, Twisted, answered, observed, shipped, text};
 
 const POINTS: usize = 26;

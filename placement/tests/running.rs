@@ -8,9 +8,9 @@ use std::time::Duration;
 
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{SolveError, SolveRequest};
-use placement::plan::Plan;
+use placement::run::usage::cpu_s;
 use placement::run::{Event, Means, RunError, run};
-use placement::usage::cpu_s;
+use placement::study::plan::Plan;
 use support::{MemoryArchive, Twisted, observed, shipped, text};
 
 const POINTS: usize = 26;

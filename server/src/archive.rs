@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use fem_client::solver::{Cost, StartState};
-use placement::archive::{Archive, ArchiveError, Outcome, PointRecord};
+use placement::run::archive::{Archive, ArchiveError, Outcome, PointRecord};
 use sqlx::SqliteConnection;
 use tokio::runtime::Handle;
 use tracing::{Instrument, Span};

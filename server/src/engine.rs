@@ -8,12 +8,12 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use fem_client::solver::Solver;
-use placement::assemble::version;
-use placement::climb;
+use placement::ladder::climb;
 use placement::result::{Estimate, FailedPoint, StudyResult};
+use placement::run::usage::{cpu_s, peak_memory_bytes};
 use placement::run::{Event, Means, RunError};
+use placement::score::assemble::version;
 use placement::study::Study;
-use placement::usage::{cpu_s, peak_memory_bytes};
 use serde_json::{Value, json};
 use tokio::runtime::Handle;
 

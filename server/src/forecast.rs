@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use fem_client::solver::Solver;
 use placement::estimate::{Machine, Workload, estimate};
-use placement::plan::PlanError;
 use placement::result::Estimate;
 use placement::study::Study;
+use placement::study::plan::PlanError;
 use placement::sweep::Sweep;
 
 use crate::http::sweep_wire::{DesignEstimate, SweepEstimate};

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use fem_client::solver::Solver;
-use placement::usage::machine_memory_bytes;
+use placement::run::usage::machine_memory_bytes;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
 

@@ -7,8 +7,8 @@ use std::path::Path;
 
 use fem_client::document::Format;
 use fem_client::document::fault::Fault;
-use placement::plan::Plan;
 use placement::study::Study;
+use placement::study::plan::Plan;
 use placement::sweep::{changed, typed_settings};
 
 use crate::store::studies::StudyRow;

@@ -15,7 +15,7 @@ use fem_client::scene::Scene;
 use fem_client::solver::Coarser;
 use fem_client::solver::Omission;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
-use placement::usage::{cpu_s, credit};
+use placement::run::usage::{cpu_s, credit};
 
 /// How often the caller's wish to stop is looked at. An answer is taken at once.
 const LOOK: Duration = Duration::from_millis(10);

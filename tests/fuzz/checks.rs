@@ -11,11 +11,11 @@ use gsa::campaign::Campaign;
 use gsa::law::distribution::Distribution;
 use gsa::method::analysis::Analysis;
 use gsa::method::{Kind, Method};
-use placement::inputs_document::Inputs;
-use placement::plan::{Plan, first_points};
+use placement::own_model::inputs_document::Inputs;
+use placement::own_model::value_table::ValueTable;
+use placement::study::plan::{Plan, first_points};
 use placement::study::{Study, presets};
 use placement::sweep::{Design, MOST_DESIGNS, Sweep, designs_of, sweep_of, typed_grid};
-use placement::value_table::ValueTable;
 use serde_json::{Value, json};
 
 const OF_SCENE: [&str; 8] = [

@@ -1,6 +1,6 @@
 //! What the model of a scene leaves out, each with the scene that has it.
 //!
-//! How much that matters is measured, not guessed: the richer scene is solved beside the plain one (`placement::effects`).
+//! How much that matters is measured, not guessed: the richer scene is solved beside the plain one (`placement::ladder::effects`).
 
 use serde_json::{Value, json};
 

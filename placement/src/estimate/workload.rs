@@ -8,10 +8,10 @@ use fem_client::solver::Solver;
 use gsa::method::Kind;
 
 use super::law::{How, Task, mirror_class, tire};
-use crate::climb::LEVELS;
-use crate::fidelity::Fidelity;
-use crate::plan::{Plan, PlanError};
+use crate::ladder::climb::LEVELS;
+use crate::ladder::fidelity::Fidelity;
 use crate::run::keys;
+use crate::study::plan::{Plan, PlanError};
 use crate::study::{Accuracy, Study};
 
 /// Times as many points as it starts with that the adaptive method is expected to ask for: it took 3.9 and 4.5 times as many in the

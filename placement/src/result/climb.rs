@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::fidelity::FidelityReport;
+use crate::ladder::fidelity::FidelityReport;
 
 /// The way from a draft to the accuracy asked for.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -2,7 +2,7 @@
 
 use fem_client::solver::Response;
 
-use crate::archive::Outcome;
+use crate::run::archive::Outcome;
 
 /// The first part of an outcome that holds a NaN or an infinity.
 pub(crate) fn not_finite(outcome: &Outcome) -> Option<&'static str> {

@@ -15,10 +15,10 @@ use fem_client::solver::{
 
 use super::attempt::{Answer, Found, ask};
 use super::{Event, Observer, RunError, refusals};
-use crate::archive::{Archive, ArchiveError, PointRecord, Unsolved};
 use crate::result::FailedPoint;
+use crate::run::archive::{Archive, ArchiveError, PointRecord, Unsolved};
+use crate::run::usage::{cpu_s, credit};
 use crate::study::sha256_hex;
-use crate::usage::{cpu_s, credit};
 
 /// What the points of one run share.
 pub(crate) struct Points<'r> {

@@ -11,7 +11,7 @@ use fem_client::document::fields::{Fields, shown, visible};
 use serde_json::{Map, Value};
 
 use super::{MOST_DESIGNS, name};
-use crate::study_reader::LONGEST_NAME;
+use crate::study::study_reader::LONGEST_NAME;
 
 /// Most values that a design sets: a scene has fewer fields.
 const MOST_SET: usize = 100;

@@ -10,11 +10,11 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::document::Format;
 use fem_client::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
-use placement::archive::{Archive, ArchiveError, Outcome, PointRecord};
-use placement::climb::answer;
-use placement::plan::Plan;
+use placement::ladder::climb::answer;
 use placement::result::{StudyCost, StudyResult};
+use placement::run::archive::{Archive, ArchiveError, Outcome, PointRecord};
 use placement::run::{Event, Means, RunError};
+use placement::study::plan::Plan;
 use placement::study::{Study, presets};
 
 /// Stores texts and bytes, as a database would, so that a test sees what storage does to numbers.

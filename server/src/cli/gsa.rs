@@ -6,13 +6,13 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use ::gsa::analysis::{Analysis, Status};
 use ::gsa::campaign::Campaign;
+use ::gsa::method::analysis::{Analysis, Status};
 use clap::{Args, Subcommand};
 use fem_client::document::fault::Fault;
 use ndarray::ArrayView2;
-use placement::inputs_document::Inputs;
-use placement::value_table::{ValueTable, quoted};
+use placement::own_model::inputs_document::Inputs;
+use placement::own_model::value_table::{ValueTable, quoted};
 use serde_json::{Value, json};
 
 use super::Failure;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use fem_client::document::parse;
 use fem_client::scene::Scene;
-use placement::plan::Plan;
+use placement::study::plan::Plan;
 use serde_json::Value;
 
 use super::Failure;

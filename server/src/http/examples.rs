@@ -177,9 +177,9 @@ pub fn faults() -> Value {
 
 #[cfg(test)]
 mod tests {
+    use placement::ladder::trade::Trade;
     use placement::result::{Estimate, StudyResult};
     use placement::study::Study;
-    use placement::trade::Trade;
     use serde::de::DeserializeOwned;
 
     use super::super::wire;

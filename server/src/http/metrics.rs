@@ -7,7 +7,7 @@ use axum::extract::{MatchedPath, Request, State};
 use axum::http::{Method, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
-use placement::usage::memory_bytes;
+use placement::run::usage::memory_bytes;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 

@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use fem_client::document::Format;
 use fem_client::scene::Scene;
 use fem_client::solver::{Cost, Response, StartState};
-use placement::archive::{PointRecord, Unsolved};
 use placement::estimate::Sample;
+use placement::run::archive::{PointRecord, Unsolved};
 use serde::de::DeserializeOwned;
 use sqlx::{FromRow, SqliteConnection};
 

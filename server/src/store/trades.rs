@@ -1,6 +1,6 @@
 //! Measured trades of accuracy for time.
 
-use placement::trade::Trade;
+use placement::ladder::trade::Trade;
 use sqlx::SqliteConnection;
 
 use super::content::{encode, sha256};
@@ -69,8 +69,8 @@ pub async fn is_measured(
 
 #[cfg(test)]
 mod tests {
-    use placement::fidelity::FidelityReport;
-    use placement::trade::Rung;
+    use placement::ladder::fidelity::FidelityReport;
+    use placement::ladder::trade::Rung;
 
     use super::*;
     use crate::store::tests::fresh;

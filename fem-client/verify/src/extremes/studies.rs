@@ -17,12 +17,12 @@ use gsa::law::distribution::Distribution;
 use gsa::method::{Kind, Method};
 use tire::embedded::EmbeddedSolver;
 
-use placement::directions::Directions;
-use placement::memory::MemoryArchive;
-use placement::plan::Plan;
 use placement::result::{Output, StudyResult};
+use placement::run::memory::MemoryArchive;
 use placement::run::{Means, run};
-use placement::score::DIRECTIONS;
+use placement::score::indices::DIRECTIONS;
+use placement::study::directions::Directions;
+use placement::study::plan::Plan;
 use placement::study::{Accuracy, Input, Layouts, Study};
 
 /// From a spread of nothing to one of all of the mean.

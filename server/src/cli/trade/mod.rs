@@ -10,11 +10,11 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use fem_client::scene::Level;
 use gsa::method::Kind;
-use placement::fidelity::Fidelity;
+use placement::ladder::fidelity::Fidelity;
+use placement::ladder::trade::{Trade as Measured, answer, compare};
 use placement::result::StudyResult;
 use placement::run::RunError;
 use placement::study::Study;
-use placement::trade::{Trade as Measured, answer, compare};
 use tokio::runtime::Runtime;
 
 use super::Failure;

@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use placement::trade::{Rung, Trade};
+use placement::ladder::trade::{Rung, Trade};
 
 const SIZE: (u32, u32) = (900, 560);
 const TRUE: RGBColor = RGBColor(0, 90, 156);

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use placement::trade::{Rung, Trade};
+use placement::ladder::trade::{Rung, Trade};
 
 use crate::cli::paint::{BAD, GOOD, HEADER, header, left, painted};
 

@@ -5,9 +5,9 @@ use fem_client::scene::Scene;
 use fem_client::solver::{
     Grid, NoEquilibrium, Position, Reached, Readout, Response, SolveRequest, Solver,
 };
-use placement::archive::Unsolved;
+use placement::run::archive::Unsolved;
 
-use placement::archive::Outcome;
+use placement::run::archive::Outcome;
 
 use super::*;
 use crate::store::studies;

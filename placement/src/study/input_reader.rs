@@ -9,8 +9,8 @@ use fem_client::scene::Scene;
 use gsa::law::distribution::Distribution;
 use serde_json::Value;
 
-use crate::distribution_reader::read_distribution;
 use crate::study::Input;
+use crate::study::distribution_reader::read_distribution;
 
 /// Most inputs of a study.
 const MOST_INPUTS: usize = 50;

@@ -1,4 +1,17 @@
 //! The study document: what varies, what is asked.
+//!
+//! - [`directions`]: which strains are asked for, and what follows from that
+//! - [`study_reader`] and, for its parts, `candidate_reader`, [`distribution_reader`], `input_reader`, `method_reader`: read a study,
+//!   with every fault at once
+//! - [`plan`]: the design points of a study, a pure function of the document
+
+pub(crate) mod candidate_reader;
+pub mod directions;
+pub mod distribution_reader;
+pub(crate) mod input_reader;
+pub(crate) mod method_reader;
+pub mod plan;
+pub mod study_reader;
 
 use fem_client::hexadecimal::hexadecimal;
 use fem_client::scene::{Level, Scene};
@@ -8,7 +21,7 @@ use gsa::method::{Kind, Method};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
-use crate::directions::Directions;
+use crate::study::directions::Directions;
 
 /// A checked study. Build it with [`Study::from_document`].
 #[derive(Debug, Clone, PartialEq)]
@@ -76,10 +89,10 @@ impl Default for Layouts {
 /// Names and TOML texts of the studies that ship.
 pub fn presets() -> [(&'static str, &'static str); 2] {
     [
-        ("foot-tire", include_str!("../../studies/foot-tire.toml")),
+        ("foot-tire", include_str!("../../../studies/foot-tire.toml")),
         (
             "foot-tire-paper",
-            include_str!("../../studies/foot-tire-paper.toml"),
+            include_str!("../../../studies/foot-tire-paper.toml"),
         ),
     ]
 }

@@ -2,11 +2,11 @@
 
 use fem_client::solver::Response;
 
-use crate::plan::Plan;
-use crate::rank::{Key, ordered, own_inputs};
 use crate::result::{FailedPoint, Output, RankedLayout, RankedLocation};
-use crate::score::{DIRECTIONS, NO_MESH_ERROR, Scores};
+use crate::score::indices::{DIRECTIONS, NO_MESH_ERROR, Scores};
+use crate::score::rank::{Key, ordered, own_inputs};
 use crate::study::Study;
+use crate::study::plan::Plan;
 
 /// Failed points that a sentence names.
 const NAMED: usize = 3;

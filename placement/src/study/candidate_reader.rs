@@ -8,7 +8,7 @@ use fem_client::document::fields::{Fields, Range, choice, number, shown};
 use fem_client::solver::Grid;
 use serde_json::Value;
 
-use crate::directions::Directions;
+use crate::study::directions::Directions;
 use crate::study::{Layouts, POSITIONS};
 
 /// Most points along either side of the dense map.

@@ -6,9 +6,9 @@ use gsa::campaign::Campaign;
 use gsa::method::analysis::Analysis;
 use ndarray::{Array2, Axis};
 
-use crate::archive::Outcome;
-use crate::directions::Directions;
 use crate::result::{CoarserIndices, FormMisses, IndexError, IndexMap, MapLayer, Output};
+use crate::run::archive::Outcome;
+use crate::study::directions::Directions;
 
 /// Why an index has no error of the mesh.
 pub const NO_MESH_ERROR: &str = "no coarser mesh gave indices to compare with";

@@ -5,7 +5,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use fem_client::solver::{Cost, StartState};
 
-use crate::archive::{Archive, ArchiveError, Outcome, PointRecord};
+use crate::run::archive::{Archive, ArchiveError, Outcome, PointRecord};
 
 /// Forgets everything when it is dropped.
 #[derive(Debug, Default)]

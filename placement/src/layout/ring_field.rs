@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use fem_client::solver::{Position, Response, Ring};
 use gsa::design::{Design, Line};
 
-use crate::archive::Outcome;
+use crate::run::archive::Outcome;
 use crate::study::Study;
 
 /// The strains that are asked for around the wheel, sampled each degree from -180.

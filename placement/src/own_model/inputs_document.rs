@@ -10,9 +10,9 @@ use gsa::law::distribution::Distribution;
 use gsa::method::Method;
 use serde_json::Value;
 
-use crate::distribution_reader::read_distribution;
-use crate::input_reader::{read_name, same_text};
-use crate::method_reader::{Limits, read_method};
+use crate::study::distribution_reader::read_distribution;
+use crate::study::input_reader::{read_name, same_text};
+use crate::study::method_reader::{Limits, read_method};
 
 /// Most inputs of a model that isn't ours.
 const MOST_INPUTS: usize = 10_000;

@@ -10,10 +10,10 @@ use fem_client::scene::{Level, PRESETS, Scene};
 use gsa::method::{Kind, Method};
 use serde_json::Value;
 
-use crate::candidate_reader::{candidates, layouts};
-use crate::input_reader::{read_inputs, read_name};
-use crate::method_reader::{Limits, read_method};
-use crate::plan::{Plan, PlanError};
+use crate::study::candidate_reader::{candidates, layouts};
+use crate::study::input_reader::{read_inputs, read_name};
+use crate::study::method_reader::{Limits, read_method};
+use crate::study::plan::{Plan, PlanError};
 use crate::study::{Accuracy, Study};
 
 /// Gives the text of a scene file, or says why it can't be had.

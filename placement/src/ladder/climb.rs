@@ -10,14 +10,14 @@ use std::time::{Duration, Instant};
 use fem_client::scene::Level;
 use gsa::method::Kind;
 
-use crate::directions::Directions;
-use crate::effects;
-use crate::fidelity::Fidelity;
-use crate::plan::Plan;
+use crate::ladder::effects;
+use crate::ladder::fidelity::Fidelity;
 use crate::result::{Climb, ClimbRung, Output, StudyResult};
+use crate::run::usage::cpu_s;
 use crate::run::{Means, RunError, run_from};
+use crate::study::directions::Directions;
+use crate::study::plan::Plan;
 use crate::study::{Accuracy, Study};
-use crate::usage::cpu_s;
 
 /// Levels that are climbed. The draft doesn't know its own error, and is for a budget's first answer alone.
 pub(crate) const LEVELS: [Level; 4] = [

@@ -2,14 +2,14 @@
 
 use fem_client::solver::ModelSummary;
 
-use crate::archive::Outcome;
 use crate::layout::rank_layouts;
-use crate::notes::notes;
-use crate::plan::Plan;
-use crate::rank::rank;
 use crate::result::{CutPoint, FailedPoint, InputReport, StudyCost, StudyIdentity, StudyResult};
-use crate::score::{Coarse, score};
+use crate::run::archive::Outcome;
+use crate::score::indices::{Coarse, score};
+use crate::score::notes::notes;
+use crate::score::rank::rank;
 use crate::study::Study;
+use crate::study::plan::Plan;
 
 /// The answer, without its cost and the study's identifier.
 ///

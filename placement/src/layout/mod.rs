@@ -13,12 +13,14 @@
 //! and the inverse's diagonal bounds the variances of any unbiased estimate from below (Cramer and Rao). The scores are
 //! over contact angles in one sector [0, spacing), a degree apart. They hold near the cut point's load.
 
+pub(crate) mod ring_field;
+
 use fem_client::solver::{Position, Response};
 use gsa::campaign::Campaign;
 
-use crate::archive::Outcome;
+use crate::layout::ring_field::{RingField, at_angle, ring_fields, slope_at_angle};
 use crate::result::{LayoutScore, RankedLayout};
-use crate::ring_field::{RingField, at_angle, ring_fields, slope_at_angle};
+use crate::run::archive::Outcome;
 use crate::study::{Study, position_name};
 
 /// Noise of a film relative to the largest strain around the crown at the cut point.

@@ -19,10 +19,10 @@ use serde_json::{Map, Value, json};
 pub use typed::{typed_grid, typed_settings};
 use wish::{Wish, field_of, names, of_grid, of_list};
 
-use crate::input_reader::read_name;
-use crate::plan::first_points;
 use crate::study::Study;
-use crate::study_reader::{LONGEST_NAME, Resolve};
+use crate::study::input_reader::read_name;
+use crate::study::plan::first_points;
+use crate::study::study_reader::{LONGEST_NAME, Resolve};
 
 /// Most designs of a sweep.
 pub const MOST_DESIGNS: usize = 1000;

@@ -6,10 +6,10 @@
 
 use gsa::judge::certainty::{Estimate, places_certain};
 
-use crate::directions::Directions;
 use crate::result::{Output, RankedLocation};
-use crate::score::Scores;
+use crate::score::indices::Scores;
 use crate::study::Study;
+use crate::study::directions::Directions;
 
 /// Percentages closer than this are equal (1e-9 as shares): what symmetry makes equal still differs by rounding.
 const EQUAL_PERCENT: f64 = 1e-7;

@@ -1,8 +1,11 @@
 //! Runs a study: solves the points that the archive lacks, then analyses and ranks.
 
+pub mod archive;
 mod attempt;
 mod finite;
+pub mod memory;
 mod points;
+pub mod usage;
 
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
@@ -14,14 +17,14 @@ use gsa::method::analysis::Status;
 
 pub(crate) use self::points::keys;
 use self::points::{Answers, Place, Points};
-use crate::archive::{Archive, ArchiveError, Outcome};
-use crate::assemble::assemble;
-use crate::plan::{Plan, PlanError};
 use crate::result::{FailedPoint, StudyCost, StudyResult};
-use crate::score;
-use crate::score::Coarse;
+use crate::run::archive::{Archive, ArchiveError, Outcome};
+use crate::run::usage::{cpu_s, peak_memory_bytes};
+use crate::score::assemble::assemble;
+use crate::score::indices;
+use crate::score::indices::Coarse;
 use crate::study::Study;
-use crate::usage::{cpu_s, peak_memory_bytes};
+use crate::study::plan::{Plan, PlanError};
 
 /// What happens during a run, as it happens.
 #[derive(Debug, Clone, PartialEq)]
@@ -209,7 +212,7 @@ pub(crate) fn run_from(
         let Answers { points, reused } = answers(&plan, place)?;
         solved += points.len() - reused;
         let (outcomes, costs): (Vec<Outcome>, Vec<Cost>) = points.into_iter().unzip();
-        let values = score::ranked_values(&outcomes, study.directions);
+        let values = indices::ranked_values(&outcomes, study.directions);
         if !plan.extend(study, &values.view())? {
             break (outcomes, costs);
         }

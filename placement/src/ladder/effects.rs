@@ -8,11 +8,11 @@ use fem_client::scene::{Level, Scene};
 use fem_client::solver::Omission;
 use fem_client::solver::{Choice, Response};
 
-use crate::archive::Outcome;
-use crate::plan::Plan;
 use crate::result::StudyResult;
+use crate::run::archive::Outcome;
 use crate::run::{Means, RunError, outcomes_of};
 use crate::study::Study;
+use crate::study::plan::Plan;
 
 /// Fills in the effects of what a result's model leaves out. The points have ordinals from `first` on.
 ///

@@ -11,14 +11,14 @@ use std::sync::atomic::AtomicBool;
 use fem_client::solver::Solver;
 use serde::{Deserialize, Serialize};
 
-use crate::directions::Directions;
-use crate::fidelity::{Fidelity, FidelityReport};
-use crate::memory::MemoryArchive;
-use crate::plan::Plan;
+use crate::ladder::fidelity::{Fidelity, FidelityReport};
 use crate::result::{RankedLocation, StudyResult};
+use crate::run::memory::MemoryArchive;
 use crate::run::{Means, Observer, RunError, run};
-use crate::score::DIRECTIONS;
+use crate::score::indices::DIRECTIONS;
 use crate::study::Study;
+use crate::study::directions::Directions;
+use crate::study::plan::Plan;
 
 /// The measured trade of a study.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
