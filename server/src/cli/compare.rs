@@ -15,9 +15,9 @@ use super::export::{deliver, readable};
 use super::library::{Database, study, the_only};
 use super::output::{JsonTarget, tell};
 use super::paint::{FAINT, HEADER, STRONG, header, left, of_state, painted};
-use crate::comparison::{of_designs, of_studies};
-use crate::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
-use crate::store::sweeps;
+use service::comparison::{of_designs, of_studies};
+use service::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
+use store::queue::sweep_rows;
 
 /// Compare studies, or the designs of a sweep: what differs, and which differences are real
 #[derive(Debug, Args)]
@@ -79,10 +79,10 @@ impl Compare {
 
     async fn entries(&self, connection: &mut SqliteConnection) -> Result<Vec<Entry>, Failure> {
         if let [id] = &self.ids[..] {
-            let found = sweeps::beginning_with(connection, id, 2).await;
+            let found = sweep_rows::beginning_with(connection, id, 2).await;
             let mut found = found.map_err(Failure::other)?;
             if let (Some(sweep), true) = (found.pop(), found.is_empty()) {
-                let designs = sweeps::designs(connection, &sweep.id).await;
+                let designs = sweep_rows::designs(connection, &sweep.id).await;
                 let designs = designs.map_err(Failure::other)?;
                 let entries = of_designs(connection, &designs).await;
                 return entries.map_err(Failure::other);

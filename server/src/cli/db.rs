@@ -10,7 +10,7 @@ use super::Failure;
 use super::output::{JsonTarget, tell};
 use super::paint::{BAD, GOOD, painted};
 use super::progress::{TICK, bytes_bar, clock, count, counting_bar};
-use crate::store::upkeep::{self, Inspection};
+use store::file::upkeep::{self, Inspection};
 
 /// Look after the database file
 #[derive(Debug, Args)]

@@ -16,11 +16,12 @@ use tokio::runtime::Handle;
 
 use super::Failure;
 use super::progress::say_failed;
-use crate::engine::{End, Engine};
-use crate::forecast::memory_bytes;
-use crate::store::sweeps::DesignRow;
-use crate::store::{StoreError, turns};
-use crate::study_document::stored_study;
+use service::engine::{End, Engine};
+use service::forecast::memory_bytes;
+use service::study_document::stored_study;
+use store::StoreError;
+use store::queue::sweep_rows::DesignRow;
+use store::queue::turns;
 
 /// What designs are run with.
 pub struct Crew<'c> {

@@ -8,9 +8,9 @@ use tokio::runtime::Runtime;
 
 use super::Failure;
 use super::paint::{HEADER, painted};
-use crate::forecast::ForecastError;
-use crate::http::sweep_wire::{DesignEstimate, SweepEstimate};
-use crate::store::Store;
+use service::forecast::ForecastError;
+use service::wire::sweep_wire::{DesignEstimate, SweepEstimate};
+use store::Store;
 
 /// Asks for an estimate with what a database knows. Makes no database: where there is none, nothing is known.
 pub fn estimated<T>(

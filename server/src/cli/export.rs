@@ -10,10 +10,10 @@ use sqlx::SqliteConnection;
 use super::Failure;
 use super::library::{Database, study};
 use super::output::{print, write_whole};
-use crate::export::{self, ExportError, FileFormat, Table};
-use crate::points;
-use crate::store::results;
-use crate::store::studies::StudyRow;
+use service::export::{self, ExportError, FileFormat, Table};
+use service::points;
+use store::answers::result_rows;
+use store::queue::studies::StudyRow;
 
 /// Write a study's answer as a file: a table, the map, or the whole result
 #[derive(Debug, Args)]
@@ -92,7 +92,7 @@ async fn result(
     connection: &mut SqliteConnection,
     study: &StudyRow,
 ) -> Result<StudyResult, Failure> {
-    let found = results::find(connection, &study.id).await;
+    let found = result_rows::find(connection, &study.id).await;
     let Some((result, _)) = found.map_err(Failure::other)? else {
         let why = study.error.as_deref().unwrap_or("it hasn't ended");
         return Err(Failure::Other(format!(

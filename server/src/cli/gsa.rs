@@ -20,7 +20,7 @@ use super::examples;
 use super::output::{JsonTarget, print, tell, warn, write_whole};
 use super::paint::{HEADER, WARNING, painted};
 use super::progress::clock;
-use crate::study_document::{format_of, read_file};
+use service::study_document::{format_of, read_file};
 
 /// Analyse a model of your own: print the points to run, then read their outputs back
 #[derive(Debug, Args)]

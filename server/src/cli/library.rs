@@ -14,10 +14,12 @@ use super::output::{JsonTarget, is_seen, tell};
 use super::paint::{BAD, header, left, of_state, painted};
 use super::progress::clock;
 use super::table::report;
-use crate::http::sweep_wire::SweepSummary;
-use crate::http::wire::StudySummary;
-use crate::store::studies::{self, Filter, State, StudyRow};
-use crate::store::{results, sweeps, upkeep};
+use service::wire::study_wire::StudySummary;
+use service::wire::sweep_wire::SweepSummary;
+use store::answers::result_rows;
+use store::file::upkeep;
+use store::queue::studies::{self, Filter, State, StudyRow};
+use store::queue::sweep_rows;
 
 /// The database to read.
 #[derive(Debug, Args)]
@@ -116,10 +118,10 @@ impl List {
 
     fn list_sweeps(&self) -> Result<(), Failure> {
         let summaries = self.database.read(async |connection| {
-            let page = sweeps::page(connection, None, self.limit).await;
+            let page = sweep_rows::page(connection, None, self.limit).await;
             let mut summaries = Vec::new();
             for row in page.map_err(Failure::other)? {
-                let designs = sweeps::designs(connection, &row.id).await;
+                let designs = sweep_rows::designs(connection, &row.id).await;
                 summaries.push(SweepSummary::of(&row, &designs.map_err(Failure::other)?));
             }
             Ok(summaries)
@@ -216,7 +218,7 @@ impl Show {
     pub fn execute(&self) -> Result<(), Failure> {
         let (row, found) = self.database.read(async |connection| {
             let row = study(connection, &self.id).await?;
-            let found = results::find(connection, &row.id).await;
+            let found = result_rows::find(connection, &row.id).await;
             Ok((row, found.map_err(Failure::other)?))
         })?;
         let found: Option<StudyResult> = found.map(|(result, _)| result);

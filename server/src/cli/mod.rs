@@ -21,6 +21,7 @@ mod settings;
 mod shell;
 mod signals;
 mod solve;
+mod solver_option;
 mod sweep;
 mod table;
 mod trade;

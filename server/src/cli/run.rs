@@ -16,16 +16,17 @@ use super::output::{JsonTarget, tell, write_whole};
 use super::progress::{progress_bar, show};
 use super::signals::stop_flag;
 use super::table::report;
+use crate::cli::solver_option::SolverOption;
 use crate::config::Config;
-use crate::engine::{End, Engine};
-use crate::export::{Export, FileFormat, Table};
-use crate::forecast::{admit, forecast};
-use crate::metrics::Metrics;
-use crate::queue::{enqueue, recover};
-use crate::solver::SolverChoice;
-use crate::store::studies::{self, StudyRow};
-use crate::store::{Store, StoreError, turns};
-use crate::study_document::read_changed;
+use service::engine::{End, Engine};
+use service::export::{Export, FileFormat, Table};
+use service::forecast::{admit, forecast};
+use service::metrics::Metrics;
+use service::queue::{enqueue, recover};
+use service::study_document::read_changed;
+use store::queue::studies::{self, StudyRow};
+use store::queue::turns;
+use store::{Store, StoreError};
 
 /// Run one study without the service
 #[derive(Debug, Args)]
@@ -38,7 +39,7 @@ pub struct Run {
     #[command(flatten)]
     config: Config,
     #[command(flatten)]
-    solver: SolverChoice,
+    solver: SolverOption,
     /// Say what the study would cost, and solve nothing
     #[arg(long, conflicts_with = "out")]
     dry_run: bool,

@@ -11,10 +11,10 @@ use fem_client::document::fault::Fault;
 use super::Failure;
 use super::output::print;
 use super::signals::Signals;
+use crate::cli::solver_option::SolverOption;
 use crate::config::{Config, address, seconds};
 use crate::http::guard::HostName;
-use crate::service::{Limits, Outside, Service, ServiceParts};
-use crate::solver::SolverChoice;
+use crate::running::{Limits, Outside, Service, ServiceParts};
 use crate::telemetry::{self, LogFilter, LogFormat};
 use crate::token::{Token, TokenError};
 
@@ -76,7 +76,7 @@ pub struct Serve {
     #[command(flatten)]
     config: Config,
     #[command(flatten)]
-    solver: SolverChoice,
+    solver: SolverOption,
 }
 
 /// What clients have to know, and whether they know it yet.

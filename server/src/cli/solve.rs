@@ -16,8 +16,8 @@ use super::output::{JsonTarget, tell, write_whole};
 use super::paint::{HEADER, painted};
 use super::progress::clock;
 use super::signals::stop_flag;
-use crate::solver::SolverChoice;
-use crate::study_document::{format_of, read_file};
+use crate::cli::solver_option::SolverOption;
+use service::study_document::{format_of, read_file};
 
 /// Solve one equilibrium of a scene
 #[derive(Debug, Args)]
@@ -28,7 +28,7 @@ pub struct Solve {
     #[arg(long, value_name = "KEY=VALUE")]
     set: Vec<String>,
     #[command(flatten)]
-    solver: SolverChoice,
+    solver: SolverOption,
     /// Read the strain at a point of the inner surface, along a direction: wheel angle from the contact centre, section angle
     /// from the crown, and angle to the circumferential direction (0 when left out), all in degrees
     #[arg(long, value_name = "THETA,PHI[,ANGLE]", allow_hyphen_values = true)]
@@ -123,8 +123,7 @@ fn picture(scene: &Scene, solved: &Solved, version: &str) -> Result<String, Fail
 
 /// The response with its status and its time; the map and the rings are left out, as nobody asked for them.
 fn document(solved: &Solved) -> Result<Value, Failure> {
-    let text =
-        crate::store::content::encode("the response", &solved.response).map_err(Failure::other)?;
+    let text = store::content::encode("the response", &solved.response).map_err(Failure::other)?;
     let Value::Object(response) = serde_json::from_str(&text).map_err(Failure::other)? else {
         return Err(Failure::Other("a response is a JSON object".to_owned()));
     };

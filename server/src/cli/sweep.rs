@@ -18,18 +18,18 @@ use super::library::the_only;
 use super::output::{JsonTarget, tell};
 use super::progress::progress_bar;
 use super::signals::stop_flag;
-use crate::comparison::of_designs;
+use crate::cli::solver_option::SolverOption;
 use crate::config::Config;
-use crate::engine::Engine;
-use crate::forecast::{admit, forecast_sweep};
-use crate::http::sweep_wire::SweepDetail;
-use crate::metrics::Metrics;
-use crate::queue::recover;
-use crate::solver::SolverChoice;
-use crate::store::sweeps::{self, DesignRow, SweepRow};
-use crate::store::{Store, StoreError};
-use crate::study_document::{read_changed, stored_text};
-use crate::sweeps::{extend, resume, store};
+use service::comparison::of_designs;
+use service::engine::Engine;
+use service::forecast::{admit, forecast_sweep};
+use service::metrics::Metrics;
+use service::queue::recover;
+use service::study_document::{read_changed, stored_text};
+use service::sweeps::{extend, resume, store};
+use service::wire::sweep_wire::SweepDetail;
+use store::queue::sweep_rows::{self, DesignRow, SweepRow};
+use store::{Store, StoreError};
 
 /// Run one study over a grid of designs, and compare them
 #[derive(Debug, Args)]
@@ -52,7 +52,7 @@ pub struct Sweep {
     #[command(flatten)]
     config: Config,
     #[command(flatten)]
-    solver: SolverChoice,
+    solver: SolverOption,
     /// Say what the sweep would cost, and solve nothing
     #[arg(long, conflicts_with = "resume")]
     dry_run: bool,
@@ -209,19 +209,19 @@ impl Sweep {
 
 async fn designs_in(store: &Store, sweep: &str) -> Result<Vec<DesignRow>, StoreError> {
     let mut connection = store.read().await?;
-    sweeps::designs(&mut connection, sweep).await
+    sweep_rows::designs(&mut connection, sweep).await
 }
 
 async fn sweep_named(from: &Store, beginning: &str) -> Result<SweepRow, Failure> {
     let mut connection = from.read().await.map_err(Failure::other)?;
-    let found = sweeps::beginning_with(&mut connection, beginning, 2).await;
+    let found = sweep_rows::beginning_with(&mut connection, beginning, 2).await;
     the_only(found.map_err(Failure::other)?, "sweep", beginning)
 }
 
 async fn new(to: &Store, plan: &Plan) -> Result<SweepRow, StoreError> {
     let mut transaction = to.begin().await?;
     let id = store(&mut transaction, plan, 0).await?;
-    let row = sweeps::find(&mut transaction, &id).await?;
+    let row = sweep_rows::find(&mut transaction, &id).await?;
     to.commit(transaction, 0).await?;
     row.ok_or(StoreError::Database(sqlx::Error::RowNotFound))
 }

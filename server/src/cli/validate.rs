@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use super::Failure;
 use super::output::print;
-use crate::study_document::{format_of, read_file, read_study};
+use service::study_document::{format_of, read_file, read_study};
 
 /// Check a study or scene file without running it
 #[derive(Debug, Args)]

@@ -16,11 +16,11 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use super::AppState;
-use super::examples;
 use super::extract::Params;
 use super::problem::Problem;
-use super::wire::{LoginLink, ProblemDocument};
 use crate::token::{Token, TokenError};
+use service::wire::examples;
+use service::wire::study_wire::{LoginLink, ProblemDocument};
 
 /// The rule by which requests are let in. Without a token all are.
 #[derive(Clone)]

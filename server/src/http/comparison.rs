@@ -13,14 +13,15 @@ use serde::Deserialize;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
-use super::examples::{self, absent};
 use super::export::{both, file};
 use super::extract::Params;
 use super::problem::Problem;
-use super::wire::ProblemDocument;
-use super::{AppState, studies, sweep_examples, sweeps};
-use crate::comparison::{of_designs, of_studies};
-use crate::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
+use super::{AppState, studies, sweeps};
+use service::comparison::{of_designs, of_studies};
+use service::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
+use service::wire::examples::{self, absent};
+use service::wire::study_wire::ProblemDocument;
+use service::wire::sweep_examples;
 
 /// `/v1/comparison` and its export.
 pub fn router() -> OpenApiRouter<AppState> {

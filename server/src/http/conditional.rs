@@ -5,7 +5,7 @@ use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 
 use super::problem::Problem;
-use crate::store::content::sha256;
+use store::content::sha256;
 
 /// A document with a tag of its content, or 304 for a client that names the tag.
 ///

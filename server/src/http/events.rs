@@ -24,14 +24,15 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use super::AppState;
-use super::examples;
 use super::extract::{StudyId, StudyPath};
 use super::problem::Problem;
 use super::studies::known;
-use super::wire::{ProblemDocument, StreamEvent};
-use crate::shutdown::Shutdown;
-use crate::store::events::EventRow;
-use crate::store::{Store, StoreError, events};
+use service::shutdown::Shutdown;
+use service::wire::examples;
+use service::wire::study_wire::{ProblemDocument, StreamEvent};
+use store::queue::events;
+use store::queue::events::EventRow;
+use store::{Store, StoreError};
 
 /// Rows read at once.
 const BATCH: u32 = 100;

@@ -12,14 +12,14 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use super::AppState;
-use super::examples;
 use super::extract::{Params, StudyId, StudyPath};
 use super::problem::Problem;
 use super::results::part;
 use super::studies::known;
-use super::wire::ProblemDocument;
-use crate::export::{Export, ExportError, FileFormat, Table};
-use crate::points;
+use service::export::{Export, ExportError, FileFormat, Table};
+use service::points;
+use service::wire::examples;
+use service::wire::study_wire::ProblemDocument;
 
 /// `/v1/studies/{id}/export`.
 pub fn router() -> OpenApiRouter<AppState> {

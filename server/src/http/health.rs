@@ -6,10 +6,12 @@ use axum::http::StatusCode;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
+use super::AppState;
 use super::problem::Problem;
-use super::wire::{Health, ProblemDocument, Readiness};
-use super::{AppState, examples};
-use crate::store::{StoreError, turns};
+use service::wire::examples;
+use service::wire::study_wire::{Health, ProblemDocument, Readiness};
+use store::StoreError;
+use store::queue::turns;
 
 /// `/healthz` and `/readyz`.
 pub fn router() -> OpenApiRouter<AppState> {

@@ -15,7 +15,7 @@ use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
 
 use super::reading::WhileRead;
-use crate::shutdown::Shutdown;
+use service::shutdown::Shutdown;
 
 /// A client that has not sent its headers by then is dropped.
 const HEADER_TIMEOUT: Duration = Duration::from_secs(5);

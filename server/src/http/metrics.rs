@@ -13,8 +13,8 @@ use utoipa_axum::routes;
 
 use super::AppState;
 use super::problem::Problem;
-use crate::metrics::{MEDIA_TYPE, Metrics, Snapshot};
-use crate::store::studies;
+use service::metrics::{MEDIA_TYPE, Metrics, Snapshot};
+use store::queue::studies;
 
 /// What no route answers: the dashboard's files, and what isn't there.
 const NO_ROUTE: &str = "other";

@@ -28,7 +28,6 @@ pub mod conditional;
 pub mod docs;
 pub mod document;
 pub mod events;
-pub mod examples;
 pub mod export;
 pub mod extract;
 pub mod guard;
@@ -42,10 +41,7 @@ pub mod reading;
 pub mod request_id;
 pub mod results;
 pub mod studies;
-pub mod sweep_examples;
-pub mod sweep_wire;
 pub mod sweeps;
-pub mod wire;
 
 use std::any::Any;
 use std::sync::Arc;
@@ -57,14 +53,14 @@ use axum::{Router, body::Body};
 use tower_http::catch_panic::CatchPanicLayer;
 use utoipa_axum::router::OpenApiRouter;
 
-use crate::engine::Engine;
-use crate::metrics::Metrics;
-use crate::queue::Queue;
-use crate::shutdown::Shutdown;
-use crate::store::Store;
 use access::Access;
 use events::Streams;
 use problem::Problem;
+use service::engine::Engine;
+use service::metrics::Metrics;
+use service::queue::Queue;
+use service::shutdown::Shutdown;
+use store::Store;
 
 /// What every handler may use.
 #[derive(Clone)]

@@ -13,9 +13,10 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use super::access::Access;
-use super::wire::ProblemDocument;
-use super::{AppState, docs, examples};
-use crate::export::{ComparisonFormat, ComparisonTable, FileFormat, Table};
+use super::{AppState, docs};
+use service::export::{ComparisonFormat, ComparisonTable, FileFormat, Table};
+use service::wire::examples;
+use service::wire::study_wire::ProblemDocument;
 
 #[derive(OpenApi)]
 #[openapi(

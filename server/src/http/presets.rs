@@ -11,8 +11,8 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use super::AppState;
-use super::examples;
-use super::wire::{Preset, Presets};
+use service::wire::examples;
+use service::wire::study_wire::{Preset, Presets};
 
 /// `/v1/presets`.
 pub fn router() -> OpenApiRouter<AppState> {

@@ -7,7 +7,7 @@ use fem_client::document::fault::Fault;
 use serde_json::json;
 
 use super::request_id;
-use crate::store::StoreError;
+use store::StoreError;
 
 /// A problem document in the making.
 #[derive(Debug)]

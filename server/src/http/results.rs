@@ -17,13 +17,15 @@ use utoipa_axum::routes;
 
 use super::AppState;
 use super::conditional::tagged;
-use super::examples;
 use super::extract::{Params, StudyId, StudyPath};
 use super::problem::Problem;
 use super::studies::known;
-use super::wire::{Evaluations, Layouts, Locations, MapView, ProblemDocument};
-use crate::points;
-use crate::store::{Store, StoreError, results, trades};
+use service::points;
+use service::wire::examples;
+use service::wire::study_wire::{Evaluations, Layouts, Locations, MapView, ProblemDocument};
+use store::answers::result_rows;
+use store::answers::trades;
+use store::{Store, StoreError};
 
 /// `/v1/studies/{id}/result` and its parts.
 pub fn router() -> OpenApiRouter<AppState> {
@@ -50,7 +52,7 @@ async fn whole(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let found = ready(&state.store, &id, async |connection| {
-        results::find_text(connection, &id).await
+        result_rows::find_text(connection, &id).await
     });
     let (text, sha256) = found.await?;
     let kind = [(header::CONTENT_TYPE, "application/json")];
@@ -183,7 +185,7 @@ async fn trade(
 /// The result of a study or the part `R` of it, or 404 with what became of it.
 pub(super) async fn part<R: DeserializeOwned>(store: &Store, id: &str) -> Result<R, Problem> {
     let found = ready(store, id, async |connection| {
-        results::find(connection, id).await
+        result_rows::find(connection, id).await
     });
     found.await.map(|(part, _)| part)
 }

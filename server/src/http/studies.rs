@@ -16,14 +16,19 @@ use utoipa_axum::routes;
 use super::AppState;
 use super::conditional;
 use super::document::StudyBody;
-use super::examples;
 use super::extract::{Params, StudyId, StudyPath};
 use super::problem::Problem;
-use super::wire::{ProblemDocument, StudyDetail, StudyDocument, StudyPage, StudySummary};
-use crate::forecast::{ForecastError, admit, forecast};
-use crate::queue::SubmitError;
-use crate::store::studies::{self, Filter, State as StudyState, StudyRow};
-use crate::store::{Store, results, sweeps, trades};
+use service::forecast::{ForecastError, admit, forecast};
+use service::queue::SubmitError;
+use service::wire::examples;
+use service::wire::study_wire::{
+    ProblemDocument, StudyDetail, StudyDocument, StudyPage, StudySummary,
+};
+use store::Store;
+use store::answers::result_rows;
+use store::answers::trades;
+use store::queue::studies::{self, Filter, State as StudyState, StudyRow};
+use store::queue::sweep_rows;
 
 /// `/v1/studies` and `/v1/studies/{id}`.
 pub fn router() -> OpenApiRouter<AppState> {
@@ -225,9 +230,9 @@ async fn show(
         summary: StudySummary::of(&study),
         document: serde_json::from_str(&study.spec).unwrap_or(Value::Null),
         estimate: estimate.and_then(Result::ok),
-        result_sha256: results::sha256_of(&mut connection, &id).await?,
+        result_sha256: result_rows::sha256_of(&mut connection, &id).await?,
         trade_measured: trades::is_measured(&mut connection, &study.spec_sha256).await?,
-        sweep: sweeps::of_study(&mut connection, &id).await?,
+        sweep: sweep_rows::of_study(&mut connection, &id).await?,
     };
     conditional::json(&headers, &detail)
 }

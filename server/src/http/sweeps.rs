@@ -14,21 +14,21 @@ use utoipa_axum::routes;
 use super::AppState;
 use super::conditional;
 use super::document::{Document, SweepBody};
-use super::examples::{absent, crowded, faults};
 use super::extract::{Params, SweepId, SweepPath};
 use super::problem::Problem;
 use super::studies::{
     PageQuery, SubmitQuery, idempotency_key, page_limit, priority, refused, unsubmitted,
 };
-use super::sweep_examples as examples;
-use super::sweep_wire::{
+use service::forecast::{admit, forecast_sweep};
+use service::study_document::stored_text;
+use service::wire::examples::{absent, crowded, faults};
+use service::wire::study_wire::ProblemDocument;
+use service::wire::sweep_examples as examples;
+use service::wire::sweep_wire::{
     FurtherDesigns, SweepDetail, SweepDocument, SweepEstimate, SweepPage, SweepSummary,
 };
-use super::wire::ProblemDocument;
-use crate::forecast::{admit, forecast_sweep};
-use crate::store::Store;
-use crate::store::sweeps::{self, DesignRow, SweepRow};
-use crate::study_document::stored_text;
+use store::Store;
+use store::queue::sweep_rows::{self, DesignRow, SweepRow};
 
 /// `/v1/sweeps` and what is below it.
 pub fn router() -> OpenApiRouter<AppState> {
@@ -109,11 +109,11 @@ async fn list_sweeps(
 ) -> Result<Response, Problem> {
     let limit = page_limit(query.limit.as_deref())?;
     let mut connection = state.store.read().await?;
-    let rows = sweeps::page(&mut connection, query.cursor.as_deref(), limit + 1).await?;
+    let rows = sweep_rows::page(&mut connection, query.cursor.as_deref(), limit + 1).await?;
     let page = rows.get(..limit as usize).unwrap_or(&rows);
     let mut summaries = Vec::new();
     for row in page {
-        let designs = sweeps::designs(&mut connection, &row.id).await?;
+        let designs = sweep_rows::designs(&mut connection, &row.id).await?;
         summaries.push(SweepSummary::of(row, &designs));
     }
     let next = page.last().filter(|_| rows.len() > page.len());
@@ -229,9 +229,9 @@ async fn estimate_sweep(
 pub async fn known(store: &Store, id: &str) -> Result<(SweepRow, Vec<DesignRow>), Problem> {
     let mut connection = store.read().await?;
     let absent = || Problem::not_found(format!("there is no sweep {id:?}"));
-    let sweep = sweeps::find(&mut connection, id).await?;
+    let sweep = sweep_rows::find(&mut connection, id).await?;
     let sweep = sweep.ok_or_else(absent)?;
-    let designs = sweeps::designs(&mut connection, id).await?;
+    let designs = sweep_rows::designs(&mut connection, id).await?;
     Ok((sweep, designs))
 }
 

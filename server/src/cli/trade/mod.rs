@@ -22,10 +22,11 @@ use super::output::{JsonTarget, tell, warn, write_whole};
 use super::paint::{WARNING, painted};
 use super::progress::{progress_bar, show};
 use super::signals::stop_flag;
+use crate::cli::solver_option::SolverOption;
 use crate::config::Config;
-use crate::solver::SolverChoice;
-use crate::store::{Store, StoreError, trades};
-use crate::study_document::read_changed;
+use service::study_document::read_changed;
+use store::answers::trades;
+use store::{Store, StoreError};
 
 /// Measure the trade of speed for accuracy: the study on a ladder of meshes and methods, against the best of them
 #[derive(Debug, Args)]
@@ -38,7 +39,7 @@ pub struct Trade {
     #[command(flatten)]
     config: Config,
     #[command(flatten)]
-    solver: SolverChoice,
+    solver: SolverOption,
     /// Finest mesh level of the ladder
     #[arg(long, value_name = "LEVEL", default_value = "reference",
           value_parser = PossibleValuesParser::new(Level::NAMES.map(|(name, _)| name)))]
