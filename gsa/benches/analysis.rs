@@ -5,12 +5,9 @@
 //! linear. It is so in the outputs, and better in the runs of the same inputs; check points in proportion to the inputs make these
 //! enter squared.
 
-use std::fmt;
 use std::hint::black_box;
 use std::time::Instant;
 
-use divan::Bencher;
-use divan::counter::ItemsCount;
 use gsa::design::Design;
 use gsa::law::distribution::Distribution;
 use gsa::method::analysis::analyse;
@@ -26,18 +23,6 @@ struct Size {
     outputs: usize,
 }
 
-impl fmt::Display for Size {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            inputs,
-            nodes,
-            outputs,
-        } = self;
-        let runs = inputs * nodes + 1;
-        write!(f, "{runs} runs of {inputs} inputs, {outputs} outputs")
-    }
-}
-
 const fn size(inputs: usize, nodes: usize, outputs: usize) -> Size {
     Size {
         inputs,
@@ -46,11 +31,9 @@ const fn size(inputs: usize, nodes: usize, outputs: usize) -> Size {
     }
 }
 
-/// The size of which the ratio to the plain loop is told.
-const USUAL: Size = size(5, 5, 10_000);
 const SIZES: [Size; 7] = [
     size(5, 5, 1_000),
-    USUAL,
+    size(5, 5, 10_000),
     size(5, 5, 100_000),
     size(5, 11, 10_000),
     size(5, 21, 10_000),
@@ -72,22 +55,6 @@ fn study(size: Size) -> (Design, Array2<f64>) {
         share * x.iter().product::<f64>() + (1.0 - share) * x.iter().sum::<f64>()
     });
     (design, values)
-}
-
-#[divan::bench(args = SIZES, sample_count = 21)]
-fn analysis(bencher: Bencher<'_, '_>, size: Size) {
-    let (design, values) = study(size);
-    bencher
-        .counter(ItemsCount::new(values.len()))
-        .bench_local(|| analyse(&design, &values.view()));
-}
-
-#[divan::bench(args = SIZES, sample_count = 21)]
-fn plain_loop(bencher: Bencher<'_, '_>, size: Size) {
-    let (design, values) = study(size);
-    bencher
-        .counter(ItemsCount::new(values.len()))
-        .bench_local(|| variances(&design, &values));
 }
 
 /// Sum of the variances of each section of each output, textbook form.
@@ -130,12 +97,15 @@ fn median(mut times: Vec<f64>) -> f64 {
 }
 
 fn main() {
-    divan::main();
-    // As a benchmark only, not where a test run or a listing passes through.
-    if std::env::args().any(|argument| argument == "--bench") {
-        let (whole, plain) = in_turns(USUAL);
+    println!("inputs  runs  outputs  analysis ms  values/s  plain loop ms  ratio");
+    for size in SIZES {
+        let (whole, plain) = in_turns(size);
+        let runs = size.inputs * size.nodes + 1;
+        let throughput = (runs * size.outputs) as f64 / whole * 1e3;
         println!(
-            "{USUAL}: {whole:.1} ms, {:.0} times a plain loop's {plain:.2} ms",
+            "{:6} {runs:5} {:8} {whole:12.1} {throughput:9.1e} {plain:14.2} {:6.0}",
+            size.inputs,
+            size.outputs,
             whole / plain
         );
     }
