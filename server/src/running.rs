@@ -10,10 +10,12 @@ use placement::run::usage::machine_memory_bytes;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
 
-use crate::http::access::Access;
-use crate::http::events::Streams;
-use crate::http::guard::{HostList, HostName};
-use crate::http::{AppState, app, listener};
+use crate::http::app_state::AppState;
+use crate::http::edge::access::Access;
+use crate::http::edge::guard::{HostList, HostName};
+use crate::http::edge::listener;
+use crate::http::edge::streams::Streams;
+use crate::http::router::app;
 use crate::token::{Token, TokenError};
 use service::engine::Engine;
 use service::metrics::Metrics;

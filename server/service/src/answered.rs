@@ -9,7 +9,7 @@ use sqlx::SqliteConnection;
 
 use store::answers::result_rows;
 use store::points::evaluations;
-use store::queue::studies::{self, StudyRow};
+use store::queue::study_rows::{self, StudyRow};
 use store::{Store, StoreError};
 
 /// An answer that was there already.
@@ -58,7 +58,7 @@ async fn result_of_twin(
     row: &StudyRow,
     version: &str,
 ) -> Result<Option<(String, StudyResult)>, StoreError> {
-    let Some(twin) = studies::answered_twin(connection, &row.id, &row.spec_sha256).await? else {
+    let Some(twin) = study_rows::answered_twin(connection, &row.id, &row.spec_sha256).await? else {
         return Ok(None);
     };
     match result_rows::find::<StudyResult>(connection, &twin).await {

@@ -7,7 +7,7 @@ use sqlx::SqliteConnection;
 
 use store::StoreError;
 use store::answers::result_rows;
-use store::queue::studies::StudyRow;
+use store::queue::study_rows::StudyRow;
 use store::queue::sweep_rows::DesignRow;
 
 /// A study as it is compared, under this name.

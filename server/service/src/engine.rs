@@ -18,14 +18,14 @@ use serde_json::{Value, json};
 use tokio::runtime::Handle;
 
 use crate::answered::{Answered, answered};
-use crate::archive::StoreArchive;
+use crate::database_archive::StoreArchive;
 use crate::forecast::forecast;
 use crate::metrics::{Metrics, PointOutcome};
 use crate::solving::traced::Traced;
 use crate::study_document::stored_plan;
 use store::answers::result_rows;
-use store::queue::events;
-use store::queue::studies::{self, State, StudyRow};
+use store::queue::event_rows;
+use store::queue::study_rows::{self, State, StudyRow};
 use store::queue::turns;
 use store::{Store, StoreError};
 
@@ -178,7 +178,7 @@ impl Engine {
         };
         let stored = async {
             let mut transaction = self.store.begin().await?;
-            studies::set_estimate(&mut transaction, &row.id, &estimate).await?;
+            study_rows::set_estimate(&mut transaction, &row.id, &estimate).await?;
             self.store.commit(transaction, 0).await
         };
         if let Err(error) = stored.await {
@@ -190,14 +190,14 @@ impl Engine {
     async fn record(&self, study: &str, event: &Event) -> Result<(), StoreError> {
         let mut transaction = self.store.begin().await?;
         // A solve may end after its study was cancelled: its point is kept, but nothing comes after the last event.
-        if !studies::is_running(&mut transaction, study).await? {
+        if !study_rows::is_running(&mut transaction, study).await? {
             return Ok(());
         }
         if let Some((total, done)) = progress_of(event) {
-            studies::set_progress(&mut transaction, study, total, done).await?;
+            study_rows::set_progress(&mut transaction, study, total, done).await?;
         }
         let (kind, payload) = wire(event);
-        let id = events::insert(&mut transaction, study, kind, &payload).await?;
+        let id = event_rows::insert(&mut transaction, study, kind, &payload).await?;
         self.store.commit(transaction, id).await
     }
 
@@ -211,12 +211,14 @@ impl Engine {
             End::Done(result) => {
                 result_rows::insert(&mut transaction, &row.id, result).await?;
                 let sha256 = result_rows::sha256_of(&mut transaction, &row.id).await?;
-                let changed = studies::finish(&mut transaction, &row.id, State::Done, None).await?;
+                let changed =
+                    study_rows::finish(&mut transaction, &row.id, State::Done, None).await?;
                 (changed, "done", json!({"result_sha256": sha256}))
             }
             End::Failed { error, points } => {
                 let changed =
-                    studies::finish(&mut transaction, &row.id, State::Failed, Some(error)).await?;
+                    study_rows::finish(&mut transaction, &row.id, State::Failed, Some(error))
+                        .await?;
                 (
                     changed,
                     "failed",
@@ -235,7 +237,7 @@ impl Engine {
         if !changed {
             return Ok(false);
         }
-        let id = events::insert(&mut transaction, &row.id, kind, &payload).await?;
+        let id = event_rows::insert(&mut transaction, &row.id, kind, &payload).await?;
         self.store.commit(transaction, id).await?;
         Ok(true)
     }

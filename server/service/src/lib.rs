@@ -5,10 +5,10 @@
 //! - [`solving`]: which solver answers, chosen here and nowhere else, and how a solve is watched
 //! - [`shutdown`]: the wish to stop
 //! - [`study_document`]: study documents from files and from the database
-//! - [`points`]: the points of a study as a reader sees them
+//! - [`point_views`]: the points of a study as a reader sees them
 //! - [`wire`]: what goes over the wire
 //! - [`metrics`]: what is counted and measured
-//! - [`archive`]: the database as the place where solved points are kept
+//! - [`database_archive`]: the database as the place where solved points are kept
 //! - [`forecast`]: what a study would cost
 //! - [`answered`]: the same study again
 //! - [`engine`]: runs one study from its document to its end
@@ -18,13 +18,13 @@
 //! - [`export`]: answers as tables for other programs
 
 pub mod answered;
-pub mod archive;
 pub mod comparison;
+pub mod database_archive;
 pub mod engine;
 pub mod export;
 pub mod forecast;
 pub mod metrics;
-pub mod points;
+pub mod point_views;
 pub mod queue;
 pub mod shutdown;
 pub mod solving;

@@ -21,9 +21,9 @@ use tokio::sync::{Notify, oneshot};
 use crate::engine::{End, Engine};
 use crate::shutdown::Shutdown;
 use store::points::crashes;
-use store::queue::events;
+use store::queue::event_rows;
 use store::queue::idempotency;
-use store::queue::studies::{self, StudyRow};
+use store::queue::study_rows::{self, StudyRow};
 use store::queue::turns;
 use store::{Store, StoreError};
 
@@ -141,7 +141,7 @@ impl Queue {
         &self,
         mut transaction: Transaction<'static, Sqlite>,
     ) -> Result<(), StoreError> {
-        let event = events::latest(&mut transaction).await?;
+        let event = event_rows::latest(&mut transaction).await?;
         self.engine.store.commit(transaction, event).await?;
         self.news.notify_one();
         Ok(())
@@ -154,8 +154,8 @@ impl Queue {
     pub async fn cancel(&self, id: &str) -> Result<(), StoreError> {
         let store = &self.engine.store;
         let mut transaction = store.begin().await?;
-        if studies::cancel(&mut transaction, id).await? {
-            let event = events::insert(&mut transaction, id, "cancelled", &json!({})).await?;
+        if study_rows::cancel(&mut transaction, id).await? {
+            let event = event_rows::insert(&mut transaction, id, "cancelled", &json!({})).await?;
             store.commit(transaction, event).await?;
         }
         let current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
@@ -222,7 +222,7 @@ impl Queue {
 
     async fn still_running(&self, id: &str) -> Result<bool, StoreError> {
         let mut connection = self.engine.store.read().await?;
-        studies::is_running(&mut connection, id).await
+        study_rows::is_running(&mut connection, id).await
     }
 
     /// Runs a study on a thread of its own, so that the runtime stays free, until its end, a shutdown or the end of its turn.
@@ -326,9 +326,9 @@ pub async fn enqueue(
     priority: i64,
 ) -> Result<String, StoreError> {
     let (spec, sha256) = (study.canonical(), study.spec_sha256());
-    let id = studies::insert(connection, &study.name, &spec, &sha256).await?;
+    let id = study_rows::insert(connection, &study.name, &spec, &sha256).await?;
     turns::set_priority(connection, &id, priority).await?;
-    events::insert(connection, &id, "queued", &json!({"resumed": false})).await?;
+    event_rows::insert(connection, &id, "queued", &json!({"resumed": false})).await?;
     Ok(id)
 }
 
@@ -348,7 +348,8 @@ pub async fn recover(store: &Store) -> Result<(), StoreError> {
     let mut latest = 0;
     for id in turns::running(&mut transaction).await? {
         turns::release(&mut transaction, &id).await?;
-        latest = events::insert(&mut transaction, &id, "queued", &json!({"resumed": true})).await?;
+        latest =
+            event_rows::insert(&mut transaction, &id, "queued", &json!({"resumed": true})).await?;
         tracing::info!(study = id, "study resumes after a crash");
     }
     store.commit(transaction, latest).await

@@ -11,7 +11,7 @@ use placement::study::Study;
 use placement::study::plan::Plan;
 use placement::sweep::{changed, typed_settings};
 
-use store::queue::studies::StudyRow;
+use store::queue::study_rows::StudyRow;
 
 /// The study that a row of the database asks for.
 ///

@@ -12,7 +12,7 @@ use sqlx::SqliteConnection;
 use crate::queue::{Queue, SubmitError, enqueue};
 use crate::study_document::stored_text;
 use store::content::sha256;
-use store::queue::studies::State;
+use store::queue::study_rows::State;
 use store::queue::sweep_rows::{self, DesignRow, SweepRow};
 use store::{Store, StoreError};
 
@@ -195,41 +195,4 @@ fn content_sha256(sweep: &Sweep) -> String {
     }
     let parts: Vec<&[u8]> = parts.iter().map(|part| part.as_bytes()).collect();
     sha256(&parts)
-}
-
-/// Where a sweep stands by its designs: at work while any is or some still wait, cancelled when any was, done when any has a result.
-pub fn state_of(states: impl Iterator<Item = State> + Clone) -> State {
-    let any = |state: State| states.clone().any(|other| other == state);
-    let waits = any(State::Queued);
-    let begun = any(State::Running) || any(State::Done) || any(State::Failed);
-    match (waits, any(State::Running)) {
-        (_, true) => State::Running,
-        (true, false) if begun => State::Running,
-        (true, false) => State::Queued,
-        (false, false) if any(State::Cancelled) => State::Cancelled,
-        (false, false) if any(State::Done) => State::Done,
-        (false, false) => State::Failed,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_sweep_stands_where_its_designs_do() {
-        use State::{Cancelled, Done, Failed, Queued, Running};
-        for (designs, state) in [
-            (&[Queued, Queued][..], Queued),
-            (&[Queued, Running], Running),
-            (&[Done, Queued], Running),
-            (&[Done, Done], Done),
-            (&[Done, Failed], Done),
-            (&[Failed, Failed], Failed),
-            (&[Done, Cancelled], Cancelled),
-            (&[Cancelled, Queued], Queued),
-        ] {
-            assert_eq!(state_of(designs.iter().copied()), state, "{designs:?}");
-        }
-    }
 }

@@ -7,9 +7,10 @@ use serde::Deserialize;
 use serde_json::Value;
 use utoipa::ToSchema;
 
+use super::choices::{ExportError, FileFormat};
 use super::table::{Rows, TypedTable};
 use super::unit::{PERCENT, PURE, unit_of};
-use super::{ExportError, FileFormat, csv, parquet};
+use super::{csv, parquet};
 
 /// What is wanted of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, ToSchema, clap::ValueEnum)]

@@ -5,10 +5,10 @@
 
 use placement::result::{InputReport, Output, RankedLayout, RankedLocation, StudyResult};
 
-use super::Table;
+use super::choices::Table;
 use super::table::{Rows, TypedTable};
 use super::unit::{PERCENT, PURE, unit_of};
-use crate::points::EvaluationView;
+use crate::point_views::EvaluationView;
 
 /// A table of a result; `points` are read for [`Table::Points`] alone.
 pub fn table(table: Table, result: &StudyResult, points: &[EvaluationView]) -> TypedTable {

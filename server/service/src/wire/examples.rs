@@ -184,7 +184,7 @@ mod tests {
 
     use super::super::study_wire as wire;
     use super::*;
-    use crate::points::EvaluationView;
+    use crate::point_views::EvaluationView;
 
     fn reads<T: DeserializeOwned>(example: Value) {
         serde_json::from_value::<T>(example.clone())

@@ -3,4 +3,5 @@
 pub mod examples;
 pub mod study_wire;
 pub mod sweep_examples;
+mod sweep_state;
 pub mod sweep_wire;

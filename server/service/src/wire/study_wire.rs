@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
 
-use crate::points::EvaluationView;
-use store::queue::studies::{State, StudyRow};
+use crate::point_views::EvaluationView;
+use store::queue::study_rows::{State, StudyRow};
 
 /// A study in the queue, at work, or at its end. Times are RFC 3339, UTC.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]

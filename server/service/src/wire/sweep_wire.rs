@@ -5,9 +5,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
 
-use crate::sweeps::state_of;
 use crate::wire::study_wire::{StudyDocument, StudySummary};
-use store::queue::studies::State;
+use crate::wire::sweep_state::state_of;
+use store::queue::study_rows::State;
 use store::queue::sweep_rows::{DesignRow, SweepRow};
 
 /// A study, and what its designs set otherwise: `grid` or `designs`.

@@ -4,9 +4,9 @@ use placement::result::{RankedLayout, RankedLocation, StudyCost, StudyResult};
 use serde::de::DeserializeOwned;
 use sqlx::SqliteConnection;
 
-use crate::StoreError;
+use crate::clock::now;
 use crate::content::{encode, sha256};
-use crate::now;
+use crate::store_error::StoreError;
 
 const RESULT: &str = "the result of a study";
 

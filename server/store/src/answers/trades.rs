@@ -3,9 +3,9 @@
 use placement::ladder::trade::Trade;
 use sqlx::SqliteConnection;
 
-use crate::StoreError;
+use crate::clock::now;
 use crate::content::{encode, sha256};
-use crate::now;
+use crate::store_error::StoreError;
 
 /// Stores a trade; earlier ones of the same study stay.
 ///
@@ -74,7 +74,7 @@ mod tests {
     use placement::ladder::trade::Rung;
 
     use super::*;
-    use crate::tests::fresh;
+    use crate::database::tests::fresh;
 
     fn trade(study: &str, wall_s: f64) -> Trade {
         let rung = Rung {

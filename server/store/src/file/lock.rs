@@ -3,7 +3,7 @@
 use std::fs::{File, OpenOptions, TryLockError};
 use std::path::{Path, PathBuf};
 
-use crate::StoreError;
+use crate::store_error::StoreError;
 
 /// Holds the database for this process until it is dropped or the process ends, however it ends.
 #[derive(Debug)]

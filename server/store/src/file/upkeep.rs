@@ -10,13 +10,13 @@ use serde::Serialize;
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{ConnectOptions, Connection, SqliteConnection};
 
-use crate::StoreError;
 use crate::answers::result_rows;
 use crate::answers::trades;
 use crate::file::lock;
 use crate::file::pools;
 use crate::points::crashes;
 use crate::points::evaluations;
+use crate::store_error::StoreError;
 
 /// What a check found.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]

@@ -2,8 +2,8 @@
 
 use sqlx::SqliteConnection;
 
-use crate::StoreError;
-use crate::now;
+use crate::clock::now;
+use crate::store_error::StoreError;
 
 /// Notes that a solve begins.
 ///
@@ -75,7 +75,7 @@ pub async fn forget(connection: &mut SqliteConnection) -> Result<u64, StoreError
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tests::fresh;
+    use crate::database::tests::fresh;
 
     #[tokio::test]
     async fn only_what_was_in_flight_is_blamed_and_every_time() {

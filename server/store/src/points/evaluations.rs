@@ -10,10 +10,10 @@ use placement::run::archive::{PointRecord, Unsolved};
 use serde::de::DeserializeOwned;
 use sqlx::{FromRow, SqliteConnection};
 
-use crate::StoreError;
+use crate::clock::now;
 use crate::content::{encode, sha256};
-use crate::now;
 use crate::points::strain_fields;
+use crate::store_error::StoreError;
 
 /// A point as it was stored; of its response all, or the part `R`.
 #[derive(Debug, Clone, PartialEq)]

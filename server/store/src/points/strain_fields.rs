@@ -3,8 +3,8 @@
 use fem_client::solver::Response;
 use sqlx::SqliteConnection;
 
-use crate::StoreError;
 use crate::content::sha256;
+use crate::store_error::StoreError;
 
 const TABLE: &str = "strain_fields";
 

@@ -2,8 +2,8 @@
 
 use sqlx::SqliteConnection;
 
-use crate::StoreError;
-use crate::now;
+use crate::clock::now;
+use crate::store_error::StoreError;
 
 /// The study submitted under this key, and the hash of its document.
 ///

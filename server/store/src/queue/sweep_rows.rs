@@ -3,10 +3,10 @@
 use serde_json::{Map, Value};
 use sqlx::{FromRow, SqliteConnection};
 
-use crate::StoreError;
+use crate::clock::now;
 use crate::content::encode;
-use crate::now;
-use crate::queue::studies::StudyRow;
+use crate::queue::study_rows::StudyRow;
+use crate::store_error::StoreError;
 
 /// A sweep as stored.
 #[derive(Debug, Clone, PartialEq, FromRow)]

@@ -5,9 +5,9 @@
 
 use sqlx::SqliteConnection;
 
-use crate::StoreError;
-use crate::now;
-use crate::queue::studies::StudyRow;
+use crate::clock::now;
+use crate::queue::study_rows::StudyRow;
+use crate::store_error::StoreError;
 
 /// The identifier of the study whose turn is next.
 ///

@@ -2,7 +2,7 @@
 
 use reqwest::{Method, RequestBuilder, Response, StatusCode};
 use serde_json::Value;
-use server::http::guard::HostName;
+use server::http::edge::guard::HostName;
 use server::running::Outside;
 use server::token::Token;
 

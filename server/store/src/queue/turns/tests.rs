@@ -5,8 +5,8 @@ use proptest::test_runner::{Config, TestRunner};
 use tokio::runtime::Runtime;
 
 use super::*;
-use crate::queue::studies::{self, State};
-use crate::tests::fresh;
+use crate::database::tests::fresh;
+use crate::queue::study_rows::{self, State};
 
 /// Sequences that are tried; the variable `STRAINSITE_QUEUE_SEQUENCES` asks for more.
 const SEQUENCES: u32 = 2000;
@@ -84,7 +84,9 @@ async fn both(tx: &mut SqliteConnection, model: &mut Model, step: Step) {
     const RUNNING: [State; 1] = [State::Running];
     match step {
         Step::Submit { priority } => {
-            let id = studies::insert(tx, "a", "{}", "x").await.expect("inserts");
+            let id = study_rows::insert(tx, "a", "{}", "x")
+                .await
+                .expect("inserts");
             set_priority(tx, &id, priority).await.expect("writes");
             let place = model.end_of_line();
             let state = State::Queued;
@@ -128,7 +130,9 @@ async fn both(tx: &mut SqliteConnection, model: &mut Model, step: Step) {
                 return;
             };
             let id = &model.studies[index].id;
-            let moved = studies::finish(tx, id, state, None).await.expect("writes");
+            let moved = study_rows::finish(tx, id, state, None)
+                .await
+                .expect("writes");
             assert_eq!(moved, model.moved(index, &RUNNING, state));
         }
         Step::Cancel(pick) => {
@@ -136,7 +140,7 @@ async fn both(tx: &mut SqliteConnection, model: &mut Model, step: Step) {
                 return;
             };
             let id = &model.studies[index].id;
-            let moved = studies::cancel(tx, id).await.expect("writes");
+            let moved = study_rows::cancel(tx, id).await.expect("writes");
             let open = [State::Queued, State::Running];
             assert_eq!(moved, model.moved(index, &open, State::Cancelled));
         }
@@ -153,7 +157,7 @@ async fn both(tx: &mut SqliteConnection, model: &mut Model, step: Step) {
 
 /// Every study is where the model has it, and waiting is known for every priority.
 async fn agree(tx: &mut SqliteConnection, model: &Model) {
-    let rows = studies::page(tx, studies::Filter::default(), None, 1000)
+    let rows = study_rows::page(tx, study_rows::Filter::default(), None, 1000)
         .await
         .expect("reads");
     let mut found: Vec<_> = rows.iter().map(|row| (&row.id, row.state())).collect();
@@ -207,7 +211,7 @@ async fn nobody_has_a_second_turn_before_all_have_had_one() {
     let mut tx = store.begin().await.expect("begins");
     let mut ids = Vec::new();
     for name in ["a", "b", "c"] {
-        let id = studies::insert(&mut tx, name, "{}", "x").await;
+        let id = study_rows::insert(&mut tx, name, "{}", "x").await;
         ids.push(id.expect("inserts"));
     }
     let mut turns = Vec::new();
@@ -218,4 +222,22 @@ async fn nobody_has_a_second_turn_before_all_have_had_one() {
         turns.push(id);
     }
     assert_eq!(turns, [ids.clone(), ids].concat());
+}
+
+#[tokio::test]
+async fn an_end_is_never_overwritten() {
+    let (_folder, store) = fresh().await;
+    let mut tx = store.begin().await.expect("begins");
+    let id = study_rows::insert(&mut tx, "a", "{}", "x").await;
+    let id = id.expect("inserts");
+    claim(&mut tx, &id).await.expect("claims");
+    for cancelled in [true, false] {
+        let done = study_rows::cancel(&mut tx, &id).await.expect("cancels");
+        assert_eq!(done, cancelled);
+    }
+    let done = study_rows::finish(&mut tx, &id, State::Done, None).await;
+    assert!(!done.expect("finishes"));
+    assert!(!release(&mut tx, &id).await.expect("releases"));
+    let row = study_rows::find(&mut tx, &id).await.expect("reads");
+    assert_eq!(row.map(|row| row.state()), Some(State::Cancelled));
 }
