@@ -143,5 +143,5 @@ def test_the_package_is_typed_and_knows_its_version() -> None:
 
 def test_the_reference_says_what_the_code_says() -> None:
     said = subprocess.run([sys.executable, FOLDER / "tools/reference.py"], capture_output=True, text=True, check=True)
-    renew = "python/.venv/bin/python python/tools/reference.py > python/docs/reference.md"
+    renew = "$(python/environment)/bin/python python/tools/reference.py > python/docs/reference.md"
     assert (FOLDER / "docs/reference.md").read_text() == said.stdout, renew
