@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use crate::cell::mesh::Surface;
-use crate::linear::factor::{LinearError, Symbolic};
 use crate::linear::sparsity::{Equations, NONE, Pattern};
+use crate::linear::symbolic::{LinearError, Symbolic};
 use crate::problem::{Loads, Problem, State};
 use crate::solid::{InvalidReference, SolidGeometry};
 use crate::surface::membrane::Membrane;

@@ -1,6 +1,7 @@
 //! Stresses of bricks, as pictures show them.
 
-use super::{SolidGeometry, SolidModel};
+use super::solid_geometry::SolidGeometry;
+use super::solid_model::SolidModel;
 use crate::tensor::{Tensor, determinant, multiply, transpose};
 
 /// Means over a brick's current volume, MPa.

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use faer::Mat;
 use faer::linalg::solvers::Solve;
-use fem::linear::factor::{Factor, Symbolic, Workspace};
+use fem::linear::factor::{Factor, Workspace};
 use fem::linear::sparsity::Pattern;
+use fem::linear::symbolic::Symbolic;
 
 /// Solves in place, the border by its Schur complement.
 fn solve(factor: &Factor, schur: &Mat<f64>, x: &mut [f64], workspace: &mut Workspace) {

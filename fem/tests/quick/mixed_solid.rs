@@ -1,10 +1,8 @@
 //! The mixed solid in small problems with exact answers.
 
-mod cube;
-
 use std::sync::atomic::AtomicBool;
 
-use cube::problem;
+use crate::cube::problem;
 use fem::cell::element::Order;
 use fem::cell::mesh::Surface;
 use fem::load::pressure::PressureSurface;

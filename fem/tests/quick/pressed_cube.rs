@@ -1,10 +1,8 @@
 //! Contact and friction of a cube on flat ground.
 
-mod cube;
-
 use std::sync::atomic::AtomicBool;
 
-use cube::problem;
+use crate::cube::problem;
 use fem::cell::element::Order;
 use fem::cell::mesh::Surface;
 use fem::load::contact::{ContactSurface, Penalty};

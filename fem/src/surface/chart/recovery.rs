@@ -1,37 +1,19 @@
-//! Stretches of a surface, recovered where a film would sit.
-//!
-//! A stretch follows from the displacements of the surface itself: with the surface in a chart (s1, s2) of orthogonal
-//! coordinate lines, lambda_k = |dx/ds_k| / |dX/ds_k|. These derivatives jump between faces and are most accurate at the
-//! Gauss points of one order less (2 x 2 on a 9-node face, the centre of a 4-node face). Around each corner of the
-//! mesh a polynomial is fitted to those values (superconvergent patch recovery, O. C. Zienkiewicz and J. Z. Zhu, Int. J. Numer.
-//! Meth. Engng 33 (1992) 1331); within a face the polynomials of its corners are blended bilinearly. Faces beyond a
-//! symmetry line take part as mirror images.
+//! Stretches of one state, by polynomials around the corners.
 
+use super::coordinates::{Chart, chart_gradients};
+use super::corners::Corners;
+use super::patch::{Patch, Sample};
 use crate::cell::element::{Order, face_rule, face_shape};
-use crate::cell::mesh::{Mesh, Surface, SurfacePoint};
+use crate::cell::mesh::{Mesh, SurfacePoint};
 use crate::cell::quadrature;
-use crate::surface::patch::{Patch, Sample};
 use crate::surface::stretch::Stretch;
 use crate::tensor::{Vector, dot, norm};
-
-/// A surface with coordinates on it.
-#[derive(Debug, Clone)]
-pub struct Chart {
-    /// Its faces.
-    pub surface: Surface,
-    /// Chart coordinates of the faces' nodes, face by face, as lengths; lines s1 and s2 cross at right angles.
-    pub coordinates: Vec<[f64; 2]>,
-    /// Symmetry lines: axis and value of the coordinate that is constant on the line.
-    pub mirrors: Vec<(usize, f64)>,
-    /// Length after which s1 comes back to where it began.
-    pub period: Option<f64>,
-}
 
 /// Recovered stretches of one state.
 #[derive(Debug)]
 pub struct Recovery<'c> {
     chart: &'c Chart,
-    /// Which patch belongs to which corner of a face.
+    /// Corner k of the surface has patch k.
     corners: Corners,
     patches: Vec<Patch>,
     positions: Vec<Vector>,
@@ -190,121 +172,10 @@ impl<'c> Recovery<'c> {
     }
 }
 
-impl Chart {
-    /// Chart coordinates of a point.
-    pub fn position(&self, point: SurfacePoint) -> [f64; 2] {
-        let n = self.surface.order.face_nodes();
-        let (values, _) = face_shape(self.surface.order, point.local);
-        let nodes = &self.coordinates[point.face * n..(point.face + 1) * n];
-        [0, 1].map(|k| nodes.iter().zip(&values).map(|(s, v)| s[k] * v).sum())
-    }
-
-    /// Area in the chart over area on the reference square.
-    fn area_ratio(&self, point: SurfacePoint) -> f64 {
-        let n = self.surface.order.face_nodes();
-        let (_, gradients) = face_shape(self.surface.order, point.local);
-        let nodes = &self.coordinates[point.face * n..(point.face + 1) * n];
-        let j = chart_jacobian(nodes, &gradients);
-        (j[0][0] * j[1][1] - j[0][1] * j[1][0]).abs()
-    }
-
-    fn corner(&self, face: usize, corner: usize) -> [f64; 2] {
-        self.coordinates
-            [face * self.surface.order.face_nodes() + corner_node(self.surface.order, corner)]
-    }
-
-    /// The way from `origin` to `s`, the short way round.
-    fn difference(&self, s: [f64; 2], origin: [f64; 2]) -> [f64; 2] {
-        let mut d = [s[0] - origin[0], s[1] - origin[1]];
-        if let Some(period) = self.period {
-            d[0] -= period * (d[0] / period).round();
-        }
-        d
-    }
-
-    fn mirrors_through(&self, corner: [f64; 2]) -> Vec<(usize, f64)> {
-        let on = |&(axis, value): &(usize, f64)| {
-            (corner[axis] - value).abs() <= 1e-9 * (1.0 + value.abs())
-        };
-        self.mirrors.iter().copied().filter(on).collect()
-    }
-}
-
-/// Which faces meet at which corner.
-#[derive(Debug)]
-struct Corners {
-    /// Corner numbers of each face.
-    of_face: Vec<[usize; 4]>,
-    /// Faces, and their local corner, of each corner.
-    uses: Vec<Vec<(usize, usize)>>,
-}
-
-impl Corners {
-    fn new(surface: &Surface) -> Self {
-        let mut numbers = std::collections::HashMap::new();
-        let (mut of_face, mut uses) = (Vec::new(), Vec::<Vec<_>>::new());
-        for (index, face) in surface.iter().enumerate() {
-            of_face.push([0, 1, 2, 3].map(|corner| {
-                let node = face[corner_node(surface.order, corner)];
-                let number = *numbers.entry(node).or_insert_with(|| {
-                    uses.push(Vec::new());
-                    uses.len() - 1
-                });
-                uses[number].push((index, corner));
-                number
-            }));
-        }
-        Self { of_face, uses }
-    }
-
-    /// These faces and all that share a corner with them, ascending.
-    fn ring(&self, faces: &[usize]) -> Vec<usize> {
-        let corners = faces.iter().flat_map(|&face| self.of_face[face]);
-        let mut ring: Vec<usize> = corners
-            .flat_map(|c| self.uses[c].iter().map(|u| u.0))
-            .collect();
-        ring.sort_unstable();
-        ring.dedup();
-        ring
-    }
-}
-
-fn corner_node(order: Order, corner: usize) -> usize {
-    let n = order.edge_nodes();
-    [0, n - 1, n * (n - 1), n * n - 1][corner]
-}
-
-/// Derivatives of the chart's coordinates by the face's.
-fn chart_jacobian(coordinates: &[[f64; 2]], gradients: &[[f64; 2]]) -> [[f64; 2]; 2] {
-    let mut j = [[0.0; 2]; 2];
-    for (s, g) in coordinates.iter().zip(gradients) {
-        for (k, row) in j.iter_mut().enumerate() {
-            for l in 0..2 {
-                row[l] += s[k] * g[l];
-            }
-        }
-    }
-    j
-}
-
-/// Derivatives of the shape functions by the chart's coordinates.
-fn chart_gradients(coordinates: &[[f64; 2]], gradients: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let j = chart_jacobian(coordinates, gradients);
-    let determinant = j[0][0] * j[1][1] - j[0][1] * j[1][0];
-    gradients
-        .iter()
-        .map(|g| {
-            [
-                (g[0] * j[1][1] - g[1] * j[1][0]) / determinant,
-                (g[1] * j[0][0] - g[0] * j[0][1]) / determinant,
-            ]
-        })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::mesh::Surface;
 
     /// A flat sheet of n x n faces on [0, 1]^2 with a stretch that varies along s1.
     fn sheet(order: Order, n: usize) -> (Mesh, Chart) {

@@ -1,69 +1,12 @@
-//! Contact of a surface with the rigid ground, by a penalty on the vertical gap, with or without friction.
-//!
-//! The ground stores phi(g) per reference area of the surface at each integration point, with the gap
-//! g = z - z_g(x). A point that penetrates by s = -g > 0 is pushed with phi' = -eps s, whose slope grows from zero over a
-//! small width, so that the tangent is continuous and a surface that just touches feels nothing. The forces are the
-//! derivative of that energy, along (-z_g', 0, 1): normal to the ground.
+//! Nodal forces and stiffness of the contact.
 
-use std::collections::HashSet;
-
-use crate::cell::element::{FacePoint, face_points};
-use crate::cell::mesh::{Mesh, Surface};
-use crate::load::friction::{Friction, Traction};
+use super::contact_surface::ContactSurface;
+use crate::load::friction::Traction;
 use crate::load::obstacle::HeightField;
-use crate::tensor::{Vector, cross, norm};
-
-mod penalty;
-
-pub use penalty::Penalty;
-
-/// A surface that may touch the ground.
-#[derive(Debug)]
-pub struct ContactSurface {
-    /// Its faces.
-    pub surface: Surface,
-    /// Stiffness of the contact.
-    pub penalty: Penalty,
-    /// Friction on the ground.
-    pub friction: Friction,
-    rule: Vec<FacePoint>,
-    /// Reference area of each point: face, point.
-    areas: Vec<f64>,
-}
-
-/// Resultant of the contact.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct ContactResultant {
-    /// Force of the ground on the body, N.
-    pub force: Vector,
-    /// Mean penetration, weighted by the contact pressure, mm.
-    pub mean_penetration: f64,
-    /// Largest penetration, mm.
-    pub max_penetration: f64,
-}
+use crate::tensor::Vector;
 
 impl ContactSurface {
-    /// Prepares a surface. Two points more than the order needs on each edge follow the patch's edge inside a face.
-    pub fn new(mesh: &Mesh, surface: Surface, penalty: Penalty) -> Self {
-        let rule = face_points(mesh.order, mesh.order.edge_nodes() + 1);
-        let mut areas = Vec::with_capacity(surface.face_count() * rule.len());
-        for face in surface.iter() {
-            let nodes: Vec<Vector> = face.iter().map(|&n| mesh.nodes[n as usize]).collect();
-            for point in &rule {
-                let [t1, t2] = point.tangents(&nodes);
-                areas.push(point.weight * norm(&cross(&t1, &t2)));
-            }
-        }
-        Self {
-            surface,
-            penalty,
-            friction: Friction::NONE,
-            rule,
-            areas,
-        }
-    }
-
-    /// Adds a face's nodal forces and, when asked for, its stiffness (by rows; symmetric without friction). Returns
+    /// Adds a face's nodal forces (N) and, when asked for, its stiffness (N/mm, by rows; symmetric without friction). Returns
     /// whether any point touches; without touch the buffers are left alone. `anchors` are those of all faces' points;
     /// none: no friction yet.
     pub fn integrate(
@@ -104,137 +47,6 @@ impl ContactSurface {
         });
         touches
     }
-
-    /// Faces with a node or a contact point on or below the ground, and their neighbours. A peak of the ground may touch a
-    /// face between its nodes.
-    pub fn faces_near(&self, ground: &HeightField, positions: impl Fn(u32) -> Vector) -> Vec<bool> {
-        let is_below = |[x, _, z]: Vector| z <= ground.height(x)[0];
-        let below = |face: &[u32]| {
-            let nodes: Vec<Vector> = face.iter().map(|&n| positions(n)).collect();
-            let mut points = self.rule.iter().map(|point| interpolate(point, &nodes));
-            nodes.iter().copied().any(is_below) || points.any(is_below)
-        };
-        let near: HashSet<u32> = self
-            .surface
-            .iter()
-            .filter(|face| below(face))
-            .flatten()
-            .copied()
-            .collect();
-        self.surface
-            .iter()
-            .map(|face| face.iter().any(|n| near.contains(n)))
-            .collect()
-    }
-
-    /// Where the anchors of friction stand once the body rests at these positions: of a point in contact where its law
-    /// puts it, of any other below the point itself. Without friction there are none.
-    pub fn settled_anchors(
-        &self,
-        ground: Option<&HeightField>,
-        positions: impl Fn(u32) -> Vector,
-        anchors: &[[f64; 2]],
-    ) -> Vec<[f64; 2]> {
-        let mut settled = Vec::new();
-        if self.friction.coefficient == 0.0 {
-            return settled;
-        }
-        for (face, nodes) in self.surface.iter().enumerate() {
-            let current: Vec<Vector> = nodes.iter().map(|&n| positions(n)).collect();
-            let first = settled.len();
-            settled.extend(self.rule.iter().map(|point| {
-                let [x, y, _] = interpolate(point, &current);
-                [x, y]
-            }));
-            let Some(ground) = ground else { continue };
-            self.for_each_touch(ground, face, &current, |index, _, touch| {
-                if let Some(anchor) = anchors.get(first + index) {
-                    let slip = touch.slip(anchor);
-                    settled[first + index] =
-                        self.friction.anchor(touch.position, slip, touch.pressure);
-                }
-            });
-        }
-        settled
-    }
-
-    /// Resultant over all faces at these current positions, without friction's part.
-    pub fn resultant(
-        &self,
-        ground: &HeightField,
-        positions: impl Fn(u32) -> Vector,
-    ) -> ContactResultant {
-        let mut total = ContactResultant::default();
-        let mut current = Vec::with_capacity(self.surface.order.face_nodes());
-        for (index, face) in self.surface.iter().enumerate() {
-            current.clear();
-            current.extend(face.iter().map(|&n| positions(n)));
-            self.for_each_touch(ground, index, &current, |_, area, touch| {
-                let force = area * touch.pressure;
-                total.force[0] -= force * touch.slope;
-                total.force[2] += force;
-                total.mean_penetration += force * touch.penetration;
-                total.max_penetration = total.max_penetration.max(touch.penetration);
-            });
-        }
-        if total.force[2] > 0.0 {
-            total.mean_penetration /= total.force[2];
-        }
-        total
-    }
-
-    fn for_each_touch(
-        &self,
-        ground: &HeightField,
-        face: usize,
-        current: &[Vector],
-        mut visit: impl FnMut(usize, f64, &Touch),
-    ) {
-        for (index, point) in self.rule.iter().enumerate() {
-            let [x, y, z] = interpolate(point, current);
-            let [height, slope, curvature] = ground.height(x);
-            let penetration = height - z;
-            if penetration > 0.0 {
-                let (pressure, pressure_slope) = self.penalty.pressure(penetration);
-                let touch = Touch {
-                    penetration,
-                    pressure,
-                    pressure_slope,
-                    slope,
-                    curvature,
-                    position: [x, y],
-                };
-                visit(index, self.areas[face * self.rule.len() + index], &touch);
-            }
-        }
-    }
-}
-
-/// State of one touching point.
-struct Touch {
-    penetration: f64,
-    pressure: f64,
-    pressure_slope: f64,
-    slope: f64,
-    curvature: f64,
-    /// Along x and y.
-    position: [f64; 2],
-}
-
-impl Touch {
-    fn slip(&self, anchor: &[f64; 2]) -> [f64; 2] {
-        [0, 1].map(|i| self.position[i] - anchor[i])
-    }
-}
-
-fn interpolate(point: &FacePoint, current: &[Vector]) -> Vector {
-    let mut at = [0.0; 3];
-    for (position, n) in current.iter().zip(&point.values) {
-        for i in 0..3 {
-            at[i] += n * position[i];
-        }
-    }
-    at
 }
 
 /// Takes the derivative of friction's traction by the position off a point's stiffness. The pressure grows with the
@@ -273,6 +85,9 @@ fn add_outer(b: &[f64], block: &[[f64; 3]; 3], stiffness: &mut [f64]) {
 mod tests {
     use super::*;
     use crate::cell::element::Order;
+    use crate::cell::mesh::{Mesh, Surface};
+    use crate::load::contact::Penalty;
+    use crate::load::friction::Friction;
     use crate::load::obstacle::StationFunctions;
 
     fn patch() -> (Vec<Vector>, ContactSurface) {
