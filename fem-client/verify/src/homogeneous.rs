@@ -10,10 +10,11 @@ use fem::newton::iteration::Newton;
 use fem::problem::{Loads, Problem, State};
 use fem::tensor::{Tensor, Vector, multiply, norm, transpose};
 
-use super::body::{
+use crate::body::{
     RUBBER, SHEAR_MODULUS, SPACE, free_block, hold_coordinate_planes, load, mean_stress, rubber,
 };
-use super::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::verdict::Case;
 
 /// Newton ends at 1e-10 of the forces that meet at the nodes, some ten times what a face carries on these meshes.
 const STRESS_TOLERANCE: f64 = 1e-8;

@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use fem::newton::iteration::NewtonSettings;
 
-use crate::Unsolved;
+use crate::family::Unsolved;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{
     NoEquilibrium, Reached, Readout, SolveError, SolveRequest, Solved, Solver,

@@ -8,7 +8,8 @@ use fem::solid::SolidGeometry;
 
 use super::draft::{Bench, REACTION_NOISE, STRAIN_NOISE, TOLERANCE, reference};
 use super::trend::{Limit, Point, rises};
-use crate::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::verdict::Case;
 use fem_client::scene::Scene;
 use fem_client::solver::Response;
 use tire::mesh::grid::Extent;

@@ -8,8 +8,9 @@ use std::sync::atomic::AtomicBool;
 use fem::cell::element::Order;
 
 use super::draft::{Bench, Refusal, reference};
-use crate::convergence::Refinement;
-use crate::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::refinement::Refinement;
+use crate::verdict::Case;
 use fem_client::scene::{Law, Scene};
 use fem_client::solver::NoEquilibrium;
 use tire::mesh::grid::MeshPlan;

@@ -13,7 +13,7 @@
 //! - `cords`: a carcass from nothing to steel
 //! - [`studies`]: whole studies
 
-use crate::Family;
+use crate::family::Family;
 
 mod cords;
 mod depths;
@@ -24,11 +24,9 @@ mod incompressible;
 mod limit_load;
 mod limit_sphere;
 pub mod studies;
-pub mod trend;
+mod trend;
 mod units;
 mod walls;
-
-pub use draft::{STRAIN_NOISE, tight_solver};
 
 /// All families but that of whole studies, roughly from the quickest to the slowest.
 pub const FAMILIES: [Family; 9] = [

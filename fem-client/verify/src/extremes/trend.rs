@@ -1,6 +1,6 @@
 //! Laws that a series of values must follow.
 
-use crate::Case;
+use crate::verdict::Case;
 
 /// Safety on a bound that follows from a leading term: the next ones may add as much.
 const SAFETY: f64 = 2.0;
@@ -75,7 +75,7 @@ pub fn rises(quantity: &str, values: &[f64], noise: f64, source: &'static str) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Verdict;
+    use crate::verdict::Verdict;
 
     const TO_TWO: Limit = Limit {
         value: 2.0,

@@ -6,7 +6,8 @@
 use std::sync::atomic::AtomicBool;
 
 use super::draft::{Bench, reference};
-use crate::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::verdict::Case;
 use fem_client::scene::{Carcass, Law, Scene};
 use fem_client::solver::Response;
 
