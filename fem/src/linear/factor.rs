@@ -87,8 +87,8 @@ impl Factor {
             .map_err(|LdltError::ZeroPivot { index }| LinearError::ZeroPivot { index })
     }
 
-    /// The same factor with its entries rounded to single precision, for solves that correct their own errors: half the
-    /// memory, and half of it to read in a substitution. One that single precision can't hold stays as it is.
+    /// This factor with its entries rounded to single precision, for solves that correct their own errors: half the
+    /// memory, and half of it to read in a substitution. A factor that single precision can't hold stays as it is.
     #[must_use]
     pub fn rounded(mut self) -> Self {
         self.values = match self.values {
@@ -110,7 +110,7 @@ impl Factor {
         Inertia { negative }
     }
 
-    /// Schur complement of the border.
+    /// Schur complement of the border, in the unit of the matrix.
     pub fn schur_complement(&self) -> Mat<f64> {
         let interior = self.symbolic.interior;
         match &self.values {

@@ -50,7 +50,7 @@ impl Setup {
         Self::with_border(problem, geometry, border_axes(problem, &faces), faces)
     }
 
-    /// The same problem with a border that serves these contact faces too; `None` when the present one does.
+    /// This set-up with a border that serves these contact faces too; `None` when its own border does.
     ///
     /// # Errors
     /// As [`Setup::new`].

@@ -71,8 +71,8 @@ impl<'p> Newton<'p> {
         Self::for_contact(problem, &State::reference(problem), &Loads::default())
     }
 
-    /// The same, ready for contact from `state` with the ground of `loads`: else the first solve that touches the ground
-    /// sets up anew.
+    /// Sets the problem up for contact from `state` with the ground of `loads`. Without this the first solve that touches the
+    /// ground sets up anew.
     ///
     /// # Errors
     /// As [`Newton::new`].

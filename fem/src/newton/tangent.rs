@@ -53,7 +53,7 @@ impl Tangent {
         Ok(())
     }
 
-    /// The same tangent with its factor in single precision.
+    /// This tangent with its factor in single precision.
     #[must_use]
     pub(crate) fn rounded(self) -> Self {
         Self {

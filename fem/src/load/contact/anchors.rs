@@ -5,7 +5,7 @@ use crate::load::obstacle::HeightField;
 use crate::tensor::Vector;
 
 impl ContactSurface {
-    /// Where the anchors of friction stand once the body rests at these positions: of a point in contact where its law
+    /// Where the anchors of friction stand (x, y, mm) once the body rests at these positions: of a point in contact where its law
     /// puts it, of any other below the point itself. Without friction there are none.
     pub fn settled_anchors(
         &self,

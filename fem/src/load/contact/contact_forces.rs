@@ -86,6 +86,7 @@ mod tests {
     use super::*;
     use crate::cell::element::Order;
     use crate::cell::mesh::{Mesh, Surface};
+    use crate::central_differences::{assert_upper_agrees, derivative};
     use crate::load::contact::Penalty;
     use crate::load::friction::Friction;
     use crate::load::obstacle::StationFunctions;
@@ -170,43 +171,44 @@ mod tests {
         }
     }
 
+    /// Stiffness of the patch on a ground, and the derivative of its forces by steps of h.
+    fn stiffness_and_differences(
+        contact: &ContactSurface,
+        ground: &HeightField,
+        anchors: &[[f64; 2]],
+        h: f64,
+    ) -> (Vec<f64>, Vec<f64>) {
+        let (nodes, _) = patch();
+        let mut stiffness = vec![0.0; 27 * 27];
+        let mut unused = [0.0; 27];
+        contact.integrate(
+            ground,
+            0,
+            &nodes,
+            anchors,
+            &mut unused,
+            Some(&mut stiffness),
+        );
+        let differences = derivative(&nodes, h, |moved| {
+            let mut residual = vec![0.0; 27];
+            contact.integrate(ground, 0, moved, anchors, &mut residual, None);
+            residual
+        });
+        (stiffness, differences)
+    }
+
     #[test]
     fn stiffness_is_the_derivative_of_the_forces() {
-        let (nodes, contact) = patch();
+        let (_, contact) = patch();
         let ground = HeightField {
             base: 0.1,
             spacing: 1.3,
             functions: StationFunctions::BSpline,
             depths: vec![0.3, 0.6, 0.4, 0.5, 0.7],
         };
-        let mut stiffness = vec![0.0; 27 * 27];
-        contact.integrate(
-            &ground,
-            0,
-            &nodes,
-            &[],
-            &mut [0.0; 27],
-            Some(&mut stiffness),
-        );
-        let h = 1e-5;
-        for column in 0..27 {
-            let forces = |sign: f64| {
-                let mut moved = nodes.clone();
-                moved[column / 3][column % 3] += sign * h;
-                let mut residual = [0.0; 27];
-                contact.integrate(&ground, 0, &moved, &[], &mut residual, None);
-                residual
-            };
-            let (plus, minus) = (forces(1.0), forces(-1.0));
-            for row in 0..=column {
-                let difference = (plus[row] - minus[row]) / (2.0 * h);
-                // Forces of order 100 N: round-off eps 100 / h = 2e-9, truncation h^2 100.
-                assert!(
-                    (difference - stiffness[row * 27 + column]).abs() < 1e-7,
-                    "{row} {column}"
-                );
-            }
-        }
+        // Forces of order 100 N: round-off eps 100 / h = 2e-9, truncation h^2 100.
+        let (stiffness, differences) = stiffness_and_differences(&contact, &ground, &[], 1e-5);
+        assert_upper_agrees(&stiffness, &differences, 1e-7);
     }
 
     #[test]
@@ -228,29 +230,12 @@ mod tests {
             .iter()
             .map(|[x, y]| [x - 0.2 * x, *y])
             .collect();
-        let mut stiffness = vec![0.0; 27 * 27];
-        contact.integrate(
-            &ground,
-            0,
-            &nodes,
-            &anchors,
-            &mut [0.0; 27],
-            Some(&mut stiffness),
-        );
-        let h = 1e-6;
+        let (stiffness, differences) = stiffness_and_differences(&contact, &ground, &anchors, 1e-6);
         let mut largest = 0.0f64;
-        for column in 0..27 {
-            let forces = |sign: f64| {
-                let mut moved = nodes.clone();
-                moved[column / 3][column % 3] += sign * h;
-                let mut residual = [0.0; 27];
-                contact.integrate(&ground, 0, &moved, &anchors, &mut residual, None);
-                residual
-            };
-            let (plus, minus) = (forces(1.0), forces(-1.0));
-            for row in 0..27 {
-                let difference = (plus[row] - minus[row]) / (2.0 * h);
-                let value = stiffness[row * 27 + column];
+        for row in 0..27 {
+            for column in 0..27 {
+                let (difference, value) =
+                    (differences[row * 27 + column], stiffness[row * 27 + column]);
                 // Forces of order 100 N: round-off eps 100 / h = 2e-8.
                 assert!((difference - value).abs() < 1e-6, "{row} {column}");
                 largest = largest.max((value - stiffness[column * 27 + row]).abs());

@@ -11,14 +11,14 @@ pub struct Chart {
     pub surface: Surface,
     /// Chart coordinates of the faces' nodes, face by face, as lengths, mm; lines s1 and s2 cross at right angles.
     pub coordinates: Vec<[f64; 2]>,
-    /// Symmetry lines: axis and value of the coordinate that is constant on the line.
+    /// Symmetry lines: axis and value (mm) of the coordinate that is constant on the line.
     pub mirrors: Vec<(usize, f64)>,
-    /// Length after which s1 comes back to where it began.
+    /// Length, mm, after which s1 comes back to where it began.
     pub period: Option<f64>,
 }
 
 impl Chart {
-    /// Chart coordinates of a point.
+    /// Chart coordinates of a point, mm.
     pub fn position(&self, point: SurfacePoint) -> [f64; 2] {
         let n = self.surface.order.face_nodes();
         let (values, _) = face_shape(self.surface.order, point.local);

@@ -68,7 +68,7 @@ impl<'c> Recovery<'c> {
         }
     }
 
-    /// Current position of a point of the surface, as its face's nodes have it.
+    /// Current position of a point of the surface, mm, as its face's nodes have it.
     pub fn position(&self, point: SurfacePoint) -> Vector {
         let n = self.chart.surface.order.face_nodes();
         let (values, _) = face_shape(self.chart.surface.order, point.local);

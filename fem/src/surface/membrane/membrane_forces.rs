@@ -92,6 +92,7 @@ mod tests {
     use super::*;
     use crate::cell::element::Order;
     use crate::cell::mesh::{Mesh, Surface};
+    use crate::central_differences::{assert_upper_agrees, derivative};
     use crate::surface::surface_law::{FibreFamily, Film, SurfaceLaw};
     use crate::tensor::dot;
 
@@ -201,23 +202,9 @@ mod tests {
         ] {
             let mut stiffness = vec![0.0; 27 * 27];
             membrane.integrate(0, &displacement, &mut [0.0; 27], Some(&mut stiffness));
-            let h = 1e-5;
-            for column in 0..27 {
-                let shifted = |sign: f64| {
-                    let mut moved = displacement.clone();
-                    moved[column / 3][column % 3] += sign * h;
-                    forces(&membrane, &moved)
-                };
-                let (plus, minus) = (shifted(1.0), shifted(-1.0));
-                for row in 0..=column {
-                    let difference = (plus[row] - minus[row]) / (2.0 * h);
-                    // Truncation, h^2 times a third derivative, and round-off, eps f / h, with forces of order 100.
-                    assert!(
-                        (difference - stiffness[row * 27 + column]).abs() < 1e-6,
-                        "{row} {column}"
-                    );
-                }
-            }
+            // Truncation, h^2 times a third derivative, and round-off, eps f / h, with forces of order 100.
+            let differences = derivative(&displacement, 1e-5, |moved| forces(&membrane, moved));
+            assert_upper_agrees(&stiffness, &differences, 1e-6);
         }
     }
 
