@@ -1,7 +1,7 @@
 //! Does it pay to start a design's cut point from the equilibrium of a neighbouring design instead of from nothing? Iterations, factorisations and
 //! times of both, medians of five. The table of `docs/sweeps.md`.
 //!
-//! `cargo run --release -p lab --example designs`, a minute on one core.
+//! `cargo run --release -p lab --example design_starts`, a minute on one core.
 
 use std::sync::atomic::AtomicBool;
 

@@ -1,6 +1,6 @@
 """Counts the model runs that strainsite, OpenTURNS and SALib need for the same true error and prints a Markdown table.
 
-python run.py [--models ishigami,piston,...] [--seeds 3] [--tolerance 0.02] [--program PATH]
+python count_runs.py [--models ishigami,piston,...] [--seeds 3] [--tolerance 0.02] [--program PATH]
 """
 
 import argparse
@@ -16,9 +16,9 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from typing import Callable
 
-import models
+import peer_models
 import peers
-import strainsite
+import strainsite_runs
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 # Errors below are rounding, and nobody is asked for less.
@@ -67,7 +67,7 @@ def in_hindsight(fits):
 
 
 def by_own_error(fits):
-    """The same with the settings that the fits' own errors choose, seed by seed; the better design."""
+    """Median true error of the settings that the fits' own errors choose, seed by seed, and the better design."""
     medians = {}
     for design in {setting[0] for setting in fits}:
         seeds = zip(*[found for setting, found in fits.items() if setting[0] == design])
@@ -149,9 +149,9 @@ def needed(peer, model, levels, seeds, most):
 
 def measure(name, program, tolerance, seeds):
     """Runs of everyone for a model: at strainsite's own true error, and at the tolerance."""
-    (model,) = models.models([name])
+    (model,) = peer_models.models([name])
     with tempfile.TemporaryDirectory() as folder:
-        ours = [strainsite.auto(program, model, tolerance, seed, pathlib.Path(folder)) for seed in seeds]
+        ours = [strainsite_runs.auto(program, model, tolerance, seed, pathlib.Path(folder)) for seed in seeds]
     middle = {key: statistics.median(one[key] for one in ours) for key in ("runs", "error", "claimed")}
     level = max(middle["error"], ROUNDING)
     levels = sorted({level, max(level, tolerance)})
@@ -197,7 +197,7 @@ def table(results, level):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--models", default=",".join(models.FORMULAS))
+    parser.add_argument("--models", default=",".join(peer_models.FORMULAS))
     parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--tolerance", type=float, default=0.02)
     parser.add_argument("--processes", type=int, default=2)

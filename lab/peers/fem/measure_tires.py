@@ -1,6 +1,6 @@
 """Runs the same tire in strainsite, CalculiX and FElupe and prints a Markdown table.
 
-python run.py [--sizes small,middle,large] [--runs 5] [--programs strainsite,calculix,felupe] [--keep FOLDER]
+python measure_tires.py [--sizes small,middle,large] [--runs 5] [--programs strainsite,calculix,felupe] [--keep FOLDER]
 """
 
 import argparse

@@ -18,7 +18,7 @@ use fem::problem::{Loads, State};
 use fem::surface::chart::Recovery;
 use fem_client::scene::{Geometry, Material, Scene};
 use serde_json::{Value, json};
-use tire::mesh::grid::{Extent, MeshPlan};
+use tire::mesh::tire_grid::{Extent, MeshPlan};
 use tire::model::{TireModel, ground};
 
 /// Radius of the uninflated crown: 50 mm to the section's centre and 20 mm to its outer surface.
