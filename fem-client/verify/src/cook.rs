@@ -11,7 +11,7 @@ use fem::problem::{Loads, Problem};
 
 use crate::body::{free_block, load, rubber};
 use crate::family::Unsolved;
-use crate::verdict::Case;
+use crate::known_case::Case;
 
 /// 80.194 MPa of shear modulus and 400 889.8 MPa of bulk modulus, nearly incompressible.
 const MATERIAL: MooneyRivlin = MooneyRivlin {

@@ -13,8 +13,8 @@ use crate::body::{
     rubber,
 };
 use crate::family::Unsolved;
-use crate::refinement::Refinement;
-use crate::verdict::Case;
+use crate::known_case::Case;
+use crate::mesh_refinement::Refinement;
 
 /// Where the pressures come from.
 pub(crate) const SOURCE: &str =

@@ -6,7 +6,7 @@ use fem::linear::setup::SetupError;
 use fem::newton::iteration::Cause;
 use fem_client::solver::SolveError;
 
-use crate::verdict::Case;
+use crate::known_case::Case;
 
 /// Why a case has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

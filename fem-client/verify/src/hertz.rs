@@ -12,9 +12,9 @@ use crate::body::{
     RUBBER, SHEAR_MODULUS, free_block, hold_coordinate_planes, quarter_circle, rubber,
 };
 use crate::family::Unsolved;
+use crate::known_case::Case;
+use crate::mesh_refinement::graded;
 use crate::plate::{CONTACT_WIDTH, Pressing, touch};
-use crate::refinement::graded;
-use crate::verdict::Case;
 
 /// Radius of the cylinder and of the ball, mm.
 const RADIUS: f64 = 10.0;

@@ -13,8 +13,8 @@
 //! - `ring`: a ring between plates
 //! - [`extremes`]: the ends of what can be asked
 //!
-//! Each builds on `body` (blocks of rubber), `plate` (bodies pressed on a plane) and `refinement` (errors on finer meshes), and answers with
-//! [`verdict`]s in a [`family`].
+//! Each builds on `body` (blocks of rubber), `plate` (bodies pressed on a plane) and `mesh_refinement` (errors on finer meshes), and answers with
+//! [`Case`]s in a [`family`].
 
 pub(crate) mod body;
 mod cook;
@@ -23,14 +23,14 @@ pub mod extremes;
 pub mod family;
 pub(crate) mod hertz;
 pub(crate) mod homogeneous;
+pub mod known_case;
+pub(crate) mod mesh_refinement;
 pub(crate) mod plate;
-pub(crate) mod refinement;
 mod ring;
 pub(crate) mod sphere;
-pub mod verdict;
 
 pub use family::{Family, Solve, Unsolved};
-pub use verdict::{Case, Measure, Slope, Verdict};
+pub use known_case::{Case, Measure, Slope, Verdict};
 
 /// All families, roughly from the quickest to the slowest.
 pub const FAMILIES: [Family; 9] = [

@@ -38,7 +38,7 @@ pub(crate) struct Pressing<'p> {
 }
 
 impl<'p> Pressing<'p> {
-    /// A body whose lowest point is at the height -`radius`.
+    /// A body whose lowest point is at the height -`radius`, mm.
     pub fn new(problem: &'p Problem, radius: f64) -> Result<Self, Unsolved> {
         Ok(Self {
             problem,

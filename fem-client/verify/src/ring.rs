@@ -10,8 +10,8 @@ use crate::body::{
     RUBBER, SHEAR_MODULUS, free_block, hold_coordinate_planes, quarter_circle, rubber,
 };
 use crate::family::Unsolved;
+use crate::known_case::Case;
 use crate::plate::{CONTACT_WIDTH, Pressing, touch};
-use crate::verdict::Case;
 
 const INNER: f64 = 9.5;
 const OUTER: f64 = 12.5;

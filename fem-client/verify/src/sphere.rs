@@ -13,8 +13,8 @@ use fem::tensor::{Vector, norm};
 
 use crate::body::{RUBBER, free, hold_coordinate_planes, inflate, rubber};
 use crate::family::Unsolved;
-use crate::refinement::Refinement;
-use crate::verdict::Case;
+use crate::known_case::Case;
+use crate::mesh_refinement::Refinement;
 
 const LIMIT_SOURCE: &str = "exact: maximum of the pressure below, found to 16 digits";
 const SOURCE: &str = "exact: integral of W'(l) / (l^3 - 1) from the outer to the inner stretch";

@@ -7,7 +7,7 @@ use super::first_touch::hertz_force;
 use super::trend::rises;
 use crate::body::SHEAR_MODULUS;
 use crate::family::Unsolved;
-use crate::verdict::Case;
+use crate::known_case::Case;
 use fem_client::scene::Scene;
 use fem_client::solver::{LocationStrain, NoEquilibrium, Response};
 

@@ -10,8 +10,8 @@ use crate::body::{PLANE, RUBBER, SPACE, free_block, load, rubber};
 use crate::cylinder;
 use crate::family::Unsolved;
 use crate::homogeneous::{HELD, moved};
-use crate::refinement::Refinement;
-use crate::verdict::Case;
+use crate::known_case::Case;
+use crate::mesh_refinement::Refinement;
 
 /// Longest over shortest edge, and shift over height.
 const RATIO: f64 = 20.0;

@@ -9,11 +9,11 @@ use fem::cell::element::Order;
 
 use super::draft::{Bench, Refusal, reference};
 use crate::family::Unsolved;
-use crate::refinement::Refinement;
-use crate::verdict::Case;
+use crate::known_case::Case;
+use crate::mesh_refinement::Refinement;
 use fem_client::scene::{Law, Scene};
 use fem_client::solver::NoEquilibrium;
-use tire::mesh::grid::MeshPlan;
+use tire::mesh::tire_grid::MeshPlan;
 use tire::model::mesh_plan;
 
 /// Wall, mm.

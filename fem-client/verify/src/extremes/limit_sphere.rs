@@ -8,9 +8,9 @@ use fem::newton::volume_control::{Ending, Inflated, LIMIT_TOLERANCE, VolumeContr
 use fem::problem::{Loads, Problem};
 
 use crate::family::Unsolved;
-use crate::refinement::Refinement;
+use crate::known_case::Case;
+use crate::mesh_refinement::Refinement;
 use crate::sphere::{MESHES, NEO_HOOKEAN, RATIO, SLOPE, exact, octant, reference};
-use crate::verdict::Case;
 
 /// Outer over inner radius.
 const OUTER: f64 = 2.0;

@@ -1,5 +1,4 @@
-//! The same question as [`crate`] at the ends of what a scene can ask for: does a solve end right within its stated
-//! error, or with a named, true reason?
+//! The ends of what a scene can ask for: does a solve end right within its stated error, or with a named, true reason?
 //!
 //! Where there is no closed form a case is a law that must hold: a difference that falls like a known power, a balance, the
 //! same answer on two ways. The families, each a file:

@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 use super::draft::{STRAIN_NOISE, tight_solver};
 use super::trend::{Limit, Point};
 use crate::family::{Family, Unsolved};
-use crate::verdict::Case;
+use crate::known_case::Case;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, Response, SolveError, SolveRequest, Solved, Solver, StartState};
 use gsa::law::distribution::Distribution;

@@ -9,7 +9,7 @@ use fem::problem::State;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{NoEquilibrium, Readout, SolveError, SolveRequest, Solved, Solver};
 use tire::embedded::EmbeddedSolver;
-use tire::mesh::grid::Extent;
+use tire::mesh::tire_grid::Extent;
 use tire::model::{TireModel, mesh_plan};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);

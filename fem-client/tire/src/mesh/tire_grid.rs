@@ -40,15 +40,15 @@ impl MeshPlan {
 /// Dimensions of the uninflated tire, mm and rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TireShape {
-    /// Distance of the section's centre from the axle.
+    /// Distance of the section's centre from the axle, mm.
     pub centre_radius: f64,
-    /// Inner radius of the section.
+    /// Inner radius of the section, mm.
     pub inner: f64,
-    /// Outer radius of the section.
+    /// Outer radius of the section, mm.
     pub outer: f64,
-    /// Section angle of the bead.
+    /// Section angle of the bead, rad.
     pub bead_angle: f64,
-    /// Section radius of the layer boundary that carries the carcass; `None` without carcass.
+    /// Section radius of the layer boundary that carries the carcass, mm; `None` without carcass.
     pub carcass: Option<f64>,
 }
 
@@ -151,7 +151,7 @@ impl TireGrid {
         }
     }
 
-    /// Bricks with their nodes, and the logical position of each brick.
+    /// Bricks with their nodes (mm), and the logical position of each brick, in bricks.
     pub fn mesh(&self) -> (Mesh, Vec<[f64; 3]>) {
         let mut nodes =
             Vec::with_capacity(self.theta_nodes() * self.phi_nodes() * self.rho_nodes());

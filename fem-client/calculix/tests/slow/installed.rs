@@ -10,7 +10,7 @@ use fem::cell::element::Order;
 use fem_client::scene::{Carcass, Geometry, Law, Level, Scene};
 use fem_client::solver::{NoEquilibrium, Readout, SolveError, SolveRequest, Solved, Solver};
 use tire::embedded::EmbeddedSolver;
-use tire::mesh::grid::MeshPlan;
+use tire::mesh::tire_grid::MeshPlan;
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 static NO_READOUT: Readout = Readout {

@@ -1,6 +1,6 @@
 //! The other code's finest mesh, of which it printed more than of the others.
 
-use tire::mesh::grid::Extent;
+use tire::mesh::tire_grid::Extent;
 
 use super::largest::{cord_stretches, least_volume_ratio, patch};
 use super::pressing::{self, Press};

@@ -40,9 +40,9 @@ pub struct Slope {
 pub struct Case {
     /// What was computed, with its unit.
     pub name: String,
-    /// The computed value; `None` when there is none.
+    /// The computed value, in the unit that the name says; `None` when there is none.
     pub computed: Option<f64>,
-    /// What it should be.
+    /// What it should be, in that unit.
     pub expected: f64,
     /// Error as measured; `None` when there is no value.
     pub error: Option<f64>,

@@ -9,7 +9,7 @@ use fem::cell::mesh::SurfacePoint;
 use fem::problem::{Problem, State};
 use fem::surface::chart::Recovery;
 use fem::tensor::{Tensor, cofactor, determinant, multiply, transpose};
-use tire::mesh::grid::MeshPlan;
+use tire::mesh::tire_grid::MeshPlan;
 use tire::model::TireModel;
 
 use super::pressing::{Press, Pressed};

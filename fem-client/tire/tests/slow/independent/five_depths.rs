@@ -7,7 +7,7 @@ use gsa::law::distribution::Distribution;
 use ndarray::Array2;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
-use tire::mesh::grid::{Extent, MeshPlan};
+use tire::mesh::tire_grid::{Extent, MeshPlan};
 
 use super::pressing::{self, Press};
 use super::reading::{self, Reading};

@@ -9,7 +9,7 @@ use fem::newton::iteration::Newton;
 use fem::newton::path::{Stability, follow};
 use fem::problem::{Loads, State};
 use fem_client::scene::Scene;
-use tire::mesh::grid::{Extent, MeshPlan};
+use tire::mesh::tire_grid::{Extent, MeshPlan};
 use tire::model::{TireModel, ground};
 
 use super::cord_layer::round_off;

@@ -7,7 +7,7 @@ use fem::newton::path::{Stability, follow};
 use fem::problem::{Loads, State};
 use fem_client::scene::{Level, Scene};
 use tire::embedded::EmbeddedSolver;
-use tire::mesh::grid::Extent;
+use tire::mesh::tire_grid::Extent;
 use tire::model::{TireModel, ground, mesh_plan};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use fem::cell::element::Order;
 use fem::newton::volume_control::{Inflated, VolumeControl};
 use fem::surface::chart::Recovery;
-use tire::mesh::grid::{Extent, MeshPlan};
+use tire::mesh::tire_grid::{Extent, MeshPlan};
 
 use crate::independent::pressing::Press;
 

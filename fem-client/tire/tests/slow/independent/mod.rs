@@ -8,7 +8,7 @@
 
 use fem::cell::element::Order;
 use fem_client::scene::Scene;
-use tire::mesh::grid::{Extent, MeshPlan};
+use tire::mesh::tire_grid::{Extent, MeshPlan};
 
 mod cord_layer;
 

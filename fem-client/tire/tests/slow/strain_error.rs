@@ -7,7 +7,7 @@ use fem_client::scene::{Level, Scene};
 use fem_client::solver::gauge::{Gauge, GaugeReading};
 use fem_client::solver::{Readout, SolveRequest, Solved, Solver};
 use tire::embedded::EmbeddedSolver;
-use tire::mesh::grid::Extent;
+use tire::mesh::tire_grid::Extent;
 use tire::model::{TireModel, cord_families, mesh_plan};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
