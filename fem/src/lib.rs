@@ -25,6 +25,8 @@
 //! - [`newton`]: equilibria: Newton's method, load steps, volume control
 
 pub mod cell;
+#[cfg(test)]
+mod central_differences;
 pub mod linear;
 pub mod load;
 pub mod material;

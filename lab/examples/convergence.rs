@@ -6,7 +6,7 @@ use fem::cell::element::Order;
 use fem::surface::chart::Recovery;
 use fem_client::solver::Solved;
 use tire::embedded::EmbeddedSolver;
-use tire::mesh::grid::{Extent, MeshPlan};
+use tire::mesh::tire_grid::{Extent, MeshPlan};
 use tire::model::TireModel;
 
 use lab::limit::limit;

@@ -7,7 +7,7 @@ use fem::cell::element::Order;
 use fem::newton::iteration::NewtonSettings;
 use fem_client::solver::Cost;
 use tire::embedded::EmbeddedSolver;
-use tire::mesh::grid::MeshPlan;
+use tire::mesh::tire_grid::MeshPlan;
 
 use lab::cpu::cpu_seconds;
 use lab::mesh_families::{ORDERS, REFINEMENTS, plan};

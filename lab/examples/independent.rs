@@ -3,7 +3,7 @@
 //!
 //! `cargo run --release -p lab --example independent`, two minutes and 2 GB.
 
-#[path = "../../fem-client/tire/tests/tire/independent/mod.rs"]
+#[path = "../../fem-client/tire/tests/slow/independent/mod.rs"]
 mod independent;
 
 use independent::finest::{self, SCALARS, finest};

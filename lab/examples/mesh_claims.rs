@@ -15,7 +15,7 @@ use placement::study::Study;
 use placement::study::plan::Plan;
 use serde_json::{Value, json};
 use tire::embedded::EmbeddedSolver;
-use tire::mesh::grid::MeshPlan;
+use tire::mesh::tire_grid::MeshPlan;
 use tire::mesh_error::coarser;
 use tire::model::mesh_plan;
 

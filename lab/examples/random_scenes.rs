@@ -24,7 +24,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use serde_json::{Value, json};
 use tire::embedded::EmbeddedSolver;
-use tire::mesh::grid::MeshPlan;
+use tire::mesh::tire_grid::MeshPlan;
 use tire::model::mesh_plan;
 
 /// Scenes between two lines of progress.

@@ -1,7 +1,7 @@
 //! Families of ever finer meshes of the reference tire.
 
 use fem::cell::element::Order;
-use tire::mesh::grid::MeshPlan;
+use tire::mesh::tire_grid::MeshPlan;
 
 /// Both element families with their names.
 pub const ORDERS: [(&str, Order); 2] = [("Q1P0", Order::Linear), ("Q2/P1", Order::Quadratic)];

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use fem_client::scene::Scene;
 use fem_client::solver::{Readout, SolveRequest, Solved, StartState};
 use tire::embedded::EmbeddedSolver;
-use tire::mesh::grid::MeshPlan;
+use tire::mesh::tire_grid::MeshPlan;
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 

@@ -13,7 +13,7 @@ use crate::result_file;
 use crate::rigid_ground::RigidGround;
 use fem_client::scene::{Material, Scene};
 use fem_client::solver::{NoEquilibrium, Reached, Readout, Response, SolveError, SolveRequest};
-use tire::mesh::grid::{Extent, MeshPlan};
+use tire::mesh::tire_grid::{Extent, MeshPlan};
 use tire::model::{TireModel, ground};
 use tire::readout::surface_reader::Reader;
 

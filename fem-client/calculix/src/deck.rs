@@ -18,16 +18,16 @@ use fem_client::scene::{Law, Material};
 pub const TIRE: &str = "TIRE";
 /// Set of the ground's nodes.
 pub const GROUND: &str = "GROUND";
-/// Step time at which the tire is inflated and the ground starts to rise.
+/// Step time, of no unit, at which the tire is inflated and the ground starts to rise.
 pub const INFLATED_TIME: f64 = 1.0;
-/// Step time at which the ground has arrived.
+/// Step time, of no unit, at which the ground has arrived.
 pub const PRESSED_TIME: f64 = 2.0;
 /// First, least and largest increment of the step time.
 const INCREMENTS: [f64; 3] = [0.25, 1e-4, 0.25];
 /// Largest residual force over the mean force, and largest correction over the increment's displacement, of an equilibrium.
 const TOLERANCES: [f64; 2] = [1e-6, 1e-3];
-/// The same on a ground of facets: where a node lies on an edge its normal changes from one iteration to the next, and some
-/// 1e-4 of the force remains. CalculiX's own choice is five times as much.
+/// [`TOLERANCES`] on a ground of facets: where a node lies on an edge, its normal changes from one iteration to the next, and
+/// some 1e-4 of the force remains. CalculiX's own choice is five times as much.
 const TOLERANCES_ON_FACETS: [f64; 2] = [1e-3, 1e-2];
 /// D of a term (J - 1)^4 or (J - 1)^6 over D that isn't there, 1/MPa: for a D of 0 CalculiX takes one of its own.
 const NO_VOLUMETRIC_TERM: f64 = 1e12;
@@ -290,7 +290,7 @@ fn sides(mesh: &Mesh, surface: &Surface) -> Vec<(usize, Vec<usize>)> {
 mod tests {
     use super::*;
     use fem_client::scene::{OgdenTerm, Scene};
-    use tire::mesh::grid::{Extent, MeshPlan};
+    use tire::mesh::tire_grid::{Extent, MeshPlan};
     use tire::model::{TireModel, ground};
 
     const PLAN: MeshPlan = MeshPlan {

@@ -29,7 +29,7 @@ use fem_client::scene::Scene;
 use fem_client::solver::Coarser;
 use fem_client::solver::gauge;
 use fem_client::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
-use tire::mesh::grid::MeshPlan;
+use tire::mesh::tire_grid::MeshPlan;
 use tire::mesh_error;
 use tire::model::mesh_plan;
 

@@ -73,7 +73,7 @@ pub fn residuals(cvg: &str) -> Result<Vec<Vec<f64>>, BadOutput> {
     Ok(history)
 }
 
-/// Step time of the last increment that converged; 0 when none did.
+/// Step time, of no unit, of the last increment that converged; 0 when none did.
 ///
 /// # Errors
 /// [`BadOutput`] when a line isn't understood.

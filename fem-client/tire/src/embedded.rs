@@ -8,7 +8,7 @@ use fem::newton::path::PathReport;
 use fem::problem::{Loads, State};
 use sha2::{Digest, Sha256};
 
-use crate::mesh::grid::{Extent, MeshPlan};
+use crate::mesh::tire_grid::{Extent, MeshPlan};
 use crate::mesh_error;
 use crate::model::{TireModel, ground, mesh_plan};
 use crate::neighbourhood::{Neighbourhood, Neighbourhoods, Pressed};

@@ -9,7 +9,7 @@ use fem::newton::path::Stability;
 use fem::newton::volume_control::{Ending, Inflated, VolumeControl};
 use fem::problem::{Loads, State};
 
-use crate::failure::{cause_text, crushed, no_equilibrium};
+use crate::press_failure::{cause_text, crushed, no_equilibrium};
 use crate::session::Session;
 use fem_client::solver::{NoEquilibrium, Reached, SolveError};
 

@@ -10,14 +10,13 @@
 //! - [`readout`]: strains of an equilibrium with their errors
 //! - `self_contact`: whether a pressed tire touches itself
 //! - `session`: one solve on its way: a scene's model, its Newton method, and the loads they meet
-//! - `failure`: why a tire can't be pressed further
+//! - `press_failure`: why a tire can't be pressed further
 //! - `inflate`: the inflated state, or why there is none
 //! - `neighbourhood`: what solves from the same equilibrium share
 //! - `press`: the tire pressed on the ground
 //! - [`embedded`]: the solver
 
 pub mod embedded;
-mod failure;
 mod inflate;
 pub mod mesh;
 pub mod mesh_error;
@@ -25,6 +24,7 @@ pub mod model;
 mod neighbourhood;
 pub mod omission;
 mod press;
+mod press_failure;
 pub mod readout;
 mod rubber;
 mod self_contact;

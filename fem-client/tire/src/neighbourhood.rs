@@ -14,7 +14,7 @@ use fem::newton::tangent::Tangent;
 use fem::problem::{Loads, State};
 use sha2::{Digest, Sha256};
 
-use crate::mesh::grid::{Extent, MeshPlan};
+use crate::mesh::tire_grid::{Extent, MeshPlan};
 use crate::model::{TireModel, ground};
 use fem_client::hexadecimal::hexadecimal;
 use fem_client::scene::{Ground, Scene};

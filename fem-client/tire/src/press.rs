@@ -4,9 +4,9 @@ use fem::newton::iteration::NewtonSettings;
 use fem::newton::path::{PathReport, Stability};
 use fem::problem::{Loads, State};
 
-use crate::failure::{pressing_failure, self_contact};
 use crate::model::FRICTION_STEPS;
 use crate::neighbourhood::Pressed;
+use crate::press_failure::{pressing_failure, self_contact};
 use crate::self_contact::touches_itself;
 use crate::session::Session;
 use fem_client::solver::SolveError;

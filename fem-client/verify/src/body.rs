@@ -13,7 +13,7 @@ use fem::problem::{Loads, Problem, State};
 use fem::solid::SolidModel;
 use fem::tensor::{Tensor, Vector};
 
-use super::Unsolved;
+use crate::family::Unsolved;
 
 /// The rubber of the reference tire, MPa.
 pub(crate) const RUBBER: MooneyRivlin = MooneyRivlin {

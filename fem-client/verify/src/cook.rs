@@ -9,8 +9,9 @@ use fem::load::traction::nodal_forces;
 use fem::material::MooneyRivlin;
 use fem::problem::{Loads, Problem};
 
-use super::body::{free_block, load, rubber};
-use super::{Case, Unsolved};
+use crate::body::{free_block, load, rubber};
+use crate::family::Unsolved;
+use crate::known_case::Case;
 
 /// 80.194 MPa of shear modulus and 400 889.8 MPa of bulk modulus, nearly incompressible.
 const MATERIAL: MooneyRivlin = MooneyRivlin {

@@ -8,12 +8,13 @@ use fem::load::pressure::PressureSurface;
 use fem::newton::volume_control::VolumeControl;
 use fem::problem::Problem;
 
-use super::body::{
+use crate::body::{
     PLANE, RUBBER, SHEAR_MODULUS, free_block, hold_coordinate_planes, inflate, quarter_circle,
     rubber,
 };
-use super::convergence::Refinement;
-use super::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::known_case::Case;
+use crate::mesh_refinement::Refinement;
 
 /// Where the pressures come from.
 pub(crate) const SOURCE: &str =

@@ -8,12 +8,13 @@ use fem::cell::block::Block;
 use fem::cell::element::Order;
 use fem::problem::Problem;
 
-use super::body::{
+use crate::body::{
     RUBBER, SHEAR_MODULUS, free_block, hold_coordinate_planes, quarter_circle, rubber,
 };
-use super::convergence::graded;
-use super::plate::{CONTACT_WIDTH, Pressing, touch};
-use super::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::known_case::Case;
+use crate::mesh_refinement::graded;
+use crate::plate::{CONTACT_WIDTH, Pressing, touch};
 
 /// Radius of the cylinder and of the ball, mm.
 const RADIUS: f64 = 10.0;

@@ -10,14 +10,15 @@ use fem::newton::iteration::Newton;
 use fem::problem::{Loads, Problem, State};
 use fem::tensor::{Tensor, Vector, multiply, norm, transpose};
 
-use super::body::{
+use crate::body::{
     RUBBER, SHEAR_MODULUS, SPACE, free_block, hold_coordinate_planes, load, mean_stress, rubber,
 };
-use super::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::known_case::Case;
 
-/// Newton ends at 1e-10 of the forces that meet at the nodes, some ten times what a face carries on these meshes.
+/// Tolerance of stresses: Newton ends at 1e-10 of the forces that meet at the nodes, some ten times what a face carries here.
 const STRESS_TOLERANCE: f64 = 1e-8;
-/// The same for displacements, of a body of size 1.
+/// Tolerance of displacements of a body of size 1, at that end of Newton.
 const DISPLACEMENT_TOLERANCE: f64 = 1e-9;
 /// Forces of a body at rest, over shear modulus times area: sums of some hundred terms of order one, rounded.
 const ROUND_OFF: f64 = 1e-13;

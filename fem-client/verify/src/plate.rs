@@ -9,8 +9,8 @@ use fem::newton::iteration::Newton;
 use fem::problem::{Loads, Problem, State};
 use fem::tensor::Vector;
 
-use super::Unsolved;
-use super::body::load_on;
+use crate::body::load_on;
+use crate::family::Unsolved;
 
 /// Contact pressures of 0.01 to 0.1 MPa then penetrate by less than a thousandth of the smallest depth.
 const PENALTY: Penalty = Penalty {
@@ -38,7 +38,7 @@ pub(crate) struct Pressing<'p> {
 }
 
 impl<'p> Pressing<'p> {
-    /// A body whose lowest point is at the height -`radius`.
+    /// A body whose lowest point is at the height -`radius`, mm.
     pub fn new(problem: &'p Problem, radius: f64) -> Result<Self, Unsolved> {
         Ok(Self {
             problem,

@@ -6,11 +6,12 @@ use fem::cell::block::Block;
 use fem::cell::element::Order;
 use fem::problem::Problem;
 
-use super::body::{
+use crate::body::{
     RUBBER, SHEAR_MODULUS, free_block, hold_coordinate_planes, quarter_circle, rubber,
 };
-use super::plate::{CONTACT_WIDTH, Pressing, touch};
-use super::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::known_case::Case;
+use crate::plate::{CONTACT_WIDTH, Pressing, touch};
 
 const INNER: f64 = 9.5;
 const OUTER: f64 = 12.5;

@@ -11,9 +11,10 @@ use fem::newton::volume_control::{Ending, Inflated, VolumeControl};
 use fem::problem::Problem;
 use fem::tensor::{Vector, norm};
 
-use super::body::{RUBBER, free, hold_coordinate_planes, inflate, rubber};
-use super::convergence::Refinement;
-use super::{Case, Unsolved};
+use crate::body::{RUBBER, free, hold_coordinate_planes, inflate, rubber};
+use crate::family::Unsolved;
+use crate::known_case::Case;
+use crate::mesh_refinement::Refinement;
 
 const LIMIT_SOURCE: &str = "exact: maximum of the pressure below, found to 16 digits";
 const SOURCE: &str = "exact: integral of W'(l) / (l^3 - 1) from the outer to the inner stretch";

@@ -85,7 +85,7 @@ impl DataArray {
         }
     }
 
-    /// Vectors.
+    /// Vectors of a unit.
     pub fn vectors(name: &str, unit: &'static str, values: &[[f64; 3]]) -> Self {
         Self::floats(name, unit, 3, values.as_flattened().to_vec())
     }

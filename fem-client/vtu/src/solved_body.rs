@@ -11,7 +11,7 @@ use crate::{CellShape, DataArray, VtuGrid};
 use fem_client::scene::Scene;
 use fem_client::solver::StartState;
 use tire::embedded::extent;
-use tire::mesh::grid::Extent;
+use tire::mesh::tire_grid::Extent;
 use tire::model::{TireModel, mesh_plan};
 
 /// A tire's mesh with its two states.

@@ -8,7 +8,7 @@ use crate::tensor::Vector;
 pub struct Mesh {
     /// Order of all bricks.
     pub order: Order,
-    /// Reference positions.
+    /// Reference positions, mm.
     pub nodes: Vec<Vector>,
     /// Node numbers of the bricks, one after the other, lexicographic within a brick, right-handed.
     pub bricks: Vec<u32>,
@@ -48,7 +48,7 @@ impl Surface {
         &self.faces[index * n..(index + 1) * n]
     }
 
-    /// The same faces with opposite normals.
+    /// These faces with opposite normals.
     pub fn flipped(&self) -> Self {
         let along = self.order.edge_nodes();
         let across = self.order.face_nodes() / along;

@@ -230,7 +230,7 @@ impl<'p> Assembler<'p> {
         }
     }
 
-    /// Adds to `forces` what the elimination of the pressures moves there: B^T M^-1 r_p / c.
+    /// Adds to `forces` what the elimination of the pressures moves there: B^T M^-1 r_p / c, N.
     pub fn add_condensed_volumes(&self, coupling: &[f64], volumes: &[f64], forces: &mut [f64]) {
         let (unknowns, modes) = self.sizes();
         let mut pressure = [0.0; MODES];
@@ -251,7 +251,7 @@ impl<'p> Assembler<'p> {
         }
     }
 
-    /// Pressure increments that belong to the displacement increments `du` (held ones included).
+    /// Pressure increments (MPa) that belong to displacement increments (mm), held ones included.
     pub fn pressure_increments(
         &mut self,
         coupling: &[f64],

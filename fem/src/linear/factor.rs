@@ -6,144 +6,14 @@
 
 use std::sync::Arc;
 
-use faer::Mat;
-use faer::Par;
-use faer::Side;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::cholesky::ldlt::factor::{LdltError, LdltRegularization};
-use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::cholesky::supernodal::{SupernodalLdltRef, SymbolicSupernodalCholesky};
-use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
-    factorize_symbolic_cholesky,
-};
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::sparse::SparseColMatRef;
+use faer::{Mat, Par, Side};
 
-use crate::linear::sparsity::Pattern;
+use crate::linear::rounding::all_single;
 use crate::linear::substitution;
-
-/// Entries that are rounded before their memory is given back: 8 MB.
-const ROUNDED_AT_ONCE: usize = 1 << 20;
-
-/// The symbolic phase: what is common to all matrices of one pattern.
-#[derive(Debug)]
-pub struct Symbolic {
-    pattern: Pattern,
-    cholesky: SymbolicCholesky<usize>,
-    interior: usize,
-}
-
-/// The linear solver failed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-pub enum LinearError {
-    /// The factor doesn't fit in memory.
-    #[error("the factor of {unknowns} unknowns does not fit in memory")]
-    OutOfMemory {
-        /// Size of the system.
-        unknowns: usize,
-    },
-    /// A pivot is zero: the tangent is singular.
-    #[error("pivot {index} is zero: the tangent is singular")]
-    ZeroPivot {
-        /// Equation in elimination order.
-        index: usize,
-    },
-}
-
-impl Symbolic {
-    /// Analyses a pattern whose equations are already in elimination order; those from `interior` on are the border.
-    ///
-    /// # Errors
-    /// [`LinearError::OutOfMemory`].
-    pub fn new(pattern: Pattern, interior: usize) -> Result<Self, LinearError> {
-        let parameters = CholeskySymbolicParams {
-            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-            ..Default::default()
-        };
-        let cholesky = factorize_symbolic_cholesky(
-            view(&pattern),
-            Side::Upper,
-            SymmetricOrdering::Identity,
-            parameters,
-        )
-        .map_err(|_| LinearError::OutOfMemory {
-            unknowns: pattern.column_starts.len() - 1,
-        })?;
-        Ok(Self {
-            pattern,
-            cholesky,
-            interior,
-        })
-    }
-
-    /// Pattern of the matrices.
-    pub fn pattern(&self) -> &Pattern {
-        &self.pattern
-    }
-
-    /// Entries of the factor.
-    pub fn factor_entries(&self) -> usize {
-        self.cholesky.len_val()
-    }
-
-    fn supernodal(&self) -> &SymbolicSupernodalCholesky<usize> {
-        match self.cholesky.raw() {
-            SymbolicCholeskyRaw::Supernodal(supernodal) => supernodal,
-            SymbolicCholeskyRaw::Simplicial(_) => {
-                unreachable!("a supernodal factor was asked for")
-            }
-        }
-    }
-
-    fn ldlt<'a, T>(&'a self, values: &'a [T]) -> SupernodalLdltRef<'a, usize, T> {
-        SupernodalLdltRef::new(self.supernodal(), values)
-    }
-
-    /// Memory of a factor.
-    fn zeros(&self) -> Result<Vec<f64>, LinearError> {
-        let mut values = Vec::new();
-        values
-            .try_reserve_exact(self.factor_entries())
-            .map_err(|_| LinearError::OutOfMemory {
-                unknowns: self.cholesky.nrows(),
-            })?;
-        values.resize(self.factor_entries(), 0.0);
-        Ok(values)
-    }
-
-    /// Whether single precision has the range for a factor's entries.
-    fn fits_single(&self, values: &[f64]) -> bool {
-        let mut pivots = substitution::pivots(self.ldlt(values), self.interior);
-        pivots.all(|pivot| single(pivot) != 0.0)
-            && values.iter().all(|&value| single(value).is_finite())
-    }
-}
-
-/// Rounds to single precision. An entry below its normal numbers is as good as zero, and would slow every substitution down.
-fn single(value: f64) -> f32 {
-    let rounded = value as f32;
-    if rounded.is_subnormal() { 0.0 } else { rounded }
-}
-
-/// Rounds from the end and gives memory back on the way, so that the two never stand side by side.
-fn all_single(mut values: Vec<f64>) -> Result<Vec<f32>, Vec<f64>> {
-    let mut rounded = Vec::new();
-    if rounded.try_reserve_exact(values.len()).is_err() {
-        return Err(values);
-    }
-    while !values.is_empty() {
-        let kept = values.len().saturating_sub(ROUNDED_AT_ONCE);
-        rounded.extend(values.drain(kept..).rev().map(single));
-        values.shrink_to_fit();
-    }
-    rounded.reverse();
-    Ok(rounded)
-}
-
-fn view(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, usize> {
-    let n = pattern.column_starts.len() - 1;
-    SymbolicSparseColMatRef::new_checked(n, n, &pattern.column_starts, None, &pattern.rows)
-}
+use crate::linear::symbolic::{LinearError, Symbolic, view};
 
 /// Signs of the pivots, which are those of the eigenvalues (Sylvester's law of inertia).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -201,7 +71,7 @@ impl Factor {
         let Values::Double(values) = &mut self.values else {
             unreachable!("the values have just been made double");
         };
-        let matrix = SparseColMatRef::new(view(&symbolic.pattern), entries);
+        let matrix = SparseColMatRef::new(view(symbolic.pattern()), entries);
         symbolic
             .cholesky
             .factorize_numeric_ldlt(
@@ -217,8 +87,8 @@ impl Factor {
             .map_err(|LdltError::ZeroPivot { index }| LinearError::ZeroPivot { index })
     }
 
-    /// The same factor with its entries rounded to single precision, for solves that correct their own errors: half the
-    /// memory, and half of it to read in a substitution. One that single precision can't hold stays as it is.
+    /// This factor with its entries rounded to single precision, for solves that correct their own errors: half the
+    /// memory, and half of it to read in a substitution. A factor that single precision can't hold stays as it is.
     #[must_use]
     pub fn rounded(mut self) -> Self {
         self.values = match self.values {
@@ -240,7 +110,7 @@ impl Factor {
         Inertia { negative }
     }
 
-    /// Schur complement of the border.
+    /// Schur complement of the border, in the unit of the matrix.
     pub fn schur_complement(&self) -> Mat<f64> {
         let interior = self.symbolic.interior;
         match &self.values {
@@ -311,6 +181,7 @@ impl Workspace {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::linear::sparsity::Pattern;
 
     /// Tridiagonal 3 x 3 by columns: a00, a01 a11, a12 a22.
     fn factor(entries: &[f64], interior: usize) -> (Factor, Workspace) {
@@ -385,17 +256,6 @@ mod tests {
             assert_eq!(matches!(rounded.values, Values::Single(_)), is_single);
             assert!(rounded.interior_inertia().is_positive());
         }
-    }
-
-    #[test]
-    fn rounding_in_pieces_keeps_the_order() {
-        // Integers up to 2^24 and a number below the normal ones of single precision.
-        let mut values: Vec<f64> = (0..ROUNDED_AT_ONCE + 3).map(|k| k as f64).collect();
-        values[2] = 1e-40;
-        let rounded = all_single(values).expect("little memory");
-        assert_eq!(rounded.len(), ROUNDED_AT_ONCE + 3);
-        let expected = |k: usize| if k == 2 { 0.0 } else { k as f32 };
-        assert!((0..).zip(&rounded).all(|(k, value)| *value == expected(k)));
     }
 
     #[test]

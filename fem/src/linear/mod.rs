@@ -1,14 +1,16 @@
 //! The linear system of one Newton step, in reading order:
 //!
 //! - [`ordering`], [`sparsity`]: equation numbers in elimination order, and the pattern of the tangent
-//! - `substitution`, [`factor`]: the sparse factor and what is solved with it
+//! - `substitution`, `rounding`, [`symbolic`], [`factor`]: the sparse factor and what is solved with it
 //! - [`setup`]: what all states of a problem share
 //! - [`system`], [`assembly`]: residual and tangent of the whole problem
 
 pub mod assembly;
 pub mod factor;
 pub mod ordering;
+mod rounding;
 pub mod setup;
 pub mod sparsity;
 pub(crate) mod substitution;
+pub mod symbolic;
 pub mod system;

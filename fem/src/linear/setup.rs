@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use crate::cell::mesh::Surface;
-use crate::linear::factor::{LinearError, Symbolic};
 use crate::linear::sparsity::{Equations, NONE, Pattern};
+use crate::linear::symbolic::{LinearError, Symbolic};
 use crate::problem::{Loads, Problem, State};
 use crate::solid::{InvalidReference, SolidGeometry};
 use crate::surface::membrane::Membrane;
@@ -50,7 +50,7 @@ impl Setup {
         Self::with_border(problem, geometry, border_axes(problem, &faces), faces)
     }
 
-    /// The same problem with a border that serves these contact faces too; `None` when the present one does.
+    /// This set-up with a border that serves these contact faces too; `None` when its own border does.
     ///
     /// # Errors
     /// As [`Setup::new`].

@@ -11,7 +11,7 @@ pub struct Residuals {
     pub forces: Vec<f64>,
     /// The part of them that contact causes, N.
     pub contact: Vec<f64>,
-    /// Volume residuals: brick, mode.
+    /// Volume residuals, mm^3: brick, mode.
     pub volumes: Vec<f64>,
     /// Smallest J of an integration point; minus infinity when one isn't a number.
     pub min_volume_ratio: f64,
@@ -19,7 +19,7 @@ pub struct Residuals {
     pub touches_outside: bool,
     /// Forces that meet at held displacements, N: node, axis; 0 at free ones.
     held: Vec<Vector>,
-    /// Sum of the absolute forces that meet at each displacement, held ones included.
+    /// Sum of the absolute forces that meet at each displacement, held ones included, N.
     pub(crate) magnitudes: Vec<f64>,
 }
 

@@ -51,7 +51,7 @@ pub struct HeightField {
 }
 
 impl HeightField {
-    /// Height and its first two derivatives at x.
+    /// Height (mm), slope and curvature (1/mm) at x (mm).
     pub fn height(&self, x: f64) -> [f64; 3] {
         let centre = (self.depths.len() as f64 - 1.0) / 2.0;
         // Far outside all functions belong to an end station; clamping keeps the index small for any finite x.

@@ -11,9 +11,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use crate::linear::assembly::Assembler;
-use crate::linear::factor::{Inertia, Workspace};
+use crate::linear::factor::Workspace;
 use crate::linear::setup::{Setup, SetupError};
-use crate::linear::sparsity::NONE;
 use crate::linear::system::{Entries, Imbalance, Residuals};
 use crate::newton::acceleration::Acceleration;
 use crate::newton::focus::Focus;
@@ -22,7 +21,9 @@ use crate::problem::{Loads, Problem, State};
 use crate::surface::stretch::StretchRange;
 use crate::tensor::Vector;
 
+mod increments;
 mod raised_ground;
+mod renewal;
 mod report;
 mod steps;
 
@@ -55,12 +56,6 @@ pub struct Newton<'p> {
     indefinite: bool,
 }
 
-/// Halvings of a step that would invert an element, before the iteration is given up.
-const MAX_HALVINGS: usize = 8;
-/// Residual of the condensed contact relative to the imbalance before the step, which no step reduces as much.
-const CONTACT_SHARE: f64 = 1e-4;
-/// Steps over which the rate of convergence is taken.
-const RATE_STEPS: usize = 2;
 /// Iterations without a new smallest residual after which the attempt is given up: those that found an equilibrium after
 /// that (1 in 300 of random scenes) found it sooner in smaller load steps.
 const PATIENCE: usize = 10;
@@ -76,8 +71,8 @@ impl<'p> Newton<'p> {
         Self::for_contact(problem, &State::reference(problem), &Loads::default())
     }
 
-    /// The same, ready for contact from `state` with the ground of `loads`: else the first solve that touches the ground
-    /// sets up anew.
+    /// Sets the problem up for contact from `state` with the ground of `loads`. Without this the first solve that touches the
+    /// ground sets up anew.
     ///
     /// # Errors
     /// As [`Newton::new`].
@@ -230,75 +225,7 @@ impl<'p> Newton<'p> {
         }
     }
 
-    /// Whether the steps that the tangent still needs cost more than a new one, at the mean rate of the last two of the
-    /// `kept` steps that it has made: a point that opens or closes can spoil a single one.
-    fn wants_renewal(&self, history: &[Imbalance], kept: usize) -> bool {
-        if self.tangent.is_none() || kept == 0 {
-            return self.tangent.is_none();
-        }
-        let steps = kept.min(RATE_STEPS);
-        let (before, now) = (
-            history[history.len() - 1 - steps],
-            history[history.len() - 1],
-        );
-        let rate = (now.worst() / before.worst()).powf(1.0 / steps as f64);
-        let left = (self.settings.tolerance / now.worst()).ln() / rate.ln();
-        rate >= 1.0 || left > self.settings.renewal_cost
-    }
-
-    /// Assembles and factorises the tangent at a state, and returns the signs of its pivots, contact included.
-    ///
-    /// # Errors
-    /// [`Cause::Singular`].
-    fn renew(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
-        let start = Instant::now();
-        let mut tangent = match self.tangent.take().and_then(Arc::into_inner) {
-            Some(own) => own,
-            None => Tangent::new(self.setup.clone(), self.assembler.coupling_len())
-                .map_err(Cause::Singular)?,
-        };
-        let entries = self
-            .entries
-            .get_or_insert_with(|| Entries::new(&self.setup));
-        self.assembler
-            .tangent(state, loads, &self.pending, entries, &mut tangent.coupling);
-        let assembled = Instant::now();
-        tangent
-            .factorise(entries, &mut self.workspace)
-            .map_err(Cause::Singular)?;
-        self.effort.factorisation += assembled.elapsed();
-        self.effort.assembly += assembled - start;
-        self.effort.factorisations += 1;
-        self.focus = None;
-        self.acceleration.reset();
-        let inertia = tangent.inertia(self.problem, state, loads.ground.as_ref());
-        self.tangent = Some(Arc::new(tangent));
-        self.indefinite |= !inertia.is_positive();
-        Ok(inertia)
-    }
-
-    /// The tangent at a state, for solves of the same problem near it: its factor is in single precision, because these
-    /// solves are bound by reading it and correct its rounding like the distance between their states.
-    ///
-    /// # Errors
-    /// [`Cause`] when it is singular or doesn't fit in memory.
-    pub fn tangent_at(&mut self, state: &State, loads: &Loads) -> Result<Arc<Tangent>, Cause> {
-        self.inertia_at(state, loads)?;
-        let own = self.tangent.take().and_then(Arc::into_inner);
-        own.map(|tangent| Arc::new(tangent.rounded()))
-            .ok_or(Cause::Diverged)
-    }
-
-    /// Signs of the pivots at an equilibrium. The tangent made for it serves the next solve.
-    ///
-    /// # Errors
-    /// As [`Newton::tangent_at`].
-    pub fn inertia_at(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
-        self.set_pending(state, loads.support_factor);
-        self.cover_contact(state, loads)?;
-        self.renew(state, loads)
-    }
-
+    /// Assembles the residual at a state and returns its size.
     fn residual(&mut self, state: &State, loads: &Loads) -> Imbalance {
         let start = Instant::now();
         let served = &self.focused_faces;
@@ -307,127 +234,6 @@ impl<'p> Newton<'p> {
             .residual(state, loads, served, &mut self.residuals);
         self.effort.assembly += start.elapsed();
         imbalance
-    }
-
-    /// One iteration with the present tangent: increments and update. Returns the residual there.
-    fn step(&mut self, state: &mut State, loads: &Loads) -> Result<Imbalance, Cause> {
-        self.solve_displacements(state, loads)?;
-        let start = Instant::now();
-        self.collect_increments()?;
-        self.accelerate();
-        self.effort.substitution += start.elapsed();
-        self.update(state, loads).map(|(_, residual)| residual)
-    }
-
-    /// Increments of the free displacements by the present tangent.
-    fn solve_displacements(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
-        let tangent = self.tangent.clone().ok_or(Cause::Diverged)?;
-        let start = Instant::now();
-        let (forces, contact) = (&self.residuals.forces, &self.residuals.contact);
-        for ((target, force), contact) in self.rhs.iter_mut().zip(forces).zip(contact) {
-            *target = force - contact;
-        }
-        let volumes = &self.residuals.volumes;
-        self.assembler
-            .add_condensed_volumes(&tangent.coupling, volumes, &mut self.rhs);
-        if let Some(entries) = &self.entries {
-            for (target, force) in self.rhs.iter_mut().zip(&entries.pending_forces) {
-                *target += force;
-            }
-        }
-        for value in &mut self.rhs {
-            *value = -*value;
-        }
-        let imbalance: f64 = forces.iter().map(|f| f * f).sum::<f64>().sqrt();
-        let (rhs, workspace) = (&mut self.rhs, &mut self.workspace);
-        let tolerance = CONTACT_SHARE * imbalance;
-        let contact = loads.ground.as_ref().map(|ground| {
-            let faces = &self.focused_faces;
-            let focus = || tangent.focus(self.problem, faces.clone());
-            (ground, &*self.focus.get_or_insert_with(focus))
-        });
-        tangent.solve(self.problem, state, contact, rhs, tolerance, workspace);
-        self.effort.substitution += start.elapsed();
-        self.effort.iterations += 1;
-        Ok(())
-    }
-
-    /// What is left to move of the held displacements.
-    fn set_pending(&mut self, state: &State, factor: f64) {
-        for ((pending, support), u) in self
-            .pending
-            .iter_mut()
-            .zip(&self.problem.supports)
-            .zip(&state.displacement)
-        {
-            *pending = [0, 1, 2].map(|i| support[i].map_or(0.0, |target| factor * target - u[i]));
-        }
-    }
-
-    /// Increments of all displacements, and of the element pressures that belong to them.
-    fn collect_increments(&mut self) -> Result<(), Cause> {
-        let tangent = self.tangent.clone().ok_or(Cause::Diverged)?;
-        for ((increment, equations), pending) in self
-            .increments
-            .iter_mut()
-            .zip(&self.setup.equations.of_node)
-            .zip(&self.pending)
-        {
-            *increment = [0, 1, 2].map(|i| match equations[i] {
-                NONE => pending[i],
-                equation => self.rhs[equation as usize],
-            });
-        }
-        self.assembler.pressure_increments(
-            &tangent.coupling,
-            &self.residuals.volumes,
-            &self.increments,
-            &mut self.pressure_increments,
-        );
-        Ok(())
-    }
-
-    fn accelerate(&mut self) {
-        let displacements = 3 * self.increments.len();
-        self.flat.clear();
-        self.flat.extend_from_slice(self.increments.as_flattened());
-        self.flat.extend_from_slice(&self.pressure_increments);
-        let depth = self.settings.acceleration_depth;
-        self.acceleration
-            .correct(&mut self.flat, displacements, depth);
-        let (displacement, pressure) = self.flat.split_at(displacements);
-        self.increments
-            .as_flattened_mut()
-            .copy_from_slice(displacement);
-        self.pressure_increments.copy_from_slice(pressure);
-    }
-
-    /// Applies the step, or the largest of its halvings that inverts no element, and returns the fraction and the residual
-    /// there.
-    fn update(&mut self, state: &mut State, loads: &Loads) -> Result<(f64, Imbalance), Cause> {
-        self.previous.clone_from(state);
-        let mut factor = 1.0;
-        for _ in 0..MAX_HALVINGS {
-            state.add(factor, &self.increments, &self.pressure_increments);
-            let residual = self.residual(state, loads);
-            if self.residuals.min_volume_ratio > self.settings.min_volume_ratio {
-                for pending in self.pending.iter_mut().flatten() {
-                    *pending *= 1.0 - factor;
-                }
-                if let Some(entries) = &mut self.entries {
-                    entries.pending_forces.fill(0.0);
-                }
-                return Ok((factor, residual));
-            }
-            self.restore(state);
-            self.acceleration.reset();
-            factor *= 0.5;
-        }
-        Err(Cause::Inverted)
-    }
-
-    fn restore(&self, state: &mut State) {
-        state.clone_from(&self.previous);
     }
 }
 

@@ -89,15 +89,7 @@ pub fn follow(
     };
     let (mut reached, mut step) = (0.0, newton.settings.largest_load_step);
     let (mut cut, mut losses, before) = (false, 0, newton.effort.iterations);
-    if state.anchors.is_empty() {
-        state.settle(newton.problem(), start.ground.as_ref());
-    }
-    if let Err(cause) = newton.start_from(state, start) {
-        let failure = NotConverged {
-            history: Vec::new(),
-            cause,
-            indefinite: false,
-        };
+    if let Err(failure) = begin(newton, state, start) {
         let loads = start.clone();
         return Err(Box::new(PathFailure::new(reached, loads, step, 0, failure)));
     }
@@ -138,6 +130,20 @@ pub fn follow(
         }
     }
     Ok(report)
+}
+
+/// Settles friction's anchors, and prepares for the contact that the start has.
+fn begin(newton: &mut Newton<'_>, state: &mut State, start: &Loads) -> Result<(), NotConverged> {
+    if state.anchors.is_empty() {
+        state.settle(newton.problem(), start.ground.as_ref());
+    }
+    newton
+        .start_from(state, start)
+        .map_err(|cause| NotConverged {
+            history: Vec::new(),
+            cause,
+            indefinite: false,
+        })
 }
 
 impl Stability {

@@ -8,8 +8,9 @@ use std::sync::Arc;
 
 use faer::Mat;
 
-use crate::linear::factor::{Factor, Inertia, LinearError, Workspace};
+use crate::linear::factor::{Factor, Inertia, Workspace};
 use crate::linear::setup::Setup;
+use crate::linear::symbolic::LinearError;
 use crate::linear::system::Entries;
 use crate::load::obstacle::HeightField;
 use crate::newton::condensed_contact::{CondensedContact, inertia, solve_free};
@@ -52,7 +53,7 @@ impl Tangent {
         Ok(())
     }
 
-    /// The same tangent with its factor in single precision.
+    /// This tangent with its factor in single precision.
     #[must_use]
     pub(crate) fn rounded(self) -> Self {
         Self {

@@ -1,14 +1,15 @@
 //! Stresses of bricks, as pictures show them.
 
-use super::{SolidGeometry, SolidModel};
+use super::solid_geometry::SolidGeometry;
+use super::solid_model::SolidModel;
 use crate::tensor::{Tensor, determinant, multiply, transpose};
 
 /// Means over a brick's current volume, MPa.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanStress {
-    /// Cauchy stress.
+    /// Cauchy stress, MPa.
     pub cauchy: Tensor,
-    /// Von Mises stress: the mean of it, which isn't that of the mean stress.
+    /// Von Mises stress, MPa: the mean of it, which isn't that of the mean stress.
     pub von_mises: f64,
 }
 

@@ -11,7 +11,7 @@ import felupe
 import numpy as np
 import pypardiso
 
-from deck import read_deck
+from read_deck import read_deck
 
 # Load steps: of the pressure, then of the ground. One each takes the fewest iterations, and cut-backs are allowed.
 INFLATING = 1

@@ -3,8 +3,8 @@
 use fem::cell::mesh::{Surface, SurfacePoint};
 use fem::surface::membrane::Window;
 
-use crate::mesh::grid::{Extent, TireGrid};
 use crate::mesh::lines::locate;
+use crate::mesh::tire_grid::{Extent, TireGrid};
 
 impl TireGrid {
     /// Faces of a layer boundary, 0 the inner surface, ordered by theta, then phi; their normal x,1 x x,2 points outward.
@@ -123,7 +123,7 @@ fn window(low: f64, high: f64, half: f64) -> Option<[f64; 2]> {
     (window[0] < window[1]).then_some(window)
 }
 
-/// The same wheel angle between minus and plus half a turn, rad.
+/// A wheel angle (rad), between minus and plus half a turn.
 fn wrapped(theta: f64) -> f64 {
     let turn = std::f64::consts::TAU;
     theta - turn * (theta / turn).round()
@@ -135,7 +135,7 @@ mod tests {
     use fem::surface::membrane::Membrane;
 
     use super::*;
-    use crate::mesh::grid::tests::{SHAPE, plan};
+    use crate::mesh::tire_grid::tests::{SHAPE, plan};
 
     #[test]
     fn windows_cover_the_angles_asked_for() {

@@ -1,6 +1,6 @@
 //! Grid lines of a tire's mesh: where bricks begin and end along each direction.
 
-/// Brick of a grid line that holds a coordinate, and the place in it, -1 to 1.
+/// Brick of a grid line that holds a coordinate (in the unit of the edges), and the place in it, -1 to 1.
 pub fn locate(edges: &[f64], value: f64) -> (usize, f64) {
     let last = edges.len() - 2;
     let index = edges
@@ -11,7 +11,7 @@ pub fn locate(edges: &[f64], value: f64) -> (usize, f64) {
     (index, local.clamp(-1.0, 1.0))
 }
 
-/// Edges from 0 to pi: a fine sector, then sizes that grow geometrically from the fine size.
+/// Edges from 0 to pi, rad: a fine sector, then sizes that grow geometrically from the fine size.
 pub fn half_circle(fine_angle: f64, fine: usize, coarse: usize) -> Vec<f64> {
     let size = fine_angle / fine as f64;
     let mut edges: Vec<f64> = (0..fine).map(|i| size * i as f64).collect();
@@ -42,7 +42,7 @@ fn growth_ratio(length: f64, n: usize) -> f64 {
     f64::sqrt(low * high)
 }
 
-/// Edges from `start` to `end` whose sizes form a geometric series with the last `growth` times the first.
+/// Edges from `start` to `end`, in their unit, whose sizes form a geometric series with the last `growth` times the first.
 pub fn graded(start: f64, end: f64, n: usize, growth: f64) -> Vec<f64> {
     let ratio = if n > 1 {
         growth.powf(1.0 / (n as f64 - 1.0))

@@ -2,13 +2,13 @@
 //!
 //! The mirror changes the sign of theta, and with it of the displacement along x and of the pressure mode along theta.
 
-use crate::mesh::grid::{Extent, TireGrid};
+use crate::mesh::tire_grid::{Extent, TireGrid};
 
 /// The pressure mode along theta; the modes are 1, phi, theta, rho along the brick's own axes.
 const THETA_MODE: usize = 2;
 
 impl TireGrid {
-    /// Unknowns of the quarter mesh with this one's grid lines, mirrored to this half mesh. `None` when this is no half mesh or the length doesn't fit.
+    /// Unknowns (mm, then MPa) of the quarter mesh with this one's grid lines, mirrored to this half mesh. `None` when this is no half mesh or the length doesn't fit.
     pub fn mirror_quarter(&self, quarter: &[f64]) -> Option<Vec<f64>> {
         if self.extent != Extent::Half {
             return None;
@@ -49,7 +49,7 @@ impl TireGrid {
         Some(flat)
     }
 
-    /// Unknowns of this half mesh, left and right exchanged. `None` when this is no half mesh or the length doesn't fit.
+    /// Unknowns (mm, then MPa) of this half mesh, left and right exchanged. `None` when this is no half mesh or the length doesn't fit.
     pub fn mirror_half(&self, flat: &[f64]) -> Option<Vec<f64>> {
         let [nphi, ntheta, nrho] = self.bricks();
         let modes = self.order.pressure_modes();
@@ -83,7 +83,7 @@ mod tests {
     use fem::cell::element::Order;
 
     use super::*;
-    use crate::mesh::grid::{MeshPlan, TireShape};
+    use crate::mesh::tire_grid::{MeshPlan, TireShape};
 
     fn grid() -> TireGrid {
         let shape = TireShape {

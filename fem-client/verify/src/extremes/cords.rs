@@ -8,7 +8,8 @@ use fem::newton::volume_control::LIMIT_TOLERANCE;
 
 use super::draft::{Bench, REACTION_NOISE, STRAIN_NOISE, reference};
 use super::trend::{Limit, Point, rises};
-use crate::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::known_case::Case;
 use fem_client::scene::Scene;
 
 /// Stiffness of each family, N/mm. Steel cords of 0.2 mm^2, one to the mm, have 40 000.

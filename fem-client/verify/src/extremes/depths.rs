@@ -6,7 +6,8 @@ use super::draft::{Bench, REACTION_NOISE, reference};
 use super::first_touch::hertz_force;
 use super::trend::rises;
 use crate::body::SHEAR_MODULUS;
-use crate::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::known_case::Case;
 use fem_client::scene::Scene;
 use fem_client::solver::{LocationStrain, NoEquilibrium, Response};
 

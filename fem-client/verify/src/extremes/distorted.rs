@@ -7,10 +7,11 @@ use fem::cell::element::Order;
 use fem::tensor::{Tensor, Vector, norm};
 
 use crate::body::{PLANE, RUBBER, SPACE, free_block, load, rubber};
-use crate::convergence::Refinement;
 use crate::cylinder;
+use crate::family::Unsolved;
 use crate::homogeneous::{HELD, moved};
-use crate::{Case, Unsolved};
+use crate::known_case::Case;
+use crate::mesh_refinement::Refinement;
 
 /// Longest over shortest edge, and shift over height.
 const RATIO: f64 = 20.0;

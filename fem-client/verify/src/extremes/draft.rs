@@ -4,13 +4,13 @@ use std::sync::atomic::AtomicBool;
 
 use fem::newton::iteration::NewtonSettings;
 
-use crate::Unsolved;
+use crate::family::Unsolved;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{
     NoEquilibrium, Reached, Readout, SolveError, SolveRequest, Solved, Solver,
 };
 use tire::embedded::EmbeddedSolver;
-use tire::mesh::grid::MeshPlan;
+use tire::mesh::tire_grid::MeshPlan;
 use tire::model::mesh_plan;
 
 /// Largest relative residual of these equilibria: a thousandth of a study's.
@@ -76,7 +76,7 @@ impl<'s> Bench<'s> {
         self.refusal_on(scene, &mesh_plan(scene, scene.model.level))
     }
 
-    /// The same on another mesh.
+    /// Why a scene has no equilibrium on another mesh.
     pub fn refusal_on(&self, scene: &Scene, plan: &MeshPlan) -> Result<Refusal, Unsolved> {
         match self.solve_on(scene, plan) {
             Err(SolveError::NoEquilibrium {

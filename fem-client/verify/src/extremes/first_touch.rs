@@ -21,11 +21,12 @@ use fem::problem::{Loads, State};
 use super::draft::reference;
 use super::trend::{Limit, Point};
 use crate::body::{SHEAR_MODULUS, load_on};
-use crate::convergence::Refinement;
-use crate::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::known_case::Case;
+use crate::mesh_refinement::Refinement;
 use fem_client::scene::Scene;
-use tire::mesh::grid::{Extent, TireGrid};
 use tire::mesh::lines::graded;
+use tire::mesh::tire_grid::{Extent, TireGrid};
 use tire::model::{TireModel, ground, shape};
 
 /// Depths, mm, deepest last.

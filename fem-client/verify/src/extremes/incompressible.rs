@@ -8,10 +8,11 @@ use fem::solid::SolidGeometry;
 
 use super::draft::{Bench, REACTION_NOISE, STRAIN_NOISE, TOLERANCE, reference};
 use super::trend::{Limit, Point, rises};
-use crate::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::known_case::Case;
 use fem_client::scene::Scene;
 use fem_client::solver::Response;
-use tire::mesh::grid::Extent;
+use tire::mesh::tire_grid::Extent;
 use tire::model::{TireModel, mesh_plan};
 
 /// Bulk over shear modulus.

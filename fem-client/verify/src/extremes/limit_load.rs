@@ -8,11 +8,12 @@ use std::sync::atomic::AtomicBool;
 use fem::cell::element::Order;
 
 use super::draft::{Bench, Refusal, reference};
-use crate::convergence::Refinement;
-use crate::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::known_case::Case;
+use crate::mesh_refinement::Refinement;
 use fem_client::scene::{Law, Scene};
 use fem_client::solver::NoEquilibrium;
-use tire::mesh::grid::MeshPlan;
+use tire::mesh::tire_grid::MeshPlan;
 use tire::model::mesh_plan;
 
 /// Wall, mm.

@@ -7,9 +7,10 @@ use fem::newton::path::{Stability, follow};
 use fem::newton::volume_control::{Ending, Inflated, LIMIT_TOLERANCE, VolumeControl};
 use fem::problem::{Loads, Problem};
 
-use crate::convergence::Refinement;
+use crate::family::Unsolved;
+use crate::known_case::Case;
+use crate::mesh_refinement::Refinement;
 use crate::sphere::{MESHES, NEO_HOOKEAN, RATIO, SLOPE, exact, octant, reference};
-use crate::{Case, Unsolved};
 
 /// Outer over inner radius.
 const OUTER: f64 = 2.0;

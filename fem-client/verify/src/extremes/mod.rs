@@ -1,5 +1,4 @@
-//! The same question as [`crate`] at the ends of what a scene can ask for: does a solve end right within its stated
-//! error, or with a named, true reason?
+//! The ends of what a scene can ask for: does a solve end right within its stated error, or with a named, true reason?
 //!
 //! Where there is no closed form a case is a law that must hold: a difference that falls like a known power, a balance, the
 //! same answer on two ways. The families, each a file:
@@ -13,7 +12,7 @@
 //! - `cords`: a carcass from nothing to steel
 //! - [`studies`]: whole studies
 
-use crate::Family;
+use crate::family::Family;
 
 mod cords;
 mod depths;
@@ -24,11 +23,9 @@ mod incompressible;
 mod limit_load;
 mod limit_sphere;
 pub mod studies;
-pub mod trend;
+mod trend;
 mod units;
 mod walls;
-
-pub use draft::{STRAIN_NOISE, tight_solver};
 
 /// All families but that of whole studies, roughly from the quickest to the slowest.
 pub const FAMILIES: [Family; 9] = [

@@ -8,9 +8,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use crate::extremes::trend::{Limit, Point};
-use crate::extremes::{STRAIN_NOISE, tight_solver};
-use crate::{Case, Family, Unsolved};
+use super::draft::{STRAIN_NOISE, tight_solver};
+use super::trend::{Limit, Point};
+use crate::family::{Family, Unsolved};
+use crate::known_case::Case;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, Response, SolveError, SolveRequest, Solved, Solver, StartState};
 use gsa::law::distribution::Distribution;

@@ -1,6 +1,6 @@
 //! Laws that a series of values must follow.
 
-use crate::Case;
+use crate::known_case::Case;
 
 /// Safety on a bound that follows from a leading term: the next ones may add as much.
 const SAFETY: f64 = 2.0;
@@ -12,18 +12,18 @@ const CLEAR: f64 = 10.0;
 pub struct Point {
     /// Where it was taken, for people.
     pub label: String,
-    /// The parameter that grows.
+    /// The parameter that grows, in the unit that the label says.
     pub parameter: f64,
-    /// The value there.
+    /// The value there, in the unit of the quantity.
     pub value: f64,
 }
 
 /// A limit that values go to as their parameter grows, their distance from it falling like 1 / parameter^order.
 #[derive(Debug, Clone, Copy)]
 pub struct Limit {
-    /// The limit.
+    /// The limit, in the unit of the quantity.
     pub value: f64,
-    /// What may be left of the distance however large the parameter is.
+    /// What may be left of the distance, in its unit, however large the parameter is.
     pub noise: f64,
     /// Power by which the distance falls.
     pub order: f64,
@@ -75,7 +75,7 @@ pub fn rises(quantity: &str, values: &[f64], noise: f64, source: &'static str) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Verdict;
+    use crate::known_case::Verdict;
 
     const TO_TWO: Limit = Limit {
         value: 2.0,

@@ -1,4 +1,4 @@
-//! The same scene in other units: no number in the solver may have a dimension.
+//! One scene in several units: no number in the solver may have a dimension.
 //!
 //! A document gives lengths in mm and stresses in MPa and has ranges for them; these scenes are made below its reader. With
 //! lengths times l and stresses times s strains stay, and forces are times s l^2.
@@ -6,7 +6,8 @@
 use std::sync::atomic::AtomicBool;
 
 use super::draft::{Bench, reference};
-use crate::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::known_case::Case;
 use fem_client::scene::{Carcass, Law, Scene};
 use fem_client::solver::Response;
 

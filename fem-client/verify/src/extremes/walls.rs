@@ -21,12 +21,13 @@ use fem::tensor::norm;
 use super::draft::{Bench, TOLERANCE, reference};
 use super::trend::{Limit, Point};
 use crate::body::SHEAR_MODULUS;
-use crate::convergence::Refinement;
 use crate::cylinder;
-use crate::{Case, Unsolved};
+use crate::family::Unsolved;
+use crate::known_case::Case;
+use crate::mesh_refinement::Refinement;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{NoEquilibrium, Solved};
-use tire::mesh::grid::{Extent, MeshPlan};
+use tire::mesh::tire_grid::{Extent, MeshPlan};
 use tire::model::{TireModel, ground, mesh_plan};
 
 /// Wall over section radius.
@@ -35,7 +36,7 @@ const WALLS: [f64; 7] = [0.5, 1.0 / 3.0, 0.2, 0.1, 0.05, 0.02, 0.01];
 const THIN: usize = 3;
 /// Strain p r / (3 mu t) of the tires that are compared with a membrane: the formula is linear.
 const SMALL: f64 = 1e-4;
-/// The same for tires that are pressed.
+/// Strain p r / (3 mu t) of the tires that are pressed.
 const MODERATE: f64 = 0.05;
 /// Depth of the pressed tires over the section's radius.
 const DEPTH: f64 = 0.02;

@@ -3,7 +3,7 @@
 use std::ops::AddAssign;
 use std::time::Duration;
 
-use crate::linear::factor::LinearError;
+use crate::linear::symbolic::LinearError;
 use crate::linear::system::Imbalance;
 
 /// When to stop.

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::{Inflated, VolumeControl};
+use super::bordering::{Inflated, VolumeControl};
 use crate::newton::iteration::{Cause, NotConverged};
 
 /// Largest growth of the volume from one equilibrium to the next.

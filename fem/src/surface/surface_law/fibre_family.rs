@@ -2,7 +2,7 @@
 //! tension, a fraction of it in compression, because cords buckle. The tension is continuous and zero in the reference state;
 //! its slope jumps there.
 
-use super::{InPlane, SurfaceLaw};
+use super::elastic_layer::{InPlane, SurfaceLaw};
 
 /// Direction and stiffness of a fibre family.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,7 @@
 //! the same two constants agree to first order in the strain, and this is the simplest of them that is free of stress
 //! under any rotation; its tangent is constant.
 
-use super::{InPlane, SurfaceLaw};
+use super::elastic_layer::{InPlane, SurfaceLaw};
 
 /// Elasticity and thickness of a film.
 #[derive(Debug, Clone, Copy, PartialEq)]
