@@ -7,7 +7,7 @@ use serde::Deserialize;
 use serde_json::Value;
 use utoipa::ToSchema;
 
-use super::choices::{ExportError, FileFormat};
+use super::export_choice::{ExportError, FileFormat};
 use super::table::{Rows, TypedTable};
 use super::unit::{PERCENT, PURE, unit_of};
 use super::{csv, parquet};

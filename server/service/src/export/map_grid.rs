@@ -4,7 +4,7 @@ use placement::result::{IndexMap, MapLayer, StudyResult};
 use serde_json::{Map, Value};
 use vtu::{CellShape, DataArray, VtuGrid};
 
-use super::choices::ExportError;
+use super::export_choice::ExportError;
 
 /// What stands where there is no number. No index, deviation or error is negative by so much, so that a threshold at zero finds it.
 const MISSING: f64 = -1.0;

@@ -2,7 +2,7 @@
 
 use placement::result::StudyResult;
 
-use crate::export::choices::{ExportError, FileFormat, Table};
+use crate::export::export_choice::{ExportError, FileFormat, Table};
 use crate::export::{csv, map_grid, parquet, tables};
 use crate::point_views::EvaluationView;
 

@@ -5,7 +5,7 @@
 
 use placement::result::{InputReport, Output, RankedLayout, RankedLocation, StudyResult};
 
-use super::choices::Table;
+use super::export_choice::Table;
 use super::table::{Rows, TypedTable};
 use super::unit::{PERCENT, PURE, unit_of};
 use crate::point_views::EvaluationView;
