@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::cell::element::Order;
+use crate::linear::face_buffers::{FaceBuffers, gather};
 use crate::linear::setup::Setup;
-use crate::linear::sparsity::NONE;
 use crate::linear::system::{Entries, Imbalance, Residuals};
 use crate::problem::{Loads, Problem, State};
 use crate::solid::{SolidContribution, SolidGeometry};
@@ -18,35 +18,23 @@ const ROUND_OFF_SHARE: f64 = 1e-5;
 /// Sums element contributions, with the buffers that this takes.
 #[derive(Debug)]
 pub struct Assembler<'p> {
-    problem: &'p Problem,
-    setup: Arc<Setup>,
+    pub(super) problem: &'p Problem,
+    pub(super) setup: Arc<Setup>,
     solid: SolidContribution,
-    displacement: Vec<Vector>,
+    pub(super) displacement: Vec<Vector>,
     face: FaceBuffers,
-}
-
-#[derive(Debug)]
-struct FaceBuffers {
-    residual: Vec<f64>,
-    stiffness: Vec<f64>,
-    positions: Vec<Vector>,
 }
 
 impl<'p> Assembler<'p> {
     /// Allocates the buffers.
     pub fn new(problem: &'p Problem, setup: Arc<Setup>) -> Self {
         let order = problem.mesh.order;
-        let face_unknowns = 3 * order.face_nodes();
         Self {
             problem,
             setup,
             solid: SolidContribution::new(order),
             displacement: vec![[0.0; 3]; order.brick_nodes()],
-            face: FaceBuffers {
-                residual: vec![0.0; face_unknowns],
-                stiffness: vec![0.0; face_unknowns * face_unknowns],
-                positions: vec![[0.0; 3]; order.face_nodes()],
-            },
+            face: FaceBuffers::new(order),
         }
     }
 
@@ -61,7 +49,7 @@ impl<'p> Assembler<'p> {
     }
 
     /// Unknowns of a brick's displacements and of its pressures.
-    fn sizes(&self) -> (usize, usize) {
+    pub(super) fn sizes(&self) -> (usize, usize) {
         (
             3 * self.order().brick_nodes(),
             self.order().pressure_modes(),
@@ -230,63 +218,6 @@ impl<'p> Assembler<'p> {
         }
     }
 
-    /// Adds to `forces` what the elimination of the pressures moves there: B^T M^-1 r_p / c, N.
-    pub fn add_condensed_volumes(&self, coupling: &[f64], volumes: &[f64], forces: &mut [f64]) {
-        let (unknowns, modes) = self.sizes();
-        let mut pressure = [0.0; MODES];
-        let bricks = coupling
-            .chunks_exact(modes * unknowns)
-            .zip(volumes.chunks_exact(modes));
-        for (element, (coupling, volumes)) in bricks.enumerate() {
-            let pressure = &mut pressure[..modes];
-            self.pressure_increment(element, volumes, pressure);
-            for (mode, rows) in pressure.iter().zip(coupling.chunks_exact(unknowns)) {
-                let equations = self.setup.equations.of(self.problem.mesh.brick(element));
-                for (equation, b) in equations.zip(rows) {
-                    if equation != NONE {
-                        forces[equation as usize] += mode * b;
-                    }
-                }
-            }
-        }
-    }
-
-    /// Pressure increments (MPa) that belong to displacement increments (mm), held ones included.
-    pub fn pressure_increments(
-        &mut self,
-        coupling: &[f64],
-        volumes: &[f64],
-        increments: &[Vector],
-        target: &mut [f64],
-    ) {
-        let (unknowns, modes) = self.sizes();
-        let mut change = [0.0; MODES];
-        let bricks = coupling
-            .chunks_exact(modes * unknowns)
-            .zip(volumes.chunks_exact(modes))
-            .zip(target.chunks_exact_mut(modes));
-        for (element, ((coupling, volumes), target)) in bricks.enumerate() {
-            let nodes = self.problem.mesh.brick(element);
-            gather(increments, nodes, &mut self.displacement);
-            let rows = coupling.chunks_exact(unknowns).zip(volumes);
-            for (change, (row, volume)) in change.iter_mut().zip(rows) {
-                let du = self.displacement.as_flattened();
-                *change = volume + row.iter().zip(du).map(|(b, u)| b * u).sum::<f64>();
-            }
-            self.pressure_increment(element, &change[..modes], target);
-        }
-    }
-
-    fn pressure_increment(&self, element: usize, volume_change: &[f64], target: &mut [f64]) {
-        SolidContribution::pressure_increment(
-            &self.problem.solid,
-            &self.setup.geometry,
-            element,
-            volume_change,
-            target,
-        );
-    }
-
     fn imbalance(&self, residuals: &Residuals) -> Imbalance {
         let norm = |values: &[f64]| values.iter().map(|v| v * v).sum::<f64>().sqrt();
         let ratio = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
@@ -331,47 +262,5 @@ impl<'p> Assembler<'p> {
             );
             figure(&self.setup.geometry, element, &self.displacement)
         })
-    }
-}
-
-/// Most pressure unknowns of a brick.
-const MODES: usize = 4;
-
-fn gather(values: &[Vector], nodes: &[u32], local: &mut [Vector]) {
-    for (target, &node) in local.iter_mut().zip(nodes) {
-        *target = values[node as usize];
-    }
-}
-
-impl FaceBuffers {
-    fn clear(&mut self, tangent: bool) {
-        self.residual.fill(0.0);
-        if tangent {
-            self.stiffness.fill(0.0);
-        }
-    }
-
-    fn parts(&mut self) -> (&[Vector], &mut [f64], &mut [f64]) {
-        (&self.positions, &mut self.residual, &mut self.stiffness)
-    }
-
-    fn move_to(&mut self, problem: &Problem, state: &State, nodes: &[u32]) {
-        for (position, &node) in self.positions.iter_mut().zip(nodes) {
-            *position = state.position(&problem.mesh, node);
-        }
-    }
-
-    fn scatter(
-        &self,
-        setup: &Setup,
-        nodes: &[u32],
-        index: usize,
-        scatter: &[u32],
-        pending: &[Vector],
-        entries: &mut Entries,
-    ) {
-        let packed = self.residual.len() * (self.residual.len() + 1) / 2;
-        let scatter = &scatter[index * packed..(index + 1) * packed];
-        entries.add(&setup.equations, nodes, &self.stiffness, scatter, pending);
     }
 }

@@ -3,9 +3,11 @@
 //! - [`ordering`], [`sparsity`]: equation numbers in elimination order, and the pattern of the tangent
 //! - `substitution`, `rounding`, [`symbolic`], [`factor`]: the sparse factor and what is solved with it
 //! - [`setup`]: what all states of a problem share
-//! - [`system`], [`assembly`]: residual and tangent of the whole problem
+//! - [`system`], `face_buffers`, [`assembly`], `condensed_pressures`: residual and tangent of the whole problem
 
 pub mod assembly;
+mod condensed_pressures;
+mod face_buffers;
 pub mod factor;
 pub mod ordering;
 mod rounding;
