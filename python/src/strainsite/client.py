@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import os
 import uuid
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 from . import documents
-from .comparison import Comparison
-from .download import download
+from .answers.comparison import Comparison
+from .answers.estimate import Estimate, SweepEstimate
+from .answers.preset import Presets
+from .answers.reading import read
+from .answers.summary import StudySummary
+from .connection.download import download
+from .connection.transport import Transport
 from .errors import DocumentError, StrainsiteError
-from .estimate import Estimate
-from .reading import read
-from .study import Study, StudySummary
-from .sweep import Sweep, SweepEstimate, designs_body
-from .transport import Transport
+from .study import Study
+from .sweep import Sweep
 
 if TYPE_CHECKING:
     import ssl
@@ -24,32 +25,13 @@ if TYPE_CHECKING:
     from pathlib import Path
     from types import TracebackType
 
-    from .comparison import ComparisonTable
-    from .study import State
+    from .answers.comparison import ComparisonTable
+    from .answers.summary import State
 
     Document = Mapping[str, Any] | str | Path
     """A study: its fields, a TOML or JSON file, or the name of one that the service ships."""
 
 DEFAULT_URL = "http://127.0.0.1:8080"
-
-
-@dataclass(frozen=True)
-class Preset:
-    """A document to start from."""
-
-    name: str
-    title: str
-    document: dict[str, Any]
-    comment: str
-    """What it is for."""
-
-
-@dataclass(frozen=True)
-class Presets:
-    """The documents that the service ships."""
-
-    studies: tuple[Preset, ...]
-    scenes: tuple[Preset, ...]
 
 
 class Client:
@@ -232,7 +214,7 @@ class Client:
             InvalidDocument: The study or a design has faults.
 
         """
-        body = {"study": self.document(document, set), **designs_body(grid, designs)}
+        body = {"study": self.document(document, set), **documents.designs_body(grid, designs)}
         if name is not None:
             body["name"] = name
         answer = self._transport.post(
@@ -252,7 +234,7 @@ class Client:
         set: Mapping[str, Any] | None = None,
     ) -> SweepEstimate:
         """What a sweep would cost, before anything is solved; arguments as for `sweep`."""
-        body = {"study": self.document(document, set), **designs_body(grid, designs)}
+        body = {"study": self.document(document, set), **documents.designs_body(grid, designs)}
         return read(SweepEstimate, self._transport.post("/v1/sweeps:estimate", body))
 
     def find_sweep(self, id: str) -> Sweep:
