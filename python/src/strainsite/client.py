@@ -16,7 +16,7 @@ from .answers.summary import StudySummary
 from .connection.download import download
 from .connection.transport import Transport
 from .errors import DocumentError, StrainsiteError
-from .study import Study
+from .study import Study, id_of
 from .sweep import Sweep
 
 if TYPE_CHECKING:
@@ -146,12 +146,7 @@ class Client:
             Busy: Too many studies wait.
 
         """
-        answer = self._transport.post(
-            "/v1/studies",
-            self.document(document, set),
-            key=key or str(uuid.uuid4()),
-            params={"priority": str(priority)} if priority else None,
-        )
+        answer = self._submit("/v1/studies", self.document(document, set), priority, key)
         return Study(self._transport, read(StudySummary, answer))
 
     def estimate(self, document: Document, set: Mapping[str, Any] | None = None) -> Estimate:
@@ -217,13 +212,7 @@ class Client:
         body = {"study": self.document(document, set), **documents.designs_body(grid, designs)}
         if name is not None:
             body["name"] = name
-        answer = self._transport.post(
-            "/v1/sweeps",
-            body,
-            key=key or str(uuid.uuid4()),
-            params={"priority": str(priority)} if priority else None,
-        )
-        return Sweep(self._transport, answer)
+        return Sweep(self._transport, self._submit("/v1/sweeps", body, priority, key))
 
     def estimate_sweep(
         self,
@@ -290,6 +279,10 @@ class Client:
         params = _compared(studies, baseline)
         return download(self._transport, "/v1/comparison/export", format, table, path, params)
 
+    def _submit(self, path: str, body: Mapping[str, Any], priority: int, key: str | None) -> dict[str, Any]:
+        params = {"priority": str(priority)} if priority else None
+        return self._transport.post(path, body, key=key or str(uuid.uuid4()), params=params)
+
     def _pages(self, kind: str, params: Mapping[str, str]) -> Iterator[Any]:
         cursor: str | None = None
         while True:
@@ -300,17 +293,13 @@ class Client:
                 return
 
 
-def _id(study: Study | str) -> str:
-    return study if isinstance(study, str) else study.id
-
-
 def _part(identifier: str) -> str:
     """An identifier as one part of a path, whatever somebody typed."""
     return quote(identifier, safe="")
 
 
 def _compared(studies: Iterable[Study | str], baseline: Study | str | None) -> dict[str, str]:
-    ids = [_id(study) for study in studies]
+    ids = [id_of(study) for study in studies]
     if not ids:
         raise StrainsiteError("there is nothing to compare: give at least one study")
-    return {"studies": ",".join(ids)} | ({} if baseline is None else {"baseline": _id(baseline)})
+    return {"studies": ",".join(ids)} | ({} if baseline is None else {"baseline": id_of(baseline)})

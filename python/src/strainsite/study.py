@@ -177,3 +177,8 @@ class Study:
 
     def _repr_html_(self) -> str:
         return html.study(self.summary)
+
+
+def id_of(study: Study | str) -> str:
+    """The identifier of a study, or the one that was given."""
+    return study if isinstance(study, str) else study.id

@@ -12,7 +12,7 @@ from .connection.follow import look
 from .connection.progress import Deadline, Progress
 from .documents import designs_body
 from .errors import StudyCancelled, StudyFailed
-from .study import Study
+from .study import Study, id_of
 from .views import frames, html
 
 if TYPE_CHECKING:
@@ -150,7 +150,7 @@ class Sweep:
     def _compared(self, baseline: Study | str | None) -> dict[str, str]:
         if baseline is None:
             return {"sweep": self.id}
-        return {"sweep": self.id, "baseline": baseline if isinstance(baseline, str) else baseline.id}
+        return {"sweep": self.id, "baseline": id_of(baseline)}
 
     def designs_frame(self) -> pd.DataFrame:
         """The designs as a pandas frame: ordinal, name, what differs, state, points, study."""
