@@ -1,4 +1,4 @@
-"""What a study is expected to cost, and to be worth."""
+"""What studies and sweeps are expected to cost, and to be worth."""
 
 from __future__ import annotations
 
@@ -64,3 +64,23 @@ class Estimate:
     """Solves by which the times were corrected for the service's machine; 0: they are another machine's."""
     reasons: tuple[str, ...]
     """Why figures are ranges or None."""
+
+
+@dataclass(frozen=True)
+class DesignEstimate:
+    """What a design would cost; what an earlier one solves is known to it."""
+
+    name: str
+    estimate: Estimate
+
+
+@dataclass(frozen=True)
+class SweepEstimate:
+    """What a sweep would cost."""
+
+    designs: tuple[DesignEstimate, ...]
+    left: CountForecast
+    """Solves of all designs that are left to do."""
+    wall_s: Forecast | None
+    """None where a design's reasons say why."""
+    peak_memory_bytes: int

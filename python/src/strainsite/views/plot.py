@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from .errors import StrainsiteError
+from strainsite.errors import StrainsiteError
+
 from .extras import pyplot
 
 if TYPE_CHECKING:
@@ -15,9 +16,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from .comparison import ComparedIndex, ComparedLocation, ComparedStudy, Comparison
-    from .maps import StrainMap
-    from .result import Location, LocationStrain, Result
+    from strainsite.answers.comparison import ComparedIndex, ComparedLocation, ComparedStudy, Comparison
+    from strainsite.answers.maps import StrainMap
+    from strainsite.answers.result import Location, LocationStrain, Result
 
 _DIRECTIONS = {"x": "circumferential", "y": "meridional"}
 # Okabe and Ito's, which the colour-blind can tell apart.

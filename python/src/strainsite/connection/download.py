@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .errors import StrainsiteError
+from strainsite.errors import StrainsiteError
 
 if TYPE_CHECKING:
     import os

@@ -8,10 +8,10 @@ import types
 import typing
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from .errors import AnswerError
+from strainsite.errors import AnswerError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable
 
     from _typeshed import DataclassInstance
 
@@ -47,11 +47,6 @@ def records(values: object, kind: type[T], where: str) -> tuple[T, ...]:
     if not isinstance(values, list):
         raise AnswerError(f"{where} of the service's answer isn't a list")
     return tuple(read(kind, value, f"{where}[{k}]") for k, value in enumerate(values))
-
-
-def as_record(value: DataclassInstance) -> Mapping[str, Any]:
-    """The fields of a dataclass by name, not deeper."""
-    return {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
 
 
 @functools.cache

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from .comparison import Comparison
-    from .result import Result
-    from .study import StudySummary
-    from .sweep import Sweep
+    from strainsite.answers.comparison import Comparison
+    from strainsite.answers.result import Result
+    from strainsite.answers.summary import StudySummary
+    from strainsite.sweep import Sweep
 
 
 def result(result: Result) -> str:

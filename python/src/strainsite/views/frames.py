@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import TYPE_CHECKING, Any
 
 from .extras import pandas
-from .reading import as_record
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     import pandas as pd
+    from _typeshed import DataclassInstance
 
-    from .result import Evaluation, Result
+    from strainsite.answers.result import Evaluation, Result
 
 _LAYOUT_COLUMNS = [
     "rank",
@@ -101,6 +102,11 @@ def plain(rows: list[dict[str, Any]]) -> pd.DataFrame:
     frame: pd.DataFrame = pandas().DataFrame(rows)
     empty = [name for name in frame.columns if frame[name].isna().all()]
     return frame.astype(dict.fromkeys(empty, "float64"))
+
+
+def as_record(value: DataclassInstance) -> Mapping[str, Any]:
+    """The fields of a dataclass by name, not deeper."""
+    return {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
 
 
 def _frame(rows: list[dict[str, Any]], result: Result) -> pd.DataFrame:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .errors import AnswerError, StrainsiteError
+from strainsite.errors import AnswerError, StrainsiteError
+from strainsite.views import plot
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -103,8 +104,6 @@ class StrainMap:
         ax: Axes | None = None,
     ) -> Axes:
         """Draws it on the unrolled surface: `first_order`, `std`, `strain` or `error`."""
-        from . import plot  # noqa: PLC0415 - an extra
-
         return plot.unrolled_map(self, value, locations=locations, ax=ax)
 
     def __repr__(self) -> str:

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import httpx
 
-from .errors import AnswerError, ProblemError, ServerLost, StrainsiteError, problem
+from strainsite.errors import AnswerError, ProblemError, ServerLost, StrainsiteError, problem
+
 from .patience import Patience
 
 if TYPE_CHECKING:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import httpx
 
-from .errors import ProblemError
+from strainsite.errors import ProblemError
+
 from .transport import TRY_AGAIN
 
 if TYPE_CHECKING:

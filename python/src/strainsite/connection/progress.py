@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from tqdm.auto import tqdm
 
-from .errors import WaitTimeout
+from strainsite.errors import WaitTimeout
 
 if TYPE_CHECKING:
     from types import TracebackType

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
-from . import frames, html
-from .reading import as_record, read
+from strainsite.views import frames, html, plot
+
+from .reading import read
 from .result import Cost  # noqa: TC001 - fields are read by their types
 
 if TYPE_CHECKING:
@@ -107,7 +108,7 @@ class Comparison:
             of_row = ("location", "rank", "rank_certain", "rank_change", "rank_verdict")
             line |= {name: getattr(row, name) for name in of_row}
             for direction, index in (("x", row.x), ("y", row.y)):
-                line |= {f"{name}_{direction}": value for name, value in as_record(index).items()}
+                line |= {f"{name}_{direction}": value for name, value in frames.as_record(index).items()}
             rows.append(self._ended(line, studies[row.study]))
         return frames.plain(rows)
 
@@ -117,7 +118,7 @@ class Comparison:
         for study in self.studies:
             line = self._begun(study)
             left = {"id", "name", "set", "cost", "spec_sha256", "version"}
-            line |= {name: value for name, value in as_record(study).items() if name not in left}
+            line |= {name: value for name, value in frames.as_record(study).items() if name not in left}
             line |= {name: getattr(study.cost, name) if study.cost else None for name in _COSTS}
             rows.append(self._ended(line, study))
         return frames.plain(rows)
@@ -135,8 +136,6 @@ class Comparison:
 
     def plot(self, figure: Figure | None = None) -> Figure:
         """Each location's index over the designs, with error bars, both directions."""
-        from . import plot  # noqa: PLC0415 - an extra
-
         return plot.comparison(self, figure)
 
     def __repr__(self) -> str:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from . import frames, html
-from .errors import StrainsiteError
+from strainsite.errors import StrainsiteError
+from strainsite.views import frames, html, plot
+
 from .estimate import Estimate  # noqa: TC001 - fields are read by their types
 from .maps import StrainMap
 from .reading import read
@@ -295,8 +296,6 @@ class Result:
 
     def plot_ranking(self, figure: Figure | None = None) -> Figure:
         """Indices of the ranked locations with their errors, both directions side by side."""
-        from . import plot  # noqa: PLC0415 - an extra
-
         return plot.ranking(self, figure)
 
     def plot_map(self, direction: str = "x", input: str | None = None, value: str = "first_order") -> Figure:
@@ -308,8 +307,6 @@ class Result:
             value: `first_order`, `std`, `strain` or `error`.
 
         """
-        from . import plot  # noqa: PLC0415 - an extra
-
         return plot.map_figure(self.map(direction, input), value, self.cut_point.locations)
 
     def __repr__(self) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from .errors import MissingExtra
+from strainsite.errors import MissingExtra
 
 if TYPE_CHECKING:
     from types import ModuleType
