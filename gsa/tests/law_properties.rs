@@ -1,5 +1,6 @@
 //! What holds for every law with any parameters: of its rules, its distribution function, and under a change of unit.
 
+use gsa::law::catalogue::{KINDS, Parameter};
 use gsa::law::distribution::Distribution;
 use gsa::law::rule::{GaussRule, RuleError};
 use proptest::prelude::*;
@@ -156,9 +157,9 @@ proptest! {
         bounds in prop::array::uniform2(any_value()),
         nodes in 1usize..=20,
     ) {
-        let kind = &gsa::law::distribution::KINDS[kind];
+        let kind = &KINDS[kind];
         // A negative one where that is refused at once tells nothing.
-        let fit = |(parameter, value): (&gsa::law::distribution::Parameter, &f64)| {
+        let fit = |(parameter, value): (&Parameter, &f64)| {
             if parameter.positive { value.abs() } else { *value }
         };
         let values: Vec<f64> = kind.parameters().iter().zip(&values).map(fit).collect();

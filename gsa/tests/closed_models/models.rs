@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use gsa::design::Design;
-use gsa::law::distribution::{Distribution, Kind};
+use gsa::law::catalogue::Kind;
+use gsa::law::distribution::Distribution;
 use ndarray::Array2;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

@@ -1,6 +1,7 @@
 //! Laws in files of reference values.
 
-use gsa::law::distribution::{Distribution, Kind};
+use gsa::law::catalogue::Kind;
+use gsa::law::distribution::Distribution;
 use serde_json::Value;
 
 /// The entries of a file, each made a case.

@@ -1,7 +1,7 @@
 //! Laws by the names that documents give them, for whoever reads one.
 
-use super::{Distribution, DistributionError};
 use crate::law::distribution::distribution_error::{finite, positive};
+use crate::law::distribution::{Distribution, DistributionError};
 
 /// A parameter of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
