@@ -2,7 +2,8 @@
 
 use gsa::design::Design;
 use gsa::law::distribution::Distribution;
-use gsa::method::analysis::{Analysis, Form, Status, analyse};
+use gsa::method::analysis::{Analysis, Form, Status};
+use gsa::method::lines::analyse;
 use ndarray::{Array2, Axis};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

@@ -2,7 +2,8 @@
 
 use gsa::design::Design;
 use gsa::law::distribution::Distribution;
-use gsa::method::analysis::{Analysis, Status, analyse};
+use gsa::method::analysis::{Analysis, Status};
+use gsa::method::lines::analyse;
 use ndarray::Array2;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;

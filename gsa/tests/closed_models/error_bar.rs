@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use gsa::method::analysis::{Status, analyse};
+use gsa::method::analysis::Status;
+use gsa::method::lines::analyse;
 
 use crate::models;
 

@@ -1,6 +1,7 @@
 //! M-DRM against 50-digit arithmetic, on every closed model, cut point and rule size.
 
-use gsa::method::analysis::{Analysis, Status, analyse};
+use gsa::method::analysis::{Analysis, Status};
+use gsa::method::lines::analyse;
 
 use crate::models::{self, Model, Reference};
 

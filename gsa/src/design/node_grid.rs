@@ -15,7 +15,7 @@ use rand::Rng;
 
 use crate::law::rule::GaussRule;
 
-/// Every so manieth point is drawn by weight alone.
+/// One point in so many is drawn by weight alone.
 const BY_WEIGHT: usize = 3;
 /// Draws by weight before the grid is walked instead: rare points of a nearly used-up grid would take for ever.
 const DRAWS_BEFORE_WALK: usize = 256;
