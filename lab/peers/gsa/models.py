@@ -8,7 +8,7 @@ from typing import Callable
 import numpy as np
 from scipy import stats
 
-DATA = pathlib.Path(__file__).resolve().parents[2] / "tests" / "data" / "mdrm.json"
+DATA = pathlib.Path(__file__).resolve().parents[3] / "gsa" / "tests" / "data" / "mdrm.json"
 # Largest relative difference from the values in the data file, which were computed with more digits.
 FORMULA_ERROR = 1e-11
 
