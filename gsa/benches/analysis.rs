@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use gsa::design::Design;
 use gsa::law::distribution::Distribution;
-use gsa::method::analysis::analyse;
+use gsa::method::lines::analyse;
 use ndarray::Array2;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

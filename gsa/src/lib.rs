@@ -4,7 +4,7 @@
 //! share S_i of Var\[Y\] that X_i causes alone, and the share S_Ti it takes part in. The inputs are independent.
 //!
 //! This crate never calls a model. A [`design::Design`] lists the runs to make; whoever owns the model makes them, in
-//! any order and anywhere; [`analysis::analyse`] turns their values into indices with an error. So runs can be queued,
+//! any order and anywhere; [`method::lines::analyse`] turns their values into indices with an error. So runs can be queued,
 //! stored and resumed, and one set of runs serves thousands of outputs.
 //!
 //! The default method is multiplicative dimension reduction (Zhang and Pandey 2014): the output as a product of its sections
@@ -31,9 +31,10 @@
 //! - [`campaign`]: the way in
 //!
 //! ```
-//! use gsa::analysis::{Status, analyse};
+//! use gsa::method::analysis::Status;
+//! use gsa::method::lines::analyse;
 //! use gsa::design::Design;
-//! use gsa::distribution::Distribution;
+//! use gsa::law::distribution::Distribution;
 //! use ndarray::Array2;
 //! use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 //!

@@ -13,7 +13,7 @@ use gsa::method::analysis::Analysis;
 use gsa::method::{Kind, Method};
 use placement::own_model::inputs_document::Inputs;
 use placement::own_model::value_table::ValueTable;
-use placement::study::plan::{Plan, first_points};
+use placement::study::plan::Plan;
 use placement::study::{Study, presets};
 use placement::sweep::{Design, MOST_DESIGNS, Sweep, designs_of, sweep_of, typed_grid};
 use serde_json::{Value, json};
@@ -170,7 +170,7 @@ pub fn inputs(text: &str) {
         Err(faults) => return say_where(&faults, text, &OF_INPUTS),
     };
     assert_eq!(inputs.names.len(), inputs.laws.len());
-    let points = first_points(&inputs.method, inputs.laws.len());
+    let points = inputs.method.first_points(inputs.laws.len());
     if points.saturating_mul(inputs.laws.len()) > MOST_PLANNED {
         return;
     }

@@ -2,8 +2,10 @@
 
 use thiserror::Error;
 
-use super::MAX_CHECK_POINTS;
 use crate::law::rule::RuleError;
+
+/// Most check points a design takes; far beyond what an error estimate gains from, and well within memory.
+pub const MAX_CHECK_POINTS: usize = 100_000;
 
 /// Why a design cannot be built. Fields count inputs from 0, messages from 1.
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -8,6 +8,10 @@
 //!
 //! Cost: n N + 1 runs, or n (N - 1) + 1 where a centre node is the mean itself (symmetric laws, odd N), and
 //! one run for each check point.
+//!
+//! - [`Line`], [`CheckPoint`], `node_grid`, `distance`: the runs, and where check points are drawn
+//! - `pair_grid`, `probes`: grids of pairs of inputs, and runs off all nodes
+//! - `sobol`: points of methods without lines
 
 use std::collections::HashSet;
 
@@ -17,65 +21,18 @@ use crate::law::distribution::Distribution;
 use crate::law::polynomials::Polynomials;
 use crate::law::rule::GaussRule;
 
+mod check_point;
 mod design_error;
 mod distance;
-pub(crate) mod grid;
+mod line;
+mod node_grid;
+pub(crate) mod pair_grid;
 mod probes;
+pub(crate) mod sobol;
 
-pub use design_error::DesignError;
-
-/// Most check points a design takes; far beyond what an error estimate gains from, and well within memory.
-pub const MAX_CHECK_POINTS: usize = 100_000;
-
-/// The runs along one input.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Line {
-    rule: GaussRule,
-    polynomials: Polynomials,
-    ordinals: Vec<usize>,
-}
-
-impl Line {
-    /// The input's Gauss rule.
-    pub fn rule(&self) -> &GaussRule {
-        &self.rule
-    }
-
-    /// For each node of the rule, which point of the design it is.
-    pub fn ordinals(&self) -> &[usize] {
-        &self.ordinals
-    }
-
-    /// Orthonormal polynomials of the input's law, as many as the rule has nodes.
-    pub(crate) fn polynomials(&self) -> &Polynomials {
-        &self.polynomials
-    }
-
-    /// The coordinate in which the rule is exact for polynomials.
-    pub(crate) fn coordinate(&self, x: f64) -> f64 {
-        self.polynomials.coordinate(x)
-    }
-}
-
-/// A run off the cut lines, against which the reduced forms are tested.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CheckPoint {
-    ordinal: usize,
-    nodes: Vec<usize>,
-}
-
-impl CheckPoint {
-    /// Which point of the design it is.
-    pub fn ordinal(&self) -> usize {
-        self.ordinal
-    }
-
-    /// For each input, which node the coordinate is, counted through its lines in the order they were added: of the rule
-    /// itself where the line was never refined.
-    pub fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-}
+pub use check_point::CheckPoint;
+pub use design_error::{DesignError, MAX_CHECK_POINTS};
+pub use line::Line;
 
 /// A list of runs and what each of them is for. It only grows: a point keeps its ordinal, and the same calls with the
 /// same generator state give the same design to the bit.
@@ -137,6 +94,11 @@ impl Design {
         Ok(design)
     }
 
+    /// What the cut point and the lines cost at most, saturating.
+    pub(crate) fn most_line_points(inputs: usize, nodes: usize) -> usize {
+        inputs.saturating_mul(nodes).saturating_add(1)
+    }
+
     /// Adds check points on the grid of the present lines, as many as asked or as it still has, and returns how many those
     /// were.
     ///
@@ -182,7 +144,7 @@ impl Design {
         Ok(())
     }
 
-    /// The same design, of whose lines those are refined that seem to need it.
+    /// Leaves lines as they are that don't seem to need more nodes.
     pub(crate) fn refined_on_demand(self) -> Self {
         Self {
             on_demand: true,

@@ -136,9 +136,9 @@ impl<'a> Composite<'a> {
         self.sections.centre + form + corrections.sum::<f64>()
     }
 
-    /// What the rules miss of each input's variance, as a share of it: of its section's, as judged on its line, and of the
-    /// interactions among the corrections, as judged by their own modes, of which `coordinates` of their points, by input,
-    /// tell one less apart. `beyond`: what is missed off the nodes, over the part of the standard deviation that the input has.
+    /// What the rules miss of each input's variance, as a share of it. The section's part is judged on its line, that of the
+    /// corrections' interactions by their own modes, of which `coordinates` points of an input tell one less apart.
+    /// `beyond`: what is missed off the nodes, over the part of the standard deviation that the input has.
     pub(crate) fn missing(&self, coordinates: &[usize], beyond: Option<&[f64]>) -> Option<Missing> {
         let of_lines = self.sections.missing.as_ref()?;
         let mut energies: Vec<Vec<f64>> = self.modes.iter().map(|m| vec![0.0; m.len()]).collect();

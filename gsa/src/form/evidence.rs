@@ -15,8 +15,8 @@ pub(crate) type Checks<'a> = Vec<(&'a CheckPoint, f64)>;
 /// A fit of one number to fewer points would prove nothing.
 const LEAST_FOR_SHIFT: usize = 3;
 /// The shifted form must lower the misfit this many times to be preferred: being fitted, it lowers it a little for any
-/// model, and near-products it makes worse. It must do so at the other points too, without the one that the sum misses most: of a
-/// kink that shows at a single point, one number explains all.
+/// model, and near-products it makes worse. It must do so without the point that the sum misses most, too: one number explains
+/// all of a kink that shows at a single point.
 const SHIFT_GAIN: f64 = 10.0;
 
 /// How each form fares at the check points. Misfits are root mean squares in the units of the sections, infinite where a

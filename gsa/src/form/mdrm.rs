@@ -14,8 +14,8 @@
 //! S_Ti = (1 - rho_i^2/theta_i) / (1 - prod_k rho_k^2/theta_k)                                                      (3)
 //! ```
 //!
-//! Written so, small variances cancel, large outputs overflow and h0^(1-n) does both. The same numbers in a form that
-//! holds, with v_i = theta_i - rho_i^2 taken from centred sums:
+//! Written so, small variances cancel, large outputs overflow and h0^(1-n) does both. Equal to them, but safe in
+//! double precision, with v_i = theta_i - rho_i^2 taken from centred sums:
 //!
 //! ```text
 //! q_i = (v_i/rho_i)/rho_i,   L = sum_i ln(1 + q_i)                                                                 (4)
@@ -29,14 +29,14 @@
 //! | q_i | squared coefficient of variation of section i |
 //! | L | log of 1 + the squared coefficient of variation of the output |
 //!
-//! The same with h + s in place of h, for any constant s, is the shifted product
+//! With h + s in place of h, for any constant s, this is the shifted product
 //!
 //! ```text
 //! h(x) ~ (h0 + s) prod_i (1 + t d_i(x_i)) - s,   t = 1/(h0 + s),  d_i = h_i - h0                                    (7)
 //! ```
 //!
 //! whose indices are (4) and (5) with rho_i + s in place of rho_i. It tends to the additive form as t -> 0 and needs no
-//! h0 != 0. The same runs serve every s; which one is best, the check points say (`shift`).
+//! h0 != 0. One set of runs serves every s; the check points say which one is best (`shift`).
 //!
 //! What it cannot do: with h0 = 0 or some rho_i = 0 equation (1) divides by zero, and a product says nothing about an
 //! output that is not one. Both are told apart by [`Undefined`] and by the check points.

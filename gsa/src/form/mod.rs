@@ -4,7 +4,7 @@
 //! - `mdrm`, `shift`, `additive`: product, shifted product and sum
 //! - `evidence`: which of them the check points support
 //! - `composite`: a form with corrections, whose coefficients give the indices
-//! - `factors`, `regression`, `dictionary`, `corrected`: sparse corrections at check points
+//! - `factors`, `regression`, `dictionary`, `whole_grid`, `corrected`: corrections at check points, sparse or on the whole grid
 
 pub(crate) mod additive;
 pub(crate) mod composite;
@@ -19,3 +19,4 @@ pub(crate) mod scale;
 pub(crate) mod section;
 pub(crate) mod shift;
 pub(crate) mod spectrum;
+pub(crate) mod whole_grid;

@@ -33,8 +33,8 @@ pub(crate) struct Level {
 
 impl Level {
     /// The missing share of the finest line, given the coarser ones it replaced: by the modes of the last two lines, and by the
-    /// errors seen of all coarser ones. One of these may be small by chance, and only raises what the modes suggest. Of several
-    /// the largest isn't, as each is of another phase of the same kink, and then the smaller claim counts.
+    /// errors seen of all coarser ones. A single error seen may be small by chance, so it can only raise the modes' claim. The
+    /// largest of several hardly is, since each saw a kink in another phase; then the smaller claim counts.
     pub(crate) fn missing(&self, coarser: &[Self], stopping: f64) -> f64 {
         let before = coarser.last().map_or(0.0, |level| {
             level.tail.missing * self.fall_of_amplitude(level).min(1.0)

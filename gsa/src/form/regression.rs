@@ -211,8 +211,8 @@ pub(crate) fn cross_validate(candidates: &Candidates, values: &[f64], noise: f64
     residuals
 }
 
-/// Which group each point belongs to, all as large, by the order of its multiple of the golden ratio modulo 1. Every so manieth
-/// point of Sobol's sequence lies in one slab of each input, which the others would have to extrapolate to.
+/// Which group each point belongs to. Groups are equally large and follow the order of the multiples of the golden ratio modulo 1:
+/// points of Sobol's sequence at equal strides lie in one slab of each input, to which all others would have to extrapolate.
 fn groups(count: usize) -> Vec<usize> {
     let place = |k: usize| (k as f64 * std::f64::consts::GOLDEN_RATIO).fract();
     let mut order: Vec<usize> = (0..count).collect();

@@ -147,7 +147,7 @@ impl Sections {
         self.floor_for(self.spread())
     }
 
-    /// The same beside a standard deviation that the lines don't show.
+    /// [`Sections::floor`] where the output's standard deviation is another than the lines show.
     pub(crate) fn floor_for(&self, deviation: f64) -> f64 {
         let sums = (self.inputs() + 4) as f64;
         let floor = f64::EPSILON * (self.largest / deviation + sums);

@@ -19,8 +19,8 @@
 //! can: what is missed there, b in standard deviations, are the modes beyond. With s the last two modes now, the kink's claim is
 //! multiplied by (3 b/s)^2 where that is less than one, and those of the analytic section go on falling by no less than 3 b/s.
 
-/// C: at steps and kinks in random places the error of 5 to 17 nodes was at most 2 s for nine in ten. Where each parity has a
-/// ratio, the analytic claim holds for most of them too.
+/// C, where each parity has a ratio, and where there are fewer modes. At steps and kinks in random places the error of 5 to 17
+/// nodes was at most 2 s in nine cases of ten; where each parity has a ratio, the analytic claim covers most of these already.
 const OF_KINKS: f64 = 0.7;
 const OF_KINKS_BY_FEW: f64 = 2.0;
 /// Sums of products of modes that go on falling were at least a third of the true error for nine in ten of a mix of analytic
@@ -31,11 +31,11 @@ const OF_ANALYTIC: f64 = 3.0;
 const LEAST_OF_ONE: f64 = 1.25;
 /// Largest b: less than any entire function's, since one of the ratios may be small by chance.
 const STEEPENING: f64 = 0.5;
-/// Most of it. A section whose modes don't fall may have several times the variance that its nodes happen to show: of waves of
+/// Largest missing share. A section whose modes don't fall may have several times the variance that its nodes happen to show: of waves of
 /// several periods at five nodes, one in eight has more than twice as much.
 pub(crate) const MOST_MISSING: f64 = 3.0;
-/// Modes seen at a few points off the nodes are seldom more than this times what they seem. Beyond a kink's or a step's resolved modes
-/// lies about half of what ends these, so that it counts as no fall at all.
+/// Modes seen at a few points off the nodes are seldom more than this times what they seem. Beyond the resolved modes of a kink or a
+/// step lies about half of their end, which this makes no fall at all.
 const OF_CHANCE: f64 = 3.0;
 /// Kinks whose modes beyond seem to fall are rare.
 const POWER_OF_FALL: i32 = 2;
@@ -67,7 +67,7 @@ pub(crate) fn tail(energies: &[f64], whole: bool) -> Option<Tail> {
     tail_with(energies, whole, None)
 }
 
-/// The same where points off the nodes show the modes beyond: their root sum of squares over the standard deviation.
+/// [`tail`] where points off the nodes show the modes `beyond`: their root sum of squares over the standard deviation.
 pub(crate) fn tail_with(energies: &[f64], whole: bool, beyond: Option<f64>) -> Option<Tail> {
     let modes = energies.len();
     if modes < 2 {
@@ -103,8 +103,8 @@ fn last_amplitude(c: &[f64]) -> f64 {
         .sqrt()
 }
 
-/// By how much the modes beyond fall below those that end the resolved ones, on the safe side; infinite where nothing is known. Where
-/// the resolved ones hardly fall, few points prove nothing: a rare corner is met by none of them.
+/// Ratio of the modes beyond to the last resolved ones, on the safe side; infinite where nothing is known. Where the resolved ones
+/// hardly fall, a few points prove nothing, since none of them may meet a rare corner.
 fn fall(c: &[f64], beyond: Option<f64>) -> f64 {
     let last = last_amplitude(c);
     let before: f64 = c[c.len() - 4..c.len() - 2].iter().map(|c| c * c).sum();
@@ -138,8 +138,8 @@ fn of_few(c: &[f64], power: i32) -> f64 {
     OF_KINKS_BY_FEW * of_kink(c[k - 1], ratio, (k, 1), power)
 }
 
-/// b, from the last ratio of each parity and the earlier one two degrees before, of the other parity where there is none of the
-/// same; of two the smaller.
+/// b, by how each parity's last ratio compares with its ratio two degrees before, or with the other parity's where it has no such
+/// ratio. The smaller of both.
 fn steepening(c: &[f64]) -> f64 {
     let ratio = |k: usize| (c[k + 1] / c[k - 1]).max(NOTHING);
     let exponent = |last: usize| {

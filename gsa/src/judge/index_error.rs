@@ -38,7 +38,7 @@ pub struct ErrorParts {
     /// The largest sum, over the inputs, of the parts that are known, and `None` if none but the floor is. Where one is
     /// `None` the total leaves it out, and says less than it seems to.
     pub total: Option<f64>,
-    /// The same for each input by itself.
+    /// The sum of the parts that are known, for each input by itself.
     pub by_input: Option<Vec<f64>>,
     /// S_Ti m_i: which input's rule the quadrature error comes from; empty if it isn't known.
     pub(crate) missing: Vec<f64>,

@@ -40,7 +40,7 @@ impl Place {
         self.anchor - reference
     }
 
-    /// The same with the distance from the start, from the end, or both, known better than x itself.
+    /// This point, with its distance from the start, from the end, or both, known better than x itself.
     pub(crate) fn refined(
         mut self,
         from_start: Option<(f64, f64)>,

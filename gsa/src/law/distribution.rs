@@ -11,13 +11,11 @@
 //! | `beta` | (x-min)^(alpha-1) (max-x)^(beta-1) | alpha, beta > 0, no unit; bounds min < max | Jacobi, x |
 //! | `gumbel` | exp(-z - exp(-z)), z = (x - location)/scale | location; scale > 0 | Stieltjes, x |
 //! | `triangular` | straight up from min to mode, straight down to max | min <= mode <= max | Stieltjes, x |
-//! | any, truncated | the same between low and high | low < high in the unit of x | Stieltjes, as before |
+//! | any, truncated | the law's own between low and high, 0 elsewhere | low < high in the unit of x | Stieltjes, as before |
 //!
 //! A law that exists is valid: fields are private, and the constructors refuse what has no mean, no
-//! spread, or moments beyond double precision. A new law is a file here, a variant, an entry in [`KINDS`], and lines in
-//! the shared checks of `gsa/tests`.
-
-mod distribution_error;
+//! spread, or moments beyond double precision. A new law is a file here, a variant, an entry in
+//! [`KINDS`](crate::law::catalogue::KINDS), and lines in the shared checks of `gsa/tests`.
 
 mod beta;
 mod exponential;
@@ -29,15 +27,13 @@ mod triangular;
 mod uniform;
 mod weibull;
 
+pub(super) mod distribution_error;
+mod law_contract;
 mod truncation;
 
-mod kind;
-
-use crate::law::basis::Basis;
-use crate::law::density::Density;
 use crate::law::rule::{GaussRule, RuleError};
 pub use distribution_error::DistributionError;
-pub use kind::{KINDS, Kind, Parameter};
+use law_contract::Law;
 use truncation::Truncation;
 
 /// The law of one input.
@@ -59,56 +55,6 @@ enum Family {
     Beta(beta::Beta),
     Gumbel(gumbel::Gumbel),
     Triangular(triangular::Triangular),
-}
-
-/// What every law provides. A law lives in its own coordinate y, which is x or, on a logarithmic scale, ln x.
-trait Law {
-    fn kind(&self) -> &'static str;
-    fn parameters(&self) -> Vec<(&'static str, f64)>;
-    /// of x
-    fn mean(&self) -> f64;
-    /// of x
-    fn std(&self) -> f64;
-    /// P(Y <= y) and P(Y > y), each with its own digits
-    fn probabilities(&self, y: f64) -> (f64, f64);
-    /// The y with P(Y <= y) = p = 1 - q; at p = 0 and q = 0 the ends of the support.
-    fn quantile(&self, p: f64, q: f64) -> f64;
-    /// Orthogonal polynomials of y; `None` if they cannot be computed.
-    fn basis(&self, size: usize) -> Option<Basis>;
-    /// Density of y.
-    fn density(&self) -> &dyn Density;
-    fn scale(&self) -> Scale {
-        Scale::Linear
-    }
-    /// Whether probabilities and quantiles cost no integration.
-    fn has_closed_probabilities(&self) -> bool {
-        true
-    }
-}
-
-/// What the coordinate of a law is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Scale {
-    Linear,
-    Logarithmic,
-}
-
-impl Scale {
-    /// y to x
-    fn place(self, y: f64) -> f64 {
-        match self {
-            Self::Linear => y,
-            Self::Logarithmic => y.exp(),
-        }
-    }
-
-    /// x to y
-    fn coordinate(self, x: f64) -> f64 {
-        match self {
-            Self::Linear => x,
-            Self::Logarithmic => x.max(0.0).ln(),
-        }
-    }
 }
 
 impl Distribution {
@@ -240,7 +186,7 @@ impl Distribution {
         (self.quantile(0.0, 1.0), self.quantile(1.0, 0.0))
     }
 
-    /// Name of the law as documents spell it, one of [`KINDS`].
+    /// Name of the law as documents spell it, one of [`KINDS`](crate::law::catalogue::KINDS).
     pub fn kind(&self) -> &'static str {
         self.law().kind()
     }

@@ -2,10 +2,11 @@
 //!
 //! - `recurrence`, `golub_welsch`, `basis`, [`rule`]: orthogonal polynomials and the rules that follow from them
 //! - `density`, `panel`, `discretisation`, `probability`: laws without a closed recurrence
-//! - [`distribution`]: the laws
+//! - [`distribution`], [`catalogue`]: the laws, and their names in documents
 //! - `polynomials`: orthonormal polynomials of a law
 
 pub(crate) mod basis;
+pub mod catalogue;
 pub(crate) mod density;
 pub(crate) mod discretisation;
 pub mod distribution;

@@ -7,126 +7,103 @@
 //! |---|---|
 //! | quadrature | nodes on the lines that contribute most: 5, 9, 17, 33 |
 //! | decomposition | half as many check points again (near the tolerance a quarter), for sparse corrections of the form |
-//! | the same, and little of the grid is left | the rest of the grid: tensor quadrature |
+//! | decomposition, and little of the grid is left | the rest of the grid: tensor quadrature |
 //!
 //! It ends at the tolerance, at the budget, or when there is nothing left to ask for. Its errors are those of the method
 //! that answers, by output.
 
-use crate::design::Design;
-use crate::form::corrected::{Corrected, Frame};
-use crate::form::evidence::Evidence;
-use crate::form::mdrm::Mdrm;
-use crate::form::section::Sections;
-use crate::form::shift;
+use ndarray::ArrayView2;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+
+use crate::design::{Design, DesignError};
+use crate::form::corrected::Frame;
+use crate::law::distribution::Distribution;
 use crate::method::Method;
-use crate::method::analysis::{Analysis, Status, analyse_output};
-use crate::method::verdict::Form;
+use crate::method::analysis::{Analysis, Form, Status, each_output};
+use crate::method::correction::{self, GOOD_ENOUGH};
+use crate::method::lines;
+use crate::method::procedure::{Procedure, Runs};
 
 /// Most nodes of a line.
 const MOST_NODES: usize = 33;
-/// A form that misses this share of the tolerance needs no correction.
-const GOOD_ENOUGH: f64 = 0.25;
-/// A product that misses so many times what the sum does would have to be cancelled by its corrections, beside whose
-/// size the output is nothing.
-const FAR_OFF: f64 = 3.0;
 /// Fewest check points asked for at once.
 const LEAST_BATCH: usize = 4;
 /// How many check points more to mend a form, as a share of those there are: from afar, and once the error is less than
 /// twice the tolerance.
 const MORE: f64 = 0.5;
 const A_LITTLE_MORE: f64 = 0.25;
-/// To confirm one, and at most so many: chance plays a part where there are few.
+/// How many more to confirm that the tolerance is met, as a share and at most. Only few points meet it by chance.
 const CONFIRMING: f64 = 0.34;
 const MOST_TO_CONFIRM: usize = 16;
 
-/// The best answer for one output from lines and check points. Without a tolerance no form is good enough where the grid is known.
-pub(crate) fn analyse(
-    design: &Design,
-    frame: &Frame,
-    values: &[f64],
-    tolerance: Option<f64>,
-) -> Analysis {
-    let analysis = analyse_output(design, values, frame.pair_weight);
-    let misses = |e: f64| tolerance.is_none_or(|tolerance| e > GOOD_ENOUGH * tolerance);
-    let improvable = match analysis.status {
-        Status::Ok | Status::ProductFormBroken => analysis.error.decomposition.is_none_or(misses),
-        _ => false,
-    };
-    if !improvable {
-        return analysis;
+/// Lines and check points, and what decides on more of them.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Auto {
+    settings: Method,
+    design: Design,
+    rng: ChaCha8Rng,
+    /// whether the tolerance was met before the last points were asked for
+    confirmed: bool,
+}
+
+impl Procedure for Auto {
+    fn begin(inputs: &[Distribution], settings: &Method) -> Result<Self, DesignError> {
+        let mut rng = ChaCha8Rng::seed_from_u64(settings.seed);
+        let design = Design::new(inputs, settings.nodes, settings.check_points, &mut rng)?;
+        Ok(Self {
+            settings: *settings,
+            design: design.refined_on_demand(),
+            rng,
+            confirmed: false,
+        })
     }
-    let Ok(sections) = Sections::new(design, values) else {
-        return analysis;
-    };
-    match best_correction(design, frame, values, &sections) {
-        Some(corrected) if tolerance.is_none() || is_better(&corrected, &analysis) => {
-            with_correction(analysis, &sections, corrected)
+
+    fn most_first_points(inputs: usize, settings: &Method) -> usize {
+        Design::most_line_points(inputs, settings.nodes)
+    }
+
+    fn is_adaptive() -> bool {
+        true
+    }
+
+    fn runs(&self) -> Runs<'_> {
+        Runs::Lines(&self.design)
+    }
+
+    fn extend(&mut self, analyses: &[Analysis]) -> Result<(), DesignError> {
+        match next_step(&self.design, analyses, &self.settings, &mut self.confirmed) {
+            None => {}
+            Some(Step::Check(count)) => {
+                self.design.add_checks(count, &mut self.rng)?;
+            }
+            Some(Step::Refine(inputs)) => {
+                for (input, nodes) in inputs {
+                    // A law may have no rule of so many nodes: its line then stays as it is.
+                    let _ = self.design.refine(input, nodes);
+                }
+            }
         }
-        _ => analysis,
+        Ok(())
     }
-}
 
-fn is_better(corrected: &Corrected, analysis: &Analysis) -> bool {
-    let largest = corrected.largest_error();
-    analysis.first_order.is_none()
-        || analysis
-            .error
-            .decomposition
-            .is_none_or(|form| largest < form)
-}
-
-/// Every form with its corrections; the least error wins.
-fn best_correction(
-    design: &Design,
-    frame: &Frame,
-    values: &[f64],
-    sections: &Sections,
-) -> Option<Corrected> {
-    let mdrm = Mdrm::new(sections).ok();
-    let evidence = Evidence::new(design, values, sections, mdrm.as_ref())?;
-    // Once the grid is known, the form doesn't matter, and the sum is the simplest.
-    let forms = match frame.is_whole() {
-        true => vec![0.0],
-        false => bases(sections, &evidence, mdrm.is_some()),
-    };
-    let attempts = forms
-        .into_iter()
-        .filter_map(|t| frame.correct(sections, (values, &evidence.checks), t));
-    attempts.min_by(|a, b| a.largest_error().total_cmp(&b.largest_error()))
-}
-
-/// The values of t worth a correction.
-pub(crate) fn bases(sections: &Sections, evidence: &Evidence<'_>, product: bool) -> Vec<f64> {
-    let mut forms = vec![0.0];
-    if product && evidence.product <= FAR_OFF * evidence.additive {
-        forms.push(1.0 / sections.centre);
+    fn analyse(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
+        let frame = Frame::new(&self.design);
+        let tolerance = Some(self.settings.tolerance);
+        Ok(each_output(values, |values| {
+            correction::best(&self.design, &frame, values, tolerance).of_one_input()
+        }))
     }
-    if evidence.shifted.is_some() {
-        forms.push(shift::fit(sections, &evidence.checks));
-    }
-    forms
-}
 
-fn with_correction(analysis: Analysis, sections: &Sections, corrected: Corrected) -> Analysis {
-    let form = if corrected.exhaustive {
-        Form::Tensor
-    } else {
-        Form::Corrected
-    };
-    let text = match form {
-        Form::Tensor => "the check points fill the grid, which gave the indices",
-        _ => "what that form misses at the check points is added as a sparse expansion",
-    };
-    let (missing, decomposition) = (corrected.missing.as_ref(), Some(corrected.decomposition));
-    let errors = corrected.found.errors(missing, decomposition);
-    let mut analysis = analysis.with(sections, corrected.found, form, errors);
-    analysis.note(text);
-    analysis
+    /// The best form on the lines, in milliseconds: check points show that form's error, and aren't used to correct it.
+    fn survey(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
+        Ok(lines::analyse(&self.design, values))
+    }
 }
 
 /// What to add to a design.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Step {
+enum Step {
     /// Finer lines: inputs, with their nodes.
     Refine(Vec<(usize, usize)>),
     /// So many check points.
@@ -136,7 +113,7 @@ pub(crate) enum Step {
 /// The next step; `None` if the tolerance is met, the budget is spent, or nothing is left. Corrections were chosen at the check
 /// points that judge them, and the first time that they meet the tolerance may be by chance: they are `confirmed` by
 /// meeting it again with further points.
-pub(crate) fn next_step(
+fn next_step(
     design: &Design,
     analyses: &[Analysis],
     method: &Method,
@@ -209,8 +186,8 @@ fn check(design: &Design, share: f64, budget: usize) -> Option<Step> {
     }
 }
 
-/// Finer rules for the inputs that contribute at least half as much to the quadrature error as the worst does. Where that
-/// is what interactions lack and the line is finer already than the check points know, these come first.
+/// Finer rules for the inputs that contribute at least half as much to the quadrature error as the worst does. Check points come
+/// first where interactions are what is missing and no check point has been on the present line yet.
 fn refine(design: &Design, rough: &[&&Analysis], budget: usize) -> Option<Step> {
     let finer = |input: usize| 2 * design.lines()[input].rule().len() - 1;
     let largest = |parts: fn(&Analysis) -> &[f64]| {

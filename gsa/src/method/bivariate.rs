@@ -1,4 +1,4 @@
-//! Bivariate dimension reduction: a form, and for every pair of inputs what it misses on the grid of both.
+//! `bivariate`, bivariate dimension reduction: a form, and for every pair of inputs what it misses on the grid of both.
 //!
 //! ```text
 //! h(x) ~ F(x) + sum_{i<j} e_ij(x_i, x_j),   e_ij = h - F with all other inputs at the cut
@@ -11,85 +11,93 @@
 //! beyond F. Cost: n(n-1)/2 grids of (N-1)^2 runs for odd N where the mean is a node, else N^2; check points on the nodes, which see
 //! interactions of three and more, and as many off them, which see whether the nodes resolve the model.
 
-use std::collections::HashMap;
+use ndarray::ArrayView2;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
 
-use crate::design::{Design, Line};
+use crate::design::pair_grid::PairGrid;
+use crate::design::{CheckPoint, Design, DesignError, Line, MAX_CHECK_POINTS};
 use crate::form::composite::{Composite, Decomposed, Missing};
 use crate::form::corrected::{Frame, add_unresolved};
 use crate::form::evidence::{Checks, Evidence};
 use crate::form::mdrm::{Mdrm, departure};
 use crate::form::scale::times_power_of_two;
 use crate::form::section::Sections;
-use crate::method::analysis::{Analysis, analyse_output};
-use crate::method::auto;
-use crate::method::verdict::Form;
+use crate::law::distribution::Distribution;
+use crate::method::Method;
+use crate::method::analysis::{Analysis, Form, each_output};
+use crate::method::correction;
+use crate::method::lines::analyse_output;
+use crate::method::procedure::{Procedure, Runs};
 
-/// What pairs leave has three inputs and more, and a smaller share in main effects than pairs have.
+/// What pairs leave are interactions of three inputs and more, which weigh less in main effects than pairs do.
 const OF_TRIPLES: f64 = 0.5;
 
-/// The runs of one pair of inputs.
+/// Lines, check points, and the grids of all pairs.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct PairGrid {
-    inputs: (usize, usize),
-    /// point at node j of the first and l of the second, row by row
-    ordinals: Vec<usize>,
+pub(crate) struct Bivariate {
+    design: Design,
+    grids: Vec<PairGrid>,
 }
 
-/// Adds the grids of all pairs to a design; check points and lines that lie on them are reused.
-pub(crate) fn add_pairs(design: &mut Design) -> Vec<PairGrid> {
-    let bits = |point: &[f64]| point.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
-    let known = design.points().iter().enumerate();
-    let mut known: HashMap<Vec<u64>, usize> = known.map(|(k, x)| (bits(x), k)).collect();
-    let inputs = design.inputs().len();
-    let mut grids = Vec::new();
-    for i in 0..inputs {
-        for j in i + 1..inputs {
-            let nodes = |input: usize| design.lines()[input].rule().nodes.clone();
-            let (first, second) = (nodes(i), nodes(j));
-            let mut ordinals = Vec::with_capacity(first.len() * second.len());
-            for &x in &first {
-                for &y in &second {
-                    let mut point = design.points()[0].clone();
-                    (point[i], point[j]) = (x, y);
-                    let key = bits(&point);
-                    let ordinal = known
-                        .get(&key)
-                        .copied()
-                        .unwrap_or_else(|| design.add_point(point));
-                    known.insert(key, ordinal);
-                    ordinals.push(ordinal);
-                }
-            }
-            grids.push(PairGrid {
-                inputs: (i, j),
-                ordinals,
-            });
+impl Procedure for Bivariate {
+    fn begin(inputs: &[Distribution], settings: &Method) -> Result<Self, DesignError> {
+        let asked = most_pair_points(inputs.len(), settings.nodes);
+        if asked > MAX_CHECK_POINTS {
+            return Err(DesignError::TooManyCheckPoints { asked });
         }
+        let mut rng = ChaCha8Rng::seed_from_u64(settings.seed);
+        let mut design = Design::new(inputs, settings.nodes, settings.check_points, &mut rng)?;
+        let grids = design.add_pairs();
+        design.add_probes(settings.check_points, &mut rng);
+        Ok(Self { design, grids })
     }
-    grids
+
+    fn most_first_points(inputs: usize, settings: &Method) -> usize {
+        let pairs = most_pair_points(inputs, settings.nodes);
+        Design::most_line_points(inputs, settings.nodes).saturating_add(pairs)
+    }
+
+    fn runs(&self) -> Runs<'_> {
+        Runs::Lines(&self.design)
+    }
+
+    fn analyse(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
+        let frame = Frame::new(&self.design);
+        Ok(each_output(values, |values| {
+            let analysis = answer(&self.design, &frame, &self.grids, values);
+            analysis.without_verdict().of_one_input()
+        }))
+    }
+}
+
+/// The whole grids, saturating.
+fn most_pair_points(inputs: usize, nodes: usize) -> usize {
+    let pairs = inputs.saturating_mul(inputs.saturating_sub(1)) / 2;
+    pairs.saturating_mul(nodes.saturating_pow(2))
 }
 
 /// Indices of the bivariate form, the error of each first-order index beside quadrature, and the pair points without a
 /// finite value, where e_ij is taken as zero.
-pub(crate) struct Bivariate {
-    pub(crate) found: Decomposed,
-    pub(crate) decomposition: Option<Vec<f64>>,
+struct Reduced {
+    found: Decomposed,
+    decomposition: Option<Vec<f64>>,
     missing: Option<Missing>,
-    pub(crate) lost: Vec<usize>,
+    lost: Vec<usize>,
 }
 
 /// e_ij at the nodes of each pair.
 struct Excess(Vec<((usize, usize), Vec<f64>)>);
 
 /// Analyses one output with the best of the forms at `candidates` (values of t).
-pub(crate) fn analyse(
+fn reduce(
     design: &Design,
     frame: &Frame,
     grids: &[PairGrid],
     sections: &Sections,
     (values, checks): (&[f64], &Checks<'_>),
     candidates: &[f64],
-) -> Option<Bivariate> {
+) -> Option<Reduced> {
     let attempts = candidates.iter().map(|&t| {
         let (excess, lost) = excess(grids, sections, values, t);
         let unseen = residuals(design, sections, checks, t, &excess);
@@ -121,7 +129,7 @@ pub(crate) fn analyse(
     if let Some(errors) = &mut decomposition {
         add_unresolved(errors, beyond.as_ref());
     }
-    Some(Bivariate {
+    Some(Reduced {
         missing: composite.missing(&sizes, beyond.map(|b| b.by_input).as_deref()),
         found,
         decomposition,
@@ -165,7 +173,7 @@ fn residuals(
     t: f64,
     excess: &Excess,
 ) -> Vec<f64> {
-    let residual = |(check, h): &(&crate::design::CheckPoint, f64)| {
+    let residual = |(check, h): &(&CheckPoint, f64)| {
         let nodes = check.nodes();
         let pairs = excess.0.iter().map(|((i, j), table)| {
             let columns = design.lines()[*j].rule().len();
@@ -204,12 +212,7 @@ fn add(
 }
 
 /// The answer for one output.
-pub(crate) fn answer(
-    design: &Design,
-    frame: &Frame,
-    grids: &[PairGrid],
-    values: &[f64],
-) -> Analysis {
+fn answer(design: &Design, frame: &Frame, grids: &[PairGrid], values: &[f64]) -> Analysis {
     let analysis = analyse_output(design, values, frame.pair_weight);
     let Ok(sections) = Sections::new(design, values) else {
         return analysis;
@@ -218,12 +221,12 @@ pub(crate) fn answer(
     let evidence = Evidence::new(design, values, &sections, mdrm.as_ref());
     let (bases, checks) = match &evidence {
         Some(evidence) => (
-            auto::bases(&sections, evidence, mdrm.is_some()),
+            correction::bases(&sections, evidence, mdrm.is_some()),
             evidence.checks.clone(),
         ),
         None => (vec![0.0], Vec::new()),
     };
-    let found = analyse(design, frame, grids, &sections, (values, &checks), &bases);
+    let found = reduce(design, frame, grids, &sections, (values, &checks), &bases);
     let Some(found) = found.filter(|f| f.found.variance.sqrt() > sections.noise()) else {
         return analysis;
     };
@@ -231,12 +234,9 @@ pub(crate) fn answer(
         .found
         .errors(found.missing.as_ref(), found.decomposition);
     let mut answer = analysis.with(&sections, found.found, Form::Bivariate, errors);
-    if !found.lost.is_empty() {
-        let names: Vec<String> = found.lost.iter().map(usize::to_string).collect();
-        answer.note(&format!(
-            "pair points without a finite value, taken from the form: {}",
-            names.join(", ")
-        ));
-    }
+    answer.note_lost(
+        "pair points without a finite value, taken from the form",
+        &found.lost,
+    );
     answer
 }

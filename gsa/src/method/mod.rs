@@ -1,19 +1,27 @@
-//! Which method, and what it may spend. The ways from runs to indices, in reading order:
+//! Which method, and what it may spend.
 //!
-//! - `verdict`, [`analysis`]: lines through the cut point
-//! - `auto`: lines, and whatever more it takes to meet a tolerance
+//! Every method is a `procedure`: one file that says which points it asks for and what it makes of their values. `choice` has
+//! the list of them.
+//!
+//! - [`analysis`]: what any of them finds out; `verdict`: which form speaks for an output
+//! - [`lines`]: `mdrm`, lines through the cut point
 //! - `bivariate`: lines and the grids of all pairs
-//! - `sobol`, [`saltelli`]: pairs of samples
-//! - `pce`, `scattered`: polynomial chaos on scattered points
+//! - `tensor`: the whole grid
+//! - `auto`: lines, and whatever more it takes to meet a tolerance; `correction`: what check points mend
+//! - `pce`, [`saltelli`]: polynomial chaos, and pairs of samples; `scattered`: what these have in common
 
 pub mod analysis;
-pub(crate) mod auto;
-pub(crate) mod bivariate;
-pub(crate) mod pce;
+mod auto;
+mod bivariate;
+mod choice;
+mod correction;
+pub mod lines;
+mod pce;
+pub(crate) mod procedure;
 pub mod saltelli;
-pub(crate) mod scattered;
-pub(crate) mod sobol;
-pub(crate) mod verdict;
+mod scattered;
+mod tensor;
+mod verdict;
 
 /// Ways to sensitivity indices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,11 +63,6 @@ impl Kind {
             Self::Auto => "auto",
         }
     }
-
-    /// Whether the points asked for depend on values of earlier ones.
-    pub fn is_adaptive(self) -> bool {
-        self == Self::Auto
-    }
 }
 
 /// A method with its settings. Each kind uses some of them.
@@ -80,22 +83,4 @@ pub struct Method {
     pub tolerance: f64,
     /// most runs of `auto`
     pub most_runs: usize,
-}
-
-impl Method {
-    /// The kind with its default settings.
-    pub fn of(kind: Kind) -> Self {
-        Self {
-            kind,
-            nodes: 5,
-            check_points: 5,
-            samples: match kind {
-                Kind::Saltelli => 1024,
-                _ => 200,
-            },
-            seed: 1,
-            tolerance: 0.02,
-            most_runs: 1000,
-        }
-    }
 }

@@ -1,4 +1,4 @@
-//! Sobol's indices from pairs of samples: no assumption on the model, and thousands of runs.
+//! `saltelli`, Sobol's indices from pairs of samples: no assumption on the model, and thousands of runs.
 //!
 //! With two samples A and B and A_Bi, which is A with the column of input i from B,
 //!
@@ -15,10 +15,17 @@
 //! Cost: N (n + 2) runs. A base point with a failed run is left out where that run enters. Limits: small indices drown in
 //! the interval of large ones; indices are cut to \[0, 1\] and, summing to more than one by chance, scaled back.
 
+use ndarray::ArrayView2;
+
+use crate::design::sobol::Sobol;
+use crate::design::{DesignError, MAX_CHECK_POINTS};
 use crate::form::scale::{exponent, times_power_of_two};
 use crate::judge::index_error::{ByInput, ErrorParts};
 use crate::law::distribution::Distribution;
-use crate::method::sobol::Sobol;
+use crate::method::Method;
+use crate::method::analysis::{Analysis, Form, each_output};
+use crate::method::procedure::{Procedure, Runs};
+use crate::method::scattered::{self, Scattered};
 
 /// Independent scrambles.
 pub const REPLICATES: usize = 8;
@@ -27,8 +34,49 @@ const NO_SPREAD: f64 = 0.25;
 /// Student's t, two-sided 95 %, with REPLICATES - 1 degrees of freedom.
 const STUDENT: f64 = 2.365;
 
+/// The samples, behind the cut point.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Saltelli {
+    inputs: usize,
+    points: Vec<Vec<f64>>,
+}
+
+impl Procedure for Saltelli {
+    fn begin(inputs: &[Distribution], settings: &Method) -> Result<Self, DesignError> {
+        let asked = settings.samples.saturating_mul(inputs.len() + 2);
+        if asked > 10 * MAX_CHECK_POINTS {
+            return Err(DesignError::TooManyCheckPoints { asked });
+        }
+        Ok(Self {
+            inputs: inputs.len(),
+            points: points(inputs, settings.samples, settings.seed),
+        })
+    }
+
+    /// The base points are as many in each replicate.
+    fn most_first_points(inputs: usize, settings: &Method) -> usize {
+        let base = settings.samples.saturating_add(REPLICATES);
+        base.saturating_mul(inputs.saturating_add(2))
+    }
+
+    fn default_samples() -> usize {
+        1024
+    }
+
+    fn runs(&self) -> Runs<'_> {
+        Runs::Scattered(&self.points)
+    }
+
+    fn analyse(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
+        Ok(each_output(values, |values| {
+            let found = sampled(self.inputs, values);
+            scattered::answer(found, values, Form::Saltelli).of_one_input()
+        }))
+    }
+}
+
 /// The points, after the cut point: replicate by replicate, base point by base point, A, B, A_B1, ..
-pub(crate) fn points(inputs: &[Distribution], samples: usize, seed: u64) -> Vec<Vec<f64>> {
+fn points(inputs: &[Distribution], samples: usize, seed: u64) -> Vec<Vec<f64>> {
     let n = inputs.len();
     let sobol = Sobol::new(2 * n);
     let mut points = vec![inputs.iter().map(Distribution::mean).collect()];
@@ -70,18 +118,8 @@ struct Sums {
     parts: Vec<(f64, f64)>,
 }
 
-/// Indices of one output.
-pub(crate) struct Sampled {
-    pub(crate) mean: f64,
-    pub(crate) variance: f64,
-    pub(crate) first_order: Vec<f64>,
-    pub(crate) total: Vec<f64>,
-    pub(crate) error: ErrorParts,
-    pub(crate) lost: Vec<usize>,
-}
-
 /// Analyses one output; `None` if it doesn't vary or too few runs gave a number.
-pub(crate) fn analyse(inputs: usize, values: &[f64]) -> Option<Sampled> {
+fn sampled(inputs: usize, values: &[f64]) -> Option<Scattered> {
     let lost: Vec<usize> = (0..values.len())
         .filter(|&k| !values[k].is_finite())
         .collect();
@@ -110,19 +148,8 @@ pub(crate) fn analyse(inputs: usize, values: &[f64]) -> Option<Sampled> {
     if floor.is_nan() || floor > NO_SPREAD {
         return None;
     }
-    let errors = (0..inputs).map(|input| {
-        let left_out = (0..REPLICATES).map(|skip| {
-            let others: Vec<Sums> = (0..REPLICATES)
-                .filter(|r| *r != skip)
-                .map(|r| replicates[r].clone())
-                .collect();
-            (indices(&others).0[input] - all.0[input]).powi(2)
-        });
-        let r = REPLICATES as f64;
-        (STUDENT * ((r - 1.0) / r * left_out.sum::<f64>()).sqrt()).min(1.0)
-    });
     let errors = ByInput {
-        sampling: Some(errors.collect()),
+        sampling: Some(intervals(&replicates, &all.0)),
         ..ByInput::default()
     };
     // Zero is added for its sign: the clamp lets -0 pass.
@@ -132,14 +159,31 @@ pub(crate) fn analyse(inputs: usize, values: &[f64]) -> Option<Sampled> {
     if sum > 1.0 {
         first_order.iter_mut().for_each(|s| *s /= sum);
     }
-    Some(Sampled {
+    Some(Scattered {
         mean: times_power_of_two(mean, power),
         variance: times_power_of_two(spread, 2 * power),
         first_order,
         total: all.1.iter().map(cut).collect(),
+        second_order: None,
         error: ErrorParts::new(errors, floor),
         lost,
     })
+}
+
+/// Half widths of the first-order indices' confidence intervals, by the jackknife.
+fn intervals(replicates: &[Sums], first_order: &[f64]) -> Vec<f64> {
+    let interval = |input: usize| {
+        let left_out = (0..REPLICATES).map(|skip| {
+            let others: Vec<Sums> = (0..REPLICATES)
+                .filter(|r| *r != skip)
+                .map(|r| replicates[r].clone())
+                .collect();
+            (indices(&others).0[input] - first_order[input]).powi(2)
+        });
+        let r = REPLICATES as f64;
+        (STUDENT * ((r - 1.0) / r * left_out.sum::<f64>()).sqrt()).min(1.0)
+    };
+    (0..first_order.len()).map(interval).collect()
 }
 
 /// `None` if some input has no base point left.

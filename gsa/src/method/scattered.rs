@@ -1,9 +1,41 @@
-//! Answers of the methods that use scattered points.
+//! What methods on scattered points have in common.
 
-use crate::method::analysis::{Analysis, Status};
-use crate::method::pce::Chaos;
-use crate::method::saltelli;
-use crate::method::verdict::Form;
+use crate::judge::index_error::ErrorParts;
+use crate::method::analysis::{Analysis, Form, Status};
+
+/// Indices of one output, and which points gave no number.
+pub(crate) struct Scattered {
+    pub(crate) mean: f64,
+    pub(crate) variance: f64,
+    pub(crate) first_order: Vec<f64>,
+    pub(crate) total: Vec<f64>,
+    pub(crate) second_order: Option<Vec<f64>>,
+    pub(crate) error: ErrorParts,
+    pub(crate) lost: Vec<usize>,
+}
+
+/// The answer for an output with these values; `found` is `None` if it doesn't vary or too few of them are numbers.
+pub(crate) fn answer(found: Option<Scattered>, values: &[f64], method: Form) -> Analysis {
+    let Some(found) = found else {
+        return without_indices(values, method);
+    };
+    let mut analysis = Analysis {
+        mean: Some(found.mean).filter(|m| m.is_finite()),
+        variance: Some(found.variance).filter(|v| v.is_finite() && *v > 0.0),
+        first_order: Some(found.first_order),
+        total: Some(found.total),
+        second_order: found.second_order,
+        method,
+        status: Status::Ok,
+        error: found.error,
+        ..Analysis::empty(0.0)
+    };
+    analysis.note_lost("left out points without a finite value", &found.lost);
+    if analysis.variance.is_none() || analysis.mean.is_none() {
+        analysis.note("the mean or the variance is beyond the range of double precision");
+    }
+    analysis
+}
 
 /// What remains to be said where there are no indices.
 fn without_indices(values: &[f64], method: Form) -> Analysis {
@@ -33,55 +65,4 @@ fn without_indices(values: &[f64], method: Form) -> Analysis {
 /// To the rounding of a model of a few operations.
 fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 8.0 * f64::EPSILON * a.abs().max(b.abs())
-}
-
-/// One output of a saltelli campaign.
-pub(crate) fn saltelli(inputs: usize, values: &[f64]) -> Analysis {
-    let Some(found) = saltelli::analyse(inputs, values) else {
-        return without_indices(values, Form::Saltelli);
-    };
-    let indices = Analysis {
-        first_order: Some(found.first_order),
-        total: Some(found.total),
-        method: Form::Saltelli,
-        error: found.error,
-        ..Analysis::empty(0.0)
-    };
-    with_moments(indices, (found.mean, found.variance), &found.lost)
-}
-
-/// One output of a polynomial chaos campaign.
-pub(crate) fn pce(chaos: &Chaos, values: &[f64]) -> Analysis {
-    let Some(found) = chaos.analyse(values) else {
-        return without_indices(values, Form::Pce);
-    };
-    let indices = Analysis {
-        first_order: Some(found.first_order),
-        total: Some(found.total),
-        second_order: Some(found.second_order),
-        method: Form::Pce,
-        error: found.error,
-        ..Analysis::empty(0.0)
-    };
-    with_moments(indices, (found.mean, found.variance), &found.lost)
-}
-
-fn with_moments(indices: Analysis, (mean, variance): (f64, f64), lost: &[usize]) -> Analysis {
-    let mut analysis = Analysis {
-        mean: Some(mean).filter(|m| m.is_finite()),
-        variance: Some(variance).filter(|v| v.is_finite() && *v > 0.0),
-        status: Status::Ok,
-        ..indices
-    };
-    if !lost.is_empty() {
-        let names: Vec<String> = lost.iter().map(usize::to_string).collect();
-        analysis.note(&format!(
-            "left out points without a finite value: {}",
-            names.join(", ")
-        ));
-    }
-    if analysis.variance.is_none() || analysis.mean.is_none() {
-        analysis.note("the mean or the variance is beyond the range of double precision");
-    }
-    analysis
 }

@@ -5,7 +5,8 @@
 
 use fem_client::document::fault::{Fault, entry};
 use fem_client::document::fields::{Fields, Range, alternatives, number, shown};
-use gsa::law::distribution::{Distribution, DistributionError, KINDS, Kind, Parameter};
+use gsa::law::catalogue::{KINDS, Kind, Parameter};
+use gsa::law::distribution::{Distribution, DistributionError};
 use serde_json::Value;
 
 /// Parameters of any law; no field of a scene goes beyond 1e9.

@@ -8,7 +8,6 @@ use fem_client::scene::{Level, Scene};
 use gsa::campaign::Campaign;
 use gsa::design::DesignError;
 use gsa::law::distribution::Distribution;
-use gsa::method::{Kind, Method};
 use ndarray::ArrayView2;
 use serde_json::Value;
 
@@ -123,28 +122,6 @@ impl Plan {
     }
 }
 
-/// How many points a method asks for at first, or somewhat more: known without planning them.
-pub fn first_points(method: &Method, inputs: usize) -> usize {
-    let lines = inputs.saturating_mul(method.nodes).saturating_add(1);
-    let power = u32::try_from(inputs).unwrap_or(u32::MAX);
-    let points = match method.kind {
-        Kind::Tensor => lines.saturating_add(method.nodes.saturating_pow(power)),
-        Kind::Bivariate => {
-            let pairs = inputs.saturating_mul(inputs.saturating_sub(1)) / 2;
-            lines.saturating_add(pairs.saturating_mul(method.nodes.saturating_pow(2)))
-        }
-        // The base points are the same number in each of eight replicates.
-        Kind::Saltelli => method
-            .samples
-            .saturating_add(8)
-            .saturating_mul(inputs.saturating_add(2)),
-        Kind::Pce => method.samples.saturating_add(1),
-        _ => lines,
-    };
-    // Grids are checked on their lines and off their nodes.
-    points.saturating_add(method.check_points.saturating_mul(2))
-}
-
 /// The study's scene with values put in for the inputs.
 ///
 /// # Errors
@@ -163,6 +140,7 @@ mod tests {
     use super::*;
     use crate::study::presets;
     use fem_client::document::Format;
+    use gsa::method::{Kind, Method};
 
     fn study() -> Study {
         Study::from_document(presets()[0].1, Format::Toml, &|path| Err(path.to_owned())).unwrap()
@@ -193,7 +171,7 @@ mod tests {
                 let Ok(plan) = Plan::new(&study) else {
                     continue;
                 };
-                let most = first_points(&study.method, 3);
+                let most = study.method.first_points(3);
                 let planned = plan.points.len();
                 assert!(
                     (planned..=2 * planned + 20).contains(&most),

@@ -21,7 +21,6 @@ use wish::{Wish, field_of, names, of_grid, of_list};
 
 use crate::study::Study;
 use crate::study::input_reader::read_name;
-use crate::study::plan::first_points;
 use crate::study::study_reader::{LONGEST_NAME, Resolve};
 
 /// Most designs of a sweep.
@@ -187,7 +186,7 @@ fn read_designs(base: &Study, fields: &Fields<'_>, faults: &mut Vec<Fault>) -> O
         let Some(study) = study_of(base, &wish, &name, faults) else {
             continue;
         };
-        solves = solves.saturating_add(first_points(&study.method, study.inputs.len()));
+        solves = solves.saturating_add(study.method.first_points(study.inputs.len()));
         if solves > MOST_SOLVES && !designs.is_empty() {
             let detail = format!("the designs ask for more than {MOST_SOLVES} solves together");
             Fault::add(faults, &wish.pointer, detail);

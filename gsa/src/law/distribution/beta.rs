@@ -1,6 +1,6 @@
 //! Beta law on \[min, max\]; rule: Gauss-Jacobi.
 
-use super::Law;
+use super::law_contract::Law;
 use crate::law::basis::{Basis, crowds};
 use crate::law::density::{Density, Place, centred, power};
 use crate::law::distribution::distribution_error::{DistributionError, in_range, range, shape};

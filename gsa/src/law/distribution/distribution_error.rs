@@ -100,7 +100,7 @@ impl DistributionError {
     }
 }
 
-pub(super) fn finite(parameter: &'static str, value: f64) -> Result<(), DistributionError> {
+pub(in crate::law) fn finite(parameter: &'static str, value: f64) -> Result<(), DistributionError> {
     if value.is_finite() {
         Ok(())
     } else {
@@ -108,7 +108,10 @@ pub(super) fn finite(parameter: &'static str, value: f64) -> Result<(), Distribu
     }
 }
 
-pub(super) fn positive(parameter: &'static str, value: f64) -> Result<(), DistributionError> {
+pub(in crate::law) fn positive(
+    parameter: &'static str,
+    value: f64,
+) -> Result<(), DistributionError> {
     finite(parameter, value)?;
     if value > 0.0 {
         Ok(())

@@ -1,7 +1,7 @@
 //! Exponential law; rule: Gauss-Laguerre.
 
-use super::Law;
 use super::gamma::laguerre;
+use super::law_contract::Law;
 use crate::law::basis::Basis;
 use crate::law::density::{Density, Place};
 use crate::law::distribution::distribution_error::{DistributionError, in_range, positive};

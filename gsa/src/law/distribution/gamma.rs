@@ -1,6 +1,6 @@
 //! Gamma law; rule: generalised Gauss-Laguerre.
 
-use super::Law;
+use super::law_contract::Law;
 use crate::law::basis::{Basis, crowds};
 use crate::law::density::{Density, Place, power};
 use crate::law::distribution::distribution_error::{

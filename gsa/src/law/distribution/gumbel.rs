@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::Law;
+use super::law_contract::Law;
 use crate::law::basis::Basis;
 use crate::law::density::{Density, Place};
 use crate::law::discretisation;

@@ -1,7 +1,7 @@
 //! Lognormal law, given by mean and standard deviation of ln x; rule: Gauss-Hermite in ln x.
 
+use super::law_contract::{Law, Scale};
 use super::normal::Normal;
-use super::{Law, Scale};
 use crate::law::basis::Basis;
 use crate::law::density::Density;
 use crate::law::distribution::distribution_error::{DistributionError, finite, positive};

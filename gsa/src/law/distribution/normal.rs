@@ -4,7 +4,7 @@ use std::f64::consts::{PI, SQRT_2};
 
 use statrs::function::erf::{erfc, erfc_inv};
 
-use super::Law;
+use super::law_contract::Law;
 use crate::law::basis::Basis;
 use crate::law::density::{Density, Place, centred};
 use crate::law::distribution::distribution_error::{DistributionError, finite, in_range, positive};

@@ -1,6 +1,6 @@
 //! Triangular law; its polynomials are computed from a discretisation with a break at the peak.
 
-use super::Law;
+use super::law_contract::Law;
 use crate::law::basis::Basis;
 use crate::law::density::{Density, Place, centred};
 use crate::law::discretisation;

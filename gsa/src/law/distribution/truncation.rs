@@ -3,7 +3,7 @@
 //! Probabilities are differences of the whole law's, taken on the side where they are small, as long as that keeps
 //! their digits; on narrow intervals and in far tails they are integrals of the density instead.
 
-use super::{Law, Scale};
+use super::law_contract::{Law, Scale};
 use crate::law::basis::Basis;
 use crate::law::discretisation;
 use crate::law::distribution::distribution_error::{DistributionError, finite};

@@ -1,6 +1,6 @@
 //! Uniform law on \[min, max\]; rule: Gauss-Legendre.
 
-use super::Law;
+use super::law_contract::Law;
 use crate::law::basis::Basis;
 use crate::law::density::{Density, Place};
 use crate::law::distribution::distribution_error::{DistributionError, range};

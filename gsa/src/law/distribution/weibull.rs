@@ -1,6 +1,6 @@
 //! Weibull law; its polynomials have no closed recurrence and are computed from a discretisation.
 
-use super::Law;
+use super::law_contract::Law;
 use crate::law::basis::Basis;
 use crate::law::density::{Density, Place, power};
 use crate::law::discretisation;

@@ -134,7 +134,7 @@ impl Study {
         }
         let shape = (design.points().len(), OUTPUTS.len());
         let values = Array2::from_shape_vec(shape, values).expect("a row for each point");
-        let analyses = gsa::method::analysis::analyse(&design, &values.view());
+        let analyses = gsa::method::lines::analyse(&design, &values.view());
         let mdrm = analyses
             .into_iter()
             .map(|analysis| analysis.mdrm_first_order.expect("a product"));
