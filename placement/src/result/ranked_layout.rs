@@ -1,56 +1,7 @@
-//! Locations and layouts in their order.
+//! Layouts in their order.
 
+use fem_client::solver::direction::Direction;
 use serde::{Deserialize, Serialize};
-
-/// One candidate location in the ranking.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-pub struct RankedLocation {
-    /// P1, P2, ...
-    pub name: String,
-    /// The input that is this location's own: the depth of the station below it.
-    #[serde(default)]
-    pub input: Option<String>,
-    /// 1 is best.
-    pub rank: usize,
-    /// 100 times the first-order index of this location's own depth for the x strain at the centre.
-    pub gsi_x_percent: Option<f64>,
-    /// The same for the y strain.
-    pub gsi_y_percent: Option<f64>,
-    /// Error of `gsi_x_percent`, percentage points.
-    #[serde(default)]
-    pub gsi_x_error_percent: Option<f64>,
-    /// The same for y.
-    #[serde(default)]
-    pub gsi_y_error_percent: Option<f64>,
-    /// Mean over the x strains at all locations.
-    pub mean_gsi_x_percent: Option<f64>,
-    /// Mean over the y strains at all locations.
-    pub mean_gsi_y_percent: Option<f64>,
-    /// For the x strain at this location itself.
-    pub own_gsi_x_percent: Option<f64>,
-    /// For the y strain at this location itself.
-    pub own_gsi_y_percent: Option<f64>,
-    /// What M-DRM said for `gsi_x_percent`, valid or not: the paper's Table 2 as the paper computed it.
-    pub mdrm_gsi_x_percent: Option<f64>,
-    /// The same for y.
-    pub mdrm_gsi_y_percent: Option<f64>,
-    /// Rank by the x strain alone.
-    pub rank_x: Option<usize>,
-    /// Rank by the y strain alone.
-    pub rank_y: Option<usize>,
-    /// Whether the errors leave no doubt about this rank.
-    pub rank_certain: bool,
-}
-
-impl RankedLocation {
-    /// Whether an index that it is ranked by has a known error.
-    pub(crate) fn knows_error(&self) -> bool {
-        self.gsi_x_error_percent
-            .or(self.gsi_y_error_percent)
-            .is_some()
-    }
-}
 
 /// One layout in the ranking.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -65,7 +16,8 @@ pub struct RankedLayout {
     /// Meridional position.
     pub position: String,
     /// Films of each unit.
-    pub films: Vec<String>,
+    #[cfg_attr(feature = "openapi", schema(value_type = Vec<String>))]
+    pub films: Vec<Direction>,
     /// Its scores.
     pub score: LayoutScore,
 }

@@ -1,10 +1,6 @@
 //! What a failed solve costs: its point where the load has no equilibrium; where the solver is to blame, the study, but no
 //! other point.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use fem_client::closed_form::ClosedFormSolver;
@@ -13,7 +9,8 @@ use gsa::method::{Kind, Method};
 use placement::run::{Event, Means, RunError, run};
 use placement::study::Study;
 use placement::study::plan::Plan;
-use support::{MemoryArchive, Twisted, answered, observed, shipped, text};
+
+use crate::support::{MemoryArchive, Twisted, answered, observed, shipped, text};
 
 const POINTS: usize = 26;
 
@@ -308,7 +305,7 @@ fn a_response_that_is_not_finite_is_never_stored() {
         ) -> Result<fem_client::solver::Solved, SolveError> {
             let mut solved = ClosedFormSolver::new().solve(request)?;
             if request.start.is_some() {
-                solved.response.rings[1].strain_y[3] = f64::NAN;
+                solved.response.rings[1].strain.y[3] = f64::NAN;
             }
             Ok(solved)
         }

@@ -102,12 +102,12 @@ fn the_standard_mesh_reproduces_the_reference_figures() {
             response
                 .locations
                 .iter()
-                .map(|l| l.strain_x)
+                .map(|l| l.strain.x)
                 .collect::<Vec<_>>(),
             response
                 .locations
                 .iter()
-                .map(|l| l.strain_y)
+                .map(|l| l.strain.y)
                 .collect::<Vec<_>>(),
         );
         let allowed = REACTION_TOLERANCE * figures.reaction + CONTACT_SHIFT_N;
@@ -116,25 +116,25 @@ fn the_standard_mesh_reproduces_the_reference_figures() {
             for location in [&response.locations[2 + k], &response.locations[2 - k]] {
                 let y_allowed = STRAIN_TOLERANCE + Y_TOLERANCE * y.abs();
                 assert!(
-                    (location.strain_x - x).abs() < STRAIN_TOLERANCE,
+                    (location.strain.x - x).abs() < STRAIN_TOLERANCE,
                     "x at {}: {}",
                     location.name,
-                    location.strain_x
+                    location.strain.x
                 );
                 assert!(
-                    (location.strain_y - y).abs() < y_allowed,
+                    (location.strain.y - y).abs() < y_allowed,
                     "y at {}: {}",
                     location.name,
-                    location.strain_y
+                    location.strain.y
                 );
             }
         }
         let shoulder = response.section.shoulder;
-        assert!((shoulder.strain_x - figures.shoulder[0]).abs() < STRAIN_TOLERANCE);
-        assert!((shoulder.strain_y - figures.shoulder[1]).abs() < STRAIN_TOLERANCE);
+        assert!((shoulder.x - figures.shoulder[0]).abs() < STRAIN_TOLERANCE);
+        assert!((shoulder.y - figures.shoulder[1]).abs() < STRAIN_TOLERANCE);
         assert!((response.inflated.outer_radius_mm - INFLATED_RADIUS).abs() < 1e-3);
-        assert!((response.inflated.crown_stretch_x - INFLATED_STRETCH[0]).abs() < 1e-4);
-        assert!((response.inflated.crown_stretch_y - INFLATED_STRETCH[1]).abs() < 1e-4);
+        assert!((response.inflated.crown_stretch.x - INFLATED_STRETCH[0]).abs() < 1e-4);
+        assert!((response.inflated.crown_stretch.y - INFLATED_STRETCH[1]).abs() < 1e-4);
         start = Some(solved.state);
     }
 }
@@ -206,7 +206,7 @@ fn without_depth_there_is_no_reaction_and_no_strain() {
         .response;
     assert_eq!(response.reaction_n, 0.0);
     for location in &response.locations {
-        assert!(location.strain_x.abs() < 1e-9 && location.strain_y.abs() < 1e-9);
+        assert!(location.strain.x.abs() < 1e-9 && location.strain.y.abs() < 1e-9);
     }
 }
 
@@ -218,7 +218,7 @@ fn a_tire_without_pressure_stands_on_its_wall() {
     let inflated = solve(&scene(Level::Draft, [1.0; 5]), None)
         .expect("an equilibrium")
         .response;
-    assert_eq!(response.inflated.crown_stretch_x, 1.0);
+    assert_eq!(response.inflated.crown_stretch.x, 1.0);
     assert!(response.reaction_n > 0.0 && response.reaction_n < inflated.reaction_n);
 }
 
@@ -261,7 +261,7 @@ fn twice_the_stiffness_gives_twice_the_reaction() {
         solve(&stiff, None).unwrap().response,
     );
     assert!((stiff.reaction_n / base.reaction_n - 2.0).abs() < 1e-6);
-    assert!((stiff.locations[2].strain_y - base.locations[2].strain_y).abs() < 1e-9);
+    assert!((stiff.locations[2].strain.y - base.locations[2].strain.y).abs() < 1e-9);
 }
 
 /// Newton stops at a relative residual of 1e-8; the strains follow the forces with a factor of order 10 at most.
@@ -277,18 +277,18 @@ fn assert_same(a: &Solved, b: &Solved) {
     );
     for (p, q) in a.locations.iter().zip(&b.locations) {
         assert!(
-            (p.strain_x - q.strain_x).abs() < SOLVER_TOLERANCE,
+            (p.strain.x - q.strain.x).abs() < SOLVER_TOLERANCE,
             "x at {}: {} {}",
             p.name,
-            p.strain_x,
-            q.strain_x
+            p.strain.x,
+            q.strain.x
         );
         assert!(
-            (p.strain_y - q.strain_y).abs() < SOLVER_TOLERANCE,
+            (p.strain.y - q.strain.y).abs() < SOLVER_TOLERANCE,
             "y at {}: {} {}",
             p.name,
-            p.strain_y,
-            q.strain_y
+            p.strain.y,
+            q.strain.y
         );
     }
 }
@@ -345,8 +345,8 @@ fn mirrored_ground_gives_mirrored_strains() {
         .iter()
         .zip(right.response.locations.iter().rev());
     for (l, r) in pairs {
-        assert!((l.strain_x - r.strain_x).abs() < SOLVER_TOLERANCE);
-        assert!((l.strain_y - r.strain_y).abs() < SOLVER_TOLERANCE);
+        assert!((l.strain.x - r.strain.x).abs() < SOLVER_TOLERANCE);
+        assert!((l.strain.y - r.strain.y).abs() < SOLVER_TOLERANCE);
     }
 }
 
@@ -362,7 +362,7 @@ fn full_stick_stiffens_the_tire_as_the_independent_solution_says() {
         let stuck = solve(&scene, None).unwrap().response;
         let change = [
             stuck.reaction_n / free.reaction_n - 1.0,
-            stuck.locations[2].strain_y / free.locations[2].strain_y - 1.0,
+            stuck.locations[2].strain.y / free.locations[2].strain.y - 1.0,
         ];
         println!(
             "full stick at {depth} mm: reaction {:+.4}, strain {:+.4}",
