@@ -64,8 +64,8 @@ fn values(solved: &Solved, plan: &MeshPlan) -> [f64; QUANTITIES.len()] {
     let recovered = &response.locations[response.locations.len() / 2];
     [
         response.reaction_n,
-        recovered.strain_x,
-        recovered.strain_y,
+        recovered.strain.x,
+        recovered.strain.y,
         after.s1 / before.s1 - 1.0,
         after.s2 / before.s2 - 1.0,
     ]

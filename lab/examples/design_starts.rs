@@ -77,7 +77,7 @@ fn median(scene: &Scene, start: Option<&StartState>) -> Result<Solved, SolveErro
 fn difference(a: &Solved, b: &Solved) -> f64 {
     let strains = |solved: &Solved| -> Vec<f64> {
         let locations = solved.response.locations.iter();
-        locations.flat_map(|l| [l.strain_x, l.strain_y]).collect()
+        locations.flat_map(|l| l.strain).collect()
     };
     let (a, b) = (strains(a), strains(b));
     let largest = a

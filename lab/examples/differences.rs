@@ -7,11 +7,13 @@
 use std::sync::atomic::AtomicBool;
 
 use fem_client::document::{Format, parse};
+use fem_client::solver::direction::PerDirection;
 use placement::compare::{ComparedIndex, ComparedLocation, Comparison, Entry, Verdict, compare};
 use placement::ladder::climb::answer;
 use placement::result::StudyResult;
 use placement::run::Means;
 use placement::run::memory::MemoryArchive;
+use placement::score::location_scores::{Figure, LocationScores};
 use placement::study::plan::Plan;
 use placement::study::{Study, presets};
 use placement::sweep::{Design, Sweep};
@@ -60,18 +62,27 @@ fn own_method(seed: u64) -> Value {
 /// As if the mesh were exact.
 fn leave_mesh_out(result: &mut StudyResult) {
     let centre = result.outputs.len() / 4 * 2;
-    let of_mesh = [0, 1].map(|direction| {
-        let mesh = result.outputs[centre + direction].error.mesh;
-        100.0 * mesh.unwrap_or(0.0)
-    });
+    let outputs = result.outputs[centre..]
+        .iter()
+        .map(|output| output.error.mesh);
+    let of_mesh: Vec<f64> = outputs
+        .take(2)
+        .map(|mesh| 100.0 * mesh.unwrap_or(0.0))
+        .collect();
+    let of_mesh = PerDirection {
+        x: of_mesh[0],
+        y: of_mesh[1],
+    };
     for location in &mut result.locations {
-        let errors = [
-            &mut location.gsi_x_error_percent,
-            &mut location.gsi_y_error_percent,
-        ];
-        for (error, mesh) in errors.into_iter().zip(of_mesh) {
-            *error = error.map(|error| (error - mesh).max(0.0));
-        }
+        let with_mesh = location.scores.clone();
+        location.scores = LocationScores::of(|score, direction| {
+            let figure = with_mesh.of_score(score)[direction];
+            let without = |error: f64| (error - of_mesh[direction]).max(0.0);
+            Figure {
+                error: figure.error.map(without),
+                ..figure
+            }
+        });
     }
     for output in &mut result.outputs {
         output.error.mesh = Some(0.0);

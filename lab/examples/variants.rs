@@ -177,8 +177,8 @@ fn line(name: &str, outcome: &Outcome, truth: &Outcome) {
         let (a, b) = (&a.response, &b.response);
         reaction = f64::max(reaction, (a.reaction_n / b.reaction_n - 1.0).abs());
         for (p, q) in a.locations.iter().zip(&b.locations) {
-            let x = (p.strain_x - q.strain_x).abs();
-            strain = f64::max(strain, x.max((p.strain_y - q.strain_y).abs()));
+            let x = (p.strain.x - q.strain.x).abs();
+            strain = f64::max(strain, x.max((p.strain.y - q.strain.y).abs()));
         }
     }
     println!(

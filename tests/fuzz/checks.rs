@@ -1,6 +1,6 @@
 //! What must hold for every text that a reader is given, whatever is in it: no panic, no number that isn't finite, and faults that say where.
 //!
-//! The fuzzer calls these with texts of its own making, `placement/tests/fuzzed.rs` with those that it kept.
+//! The fuzzer calls these with texts of its own making, `placement/tests/quick/fuzzed.rs` with those that it kept.
 
 use std::sync::OnceLock;
 

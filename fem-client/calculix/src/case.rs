@@ -12,10 +12,12 @@ use super::program::{Files, Program, RunError};
 use crate::result_file;
 use crate::rigid_ground::RigidGround;
 use fem_client::scene::{Material, Scene};
-use fem_client::solver::{NoEquilibrium, Reached, Readout, Response, SolveError, SolveRequest};
+use fem_client::solver::{
+    NoEquilibrium, Reached, Readout, Response, ResponseError, SolveError, SolveRequest,
+};
 use tire::mesh::tire_grid::{Extent, MeshPlan};
 use tire::model::{TireModel, ground};
-use tire::readout::surface_reader::Reader;
+use tire::readout::surface_reader::{Diagnostics, Reader};
 
 /// Reach of the ground to all sides, in outer radii.
 const GROUND_REACH: f64 = 1.5;
@@ -137,21 +139,31 @@ impl<'s> Case<'s> {
             ..Loads::default()
         };
         let reader = Reader::new(scene, model, &inflated, &pressed, &loads);
-        let mut response = reader.response(self.readout);
-        let reaction_n = model.multiplicity() * force[2];
-        // The reader's error is the penetration's share of the embedded law's force; the share is the same here.
-        if response.reaction_n > 0.0 {
-            response.error.reaction_n *= reaction_n / response.reaction_n;
-        }
-        response.reaction_n = reaction_n;
-        response.max_volume_change = self.max_volume_change(&pressed)?;
-        response.residual_history = result_file::residuals(&files.cvg).map_err(broken)?;
-        response.newton_iterations = response.residual_history.iter().map(Vec::len).sum();
+        let residual_history = result_file::residuals(&files.cvg).map_err(broken)?;
         let supports = model.problem.supports.iter().flatten();
         let unknowns = supports.filter(|held| held.is_none()).count();
         let summary = model.summary(scene, unknowns);
-        response.model = limits::summary(scene, summary, self.program.version());
-        Ok(response)
+        let diagnostics = Diagnostics {
+            max_volume_change: self.max_volume_change(&pressed)?,
+            newton_iterations: residual_history.iter().map(Vec::len).sum(),
+            residual_history,
+            model: limits::summary(scene, summary, self.program.version()),
+        };
+        let response = reader.response(self.readout, diagnostics);
+        let reaction_n = model.multiplicity() * force[2];
+        // The reader's error is the penetration's share of the embedded law's force; the share is the same here.
+        let share = match response.reaction_n {
+            embedded_n if embedded_n > 0.0 => reaction_n / embedded_n,
+            _ => 1.0,
+        };
+        Ok(Response {
+            reaction_n,
+            error: ResponseError {
+                reaction_n: share * response.error.reaction_n,
+                ..response.error
+            },
+            ..response
+        })
     }
 
     /// Largest |J - 1| of an element's mean.

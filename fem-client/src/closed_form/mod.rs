@@ -160,15 +160,15 @@ mod tests {
         );
         // Mirror points take the same sums in another order: rounding alone.
         for (left, right) in [(0, 4), (1, 3)] {
-            let difference = response.locations[left].strain_y - response.locations[right].strain_y;
+            let difference = response.locations[left].strain.y - response.locations[right].strain.y;
             assert!(difference.abs() < 1e-15);
         }
         let map = response.map.unwrap();
         assert_eq!(
-            (map.theta_deg.len(), map.phi_deg.len(), map.strain_x.len()),
+            (map.theta_deg.len(), map.phi_deg.len(), map.strain.x.len()),
             (7, 3, 21)
         );
-        assert_eq!(map.strain_y[10], response.locations[2].strain_y);
+        assert_eq!(map.strain.y[10], response.locations[2].strain.y);
         let shape = map.shape.unwrap();
         assert_eq!(shape.inflated_mm.len(), 21);
         // The reference tire grows by 1 % at 0.2 MPa; the crown's inner surface lies a wall above the outer one.
@@ -182,14 +182,8 @@ mod tests {
             ),
             (-180.0, 360)
         );
-        assert_eq!(
-            response.rings[0].strain_x[180],
-            response.section.crown.strain_x
-        );
-        assert_eq!(
-            response.rings[1].strain_y[180],
-            response.section.sidewall.strain_y
-        );
+        assert_eq!(response.rings[0].strain.x[180], response.section.crown.x);
+        assert_eq!(response.rings[1].strain.y[180], response.section.sidewall.y);
     }
 
     #[test]
@@ -203,8 +197,8 @@ mod tests {
                 .section
                 .crown
         };
-        assert!(at(1.0).strain_x > 0.0 && at(2.0).strain_x < 0.0);
-        assert!(at(2.0).strain_y > at(1.0).strain_y);
+        assert!(at(1.0).x > 0.0 && at(2.0).x < 0.0);
+        assert!(at(2.0).y > at(1.0).y);
     }
 
     #[test]

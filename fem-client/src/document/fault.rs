@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 
-use crate::document::fields::visible;
+use crate::document::visible::visible;
 
 /// Faults listed for one document; a document with more is told so in a last fault.
 pub const MAX_FAULTS: usize = 100;

@@ -8,8 +8,9 @@
 
 use serde_json::{Map, Value};
 
-use crate::document::as_non_finite;
 use crate::document::fault::{Fault, member};
+use crate::document::non_finite::as_non_finite;
+use crate::document::visible::visible;
 
 /// Numbers that a field takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,19 +61,6 @@ pub fn shown(value: &Value) -> String {
         Value::Array(items) => format!("a list of {} entries", items.len()),
         other => shortened(&visible(&other.to_string())),
     }
-}
-
-/// A text whose control characters are written out: they could forge lines of a log, or move a terminal's cursor.
-pub fn visible(text: &str) -> String {
-    let mut shown = String::with_capacity(text.len());
-    for c in text.chars() {
-        if c.is_control() {
-            shown.extend(c.escape_unicode());
-        } else {
-            shown.push(c);
-        }
-    }
-    shown
 }
 
 fn shortened(text: &str) -> String {

@@ -5,11 +5,14 @@
 
 pub mod fault;
 pub mod fields;
+pub mod non_finite;
+pub mod visible;
 
 use serde_json::{Map, Number, Value};
 
 use crate::document::fault::{Fault, entry, member};
-use crate::document::fields::visible;
+use crate::document::non_finite::non_finite;
+use crate::document::visible::visible;
 
 /// Longest document that is read, bytes.
 pub const MAX_BYTES: usize = 1 << 20;
@@ -36,22 +39,6 @@ impl Format {
             Self::Toml
         }
     }
-}
-
-/// Name of the only member of what stands for a NaN or an infinity: JSON has no such number, and no reader takes a table
-/// for one, so that its fault is listed with all others.
-const NON_FINITE: &str = "non-finite number";
-
-fn non_finite(number: f64) -> Value {
-    Value::Object(Map::from_iter([(
-        NON_FINITE.to_owned(),
-        Value::String(number.to_string()),
-    )]))
-}
-
-/// The text of a NaN or an infinity, if that is what the value stands for.
-pub fn as_non_finite(value: &Value) -> Option<&str> {
-    value.get(NON_FINITE)?.as_str()
 }
 
 /// Parses text into a value in which every number is finite. A NaN or an infinity of TOML becomes a value that every
@@ -162,6 +149,7 @@ fn from_toml(value: toml::Value, pointer: &str, depth: usize, faults: &mut Vec<F
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::non_finite::as_non_finite;
 
     #[test]
     fn both_formats_give_the_same_value() {

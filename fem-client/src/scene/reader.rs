@@ -10,6 +10,7 @@ mod film_reader;
 mod geometry_reader;
 mod ground_reader;
 mod material_reader;
+mod shared_ranges;
 
 use serde_json::Value;
 
@@ -22,9 +23,6 @@ use crate::scene::reader::ground_reader::{check_ground_under, ground};
 use crate::scene::reader::material_reader::material;
 use crate::scene::{Carcass, Contact, Level, Model, Pressure, Scene};
 
-const LENGTH: Range = Range::new(1e-3, 1e4, "mm");
-const MODULUS: Range = Range::new(1e-6, 1e6, "MPa");
-const MODULUS_OR_ZERO: Range = Range::new(0.0, 1e6, "MPa");
 const FIBRE_ANGLE: Range = Range::new(0.0, 90.0, "degrees");
 const FIBRE_STIFFNESS: Range = Range::new(0.0, 1e9, "N/mm");
 const SHARE: Range = Range::new(0.0, 1.0, "");

@@ -13,7 +13,7 @@ use crate::mesh_error;
 use crate::model::{TireModel, ground, mesh_plan};
 use crate::neighbourhood::{Neighbourhood, Neighbourhoods, Pressed};
 use crate::omission;
-use crate::readout::surface_reader::Reader;
+use crate::readout::surface_reader::{Diagnostics, Reader};
 use crate::session::Session;
 use fem_client::hexadecimal::hexadecimal;
 use fem_client::scene::Scene;
@@ -274,14 +274,15 @@ impl Session<'_> {
         let scene = request.scene;
         let (inflated, equilibrium) = (&answer.inflated, &answer.equilibrium);
         let reader = Reader::new(scene, self.model, inflated, equilibrium, loads);
-        let mut response = reader.response(request.readout);
-        response.max_volume_change = self.newton.max_volume_change(equilibrium);
-        response.newton_iterations = answer.iterations;
         let steps = answer.report.steps.iter();
-        response.residual_history = steps
-            .map(|step| step.iter().map(|r| r.worst()).collect())
-            .collect();
-        response.model = self.model.summary(scene, self.newton.unknowns());
+        let diagnostics = Diagnostics {
+            max_volume_change: self.newton.max_volume_change(equilibrium),
+            newton_iterations: answer.iterations,
+            residual_history: steps
+                .map(|step| step.iter().map(|r| r.worst()).collect())
+                .collect(),
+            model: self.model.summary(scene, self.newton.unknowns()),
+        };
         let state = StartState {
             inflated_key: answer.inflated_key,
             inflated: inflated.to_flat(),
@@ -290,7 +291,7 @@ impl Session<'_> {
             equilibrium: equilibrium.to_flat(),
         };
         Solved {
-            response,
+            response: reader.response(request.readout, diagnostics),
             cost: cost(&self.newton.effort, begin),
             state,
         }

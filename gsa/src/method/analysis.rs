@@ -27,6 +27,14 @@ pub enum Status {
 }
 
 impl Status {
+    /// All of them.
+    pub const ALL: [Self; 4] = [
+        Self::Ok,
+        Self::Constant,
+        Self::ProductFormBroken,
+        Self::Unusable,
+    ];
+
     /// `ok`, `constant`, `product-form-broken` or `unusable`.
     pub fn as_str(self) -> &'static str {
         match self {

@@ -37,6 +37,18 @@ pub enum Form {
 }
 
 impl Form {
+    /// All of them.
+    pub const ALL: [Self; 8] = [
+        Self::Mdrm,
+        Self::Additive,
+        Self::Shifted,
+        Self::Corrected,
+        Self::Bivariate,
+        Self::Tensor,
+        Self::Pce,
+        Self::Saltelli,
+    ];
+
     /// Its name in documents: `mdrm`, `additive`, `shifted`, `corrected`, `bivariate`, `tensor`, `pce`, `saltelli`.
     pub fn as_str(self) -> &'static str {
         match self {

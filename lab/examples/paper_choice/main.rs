@@ -3,7 +3,7 @@
 //! `cargo run --release -p lab --example paper_choice [-- FIGURE.svg]`
 
 mod figure;
-#[path = "../../../placement/tests/paper_choice/grid.rs"]
+#[path = "../../../placement/tests/quick/paper_choice/grid.rs"]
 mod grid;
 
 use gsa::method::analysis::Analysis;

@@ -11,11 +11,13 @@
 //! of what they miss, point by point ([`gsa::judge::misses`]). Whatever two errors have not in common is independent, so that it adds up as e^2 = e_I^2 + e_J^2: all
 //! of the mesh's where a study has no coarser one. A difference beyond its error is real, any other noise.
 
+use fem_client::solver::direction::{Direction, PerDirection};
 use gsa::judge::misses::{Claim, Misses, error_of_difference};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::result::{FormMisses, Output, RankedLocation, StudyCost, StudyResult};
+use crate::score::location_scores::GSI;
 
 /// A study to be compared.
 #[derive(Debug, Clone)]
@@ -107,6 +109,16 @@ pub struct ComparedLocation {
     pub y: ComparedIndex,
 }
 
+impl ComparedLocation {
+    /// The index of a direction.
+    pub fn in_direction(&self, direction: Direction) -> &ComparedIndex {
+        match direction {
+            Direction::X => &self.x,
+            Direction::Y => &self.y,
+        }
+    }
+}
+
 /// An index beside the baseline's.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -174,7 +186,7 @@ fn column(entry: &Entry) -> ComparedStudy {
     let result = entry.result.as_ref().ok();
     let best = result.and_then(|result| result.locations.first());
     let layout = result.and_then(|result| result.layouts.first());
-    let signal = |direction| centre(result?, direction)?.std;
+    let signal = PerDirection::of(|direction| centre(result?, direction)?.std);
     ComparedStudy {
         id: entry.id.clone(),
         name: entry.name.clone(),
@@ -185,8 +197,8 @@ fn column(entry: &Entry) -> ComparedStudy {
         version: result.map(|result| result.study.version.clone()),
         level: result.map(|result| result.model.level.clone()),
         reaction_n: result.map(|result| result.cut_point.reaction_n),
-        std_strain_x: signal("x"),
-        std_strain_y: signal("y"),
+        std_strain_x: signal.x,
+        std_strain_y: signal.y,
         best: best.map(|best| best.name.clone()),
         best_certain: best.map(|best| best.rank_certain),
         layout_spacing_deg: layout.map(|layout| layout.spacing_deg),
@@ -196,7 +208,7 @@ fn column(entry: &Entry) -> ComparedStudy {
 }
 
 /// The strain at the contact centre, by which locations are ranked.
-fn centre<'r>(result: &'r StudyResult, direction: &str) -> Option<&'r Output> {
+fn centre(result: &StudyResult, direction: Direction) -> Option<&Output> {
     let of_direction = || {
         let outputs = result.outputs.iter();
         outputs.filter(move |output| output.direction == direction)
@@ -215,11 +227,11 @@ fn row(
     let change = other.map(|other| places(location.rank) - places(other.rank));
     let certain = other.is_some_and(|other| other.rank_certain && location.rank_certain);
     let known = other.is_some_and(|other| other.knows_error() && location.knows_error());
-    let index = |direction: &str| {
+    let index = PerDirection::of(|direction| {
         let against = base.zip(other);
         let against = against.map(|(base, other)| Index::of(base, other, direction));
         Index::of(result, location, direction).beside(against)
-    };
+    });
     ComparedLocation {
         study: id.to_owned(),
         location: location.name.clone(),
@@ -231,8 +243,8 @@ fn row(
             true => Verdict::Noise,
             false => Verdict::Unknown,
         }),
-        x: index("x"),
-        y: index("y"),
+        x: index.x,
+        y: index.y,
     }
 }
 
@@ -253,15 +265,11 @@ struct Index<'r> {
 }
 
 impl<'r> Index<'r> {
-    fn of(result: &'r StudyResult, location: &RankedLocation, direction: &str) -> Self {
-        let (percent, error) = match direction {
-            "x" => (location.gsi_x_percent, location.gsi_x_error_percent),
-            _ => (location.gsi_y_percent, location.gsi_y_error_percent),
-        };
+    fn of(result: &'r StudyResult, location: &RankedLocation, direction: Direction) -> Self {
         let name = location.input.as_ref();
         Self {
-            percent,
-            error,
+            percent: location.value(GSI, direction),
+            error: location.error(GSI, direction),
             input: name.and_then(|name| result.inputs.iter().position(|i| i.name == *name)),
             output: centre(result, direction),
         }

@@ -5,6 +5,7 @@ use std::collections::HashSet;
 
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::Solver;
+use fem_client::solver::direction::Direction;
 use gsa::method::Kind;
 
 use super::law::{How, Task, mirror_class, tire};
@@ -230,5 +231,5 @@ fn readings(study: &Study) -> usize {
     let grid = readout
         .grid
         .map_or(0, |grid| grid.circumferential * grid.meridional);
-    2 * (study.scene.ground.stations + 360 * readout.rings.len() + grid)
+    Direction::ALL.len() * (study.scene.ground.stations + 360 * readout.rings.len() + grid)
 }

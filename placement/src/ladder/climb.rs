@@ -277,5 +277,5 @@ fn of_mesh(result: &StudyResult, directions: Directions) -> Option<f64> {
 
 fn asked(result: &StudyResult, directions: Directions) -> impl Iterator<Item = &Output> {
     let outputs = result.outputs.iter();
-    outputs.filter(move |output| directions.include(&output.direction))
+    outputs.filter(move |output| directions.include(output.direction))
 }

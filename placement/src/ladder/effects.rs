@@ -5,12 +5,13 @@
 //! there, so that a draft states none.
 
 use fem_client::scene::{Level, Scene};
-use fem_client::solver::Omission;
-use fem_client::solver::{Choice, Response};
+use fem_client::solver::direction::PerDirection;
+use fem_client::solver::{Choice, Omission, Response};
 
 use crate::result::StudyResult;
 use crate::run::archive::Outcome;
 use crate::run::{Means, RunError, outcomes_of};
+use crate::score::quantity::at_locations;
 use crate::study::Study;
 use crate::study::plan::Plan;
 
@@ -76,7 +77,9 @@ fn state(choice: &mut Choice, plain: &Response, richer: &Outcome) {
 
 /// Largest change of a strain at P1, P2, ..., over the largest one of its direction; `None` where there is no strain at all.
 pub fn effect(plain: &Response, richer: &Response) -> Option<f64> {
-    let of_direction = |strains: fn(&Response) -> Vec<f64>| {
+    let of_direction = |direction| {
+        let strains =
+            |response| -> Vec<f64> { at_locations(response).map(|s| s[direction]).collect() };
         let (plain, richer) = (strains(plain), strains(richer));
         let largest = plain
             .iter()
@@ -85,7 +88,6 @@ pub fn effect(plain: &Response, richer: &Response) -> Option<f64> {
         let change = changes.fold(0.0, f64::max);
         (largest > 0.0).then(|| change / largest)
     };
-    let x = of_direction(|response| response.locations.iter().map(|l| l.strain_x).collect());
-    let y = of_direction(|response| response.locations.iter().map(|l| l.strain_y).collect());
-    x.into_iter().chain(y).reduce(f64::max)
+    let effects = PerDirection::of(of_direction);
+    effects.into_iter().flatten().reduce(f64::max)
 }

@@ -9,13 +9,14 @@
 use std::sync::atomic::AtomicBool;
 
 use fem_client::solver::Solver;
+use fem_client::solver::direction::PerDirection;
 use serde::{Deserialize, Serialize};
 
 use crate::ladder::fidelity::{Fidelity, FidelityReport};
 use crate::result::{RankedLocation, StudyResult};
 use crate::run::memory::MemoryArchive;
 use crate::run::{Means, Observer, RunError, run};
-use crate::score::indices::DIRECTIONS;
+use crate::score::location_scores::GSI;
 use crate::study::Study;
 use crate::study::directions::Directions;
 use crate::study::plan::Plan;
@@ -71,9 +72,11 @@ pub struct Index {
     /// Its rank.
     pub rank: usize,
     /// First-order indices for the x and the y strain, percent.
-    pub gsi_percent: [Option<f64>; 2],
+    #[cfg_attr(feature = "openapi", schema(value_type = Vec<Option<f64>>))]
+    pub gsi_percent: PerDirection<Option<f64>>,
     /// Their claimed errors, percentage points.
-    pub error_percent: [Option<f64>; 2],
+    #[cfg_attr(feature = "openapi", schema(value_type = Vec<Option<f64>>))]
+    pub error_percent: PerDirection<Option<f64>>,
 }
 
 /// Answers a study with this fidelity, from nothing.
@@ -160,8 +163,8 @@ fn indices(result: &StudyResult) -> Vec<Index> {
     let index = |location: &RankedLocation| Index {
         location: location.name.clone(),
         rank: location.rank,
-        gsi_percent: [location.gsi_x_percent, location.gsi_y_percent],
-        error_percent: [location.gsi_x_error_percent, location.gsi_y_error_percent],
+        gsi_percent: PerDirection::of(|direction| location.value(GSI, direction)),
+        error_percent: PerDirection::of(|direction| location.error(GSI, direction)),
     };
     let mut indices: Vec<Index> = result.locations.iter().map(index).collect();
     indices.sort_by(|a, b| a.location.cmp(&b.location));
@@ -176,7 +179,7 @@ fn errors(
 ) -> Option<Vec<(f64, Option<f64>)>> {
     let mut errors = Vec::new();
     for (own, truth) in indices.iter().zip(truth) {
-        for direction in asked(directions) {
+        for &direction in directions.asked() {
             let (Some(a), Some(b)) = (own.gsi_percent[direction], truth.gsi_percent[direction])
             else {
                 // A location without an input of its own has no index by any method.
@@ -211,16 +214,11 @@ fn agrees(indices: &[Index], truth: &[Index], directions: Directions) -> bool {
 /// What a location is ranked by, the sum of the indices that are asked for, with its error; percent.
 fn estimate(index: &Index, directions: Directions) -> Option<(f64, f64)> {
     let (mut sum, mut error) = (0.0, 0.0f64);
-    for direction in asked(directions) {
+    for &direction in directions.asked() {
         sum += index.gsi_percent[direction]?;
         error = error.hypot(index.error_percent[direction]?);
     }
     Some((sum, error))
-}
-
-/// Places of the directions that are asked for.
-fn asked(directions: Directions) -> impl Iterator<Item = usize> {
-    (0..DIRECTIONS.len()).filter(move |&direction| directions.include(DIRECTIONS[direction]))
 }
 
 fn is_on_front(own: &Rung, all: &[Rung]) -> bool {
@@ -240,8 +238,8 @@ mod tests {
         Index {
             location: location.to_owned(),
             rank,
-            gsi_percent: [Some(x), Some(y)],
-            error_percent: [Some(error); 2],
+            gsi_percent: [Some(x), Some(y)].into(),
+            error_percent: [Some(error); 2].into(),
         }
     }
 
@@ -272,7 +270,7 @@ mod tests {
             assert_eq!(*claim, expected);
         }
         let mut lacking = own;
-        lacking[0].gsi_percent[1] = None;
+        lacking[0].gsi_percent.y = None;
         assert_eq!(errors(&lacking, &truth, both), None);
         assert!(errors(&lacking, &truth, Directions::X).is_some());
         assert_eq!(errors(&[], &[], both), None);

@@ -15,12 +15,14 @@
 
 pub(crate) mod ring_field;
 
+use fem_client::solver::direction::Direction;
 use fem_client::solver::{Position, Response};
 use gsa::campaign::Campaign;
 
 use crate::layout::ring_field::{RingField, at_angle, ring_fields, slope_at_angle};
 use crate::result::{LayoutScore, RankedLayout};
 use crate::run::archive::Outcome;
+use crate::score::quantity::around;
 use crate::study::{Study, position_name};
 
 /// Noise of a film relative to the largest strain around the crown at the cut point.
@@ -58,7 +60,7 @@ pub fn rank_layouts(
                 Ok(fields) => score(&fields[&position], spacing, noise),
                 Err(reason) => empty_score(noise, reason.clone()),
             };
-            let films = study.directions.names();
+            let films = study.directions.asked();
             scored.push((position, layout(position, spacing, films, score)));
         }
     }
@@ -92,16 +94,14 @@ fn noise_strain(cut: &Response) -> f64 {
         .rings
         .iter()
         .find(|ring| ring.position == Position::Crown);
-    let strains = crown
-        .iter()
-        .flat_map(|ring| ring.strain_x.iter().chain(&ring.strain_y));
+    let strains = crown.iter().flat_map(|ring| around(ring).iter().flatten());
     NOISE_SHARE * strains.fold(0.0, |largest: f64, strain| largest.max(strain.abs()))
 }
 
 fn layout(
     position: Position,
     spacing_deg: f64,
-    films: &[&str],
+    films: &[Direction],
     score: LayoutScore,
 ) -> RankedLayout {
     RankedLayout {
@@ -109,7 +109,7 @@ fn layout(
         spacing_deg,
         units: units(spacing_deg),
         position: position_name(position).to_owned(),
-        films: films.iter().map(|film| (*film).to_owned()).collect(),
+        films: films.to_vec(),
         score,
     }
 }

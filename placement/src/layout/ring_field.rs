@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use fem_client::solver::direction::Direction;
 use fem_client::solver::{Position, Response, Ring};
 use gsa::design::{Design, Line};
 
 use crate::run::archive::Outcome;
+use crate::score::quantity::around;
 use crate::study::Study;
 
 /// The strains that are asked for around the wheel, sampled each degree from -180.
@@ -16,11 +18,6 @@ pub(crate) struct RingField {
     /// Their derivatives to a uniform depth, 1/mm.
     pub by_depth: Vec<Vec<f64>>,
 }
-
-/// One strain of a ring.
-type Strain = fn(&Ring) -> &Vec<f64>;
-
-const STRAINS: [(&str, Strain); 2] = [("x", |ring| &ring.strain_x), ("y", |ring| &ring.strain_y)];
 
 /// The fields of all rings of a study, or why there is no derivative to the depth.
 pub(crate) fn ring_fields(
@@ -33,16 +30,13 @@ pub(crate) fn ring_fields(
         "this method has no lines through the means, so there is no derivative to the depth",
     )?;
     let differences = depth_differences(study, design, outcomes)?;
-    let strains: Vec<Strain> = STRAINS
-        .into_iter()
-        .filter(|(direction, _)| study.directions.include(direction))
-        .map(|(_, strain)| strain)
-        .collect();
+    let asked = study.directions.asked();
     let field = |(i, ring): (usize, &Ring)| {
-        let by_depth = |strain: &Strain| {
-            let mut slope = vec![0.0; strain(ring).len()];
+        let by_depth = |&direction: &Direction| {
+            let samples = |ring| &around(ring)[direction];
+            let mut slope = vec![0.0; samples(ring).len()];
             for d in &differences {
-                let (below, above) = (strain(&d.below.rings[i]), strain(&d.above.rings[i]));
+                let (below, above) = (samples(&d.below.rings[i]), samples(&d.above.rings[i]));
                 for ((slope, below), above) in slope.iter_mut().zip(below).zip(above) {
                     *slope += (above - below) / d.distance_mm;
                 }
@@ -50,8 +44,8 @@ pub(crate) fn ring_fields(
             slope
         };
         let field = RingField {
-            strain: strains.iter().map(|strain| strain(ring).clone()).collect(),
-            by_depth: strains.iter().map(by_depth).collect(),
+            strain: asked.iter().map(|&d| around(ring)[d].clone()).collect(),
+            by_depth: asked.iter().map(by_depth).collect(),
         };
         (ring.position, field)
     };

@@ -2,21 +2,26 @@
 //!
 //! Numbers that do not exist are `None` (null in JSON) with a reason beside them.
 
-mod climb;
-mod cost;
-mod estimate;
-mod map;
-mod output;
-mod ranking;
+mod climb_report;
+mod cost_forecast;
+mod failed_point;
+mod index_map;
+mod indexed_output;
+pub mod named;
+mod ranked_layout;
+mod ranked_location;
+mod study_cost;
 
-pub use climb::{Climb, ClimbRung};
-pub use cost::StudyCost;
-pub use estimate::{CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast};
+pub use climb_report::{Climb, ClimbRung};
+pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast};
+pub use failed_point::{Cause, FailedPoint};
 use fem_client::solver::ModelSummary;
-pub use map::{IndexMap, MapLayer};
-pub use output::{CoarserIndices, FormMisses, IndexError, Output};
-pub use ranking::{LayoutScore, RankedLayout, RankedLocation};
+pub use index_map::{IndexMap, MapLayer};
+pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};
+pub use ranked_layout::{LayoutScore, RankedLayout};
+pub use ranked_location::RankedLocation;
 use serde::{Deserialize, Serialize};
+pub use study_cost::StudyCost;
 
 /// The whole answer.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -77,18 +82,6 @@ pub struct InputReport {
     /// Its distribution as in the document.
     #[cfg_attr(feature = "openapi", schema(value_type = Object))]
     pub distribution: serde_json::Value,
-}
-
-/// A point without a response.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-pub struct FailedPoint {
-    /// Ordinal in the plan.
-    pub ordinal: usize,
-    /// Input values.
-    pub values: Vec<f64>,
-    /// What happened.
-    pub cause: String,
 }
 
 /// The response at the means.

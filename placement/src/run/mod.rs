@@ -4,154 +4,30 @@ pub mod archive;
 mod attempt;
 mod finite;
 pub mod memory;
-mod points;
+mod planned_points;
+mod run_error;
+mod run_event;
 pub mod usage;
 
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use fem_client::document::fault::Fault;
 use fem_client::scene::Scene;
 use fem_client::solver::{Cost, Readout, Solver};
 use gsa::method::analysis::Status;
 
-pub(crate) use self::points::keys;
-use self::points::{Answers, Place, Points};
-use crate::result::{FailedPoint, StudyCost, StudyResult};
-use crate::run::archive::{Archive, ArchiveError, Outcome};
+pub(crate) use self::planned_points::keys;
+use self::planned_points::{Answers, Place, Points};
+pub use self::run_error::RunError;
+pub use self::run_event::{Event, Observer};
+use crate::result::{StudyCost, StudyResult};
+use crate::run::archive::{Archive, Outcome};
 use crate::run::usage::{cpu_s, peak_memory_bytes};
 use crate::score::assemble::assemble;
 use crate::score::indices;
 use crate::score::indices::Coarse;
 use crate::study::Study;
-use crate::study::plan::{Plan, PlanError};
-
-/// What happens during a run, as it happens.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Event {
-    /// The archive was searched; the solves begin. An adaptive method may go on to a longer plan, and every run goes on to the
-    /// same points on a coarser mesh: it begins again then.
-    Started {
-        /// Points of the run, as far as that is known.
-        points: usize,
-        /// Those that are there already.
-        reused: usize,
-    },
-    /// A point was solved, and is in the archive.
-    PointSolved {
-        /// Its ordinal in the plan.
-        ordinal: usize,
-        /// Points done so far, reused ones included; rises by one from event to event.
-        done: usize,
-        /// Points of the plan.
-        of: usize,
-        /// Wall-clock time of the solve, s.
-        wall_s: f64,
-        /// Newton iterations of the solve.
-        newton_iterations: usize,
-    },
-    /// A point has no response: no equilibrium, which is in the archive, or its solve broke. Both count as done, a refused one
-    /// doesn't.
-    PointFailed {
-        /// Its ordinal in the plan.
-        ordinal: usize,
-        /// As for solved points.
-        done: usize,
-        /// Points of the plan.
-        of: usize,
-        /// What happened.
-        cause: String,
-    },
-    /// All points are there.
-    Analysing,
-}
-
-/// Is told of events, from the solving threads, one at a time for points.
-pub type Observer<'o> = &'o (dyn Fn(Event) + Sync);
-
-/// Why a run gave no result. What was solved is in the archive in every case.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum RunError {
-    /// The cut point has no equilibrium or none was found, or the solver refused points.
-    #[error("{}", failures(.failed))]
-    PointsFailed {
-        /// Each of them, in the order of the plan; at least one.
-        failed: Vec<FailedPoint>,
-    },
-    /// So many points have no equilibrium that the others don't give any index.
-    #[error("the other points don't give any index: {}", failures(.failed))]
-    TooManyFailed {
-        /// Each of them, in the order of the plan; at least one.
-        failed: Vec<FailedPoint>,
-    },
-    /// The solver doesn't do what the scene asks for.
-    #[error("the solver refuses the scene: {}", refusals(.faults))]
-    Refused {
-        /// What is wrong, where.
-        faults: Vec<Fault>,
-    },
-    /// A point that an adaptive method asked for leaves the ranges of the scene.
-    #[error(transparent)]
-    Plan(#[from] PlanError),
-    /// The caller asked to stop; the same run later goes on where this one ended.
-    #[error("stopped on request")]
-    Stopped,
-    /// The caller asked for a pause; the same run later goes on where this one ended.
-    #[error("paused on request")]
-    Paused,
-    /// The time allowed is over before the cheapest model has answered.
-    #[error(
-        "a budget of {seconds} s is over before the draft has answered; what is solved is kept"
-    )]
-    Budget {
-        /// The budget.
-        seconds: f64,
-    },
-    /// The archive failed.
-    #[error(transparent)]
-    Archive(#[from] ArchiveError),
-    /// The archive has the cut point's response but not its equilibrium, from which the others start.
-    #[error(
-        "the archive has the response of the cut point ({key}) but not its start state: remove the entry"
-    )]
-    StartMissing {
-        /// Content key of the cut point.
-        key: String,
-    },
-}
-
-impl RunError {
-    /// The points that are to blame, if any are.
-    pub fn failed_points(&self) -> &[FailedPoint] {
-        match self {
-            Self::PointsFailed { failed } | Self::TooManyFailed { failed } => failed,
-            _ => &[],
-        }
-    }
-}
-
-fn failures(failed: &[FailedPoint]) -> String {
-    let count = failed.len();
-    match failed.first() {
-        Some(FailedPoint {
-            ordinal,
-            values,
-            cause,
-        }) => format!(
-            "{count} {} failed; the first is point {ordinal} at {values:?}: {cause}",
-            if count == 1 { "point" } else { "points" }
-        ),
-        None => "points failed".to_owned(),
-    }
-}
-
-fn refusals(faults: &[Fault]) -> String {
-    faults
-        .iter()
-        .map(Fault::to_string)
-        .collect::<Vec<_>>()
-        .join("; ")
-}
+use crate::study::plan::Plan;
 
 /// Runs a study on `threads` threads and gives its result.
 ///
@@ -228,21 +104,21 @@ pub(crate) fn run_from(
     });
     let coarse = coarse.transpose()?;
     observer(Event::Analysing);
-    let mut result = assemble(study, &plan, &outcomes, coarse.as_ref(), &solver.version());
+    let coarser_outcomes = coarse.as_ref().and_then(|coarse| coarse.outcomes.as_ref());
+    let cost = || StudyCost {
+        wall_s: begun.elapsed().as_secs_f64(),
+        cpu_s: (cpu_s() - cpu_before).max(0.0),
+        peak_memory_bytes: peak_memory_bytes(),
+        coarser_solves: coarser_outcomes.map_or(0, Vec::len),
+        ..solve_cost(&costs, reused)
+    };
+    let version = solver.version();
+    let result = assemble(study, &plan, &outcomes, coarse.as_ref(), &version, cost);
     if !result.failed_points.is_empty() && !has_indices(&result) {
         return Err(RunError::TooManyFailed {
             failed: result.failed_points,
         });
     }
-    result.cost = StudyCost {
-        wall_s: begun.elapsed().as_secs_f64(),
-        cpu_s: (cpu_s() - cpu_before).max(0.0),
-        peak_memory_bytes: peak_memory_bytes(),
-        coarser_solves: coarse
-            .and_then(|coarse| coarse.outcomes)
-            .map_or(0, |o| o.len()),
-        ..solve_cost(&costs, reused)
-    };
     Ok((result, meshes * plan.points.len()))
 }
 
@@ -301,9 +177,8 @@ fn on_coarser_mesh(answers: Result<Answers, RunError>) -> Result<Option<Vec<Outc
 
 /// Whether the points gave something: indices of some output, or that none of them varies.
 fn has_indices(result: &StudyResult) -> bool {
-    let unusable = Status::Unusable.as_str();
     let indexed = result.outputs.iter().any(|o| o.first_order.is_some());
-    indexed || result.outputs.iter().all(|o| o.status != unusable)
+    indexed || result.outputs.iter().all(|o| o.status != Status::Unusable)
 }
 
 /// What the solves took, whenever they were made.

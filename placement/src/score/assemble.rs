@@ -11,7 +11,7 @@ use crate::score::rank::rank;
 use crate::study::Study;
 use crate::study::plan::Plan;
 
-/// The answer, without its cost and the study's identifier.
+/// The answer, without the study's identifier, which the database gives it. What it cost is asked for at the end.
 ///
 /// # Panics
 /// If there is not one outcome for each point of the plan, or the cut point has no response.
@@ -21,6 +21,7 @@ pub fn assemble(
     outcomes: &[Outcome],
     coarse: Option<&Coarse>,
     solver_version: &str,
+    cost: impl FnOnce() -> StudyCost,
 ) -> StudyResult {
     let cut = outcomes[0]
         .as_ref()
@@ -40,7 +41,7 @@ pub fn assemble(
         },
         model: largest_model(outcomes),
         inputs: study.inputs.iter().map(input_report).collect(),
-        outputs: scores.outputs,
+        outputs: scores.outputs().cloned().collect(),
         locations,
         layouts,
         map: scores.map,
@@ -54,7 +55,7 @@ pub fn assemble(
             residual_history: cut.residual_history.clone(),
         },
         climb: None,
-        cost: StudyCost::default(),
+        cost: cost(),
         estimate: None,
     }
 }
@@ -75,7 +76,7 @@ pub(crate) fn failed_points(plan: &Plan, outcomes: &[Outcome]) -> Vec<FailedPoin
         Some(FailedPoint {
             ordinal,
             values: plan.values()[ordinal].clone(),
-            cause: unsolved.to_string(),
+            cause: unsolved.into(),
         })
     };
     outcomes.iter().enumerate().filter_map(failed).collect()

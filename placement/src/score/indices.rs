@@ -1,32 +1,45 @@
 //! Responses to indices per output: the strains at P1, P2, ... and those of the dense map, in one analysis.
 
-use fem_client::solver::Coarser;
-use fem_client::solver::{Response, StrainMap};
+use fem_client::solver::direction::{Direction, PerDirection};
+use fem_client::solver::{Coarser, Response, StrainMap};
 use gsa::campaign::Campaign;
-use gsa::method::analysis::Analysis;
+use gsa::method::analysis::{Analysis, Status};
 use ndarray::{Array2, Axis};
 
 use crate::result::{CoarserIndices, FormMisses, IndexError, IndexMap, MapLayer, Output};
 use crate::run::archive::Outcome;
+use crate::score::quantity::{at_locations, over_map};
 use crate::study::directions::Directions;
 
 /// Why an index has no error of the mesh.
 pub const NO_MESH_ERROR: &str = "no coarser mesh gave indices to compare with";
 
-/// Strain directions: circumferential and meridional.
-pub const DIRECTIONS: [&str; 2] = ["x", "y"];
-
 /// Indices of every output of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scores {
-    /// P1 x, P1 y, P2 x, ...
-    pub outputs: Vec<Output>,
-    /// M-DRM's indices of these outputs, wherever they exist, whether they hold or not.
-    pub mdrm_first_order: Vec<Option<Vec<f64>>>,
-    /// Error of each first-order index of these outputs.
-    pub index_errors: Vec<Option<Vec<f64>>>,
+    /// At P1, P2, ...
+    pub at_locations: Vec<PerDirection<Scored>>,
     /// Indices over the dense map, when the responses have one.
     pub map: Option<IndexMap>,
+}
+
+/// An output with what only the ranking needs of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scored {
+    /// Its indices.
+    pub output: Output,
+    /// M-DRM's indices, wherever they exist, whether they hold or not.
+    pub mdrm_first_order: Option<Vec<f64>>,
+    /// Error of each first-order index.
+    pub index_errors: Option<Vec<f64>>,
+}
+
+impl Scores {
+    /// The outputs at the locations: P1 x, P1 y, P2 x, ...
+    pub fn outputs(&self) -> impl Iterator<Item = &Output> {
+        let scored = self.at_locations.iter().flat_map(PerDirection::iter);
+        scored.map(|scored| &scored.output)
+    }
 }
 
 /// Those of them that the ranking rests on, and that an adaptive method serves: the locations', in the directions asked for.
@@ -38,10 +51,11 @@ pub fn ranked_values(outcomes: &[Outcome], directions: Directions) -> Array2<f64
 /// The locations' columns among all: those that the ranking rests on, and the others.
 fn location_columns(outcomes: &[Outcome], directions: Directions) -> [Vec<usize>; 2] {
     let first = outcomes.iter().flatten().next();
-    let columns = first.map_or(0, |first| DIRECTIONS.len() * first.locations.len());
-    let is_ranked = |column: &usize| directions.include(DIRECTIONS[column % DIRECTIONS.len()]);
-    let (ranked, others) = (0..columns).partition(is_ranked);
-    [ranked, others]
+    let locations = first.into_iter().flat_map(at_locations);
+    let columns = locations.flat_map(|_| Direction::ALL).enumerate();
+    let (ranked, others): (Vec<_>, Vec<_>) =
+        columns.partition(|(_, direction)| directions.include(*direction));
+    [ranked, others].map(|columns| columns.into_iter().map(|(column, _)| column).collect())
 }
 
 /// The same points on a coarser mesh.
@@ -89,9 +103,9 @@ pub fn values(outcomes: &[Outcome]) -> Array2<f64> {
         .iter()
         .flatten()
         .next()
-        .map_or(0, |first| strains(first).len());
+        .map_or(0, |first| readings(first).len());
     let row = |outcome: &Outcome| match outcome {
-        Ok(response) => strains(response),
+        Ok(response) => readings(response),
         Err(_) => vec![f64::NAN; columns],
     };
     let rows: Vec<Vec<f64>> = outcomes.iter().map(row).collect();
@@ -115,26 +129,19 @@ pub fn score(
         0 => MeshError::Exact,
         _ => MeshError::Unknown,
     };
-    let analyses = analysed(campaign, directions, outcomes, coarse, unseen);
-    let (at_locations, over_map) = analyses.split_at(2 * cut.locations.len());
-    let names = cut
-        .locations
-        .iter()
-        .flat_map(|l| DIRECTIONS.map(|d| (&l.name, d)));
+    let mut analyses = analysed(campaign, directions, outcomes, coarse, unseen).into_iter();
+    let mut next = || analyses.next().expect("an analysis of each reading");
+    let mut scored = |name: &str| PerDirection::of(|direction| scored(name, direction, &next()));
+    let names = cut.locations.iter().map(|location| &location.name);
+    let at_locations = names.map(|name| scored(name)).collect();
+    let over_map: Vec<Analysed> = analyses.collect();
+    let inputs = campaign.inputs().len();
     Scores {
-        outputs: names
-            .zip(at_locations)
-            .map(|((name, d), a)| output(name, d, a))
-            .collect(),
-        mdrm_first_order: at_locations
-            .iter()
-            .map(|output| output.analysis.mdrm_first_order.clone())
-            .collect(),
-        index_errors: at_locations.iter().map(total_by_input).collect(),
+        at_locations,
         map: cut
             .map
             .as_ref()
-            .map(|map| index_map(map, campaign.inputs().len(), over_map)),
+            .map(|map| index_map(map, inputs, &over_map)),
     }
 }
 
@@ -220,36 +227,39 @@ fn largest(errors: &[f64]) -> f64 {
     errors.iter().copied().fold(0.0, f64::max)
 }
 
-/// The outputs of one point: locations first, then the map's x layer and y layer.
-fn strains(response: &Response) -> Vec<f64> {
-    let mut strains: Vec<f64> = response
-        .locations
-        .iter()
-        .flat_map(|location| [location.strain_x, location.strain_y])
-        .collect();
-    if let Some(map) = &response.map {
-        strains.extend_from_slice(&map.strain_x);
-        strains.extend_from_slice(&map.strain_y);
-    }
-    strains
+/// What is read of one point: locations first, then the map's x layer and y layer.
+fn readings(response: &Response) -> Vec<f64> {
+    let map = response.map.iter().flat_map(|map| over_map(map).iter());
+    at_locations(response)
+        .flatten()
+        .chain(map.flatten().copied())
+        .collect()
 }
 
 fn std(analysis: &Analysis) -> Option<f64> {
     analysis.variance.map(f64::sqrt)
 }
 
-fn output(location: &str, direction: &str, analysed: &Analysed) -> Output {
+fn scored(location: &str, direction: Direction, analysed: &Analysed) -> Scored {
+    Scored {
+        output: output(location, direction, analysed),
+        mdrm_first_order: analysed.analysis.mdrm_first_order.clone(),
+        index_errors: total_by_input(analysed),
+    }
+}
+
+fn output(location: &str, direction: Direction, analysed: &Analysed) -> Output {
     let analysis = &analysed.analysis;
-    let broken = analysis.status == gsa::method::analysis::Status::ProductFormBroken;
+    let broken = analysis.status == Status::ProductFormBroken;
     Output {
         location: location.to_owned(),
-        direction: direction.to_owned(),
+        direction,
         mean: analysis.mean,
         std: std(analysis),
         first_order: analysis.first_order.clone(),
         total: analysis.total.clone(),
-        method: analysis.method.as_str().to_owned(),
-        status: analysis.status.as_str().to_owned(),
+        method: analysis.method,
+        status: analysis.status,
         reason: analysis.reason.clone(),
         mdrm_first_order: analysis.mdrm_first_order.clone().filter(|_| broken),
         error: index_error(analysed),
@@ -288,19 +298,22 @@ fn index_error(analysed: &Analysed) -> IndexError {
 }
 
 fn index_map(map: &StrainMap, inputs: usize, analyses: &[Analysed]) -> IndexMap {
-    let (x, y) = analyses.split_at(map.strain_x.len());
+    let mut rest = analyses;
+    let layer = |direction| {
+        let strain = &over_map(map)[direction];
+        let (own, others) = rest.split_at(strain.len());
+        rest = others;
+        layer(direction, strain, own, inputs)
+    };
     IndexMap {
         theta_deg: map.theta_deg.clone(),
         phi_deg: map.phi_deg.clone(),
-        layers: vec![
-            layer("x", &map.strain_x, x, inputs),
-            layer("y", &map.strain_y, y, inputs),
-        ],
+        layers: Direction::ALL.map(layer).to_vec(),
         shape: map.shape.clone(),
     }
 }
 
-fn layer(direction: &str, strain: &[f64], analyses: &[Analysed], inputs: usize) -> MapLayer {
+fn layer(direction: Direction, strain: &[f64], analyses: &[Analysed], inputs: usize) -> MapLayer {
     let index = |input: usize| {
         analyses
             .iter()
@@ -308,7 +321,7 @@ fn layer(direction: &str, strain: &[f64], analyses: &[Analysed], inputs: usize) 
             .collect()
     };
     MapLayer {
-        direction: direction.to_owned(),
+        direction,
         strain: strain.to_vec(),
         std: analyses
             .iter()
@@ -321,7 +334,7 @@ fn layer(direction: &str, strain: &[f64], analyses: &[Analysed], inputs: usize) 
             .collect(),
         status: analyses
             .iter()
-            .map(|output| output.analysis.status.as_str().to_owned())
+            .map(|output| output.analysis.status)
             .collect(),
     }
 }

@@ -1,9 +1,13 @@
 //! What the user must know before believing the numbers, in whole sentences made from the data.
 
 use fem_client::solver::Response;
+use fem_client::solver::direction::{Direction, PerDirection};
+use gsa::method::analysis::Status;
 
 use crate::result::{FailedPoint, Output, RankedLayout, RankedLocation};
-use crate::score::indices::{DIRECTIONS, NO_MESH_ERROR, Scores};
+use crate::score::indices::{NO_MESH_ERROR, Scores};
+use crate::score::location_scores::{GSI, SCORES};
+use crate::score::quantity::QUANTITY;
 use crate::score::rank::{Key, ordered, own_inputs};
 use crate::study::Study;
 use crate::study::plan::Plan;
@@ -26,14 +30,14 @@ pub(crate) fn notes(
     notes.extend(one_direction(study));
     notes.extend(without_equilibrium(study, plan, failed));
     notes.extend(
-        DIRECTIONS
-            .iter()
-            .filter_map(|direction| broken(scores, direction)),
+        PerDirection::of(|direction| broken(scores, direction))
+            .into_iter()
+            .flatten(),
     );
     notes.extend(
-        DIRECTIONS
-            .iter()
-            .filter_map(|direction| constant(scores, direction)),
+        PerDirection::of(|direction| constant(scores, direction))
+            .into_iter()
+            .flatten(),
     );
     notes.extend(mdrm_at_centre(study, scores));
     notes.extend(other_orders(locations));
@@ -54,19 +58,21 @@ pub(crate) fn notes(
 
 /// What the answer goes by, where one strain alone is asked for.
 fn one_direction(study: &Study) -> Option<String> {
-    let [asked] = study.directions.names() else {
+    let [asked] = study.directions.asked() else {
         return None;
     };
-    let other = DIRECTIONS.iter().find(|direction| *direction != asked)?;
+    let other = Direction::ALL
+        .iter()
+        .find(|direction| *direction != asked)?;
     Some(format!(
-        "Only the {asked} strain is asked for: ranks, layouts and the accuracy go by it. The {other} strain is what the same points give."
+        "Only the {asked} {QUANTITY} is asked for: ranks, layouts and the accuracy go by it. The {other} {QUANTITY} is what the same points give."
     ))
 }
 
 /// That the mesh's part of the errors is missing, where it is.
 fn without_mesh_error(scores: &Scores) -> Option<String> {
     let indexed = |output: &&Output| output.first_order.is_some();
-    let mut outputs = scores.outputs.iter().filter(indexed);
+    let mut outputs = scores.outputs().filter(indexed);
     let without = outputs.find(|output| output.error.mesh.is_none())?;
     Some(match without.error.total {
         Some(_) => format!("The errors of the indices leave out the mesh: {NO_MESH_ERROR}."),
@@ -130,9 +136,9 @@ fn away_from_means(study: &Study, plan: &Plan, point: &FailedPoint) -> String {
     moved.join(", ")
 }
 
-fn with_status<'s>(scores: &'s Scores, direction: &str, status: &str) -> Vec<&'s Output> {
+fn with_status(scores: &Scores, direction: Direction, status: Status) -> Vec<&Output> {
     let matches = |output: &&Output| output.direction == direction && output.status == status;
-    scores.outputs.iter().filter(matches).collect()
+    scores.outputs().filter(matches).collect()
 }
 
 fn names<'o>(outputs: &[&'o Output]) -> Vec<&'o str> {
@@ -142,20 +148,20 @@ fn names<'o>(outputs: &[&'o Output]) -> Vec<&'o str> {
         .collect()
 }
 
-fn broken(scores: &Scores, direction: &str) -> Option<String> {
-    let outputs = with_status(scores, direction, "product-form-broken");
-    let method = &outputs.first()?.method;
+fn broken(scores: &Scores, direction: Direction) -> Option<String> {
+    let outputs = with_status(scores, direction, Status::ProductFormBroken);
+    let method = outputs.first()?.method.as_str();
     Some(format!(
-        "M-DRM's product form doesn't hold for the {direction} strain at {}: the {method} reduction gives the indices there.",
+        "M-DRM's product form doesn't hold for the {direction} {QUANTITY} at {}: the {method} reduction gives the indices there.",
         listed(&names(&outputs))
     ))
 }
 
-fn constant(scores: &Scores, direction: &str) -> Option<String> {
-    let outputs = with_status(scores, direction, "constant");
+fn constant(scores: &Scores, direction: Direction) -> Option<String> {
+    let outputs = with_status(scores, direction, Status::Constant);
     outputs.first()?;
     Some(format!(
-        "The {direction} strain at {} doesn't vary with the inputs, so it has no indices.",
+        "The {direction} {QUANTITY} at {} doesn't vary with the inputs, so it has no indices.",
         listed(&names(&outputs))
     ))
 }
@@ -163,10 +169,10 @@ fn constant(scores: &Scores, direction: &str) -> Option<String> {
 /// Where M-DRM would say something else at the contact centre, it is said in figures.
 fn mdrm_at_centre(study: &Study, scores: &Scores) -> Vec<String> {
     let mut notes = Vec::new();
-    let centre = scores.outputs.len() / DIRECTIONS.len() / 2 * DIRECTIONS.len();
-    for i in centre..centre + DIRECTIONS.len() {
-        let output = &scores.outputs[i];
-        let (Some(chosen), Some(mdrm)) = (&output.first_order, &scores.mdrm_first_order[i]) else {
+    let centre = &scores.at_locations[scores.at_locations.len() / 2];
+    for scored in centre.iter() {
+        let output = &scored.output;
+        let (Some(chosen), Some(mdrm)) = (&output.first_order, &scored.mdrm_first_order) else {
             continue;
         };
         let differs =
@@ -178,8 +184,8 @@ fn mdrm_at_centre(study: &Study, scores: &Scores) -> Vec<String> {
             .filter(differs)
         {
             notes.push(format!(
-                "M-DRM would give {:.1} % to {} in the {} strain at {}, where the {} reduction gives {:.1} %.",
-                100.0 * mdrm, input.name, output.direction, output.location, output.method, 100.0 * chosen
+                "M-DRM would give {:.1} % to {} in the {} {QUANTITY} at {}, where the {} reduction gives {:.1} %.",
+                100.0 * mdrm, input.name, output.direction, output.location, output.method.as_str(), 100.0 * chosen
             ));
         }
     }
@@ -188,49 +194,30 @@ fn mdrm_at_centre(study: &Study, scores: &Scores) -> Vec<String> {
 
 /// Other fair ways to rank, where they disagree with the default one.
 fn other_orders(locations: &[RankedLocation]) -> Vec<String> {
-    let orders: [(&str, Key, Key); 4] = [
-        (
-            "x strain, averaged over all locations,",
-            |l| l.gsi_x_percent,
-            |l| l.mean_gsi_x_percent,
-        ),
-        (
-            "y strain, averaged over all locations,",
-            |l| l.gsi_y_percent,
-            |l| l.mean_gsi_y_percent,
-        ),
-        (
-            "x strain at each location itself",
-            |l| l.gsi_x_percent,
-            |l| l.own_gsi_x_percent,
-        ),
-        (
-            "y strain at each location itself",
-            |l| l.gsi_y_percent,
-            |l| l.own_gsi_y_percent,
-        ),
-    ];
-    let in_order = |key: Key| -> Vec<&str> {
-        ordered(locations, &[key])
-            .into_iter()
-            .map(|i| locations[i].name.as_str())
-            .collect()
+    let in_order = |key: Key<'_>| -> Vec<&str> {
+        let order = ordered(locations, &[key]).into_iter();
+        order.map(|i| locations[i].name.as_str()).collect()
     };
+    let others = SCORES
+        .iter()
+        .filter_map(|score| Some((score, score.other_order?)));
     let mut notes = Vec::new();
-    for (what, at_centre, other) in orders {
-        if locations
-            .iter()
-            .any(|location| other(location).is_none() != at_centre(location).is_none())
-        {
-            continue;
-        }
-        let (default, found) = (in_order(at_centre), in_order(other));
-        if default != found {
-            notes.push(format!(
-                "By the {what} the order is {}; by the same strain at the contact centre it is {}.",
-                found.join(", "),
-                default.join(", ")
-            ));
+    for (score, what) in others {
+        for direction in Direction::ALL {
+            let at_centre = |location: &RankedLocation| location.value(GSI, direction);
+            let other = |location: &RankedLocation| location.value(score, direction);
+            let differ = |l: &RankedLocation| other(l).is_none() != at_centre(l).is_none();
+            if locations.iter().any(differ) {
+                continue;
+            }
+            let (default, found) = (in_order(&at_centre), in_order(&other));
+            if default != found {
+                notes.push(format!(
+                    "By the {direction} {QUANTITY}{what} the order is {}; by the same {QUANTITY} at the contact centre it is {}.",
+                    found.join(", "),
+                    default.join(", ")
+                ));
+            }
         }
     }
     notes
@@ -316,11 +303,10 @@ fn symmetry(study: &Study, cut: &Response, locations: &[RankedLocation]) -> Opti
     let pairs: Vec<String> = (0..own.len() / 2)
         .filter_map(|i| {
             let (left, right) = (by_name(i)?, by_name(last - i)?);
-            let difference = |key: Key| Some((key(left)? - key(right)?).abs());
-            let (x, y) = (
-                difference(|l| l.gsi_x_percent)?,
-                difference(|l| l.gsi_y_percent)?,
-            );
+            let gsi = |location: &RankedLocation, direction| location.value(GSI, direction);
+            let difference =
+                |direction| Some((gsi(left, direction)? - gsi(right, direction)?).abs());
+            let (x, y) = (difference(Direction::X)?, difference(Direction::Y)?);
             Some(format!(
                 "{} with {} by {x:.1e} (x) and {y:.1e} (y)",
                 left.name, right.name

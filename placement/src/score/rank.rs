@@ -4,10 +4,12 @@
 //! the own input's first-order indices for the x and the y strain at the contact centre, or by the one that is asked for; equal sums
 //! (shares within 1e-9) are ordered by x, then by name. A location without an index comes last.
 
+use fem_client::solver::direction::{Direction, PerDirection};
 use gsa::judge::certainty::{Estimate, places_certain};
 
-use crate::result::{Output, RankedLocation};
-use crate::score::indices::Scores;
+use crate::result::RankedLocation;
+use crate::score::indices::{Scored, Scores};
+use crate::score::location_scores::{Figure, GSI, LocationScores, OwnIndex, OwnIndices};
 use crate::study::Study;
 use crate::study::directions::Directions;
 
@@ -33,27 +35,26 @@ pub fn own_inputs(study: &Study, locations: usize) -> Vec<Option<usize>> {
 
 /// Ranks the locations, best first.
 pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
-    let matrix = Matrix::new(scores);
-    let own = own_inputs(study, matrix.x.len());
+    let own = own_inputs(study, scores.at_locations.len());
     let mut locations: Vec<RankedLocation> = own
         .iter()
         .enumerate()
         .map(|(i, input)| RankedLocation {
             input: input.map(|input| study.inputs[input].name.clone()),
-            ..matrix.unranked(i, *input)
+            ..unranked(scores, i, *input)
         })
         .collect();
-    for (column, place) in [
-        (gsi_x as Key, set_rank_x as fn(&mut RankedLocation, usize)),
-        (gsi_y, set_rank_y),
-    ] {
-        for (rank, i) in ordered(&locations, &[column]).into_iter().enumerate() {
-            if column(&locations[i]).is_some() {
-                place(&mut locations[i], rank + 1);
+    for direction in Direction::ALL {
+        let gsi = |location: &RankedLocation| location.value(GSI, direction);
+        for (rank, i) in ordered(&locations, &[&gsi]).into_iter().enumerate() {
+            if gsi(&locations[i]).is_some() {
+                locations[i].ranks[direction] = Some(rank + 1);
             }
         }
     }
-    let order = ordered(&locations, &[default_key(study.directions), gsi_x]);
+    let gsi_x = |location: &RankedLocation| location.value(GSI, Direction::X);
+    let default = |location: &RankedLocation| default_key(location, study.directions);
+    let order = ordered(&locations, &[&default, &gsi_x]);
     let mut ranked: Vec<RankedLocation> = order.iter().map(|i| locations[*i].clone()).collect();
     for (i, location) in ranked.iter_mut().enumerate() {
         location.rank = i + 1;
@@ -62,48 +63,70 @@ pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
     ranked
 }
 
+/// A location with its scores: what each output says of its own input.
+fn unranked(scores: &Scores, location: usize, input: Option<usize>) -> RankedLocation {
+    let percent = |indices: &Option<Vec<f64>>| Some(100.0 * indices.as_ref()?[input?]);
+    let own_index = |scored: &Scored| OwnIndex {
+        index: percent(&scored.output.first_order),
+        error: percent(&scored.index_errors),
+        mdrm_index: percent(&scored.mdrm_first_order),
+    };
+    let everywhere = PerDirection::of(|direction| {
+        let scored = scores.at_locations.iter().map(|at| &at[direction]);
+        scored.map(own_index).collect::<Vec<OwnIndex>>()
+    });
+    RankedLocation {
+        name: scores.at_locations[location].x.output.location.clone(),
+        input: None,
+        rank: 0,
+        scores: LocationScores::of(|score, direction| {
+            (score.compute)(&OwnIndices {
+                everywhere: &everywhere[direction],
+                location,
+            })
+        }),
+        ranks: PerDirection::default(),
+        rank_certain: false,
+    }
+}
+
 /// A figure of a location, where it has one.
-pub(crate) type Key = fn(&RankedLocation) -> Option<f64>;
+pub(crate) type Key<'k> = &'k dyn Fn(&RankedLocation) -> Option<f64>;
 
 /// What the default order goes by: the index that is asked for, or the sum of both, percent.
-fn default_key(directions: Directions) -> Key {
-    match directions {
-        Directions::Both => |location| Some(location.gsi_x_percent? + location.gsi_y_percent?),
-        Directions::X => gsi_x,
-        Directions::Y => gsi_y,
-    }
+fn default_key(location: &RankedLocation, directions: Directions) -> Option<f64> {
+    of_asked(
+        location.scores.of_score(GSI),
+        directions,
+        |gsi| gsi.value,
+        |x, y| x + y,
+    )
 }
 
 /// Its error; the two of a sum come from different outputs.
-fn key_error(directions: Directions) -> Key {
-    match directions {
-        Directions::Both => |location| {
-            let x = location.gsi_x_error_percent?;
-            Some(x.hypot(location.gsi_y_error_percent?))
-        },
-        Directions::X => |location| location.gsi_x_error_percent,
-        Directions::Y => |location| location.gsi_y_error_percent,
-    }
+fn key_error(location: &RankedLocation, directions: Directions) -> Option<f64> {
+    of_asked(
+        location.scores.of_score(GSI),
+        directions,
+        |gsi| gsi.error,
+        f64::hypot,
+    )
 }
 
-fn gsi_x(location: &RankedLocation) -> Option<f64> {
-    location.gsi_x_percent
-}
-
-fn gsi_y(location: &RankedLocation) -> Option<f64> {
-    location.gsi_y_percent
-}
-
-fn set_rank_x(location: &mut RankedLocation, rank: usize) {
-    location.rank_x = Some(rank);
-}
-
-fn set_rank_y(location: &mut RankedLocation, rank: usize) {
-    location.rank_y = Some(rank);
+/// A part of the figures that are asked for, joined where there are two; `None` where one is missing.
+fn of_asked(
+    figures: &PerDirection<Figure>,
+    directions: Directions,
+    part: fn(&Figure) -> Option<f64>,
+    join: fn(f64, f64) -> f64,
+) -> Option<f64> {
+    let asked = directions.asked().iter();
+    let parts: Option<Vec<f64>> = asked.map(|&direction| part(&figures[direction])).collect();
+    parts?.into_iter().reduce(join)
 }
 
 /// Order of the locations by the keys, greatest first, missing ones last; what all keys call equal goes by name.
-pub fn ordered(locations: &[RankedLocation], keys: &[Key]) -> Vec<usize> {
+pub(crate) fn ordered(locations: &[RankedLocation], keys: &[Key<'_>]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..locations.len()).collect();
     order.sort_by(|a, b| locations[*a].name.cmp(&locations[*b].name));
     sort_by_keys(&mut order, locations, keys);
@@ -112,7 +135,7 @@ pub fn ordered(locations: &[RankedLocation], keys: &[Key]) -> Vec<usize> {
 
 /// Sorts by the first key, then each run of nearly equal ones by the next keys. Comparing with a tolerance inside one
 /// sort would not be an order: a ~ b and b ~ c without a ~ c.
-fn sort_by_keys(order: &mut [usize], locations: &[RankedLocation], keys: &[Key]) {
+fn sort_by_keys(order: &mut [usize], locations: &[RankedLocation], keys: &[Key<'_>]) {
     let Some((key, rest)) = keys.split_first() else {
         order.sort_by(|a, b| locations[*a].name.cmp(&locations[*b].name));
         return;
@@ -129,11 +152,10 @@ fn sort_by_keys(order: &mut [usize], locations: &[RankedLocation], keys: &[Key])
 /// A rank is certain if its location truly outranks all others, or is outranked, with the probability of
 /// [`gsa::judge::certainty`]; locations that tie share their place.
 fn mark_certain(ranked: &mut [RankedLocation], directions: Directions) {
-    let (key, key_error) = (default_key(directions), key_error(directions));
     let known = |location: &RankedLocation| {
         Some(Estimate {
-            value: key(location)?,
-            error: key_error(location).unwrap_or(f64::INFINITY),
+            value: default_key(location, directions)?,
+            error: key_error(location, directions).unwrap_or(f64::INFINITY),
         })
     };
     let estimates: Vec<Option<Estimate>> = ranked.iter().map(known).collect();
@@ -145,84 +167,34 @@ fn mark_certain(ranked: &mut [RankedLocation], directions: Directions) {
     }
 }
 
-/// Outputs by direction and location.
-struct Matrix<'s> {
-    x: Vec<Cell<'s>>,
-    y: Vec<Cell<'s>>,
-}
-
-/// An output with M-DRM's indices of it, and the errors of its own.
-type Cell<'s> = (&'s Output, &'s Option<Vec<f64>>, &'s Option<Vec<f64>>);
-
-impl<'s> Matrix<'s> {
-    fn new(scores: &'s Scores) -> Self {
-        let parts = scores.mdrm_first_order.iter().zip(&scores.index_errors);
-        let all = scores.outputs.iter().zip(parts);
-        let (x, y) = all
-            .map(|(output, (mdrm, errors))| (output, mdrm, errors))
-            .partition(|(output, ..)| output.direction == "x");
-        Self { x, y }
-    }
-
-    fn unranked(&self, location: usize, input: Option<usize>) -> RankedLocation {
-        let percent = |indices: Option<&Vec<f64>>| Some(100.0 * indices?[input?]);
-        let at = |output: &Output| percent(output.first_order.as_ref());
-        let centre = self.x.len() / 2;
-        let mean = |column: &[Cell<'_>]| {
-            let known: Vec<f64> = column
-                .iter()
-                .filter_map(|(output, ..)| at(output))
-                .collect();
-            (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
-        };
-        RankedLocation {
-            name: self.x[location].0.location.clone(),
-            input: None,
-            rank: 0,
-            gsi_x_percent: at(self.x[centre].0),
-            gsi_y_percent: at(self.y[centre].0),
-            gsi_x_error_percent: percent(self.x[centre].2.as_ref()),
-            gsi_y_error_percent: percent(self.y[centre].2.as_ref()),
-            mean_gsi_x_percent: mean(&self.x),
-            mean_gsi_y_percent: mean(&self.y),
-            own_gsi_x_percent: at(self.x[location].0),
-            own_gsi_y_percent: at(self.y[location].0),
-            mdrm_gsi_x_percent: percent(self.x[centre].1.as_ref()),
-            mdrm_gsi_y_percent: percent(self.y[centre].1.as_ref()),
-            rank_x: None,
-            rank_y: None,
-            rank_certain: false,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::score::location_scores::Score;
 
-    fn location(
-        name: &str,
-        gsi_x_percent: Option<f64>,
-        gsi_y_percent: Option<f64>,
-    ) -> RankedLocation {
+    fn location(name: &str, x: Option<f64>, y: Option<f64>) -> RankedLocation {
+        let gsi = PerDirection { x, y };
+        let figure = |score: &Score, direction| Figure {
+            value: gsi[direction].filter(|_| score.name == GSI.name),
+            error: None,
+        };
         RankedLocation {
             name: name.to_owned(),
             input: None,
             rank: 0,
-            gsi_x_percent,
-            gsi_y_percent,
-            gsi_x_error_percent: None,
-            gsi_y_error_percent: None,
-            mean_gsi_x_percent: None,
-            mean_gsi_y_percent: None,
-            own_gsi_x_percent: None,
-            own_gsi_y_percent: None,
-            mdrm_gsi_x_percent: None,
-            mdrm_gsi_y_percent: None,
-            rank_x: None,
-            rank_y: None,
+            scores: LocationScores::of(figure),
+            ranks: PerDirection::default(),
             rank_certain: false,
         }
+    }
+
+    fn names(locations: &[RankedLocation], order: Vec<usize>) -> Vec<&str> {
+        let ordered = order.into_iter().map(|i| &locations[i]);
+        ordered.map(|location| location.name.as_str()).collect()
+    }
+
+    fn sum(location: &RankedLocation) -> Option<f64> {
+        default_key(location, Directions::Both)
     }
 
     #[test]
@@ -234,12 +206,9 @@ mod tests {
             location("P1", Some(10.0 + 1e-9), Some(20.0)),
             location("P4", Some(30.0), Some(30.0)),
         ];
-        let order = ordered(&locations, &[default_key(Directions::Both), gsi_x]);
-        let names: Vec<&str> = order
-            .into_iter()
-            .map(|i| locations[i].name.as_str())
-            .collect();
-        assert_eq!(names, ["P4", "P3", "P1", "P2", "P0"]);
+        let gsi_x = |location: &RankedLocation| location.value(GSI, Direction::X);
+        let order = ordered(&locations, &[&sum, &gsi_x]);
+        assert_eq!(names(&locations, order), ["P4", "P3", "P1", "P2", "P0"]);
     }
 
     #[test]
@@ -248,24 +217,25 @@ mod tests {
         let chain: Vec<RankedLocation> = (0..40)
             .map(|i| location(&format!("P{i:02}"), Some(0.6e-7 * f64::from(i)), Some(0.0)))
             .collect();
-        let names = |locations: &[RankedLocation]| -> Vec<String> {
-            let order = ordered(locations, &[default_key(Directions::Both)]);
-            order
-                .into_iter()
-                .map(|i| locations[i].name.clone())
-                .collect()
-        };
         let mut reversed = chain.clone();
         reversed.reverse();
-        assert_eq!(names(&chain), names(&reversed));
-        assert!(names(&chain).is_sorted());
+        let in_order = |locations| names(locations, ordered(locations, &[&sum]));
+        assert_eq!(in_order(&chain), in_order(&reversed));
+        assert!(in_order(&chain).is_sorted());
     }
 
     /// With the same error of every sum, all of it from x.
     fn mark_certain_with(ranked: &mut [RankedLocation], error: Option<f64>) {
         for location in ranked.iter_mut() {
-            location.gsi_x_error_percent = error;
-            location.gsi_y_error_percent = Some(0.0);
+            let gsi = location.scores.clone();
+            let errors = PerDirection {
+                x: error,
+                y: Some(0.0),
+            };
+            location.scores = LocationScores::of(|score, direction| Figure {
+                value: gsi.of_score(score)[direction].value,
+                error: errors[direction],
+            });
         }
         mark_certain(ranked, Directions::Both);
     }

@@ -6,6 +6,7 @@
 use fem_client::document::fault::{Fault, entry};
 use fem_client::document::fields::{Fields, Range, choice, number, shown};
 use fem_client::solver::Grid;
+use fem_client::solver::direction::Direction;
 use serde_json::Value;
 
 use crate::study::directions::Directions;
@@ -38,11 +39,11 @@ fn directions(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Directions
     let Some((value, pointer)) = fields.get("directions") else {
         return Some(Directions::Both);
     };
-    let known = [("x", "x"), ("y", "y")];
-    let names = list(value, &pointer, known.len(), faults, |value, at, faults| {
+    let known = Direction::ALL.map(|direction| (direction.as_str(), direction));
+    let named = list(value, &pointer, known.len(), faults, |value, at, faults| {
         choice(value, at, &known, faults)
     })?;
-    let directions = Directions::named(&names);
+    let directions = Directions::of(&named);
     if directions.is_none() {
         Fault::add(faults, &pointer, "must name x, y or both; it is empty");
     }

@@ -10,6 +10,8 @@
 //! dimensions: for the x strain alone that was tried (`docs/ring.md`). The scene decides how much of the tire is meshed:
 //! [`tire::model`].
 
+use fem_client::solver::direction::{Direction, PerDirection};
+
 /// Directions of the strains that are asked for: x circumferential, y meridional.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Directions {
@@ -23,19 +25,19 @@ pub enum Directions {
 }
 
 impl Directions {
-    /// Their names in documents, x first.
-    pub fn names(self) -> &'static [&'static str] {
+    /// Those that are asked for, x first.
+    pub fn asked(self) -> &'static [Direction] {
         match self {
-            Self::Both => &["x", "y"],
-            Self::X => &["x"],
-            Self::Y => &["y"],
+            Self::Both => &Direction::ALL,
+            Self::X => &[Direction::X],
+            Self::Y => &[Direction::Y],
         }
     }
 
-    /// Those with these names; `None` where there is none.
-    pub(crate) fn named(names: &[&str]) -> Option<Self> {
-        let has = |name| names.contains(&name);
-        match (has("x"), has("y")) {
+    /// All of these; `None` of none.
+    pub(crate) fn of(directions: &[Direction]) -> Option<Self> {
+        let has = PerDirection::of(|direction| directions.contains(&direction));
+        match (has.x, has.y) {
             (true, true) => Some(Self::Both),
             (true, false) => Some(Self::X),
             (false, true) => Some(Self::Y),
@@ -44,8 +46,8 @@ impl Directions {
     }
 
     /// Whether a direction is asked for.
-    pub fn include(self, name: &str) -> bool {
-        self.names().contains(&name)
+    pub fn include(self, direction: Direction) -> bool {
+        self.asked().contains(&direction)
     }
 }
 
@@ -56,13 +58,13 @@ mod tests {
     #[test]
     fn names_say_which_they_are_in_any_order() {
         for directions in [Directions::Both, Directions::X, Directions::Y] {
-            let mut names = directions.names().to_vec();
-            names.reverse();
-            assert_eq!(Directions::named(&names), Some(directions));
-            for name in ["x", "y"] {
-                assert_eq!(directions.include(name), names.contains(&name));
+            let mut asked = directions.asked().to_vec();
+            asked.reverse();
+            assert_eq!(Directions::of(&asked), Some(directions));
+            for direction in Direction::ALL {
+                assert_eq!(directions.include(direction), asked.contains(&direction));
             }
         }
-        assert_eq!(Directions::named(&[]), None);
+        assert_eq!(Directions::of(&[]), None);
     }
 }

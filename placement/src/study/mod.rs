@@ -125,7 +125,9 @@ impl Study {
         let mut candidates = Map::new();
         candidates.insert("points".to_owned(), "P1-P5".into());
         if self.directions != Directions::Both {
-            candidates.insert("directions".to_owned(), self.directions.names().into());
+            let asked = self.directions.asked().iter();
+            let names: Value = asked.map(|direction| direction.as_str()).collect();
+            candidates.insert("directions".to_owned(), names);
         }
         if let Some(grid) = self.grid {
             let grid = json!({

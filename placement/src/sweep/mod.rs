@@ -12,19 +12,18 @@ mod wish;
 use std::collections::HashMap;
 
 use fem_client::document::fault::{Fault, member};
-use fem_client::document::fields::{Fields, visible};
+use fem_client::document::fields::Fields;
+use fem_client::document::visible::visible;
 use fem_client::scene::edit::put_in;
 use serde_json::{Map, Value, json};
 
 pub use typed::{typed_grid, typed_settings};
-use wish::{Wish, field_of, names, of_grid, of_list};
+pub use wish::MOST_DESIGNS;
+use wish::{Wish, field_of, name, names, of_grid, of_list};
 
 use crate::study::Study;
-use crate::study::input_reader::read_name;
 use crate::study::study_reader::{LONGEST_NAME, Resolve};
 
-/// Most designs of a sweep.
-pub const MOST_DESIGNS: usize = 1000;
 /// Most solves that all designs of a document ask for at first: each is planned before anything is stored.
 const MOST_SOLVES: usize = 100_000;
 /// Parts of a study's document that aren't its scene.
@@ -93,14 +92,6 @@ fn with_designs(base: Study, fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Op
         base,
         designs,
     })
-}
-
-/// None after a fault.
-fn name(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Option<String>> {
-    match fields.get("name") {
-        None => Some(None),
-        Some(_) => read_name(fields, "name", LONGEST_NAME, faults).map(Some),
-    }
 }
 
 /// A sweep of a checked study over a grid: lists of values by path.

@@ -86,7 +86,7 @@ fn plan(refinement: usize) -> MeshPlan {
 /// Reaction, and strains at the centre.
 fn figures(solved: &Solved) -> [f64; 3] {
     let centre = &solved.response.locations[2];
-    [solved.response.reaction_n, centre.strain_x, centre.strain_y]
+    [solved.response.reaction_n, centre.strain.x, centre.strain.y]
 }
 
 #[test]
@@ -135,8 +135,8 @@ fn an_uneven_ground_and_its_mirror_image_give_mirrored_strains() {
     let (one, other) = (solve(&calculix, &there), solve(&calculix, &back));
     assert_close(one.reaction_n, other.reaction_n, PRINTED);
     for (a, b) in one.locations.iter().zip(other.locations.iter().rev()) {
-        assert_close(a.strain_x, b.strain_x, PRINTED);
-        assert_close(a.strain_y, b.strain_y, PRINTED);
+        assert_close(a.strain.x, b.strain.x, PRINTED);
+        assert_close(a.strain.y, b.strain.y, PRINTED);
     }
     let embedded = solve(&EmbeddedSolver::default(), &there);
     assert_close(
@@ -145,7 +145,7 @@ fn an_uneven_ground_and_its_mirror_image_give_mirrored_strains() {
         ELEMENTS_DIFFER_ON_DRAFT,
     );
     for (a, b) in one.locations.iter().zip(&embedded.locations) {
-        assert_close(a.strain_y, b.strain_y, ELEMENTS_DIFFER_ON_DRAFT);
+        assert_close(a.strain.y, b.strain.y, ELEMENTS_DIFFER_ON_DRAFT);
     }
 }
 
@@ -168,8 +168,8 @@ fn equal_laws_in_other_words_give_equal_answers() {
         let (a, b) = (solve(one), solve(other));
         assert_close(a.reaction_n, b.reaction_n, PRINTED);
         for (a, b) in a.locations.iter().zip(&b.locations) {
-            assert_close(a.strain_x, b.strain_x, PRINTED);
-            assert_close(a.strain_y, b.strain_y, PRINTED);
+            assert_close(a.strain.x, b.strain.x, PRINTED);
+            assert_close(a.strain.y, b.strain.y, PRINTED);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{LENGTH, MODULUS};
+use super::shared_ranges::{LENGTH, MODULUS};
 use crate::document::fault::Fault;
 use crate::document::fields::{Fields, Range, plain};
 use crate::scene::{Film, Geometry};

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::LENGTH;
+use super::shared_ranges::LENGTH;
 use crate::document::fault::{Fault, member};
 use crate::document::fields::{Fields, Range, plain, shown};
 use crate::scene::{Geometry, GeometryKind};

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::LENGTH;
+use super::shared_ranges::LENGTH;
 use crate::document::fault::{Fault, entry};
 use crate::document::fields::{Fields, Range, number, plain, shown};
 use crate::scene::{Geometry, Ground, StationFunctions};

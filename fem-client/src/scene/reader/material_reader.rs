@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{MODULUS, MODULUS_OR_ZERO};
+use super::shared_ranges::{MODULUS, MODULUS_OR_ZERO};
 use crate::document::fault::{Fault, entry, member};
 use crate::document::fields::{Fields, Range, alternatives, number, plain, shown};
 use crate::scene::{Law, Material, OgdenTerm};

@@ -8,6 +8,7 @@
 use fem::cell::mesh::SurfacePoint;
 use fem::surface::chart::Recovery;
 use fem::surface::stretch::Stretch;
+use fem_client::solver::direction::Direction;
 
 /// Stretches of the equilibrium and of the inflated state.
 #[derive(Debug, Clone, Copy)]
@@ -24,14 +25,12 @@ impl States {
         self.current.along(angle) / self.inflated.along(angle) - 1.0
     }
 
-    /// The signal along s1.
-    pub fn signal_x(&self) -> f64 {
-        self.current.s1 / self.inflated.s1 - 1.0
-    }
-
-    /// The signal along s2.
-    pub fn signal_y(&self) -> f64 {
-        self.current.s2 / self.inflated.s2 - 1.0
+    /// The signal in a direction of the surface: x is along s1, y along s2.
+    pub fn signal_in(&self, direction: Direction) -> f64 {
+        match direction {
+            Direction::X => self.current.s1 / self.inflated.s1 - 1.0,
+            Direction::Y => self.current.s2 / self.inflated.s2 - 1.0,
+        }
     }
 }
 

@@ -9,14 +9,27 @@ use fem::tensor::Vector;
 use crate::model::{TireModel, cord_families, film_law};
 use crate::readout::probe::{Probe, States};
 use fem_client::scene::Scene;
+use fem_client::solver::direction::PerDirection;
 use fem_client::solver::gauge::{Gauge, GaugeError, GaugeReading};
 use fem_client::solver::{
     CarcassState, Extremes, FilmState, Grid, Inflated, LocationError, LocationStrain, MapShape,
-    ModelSummary, Position, Readout, Response, ResponseError, Ring, Section, StrainMap, StrainPair,
+    ModelSummary, Position, Readout, Response, ResponseError, Ring, Section, StrainMap,
 };
 
 /// Bound of the exponent n in "reaction proportional to depth^n": 1 for a membrane under pressure, 1.5 for a Hertz sphere.
 const DEPTH_EXPONENT: f64 = 1.5;
+
+/// What the state doesn't show: the solver's part of a response, field by field as in [`Response`].
+pub struct Diagnostics {
+    /// Largest |J - 1| of an element's mean.
+    pub max_volume_change: f64,
+    /// Newton iterations of all load steps.
+    pub newton_iterations: usize,
+    /// Residual norms, one list per load step.
+    pub residual_history: Vec<Vec<f64>>,
+    /// What was modelled.
+    pub model: ModelSummary,
+}
 
 /// Reads one equilibrium.
 pub struct Reader<'m> {
@@ -53,23 +66,23 @@ impl<'m> Reader<'m> {
         }
     }
 
-    /// The response without its solver diagnostics, which the caller fills in.
-    pub fn response(&self, readout: &Readout) -> Response {
+    /// The response, with what its solver says of the way there.
+    pub fn response(&self, readout: &Readout, diagnostics: Diagnostics) -> Response {
         let locations = self.locations();
         Response {
             reaction_n: self.reaction().0,
             error: self.error(&locations),
             locations,
             section: Section {
-                crown: self.pair(0.0, Position::Crown.angle_deg().to_radians()),
-                shoulder: self.pair(0.0, Position::Shoulder.angle_deg().to_radians()),
-                sidewall: self.pair(0.0, Position::Sidewall.angle_deg().to_radians()),
+                crown: self.strain(0.0, Position::Crown.angle_deg().to_radians()),
+                shoulder: self.strain(0.0, Position::Shoulder.angle_deg().to_radians()),
+                sidewall: self.strain(0.0, Position::Sidewall.angle_deg().to_radians()),
             },
             inflated: self.inflated_summary(),
-            max_volume_change: 0.0,
-            newton_iterations: 0,
-            residual_history: Vec::new(),
-            model: ModelSummary::default(),
+            max_volume_change: diagnostics.max_volume_change,
+            newton_iterations: diagnostics.newton_iterations,
+            residual_history: diagnostics.residual_history,
+            model: diagnostics.model,
             map: readout.grid.as_ref().map(|grid| StrainMap {
                 shape: readout.shape.then(|| self.shape(grid)),
                 ..self.map(grid)
@@ -110,20 +123,17 @@ impl<'m> Reader<'m> {
             .map(|k| {
                 let theta = (k as f64 - centre) * ground.station_spacing_mm / self.inflated_radius;
                 let probe = self.probe(theta, 0.0);
-                let (x, y) = (
-                    probe.estimate(States::signal_x),
-                    probe.estimate(States::signal_y),
-                );
+                let strain = PerDirection::of(|direction| {
+                    probe.estimate(|states| states.signal_in(direction))
+                });
                 let von_mises = probe.estimate(|states| self.von_mises(states));
                 LocationStrain {
                     name: format!("P{}", k + 1),
                     theta_deg: theta.to_degrees(),
-                    strain_x: x.value,
-                    strain_y: y.value,
+                    strain: strain.map(|strain| strain.value),
                     von_mises_mpa: von_mises.value,
                     error: Some(LocationError {
-                        strain_x: x.error,
-                        strain_y: y.error,
+                        strain: strain.map(|strain| strain.error),
                         von_mises_mpa: von_mises.error,
                     }),
                 }
@@ -186,8 +196,8 @@ impl<'m> Reader<'m> {
 
     fn error(&self, locations: &[LocationStrain]) -> ResponseError {
         let errors = locations.iter().filter_map(|location| location.error);
-        let (strain_x, strain_y) = errors.fold((0.0, 0.0), |(x, y): (f64, f64), error| {
-            (x.max(error.strain_x), y.max(error.strain_y))
+        let strain = errors.fold(PerDirection::default(), |largest, error| {
+            largest.zip(error.strain).map(|(a, b): (f64, f64)| a.max(b))
         });
         let (reaction, penetration) = self.reaction();
         let depth = self
@@ -203,8 +213,7 @@ impl<'m> Reader<'m> {
             } else {
                 0.0
             },
-            strain_x,
-            strain_y,
+            strain,
         }
     }
 
@@ -237,12 +246,9 @@ impl<'m> Reader<'m> {
                 tensions[k].include(tension[k]);
             }
         }
-        let ([stretch_x, stretch_y], [tension_x, tension_y]) = (stretches, tensions);
         Some(FilmState {
-            stretch_x,
-            stretch_y,
-            tension_x_n_per_mm: tension_x,
-            tension_y_n_per_mm: tension_y,
+            stretch: stretches.into(),
+            tension_n_per_mm: tensions.into(),
         })
     }
 
@@ -262,22 +268,18 @@ impl<'m> Reader<'m> {
         let stretch = self.inflated.at(self.model.grid.inner_point(0.0, 0.0));
         Inflated {
             outer_radius_mm: self.inflated_radius,
-            crown_stretch_x: stretch.s1,
-            crown_stretch_y: stretch.s2,
+            crown_stretch: [stretch.s1, stretch.s2].into(),
         }
     }
 
     /// Strains at wheel and section angles, rad.
-    fn pair(&self, theta: f64, phi: f64) -> StrainPair {
+    fn strain(&self, theta: f64, phi: f64) -> PerDirection<f64> {
         let point = self.model.grid.inner_point(theta, phi);
         let states = States {
             current: self.current.at(point),
             inflated: self.inflated.at(point),
         };
-        StrainPair {
-            strain_x: states.signal_x(),
-            strain_y: states.signal_y(),
-        }
+        PerDirection::of(|direction| states.signal_in(direction))
     }
 
     /// Angles of the columns and of the rows of a map, degrees.
@@ -289,19 +291,14 @@ impl<'m> Reader<'m> {
 
     fn map(&self, grid: &Grid) -> StrainMap {
         let (theta_deg, phi_deg) = self.map_lines(grid);
-        let (mut strain_x, mut strain_y) = (Vec::new(), Vec::new());
-        for phi in &phi_deg {
-            for theta in &theta_deg {
-                let pair = self.pair(theta.to_radians(), phi.to_radians());
-                strain_x.push(pair.strain_x);
-                strain_y.push(pair.strain_y);
-            }
-        }
+        let points = phi_deg
+            .iter()
+            .flat_map(|phi| theta_deg.iter().map(move |theta| (theta, phi)));
+        let strains = points.map(|(theta, phi)| self.strain(theta.to_radians(), phi.to_radians()));
         StrainMap {
+            strain: strains.collect(),
             theta_deg,
             phi_deg,
-            strain_x,
-            strain_y,
             shape: None,
         }
     }
@@ -337,15 +334,13 @@ impl<'m> Reader<'m> {
     fn ring(&self, position: Position) -> Ring {
         let theta_deg: Vec<f64> = (-180..180).map(f64::from).collect();
         let phi = position.angle_deg().to_radians();
-        let pairs: Vec<StrainPair> = theta_deg
+        let strains = theta_deg
             .iter()
-            .map(|theta| self.pair(theta.to_radians(), phi))
-            .collect();
+            .map(|theta| self.strain(theta.to_radians(), phi));
         Ring {
             position,
+            strain: strains.collect(),
             theta_deg,
-            strain_x: pairs.iter().map(|pair| pair.strain_x).collect(),
-            strain_y: pairs.iter().map(|pair| pair.strain_y).collect(),
         }
     }
 }

@@ -107,7 +107,7 @@ fn without_depth_there_is_no_reaction_and_no_strain() {
         .response;
     assert_eq!(response.reaction_n, 0.0);
     for location in &response.locations {
-        assert!(location.strain_x.abs() < 1e-9 && location.strain_y.abs() < 1e-9);
+        assert!(location.strain.x.abs() < 1e-9 && location.strain.y.abs() < 1e-9);
     }
 }
 
@@ -119,7 +119,7 @@ fn a_tire_without_pressure_stands_on_its_wall() {
     let inflated = solve(&scene(Level::Draft, [1.0; 5]), None)
         .expect("an equilibrium")
         .response;
-    assert_eq!(response.inflated.crown_stretch_x, 1.0);
+    assert_eq!(response.inflated.crown_stretch.x, 1.0);
     assert!(response.reaction_n > 0.0 && response.reaction_n < inflated.reaction_n);
 }
 
@@ -162,7 +162,7 @@ fn twice_the_stiffness_gives_twice_the_reaction() {
         solve(&stiff, None).unwrap().response,
     );
     assert!((stiff.reaction_n / base.reaction_n - 2.0).abs() < 1e-6);
-    assert!((stiff.locations[2].strain_y - base.locations[2].strain_y).abs() < 1e-9);
+    assert!((stiff.locations[2].strain.y - base.locations[2].strain.y).abs() < 1e-9);
 }
 
 /// Newton stops at a relative residual of 1e-8; the strains follow the forces with a factor of order 10 at most.
@@ -178,18 +178,18 @@ fn assert_same(a: &Solved, b: &Solved) {
     );
     for (p, q) in a.locations.iter().zip(&b.locations) {
         assert!(
-            (p.strain_x - q.strain_x).abs() < SOLVER_TOLERANCE,
+            (p.strain.x - q.strain.x).abs() < SOLVER_TOLERANCE,
             "x at {}: {} {}",
             p.name,
-            p.strain_x,
-            q.strain_x
+            p.strain.x,
+            q.strain.x
         );
         assert!(
-            (p.strain_y - q.strain_y).abs() < SOLVER_TOLERANCE,
+            (p.strain.y - q.strain.y).abs() < SOLVER_TOLERANCE,
             "y at {}: {} {}",
             p.name,
-            p.strain_y,
-            q.strain_y
+            p.strain.y,
+            q.strain.y
         );
     }
 }
@@ -246,8 +246,8 @@ fn mirrored_ground_gives_mirrored_strains() {
         .iter()
         .zip(right.response.locations.iter().rev());
     for (l, r) in pairs {
-        assert!((l.strain_x - r.strain_x).abs() < SOLVER_TOLERANCE);
-        assert!((l.strain_y - r.strain_y).abs() < SOLVER_TOLERANCE);
+        assert!((l.strain.x - r.strain.x).abs() < SOLVER_TOLERANCE);
+        assert!((l.strain.y - r.strain.y).abs() < SOLVER_TOLERANCE);
     }
 }
 

@@ -45,16 +45,16 @@ fn a_film_without_stiffness_changes_nothing() {
     let soft = solve(Level::Draft, FLAT, film(1e-6));
     assert!((soft.reaction_n / bare.reaction_n - 1.0).abs() < SOLVER_TOLERANCE);
     for (a, b) in soft.locations.iter().zip(&bare.locations) {
-        assert!((a.strain_x - b.strain_x).abs() < SOLVER_TOLERANCE);
-        assert!((a.strain_y - b.strain_y).abs() < SOLVER_TOLERANCE);
+        assert!((a.strain.x - b.strain.x).abs() < SOLVER_TOLERANCE);
+        assert!((a.strain.y - b.strain.y).abs() < SOLVER_TOLERANCE);
     }
     // It just follows: its stretch is that of the surface, P3's among it.
     let state = soft.film.expect("a film");
     let centre = &soft.locations[2];
-    let stretch_y = (1.0 + centre.strain_y) * soft.inflated.crown_stretch_y;
-    let error = centre.error.expect("an estimate").strain_y;
-    assert!(state.stretch_y.min < stretch_y + error && stretch_y - error < state.stretch_y.max);
-    assert!(state.stretch_y.max < 1.2 && state.stretch_x.min > 1.0);
+    let stretch_y = (1.0 + centre.strain.y) * soft.inflated.crown_stretch.y;
+    let error = centre.error.expect("an estimate").strain.y;
+    assert!(state.stretch.y.min < stretch_y + error && stretch_y - error < state.stretch.y.max);
+    assert!(state.stretch.y.max < 1.2 && state.stretch.x.min > 1.0);
 }
 
 #[test]
@@ -75,7 +75,7 @@ fn a_film_is_the_same_on_the_quarter_and_on_the_half() {
     );
     assert!((half.reaction_n / quarter.reaction_n - 1.0).abs() < SOLVER_TOLERANCE);
     for (a, b) in half.locations.iter().zip(&quarter.locations) {
-        assert!((a.strain_y - b.strain_y).abs() < SOLVER_TOLERANCE);
+        assert!((a.strain.y - b.strain.y).abs() < SOLVER_TOLERANCE);
     }
 }
 
@@ -83,7 +83,7 @@ fn a_film_is_the_same_on_the_quarter_and_on_the_half() {
 /// with it: what a film feels isn't the strain of the bare surface.
 #[test]
 fn the_stiffer_the_film_the_less_it_strains() {
-    let strain_y = |response: &Response| response.locations[2].strain_y;
+    let strain_y = |response: &Response| response.locations[2].strain.y;
     let bare = solve(Level::Standard, FLAT, None);
     let mut before = strain_y(&bare);
     for (modulus, most) in [(1.0, 1.0), (100.0, 0.3), (2500.0, 0.02)] {
@@ -94,12 +94,12 @@ fn the_stiffer_the_film_the_less_it_strains() {
              largest film tension {:.3} N/mm",
             strain_y(&with),
             strain_y(&bare),
-            with.locations[2].strain_x,
-            bare.locations[2].strain_x,
+            with.locations[2].strain.x,
+            bare.locations[2].strain.x,
             with.reaction_n,
             bare.reaction_n,
-            with.locations[3].strain_y,
-            state.tension_y_n_per_mm.max,
+            with.locations[3].strain.y,
+            state.tension_n_per_mm.y.max,
         );
         assert!(strain_y(&with).abs() < before, "{modulus}");
         // Shares of the bare strain, set after seeing 0.95, 0.21 and less than 0.01.

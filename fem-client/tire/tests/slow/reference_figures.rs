@@ -92,12 +92,12 @@ fn the_standard_mesh_reproduces_the_reference_figures() {
             response
                 .locations
                 .iter()
-                .map(|l| l.strain_x)
+                .map(|l| l.strain.x)
                 .collect::<Vec<_>>(),
             response
                 .locations
                 .iter()
-                .map(|l| l.strain_y)
+                .map(|l| l.strain.y)
                 .collect::<Vec<_>>(),
         );
         let allowed = REACTION_TOLERANCE * figures.reaction + CONTACT_SHIFT_N;
@@ -106,25 +106,25 @@ fn the_standard_mesh_reproduces_the_reference_figures() {
             for location in [&response.locations[2 + k], &response.locations[2 - k]] {
                 let y_allowed = STRAIN_TOLERANCE + Y_TOLERANCE * y.abs();
                 assert!(
-                    (location.strain_x - x).abs() < STRAIN_TOLERANCE,
+                    (location.strain.x - x).abs() < STRAIN_TOLERANCE,
                     "x at {}: {}",
                     location.name,
-                    location.strain_x
+                    location.strain.x
                 );
                 assert!(
-                    (location.strain_y - y).abs() < y_allowed,
+                    (location.strain.y - y).abs() < y_allowed,
                     "y at {}: {}",
                     location.name,
-                    location.strain_y
+                    location.strain.y
                 );
             }
         }
         let shoulder = response.section.shoulder;
-        assert!((shoulder.strain_x - figures.shoulder[0]).abs() < STRAIN_TOLERANCE);
-        assert!((shoulder.strain_y - figures.shoulder[1]).abs() < STRAIN_TOLERANCE);
+        assert!((shoulder.x - figures.shoulder[0]).abs() < STRAIN_TOLERANCE);
+        assert!((shoulder.y - figures.shoulder[1]).abs() < STRAIN_TOLERANCE);
         assert!((response.inflated.outer_radius_mm - INFLATED_RADIUS).abs() < 1e-3);
-        assert!((response.inflated.crown_stretch_x - INFLATED_STRETCH[0]).abs() < 1e-4);
-        assert!((response.inflated.crown_stretch_y - INFLATED_STRETCH[1]).abs() < 1e-4);
+        assert!((response.inflated.crown_stretch.x - INFLATED_STRETCH[0]).abs() < 1e-4);
+        assert!((response.inflated.crown_stretch.y - INFLATED_STRETCH[1]).abs() < 1e-4);
         start = Some(solved.state);
     }
 }
@@ -142,7 +142,7 @@ fn full_stick_stiffens_the_tire_as_the_independent_solution_says() {
         let stuck = solve(&scene, None).response;
         let change = [
             stuck.reaction_n / free.reaction_n - 1.0,
-            stuck.locations[2].strain_y / free.locations[2].strain_y - 1.0,
+            stuck.locations[2].strain.y / free.locations[2].strain.y - 1.0,
         ];
         println!(
             "full stick at {depth} mm: reaction {:+.4}, strain {:+.4}",

@@ -104,19 +104,19 @@ fn gauges_at_the_locations_read_what_the_locations_say() {
     let (location, readings) = (&response.locations[3], &response.gauges);
     // Round-off of stretches of order one.
     let same = |a: f64, b: f64| assert!((a - b).abs() < 1e-14, "{a} for {b}");
-    same(readings[0].strain, location.strain_x);
-    same(readings[1].strain, location.strain_y);
+    same(readings[0].strain, location.strain.x);
+    same(readings[1].strain, location.strain.y);
     let error = location.error.expect("an estimate");
     same(
         readings[0].error.expect("an estimate").strain,
-        error.strain_x,
+        error.strain.x,
     );
     same(
         readings[1].error.expect("an estimate").strain,
-        error.strain_y,
+        error.strain.y,
     );
     same(readings[0].von_mises_mpa, location.von_mises_mpa);
-    assert!(error.strain_x > 0.0 && error.strain_y > 0.0 && error.von_mises_mpa > 0.0);
+    assert!(error.strain.x > 0.0 && error.strain.y > 0.0 && error.von_mises_mpa > 0.0);
     for reading in readings {
         same(
             reading.green_lagrange,

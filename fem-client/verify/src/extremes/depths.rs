@@ -101,7 +101,7 @@ fn symmetry(bench: &Bench<'_>, depth: f64) -> Result<Case, Unsolved> {
     let pairs = half.locations.iter().zip(half.locations.iter().rev());
     let pairs = pairs.chain(half.locations.iter().zip(&quarter.locations));
     let difference = |(a, b): (&LocationStrain, &LocationStrain)| {
-        let (x, y) = (a.strain_x - b.strain_x, a.strain_y - b.strain_y);
+        let (x, y) = (a.strain.x - b.strain.x, a.strain.y - b.strain.y);
         x.abs().max(y.abs())
     };
     let largest = pairs.map(difference).fold(0.0, f64::max);

@@ -57,8 +57,8 @@ pub(super) fn cases(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
             |r| r.reaction_n,
             REACTION_NOISE * limit.reaction_n,
         ),
-        ("x strain at P3", |r| r.locations[2].strain_x, STRAIN_NOISE),
-        ("y strain at P3", |r| r.locations[2].strain_y, STRAIN_NOISE),
+        ("x strain at P3", |r| r.locations[2].strain.x, STRAIN_NOISE),
+        ("y strain at P3", |r| r.locations[2].strain.y, STRAIN_NOISE),
         ("largest |J - 1|", |r| r.max_volume_change, volume_noise),
     ];
     let mut cases = Vec::new();

@@ -13,15 +13,16 @@ use super::trend::{Limit, Point};
 use crate::family::{Family, Unsolved};
 use crate::known_case::Case;
 use fem_client::scene::{Level, Scene};
+use fem_client::solver::direction::Direction;
 use fem_client::solver::{Readout, Response, SolveError, SolveRequest, Solved, Solver, StartState};
 use gsa::law::distribution::Distribution;
+use gsa::method::analysis::Status;
 use gsa::method::{Kind, Method};
 use tire::embedded::EmbeddedSolver;
 
 use placement::result::{Output, StudyResult};
 use placement::run::memory::MemoryArchive;
 use placement::run::{Means, run};
-use placement::score::indices::DIRECTIONS;
 use placement::study::directions::Directions;
 use placement::study::plan::Plan;
 use placement::study::{Accuracy, Input, Layouts, Study};
@@ -148,7 +149,7 @@ fn small(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
         source: "secants over the spread; the difference falls at least like it",
     };
     let mut cases = Vec::new();
-    for (direction, points) in DIRECTIONS.iter().zip(&series) {
+    for (direction, points) in Direction::ALL.iter().zip(&series) {
         let quantity = format!("largest error of an index, {direction} strain at P3");
         cases.extend(law.cases(&quantity, points));
     }
@@ -156,7 +157,7 @@ fn small(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     for spread in TINY {
         let result = answer(&five(spread)?, EmbeddedSolver::default(), stop)?;
         for (k, (output, linear)) in at_centre(&result, &linear).into_iter().enumerate() {
-            cases.push(tiny_case(spread, DIRECTIONS[k], output, linear));
+            cases.push(tiny_case(spread, Direction::ALL[k], output, linear));
         }
     }
     Ok(cases)
@@ -182,21 +183,24 @@ fn at_centre<'r>(
 }
 
 /// One output of a study that sees little or nothing: where there are no indices, none is wrong.
-fn tiny_case(spread: f64, direction: &str, output: &Output, linear: &[f64]) -> Case {
+fn tiny_case(spread: f64, direction: Direction, output: &Output, linear: &[f64]) -> Case {
     let name = format!("spread {spread:e} of the mean, {direction} strain at P3");
     let Some(indices) = &output.first_order else {
-        let constant = f64::from(u8::from(output.status == "constant"));
+        let constant = f64::from(u8::from(output.status == Status::Constant));
         let name = format!("{name}: found constant");
         let case = Case::absolute(name, constant, 1.0);
         return case
             .within(0.0, "a spread that the solver doesn't see ranks nothing")
-            .ended(output.status.clone());
+            .ended(output.status.as_str());
     };
     let claimed = output.error.of_method();
     let name = format!("{name}: largest error of an index");
     let case = Case::absolute(name, distance(indices, linear), 0.0)
         .within(claimed, "linearised model; tolerance: the error claimed");
-    case.ended(format!("{}, error claimed {claimed:.1e}", output.status))
+    case.ended(format!(
+        "{}, error claimed {claimed:.1e}",
+        output.status.as_str()
+    ))
 }
 
 /// Indices of the linear model with the slopes over a step (mm) to either side, for the x and the y strain at the centre: all depths have one
@@ -215,10 +219,7 @@ fn linear_indices(step: f64, stop: &AtomicBool) -> Result<[Vec<f64>; 2], Unsolve
     };
     let scene = draft();
     let start = solve(&scene, None)?.state;
-    let centre = |response: &Response| {
-        let location = &response.locations[2];
-        [location.strain_x, location.strain_y]
-    };
+    let centre = |response: &Response| <[f64; 2]>::from(response.locations[2].strain);
     let mut gradients = [Vec::new(), Vec::new()];
     for station in 0..scene.ground.depths_mm.len() {
         let at = |change: f64| {
@@ -277,7 +278,11 @@ fn wide(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
             claimed + distance(rough, true_ones),
             "grid of 8 x 8 nodes; tolerance: the error claimed, and the grid's change from 6 x 6",
         );
-        cases.push(case.ended(format!("{} by {}", found.status, found.method)));
+        cases.push(case.ended(format!(
+            "{} by {}",
+            found.status.as_str(),
+            found.method.as_str()
+        )));
     }
     Ok(cases)
 }

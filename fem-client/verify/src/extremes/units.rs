@@ -54,7 +54,7 @@ fn compare(answer: &Response, reference: &Response) -> f64 {
         &fem_client::solver::LocationStrain,
         &fem_client::solver::LocationStrain,
     )| {
-        let (x, y) = (a.strain_x - b.strain_x, a.strain_y - b.strain_y);
+        let (x, y) = (a.strain.x - b.strain.x, a.strain.y - b.strain.y);
         x.abs().max(y.abs())
     };
     pairs.map(difference).fold(0.0, f64::max)

@@ -26,6 +26,7 @@ use crate::family::Unsolved;
 use crate::known_case::Case;
 use crate::mesh_refinement::Refinement;
 use fem_client::scene::{Level, Scene};
+use fem_client::solver::direction::Direction;
 use fem_client::solver::{NoEquilibrium, Solved};
 use tire::mesh::tire_grid::{Extent, MeshPlan};
 use tire::model::{TireModel, ground, mesh_plan};
@@ -125,8 +126,8 @@ fn membranes(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
             parameter: 1.0 / wall,
             value: (stretch - 1.0) / strain,
         };
-        along.push(point(inflated.crown_stretch_x, x));
-        across.push(point(inflated.crown_stretch_y, y));
+        along.push(point(inflated.crown_stretch.x, x));
+        across.push(point(inflated.crown_stretch.y, y));
     }
     let law = Limit {
         value: 1.0,
@@ -174,27 +175,16 @@ fn two_levels(wall: f64, stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     let errors = rough.error.zip(fine.error);
     let (rough_error, fine_error) =
         errors.ok_or_else(|| Unsolved::Other("strains without errors".to_owned()))?;
-    let case = |direction: &str, values: [f64; 2], errors: [f64; 2]| {
+    let case = |direction| {
         let name = format!(
             "pressed tire, wall {wall:.3} of the section, standard mesh: {direction} strain at P3"
         );
-        Case::absolute(name, values[0], values[1]).within(
-            errors[0] + errors[1],
+        Case::absolute(name, rough.strain[direction], fine.strain[direction]).within(
+            rough_error.strain[direction] + fine_error.strain[direction],
             "reference mesh; tolerance: the errors that both state",
         )
     };
-    Ok(vec![
-        case(
-            "x",
-            [rough.strain_x, fine.strain_x],
-            [rough_error.strain_x, fine_error.strain_x],
-        ),
-        case(
-            "y",
-            [rough.strain_y, fine.strain_y],
-            [rough_error.strain_y, fine_error.strain_y],
-        ),
-    ])
+    Ok(Direction::ALL.map(case).to_vec())
 }
 
 /// Vertical forces of beads and pressure on the tire against the ground's.

@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use placement::compare::{ComparedIndex, ComparedLocation, ComparedStudy, Comparison};
+use fem_client::solver::direction::Direction;
+use placement::compare::{ComparedLocation, ComparedStudy, Comparison};
 use serde::Deserialize;
 use serde_json::Value;
 use utoipa::ToSchema;
@@ -123,19 +124,15 @@ fn locations(comparison: &Comparison) -> TypedTable {
         .bool("rank_certain", |(row, _)| Some(row.rank_certain))
         .integer("rank_change", |(row, _)| row.rank_change)
         .text("rank_verdict", |(row, _)| Some(row.rank_verdict?.as_str()));
-    let rows = indices(rows, "x", |(row, _)| &row.x);
-    let rows = indices(rows, "y", |(row, _)| &row.y);
+    let rows = Direction::ALL.into_iter().fold(rows, indices);
     rows.text("spec_sha256", |(_, study)| study.spec_sha256.as_deref())
         .text("version", |(_, study)| study.version.as_deref())
         .text("baseline", |_| comparison.baseline.as_deref())
         .table()
 }
 
-fn indices<'c>(
-    rows: Rows<Located<'c>>,
-    direction: &str,
-    of: impl Fn(&Located<'c>) -> &'c ComparedIndex,
-) -> Rows<Located<'c>> {
+fn indices<'c>(rows: Rows<Located<'c>>, direction: Direction) -> Rows<Located<'c>> {
+    let of = |(row, _): &Located<'c>| row.in_direction(direction);
     let named = |name: &str| format!("{name}_{direction}");
     rows.float(named("gsi_percent"), PERCENT, |row| of(row).gsi_percent)
         .float(named("error_percent"), PERCENT, |row| of(row).error_percent)

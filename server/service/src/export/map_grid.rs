@@ -43,7 +43,7 @@ fn add_layer(
     data: &mut Vec<DataArray>,
     left_out: &mut Vec<String>,
 ) {
-    let direction = &layer.direction;
+    let direction = layer.direction;
     let strain = layer.strain.clone();
     data.push(DataArray::floats(
         format!("strain_{direction}"),

@@ -3,11 +3,13 @@
 //! Every row ends with the study, the hash of its document and the version of the program, so that rows of several studies can
 //! be put under each other. Strains have no unit, as in all data; other columns carry theirs in their names.
 
+use fem_client::solver::direction::Direction;
 use placement::result::{InputReport, Output, RankedLayout, RankedLocation, StudyResult};
+use placement::score::location_scores::{Figure, SCORES, Score};
 
 use super::export_choice::Table;
 use super::table::{Rows, TypedTable};
-use super::unit::{PERCENT, PURE, unit_of};
+use super::unit::{PURE, unit_of};
 use crate::point_views::EvaluationView;
 
 /// A table of a result; `points` are read for [`Table::Points`] alone.
@@ -40,7 +42,7 @@ fn indices(result: &StudyResult) -> Rows<Index<'_>> {
     let at = |list: &Option<Vec<f64>>, k: usize| list.as_ref().and_then(|l| l.get(k)).copied();
     Rows::of(result.outputs.iter().flat_map(of_output))
         .text("location", |(output, ..)| Some(&output.location))
-        .text("direction", |(output, ..)| Some(&output.direction))
+        .text("direction", |(output, ..)| Some(output.direction.as_str()))
         .text("input", |(.., input)| Some(&input.name))
         .float("first_order", PURE, |(o, k, _)| at(&o.first_order, *k))
         .float("total", PURE, |(o, k, _)| at(&o.total, *k))
@@ -50,42 +52,58 @@ fn indices(result: &StudyResult) -> Rows<Index<'_>> {
         .float("error_total", PURE, |(output, ..)| output.error.total)
         .float("mean_strain", PURE, |(output, ..)| output.mean)
         .float("std_strain", PURE, |(output, ..)| output.std)
-        .text("method", |(output, ..)| Some(&output.method))
-        .text("status", |(output, ..)| Some(&output.status))
+        .text("method", |(output, ..)| Some(output.method.as_str()))
+        .text("status", |(output, ..)| Some(output.status.as_str()))
         .float("mdrm_first_order", PURE, |(o, k, _)| {
             at(&o.mdrm_first_order, *k)
         })
 }
 
 fn locations(locations: &[RankedLocation]) -> Rows<&RankedLocation> {
-    Rows::of(locations)
+    let rows = Rows::of(locations)
         .integer("rank", |l| Some(l.rank))
         .text("name", |l| Some(&l.name))
-        .text("input", |l| l.input.as_deref())
-        .float("gsi_x_percent", PERCENT, |l| l.gsi_x_percent)
-        .float("gsi_y_percent", PERCENT, |l| l.gsi_y_percent)
-        .float("mean_gsi_x_percent", PERCENT, |l| l.mean_gsi_x_percent)
-        .float("mean_gsi_y_percent", PERCENT, |l| l.mean_gsi_y_percent)
-        .float("own_gsi_x_percent", PERCENT, |l| l.own_gsi_x_percent)
-        .float("own_gsi_y_percent", PERCENT, |l| l.own_gsi_y_percent)
-        .float("mdrm_gsi_x_percent", PERCENT, |l| l.mdrm_gsi_x_percent)
-        .float("mdrm_gsi_y_percent", PERCENT, |l| l.mdrm_gsi_y_percent)
-        .integer("rank_x", |l| l.rank_x)
-        .integer("rank_y", |l| l.rank_y)
-        .bool("rank_certain", |l| Some(l.rank_certain))
-        .float("gsi_x_error_percent", PERCENT, |l| l.gsi_x_error_percent)
-        .float("gsi_y_error_percent", PERCENT, |l| l.gsi_y_error_percent)
+        .text("input", |l| l.input.as_deref());
+    let mut rows = figures(rows, |score, d| Some(score.field(d)), |figure| figure.value);
+    for direction in Direction::ALL {
+        rows = rows.integer(&format!("rank_{direction}"), |l| l.ranks[direction]);
+    }
+    let rows = rows.bool("rank_certain", |l| Some(l.rank_certain));
+    figures(rows, Score::error_field, |figure| figure.error)
+}
+
+/// A column for each score and direction that has this part.
+fn figures(
+    mut rows: Rows<&RankedLocation>,
+    name: fn(&Score, Direction) -> Option<String>,
+    part: fn(Figure) -> Option<f64>,
+) -> Rows<&RankedLocation> {
+    for score in SCORES {
+        for direction in Direction::ALL {
+            if let Some(name) = name(score, direction) {
+                let unit = unit_of(&name);
+                rows = rows.float(name, unit, |l| part(l.scores.of_score(score)[direction]));
+            }
+        }
+    }
+    rows
 }
 
 /// A layout with its films in one text.
 type Layout<'r> = (&'r RankedLayout, String);
 
 fn layouts(layouts: &[RankedLayout]) -> Rows<Layout<'_>> {
-    Rows::of(
-        layouts
-            .iter()
-            .map(|layout| (layout, layout.films.join("+"))),
-    )
+    Rows::of(layouts.iter().map(|layout| {
+        (
+            layout,
+            layout
+                .films
+                .iter()
+                .map(|film| film.as_str())
+                .collect::<Vec<_>>()
+                .join("+"),
+        )
+    }))
     .integer("rank", |(layout, _)| Some(layout.rank))
     .float("spacing_deg", "deg", |(layout, _)| Some(layout.spacing_deg))
     .integer("units", |(layout, _)| Some(layout.units))
@@ -132,13 +150,11 @@ fn solved<'r>(inputs: &[InputReport], points: &'r [EvaluationView]) -> Rows<&'r 
             let mut all = point.locations.iter().flatten();
             all.find(|location| location.name == name).cloned()
         };
-        rows = rows
-            .float(format!("{name}_strain_x"), PURE, |point| {
-                Some(at(point)?.strain_x)
-            })
-            .float(format!("{name}_strain_y"), PURE, |point| {
-                Some(at(point)?.strain_y)
+        for direction in Direction::ALL {
+            rows = rows.float(format!("{name}_strain_{direction}"), PURE, |point| {
+                Some(at(point)?.strain[direction])
             });
+        }
     }
     rows.integer("newton_iterations", |point| point.newton_iterations)
         .float("wall_s", "s", |point| Some(point.wall_s))

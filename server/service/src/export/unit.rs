@@ -6,7 +6,8 @@ pub const PURE: &str = "1";
 pub const PERCENT: &str = "%";
 
 /// Endings of names with the units that they stand for; a longer one stands before those that it ends with.
-const ENDINGS: [(&str, &str); 8] = [
+const ENDINGS: [(&str, &str); 9] = [
+    ("_percent", PERCENT),
     ("_n_per_mm3", "N/mm^3"),
     ("_n_per_mm", "N/mm"),
     ("_per_mpa", "1/MPa"),

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use anstyle::Style;
 use clap::Args;
+use fem_client::solver::direction::Direction;
 use placement::compare::{
     ComparedIndex, ComparedLocation, ComparedStudy, Comparison, Entry, Verdict, compare,
 };
@@ -106,7 +107,10 @@ pub fn table(comparison: &Comparison) -> String {
         .unwrap_or(0)
         .clamp(6, 60);
     let mut text = overview(comparison, width);
-    for (direction, strain) in [("x", "circumferential (x)"), ("y", "meridional (y)")] {
+    for (direction, strain) in [
+        (Direction::X, "circumferential (x)"),
+        (Direction::Y, "meridional (y)"),
+    ] {
         text.push_str(&matrix(comparison, direction, strain, width));
     }
     for study in &comparison.studies {
@@ -194,7 +198,7 @@ fn shortened(name: &str, width: usize) -> String {
 }
 
 /// Studies by locations: the index of each location's own depth, and its difference from the baseline.
-fn matrix(comparison: &Comparison, direction: &str, strain: &str, width: usize) -> String {
+fn matrix(comparison: &Comparison, direction: Direction, strain: &str, width: usize) -> String {
     let mut names: Vec<&str> = comparison
         .rows
         .iter()
@@ -226,7 +230,7 @@ fn matrix(comparison: &Comparison, direction: &str, strain: &str, width: usize) 
         let _ = write!(text, "{:width$}", shortened(&study.name, width));
         for name in &names {
             let row = of_study.iter().find(|row| row.location == *name);
-            let index = row.map(|row| if direction == "x" { &row.x } else { &row.y });
+            let index = row.map(|row| row.in_direction(direction));
             let cell = index.map_or_else(|| pad("-", "", Style::new()), cell);
             let _ = write!(text, "  {cell}");
         }

@@ -156,22 +156,17 @@ async fn claim(store: &Store, study: &Study) -> Result<StudyRow, StoreError> {
 
 /// The physics is to blame when every point that failed has no equilibrium.
 fn failure(error: String, points: &[FailedPoint]) -> Failure {
-    let statuses: Option<Vec<&str>> = points.iter().map(|point| status_of(&point.cause)).collect();
-    match statuses.as_deref().and_then(<[&str]>::first) {
+    let physical = |point: &FailedPoint| {
+        let status = point.cause.status?;
+        NoEquilibrium::ALL.contains(&status).then_some(status)
+    };
+    let statuses: Option<Vec<NoEquilibrium>> = points.iter().map(physical).collect();
+    match statuses.as_deref().and_then(<[NoEquilibrium]>::first) {
         Some(status) => Failure::Physics {
-            status: (*status).to_owned(),
+            status: status.as_str().to_owned(),
             detail: error,
             known: json!({"failed_points": points}),
         },
         None => Failure::Other(error),
     }
-}
-
-/// The kind of missing equilibrium that a cause begins with, as a solver's error prints it.
-fn status_of(cause: &str) -> Option<&str> {
-    let status = cause.split(": ").next()?;
-    NoEquilibrium::ALL
-        .iter()
-        .any(|known| known.as_str() == status)
-        .then_some(status)
 }

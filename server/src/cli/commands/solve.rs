@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use fem_client::scene::Scene;
+use fem_client::solver::direction::Direction;
 use fem_client::solver::gauge::{Gauge, GaugeReading};
 use fem_client::solver::{LocationStrain, Readout, SolveError, SolveRequest, Solved};
 use placement::sweep::typed_settings;
@@ -166,7 +167,7 @@ fn report(solved: &Solved) -> String {
         let _ = writeln!(text, "{}", gauge_row(reading));
     }
     if let Some(film) = &response.film {
-        let (x, y) = (film.stretch_x, film.stretch_y);
+        let (x, y) = (film.stretch.x, film.stretch.y);
         let _ = writeln!(
             text,
             "\nfilm: stretch x {:.4} to {:.4}, y {:.4} to {:.4}",
@@ -223,12 +224,16 @@ const MICROSTRAIN: f64 = 1e-6;
 
 fn location_row(location: &LocationStrain) -> String {
     let error = location.error;
+    let strain = |direction| {
+        let error = error.map(|e| e.strain[direction]);
+        with_error(location.strain[direction], error, MICROSTRAIN, 1)
+    };
     format!(
         "{:4} at {:8.3} deg {:>35} {:>22} {:>18}",
         location.name,
         location.theta_deg,
-        with_error(location.strain_x, error.map(|e| e.strain_x), MICROSTRAIN, 1),
-        with_error(location.strain_y, error.map(|e| e.strain_y), MICROSTRAIN, 1),
+        strain(Direction::X),
+        strain(Direction::Y),
         with_error(
             location.von_mises_mpa,
             error.map(|e| e.von_mises_mpa),

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use fem_client::document::fault::Fault;
-use fem_client::document::fields::visible;
+use fem_client::document::visible::visible;
 use serde_json::{Value, json};
 
 use crate::cli::terminal::paint::{BAD, painted};

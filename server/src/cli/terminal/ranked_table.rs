@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
+use fem_client::solver::direction::{Direction, PerDirection};
 use placement::result::{RankedLocation, StudyResult};
+use placement::score::location_scores::{GSI, MDRM_GSI, MEAN_GSI, OWN_GSI, Score};
 
 use crate::cli::terminal::estimate_text::comparison;
 use crate::cli::terminal::paint::{BAD, FAINT, GOOD, HEADER, STRONG, header, painted};
@@ -40,27 +42,17 @@ fn ranked(result: &StudyResult) -> String {
 
 fn row(location: &RankedLocation) -> String {
     let paper = PAPER.iter().find(|(name, ..)| *name == location.name);
-    let pairs = [
-        (location.mean_gsi_x_percent, location.mean_gsi_y_percent),
-        (location.own_gsi_x_percent, location.own_gsi_y_percent),
-        (location.mdrm_gsi_x_percent, location.mdrm_gsi_y_percent),
-        (paper.map(|(_, x, _)| *x), paper.map(|(_, _, y)| *y)),
-    ];
     let mut text = format!("{:4}  {:<8} ", location.rank, location.name);
-    for (index, error) in [
-        (location.gsi_x_percent, location.gsi_x_error_percent),
-        (location.gsi_y_percent, location.gsi_y_error_percent),
-    ] {
-        let _ = write!(
-            text,
-            "{} {:<7} ",
-            percent(index),
-            error.map_or(String::new(), |e| format!("+-{e:.2}"))
-        );
+    for gsi in location.scores.of_score(GSI).iter() {
+        let error = gsi.error.map_or(String::new(), |e| format!("+-{e:.2}"));
+        let _ = write!(text, "{} {error:<7} ", percent(gsi.value));
     }
-    for (x, y) in pairs {
-        let _ = write!(text, " {} {} ", percent(x), percent(y));
+    for score in [MEAN_GSI, OWN_GSI, MDRM_GSI] {
+        let PerDirection { x, y } = location.scores.of_score(score);
+        let _ = write!(text, " {} {} ", percent(x.value), percent(y.value));
     }
+    let (x, y) = (paper.map(|(_, x, _)| *x), paper.map(|(_, _, y)| *y));
+    let _ = write!(text, " {} {} ", percent(x), percent(y));
     let (style, rank_is) = match location.rank_certain {
         true => (STRONG, "certain"),
         false => (FAINT, "uncertain"),
@@ -71,17 +63,18 @@ fn row(location: &RankedLocation) -> String {
 
 /// What M-DRM's numbers are worth beside the paper's, where they come close to it and the valid ones don't.
 fn paper_remark(result: &StudyResult) -> Option<String> {
-    let furthest = |index: fn(&RankedLocation) -> Option<f64>| {
+    let furthest = |score: &Score| {
         PAPER.iter().try_fold(0.0, |furthest: f64, (name, x, _)| {
             let location = result
                 .locations
                 .iter()
                 .find(|location| location.name == *name)?;
-            Some(furthest.max((index(location)? - x).abs()))
+            let index = location.value(score, Direction::X)?;
+            Some(furthest.max((index - x).abs()))
         })
     };
-    let mdrm = furthest(|location| location.mdrm_gsi_x_percent)?;
-    let valid = furthest(|location| location.gsi_x_percent)?;
+    let mdrm = furthest(MDRM_GSI)?;
+    let valid = furthest(GSI)?;
     (mdrm < 5.0 && valid > 2.0 * mdrm).then(|| {
         format!(
             "M-DRM's x column is within {mdrm:.1} points of the paper's Table 2, and it is wrong here: the circumferential \

@@ -7,8 +7,9 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::Response;
+use fem_client::solver::direction::Direction;
 use placement::ladder::trade::Trade;
-use placement::result::StudyResult;
+use placement::result::{MapLayer, StudyResult};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use sqlx::SqliteConnection;
@@ -126,8 +127,10 @@ async fn map(
             "this study has no map: its document asks for no candidates.grid",
         ));
     };
-    let direction = query.direction.unwrap_or_else(|| "x".to_owned());
-    let Some(layer) = map.layers.iter().find(|layer| layer.direction == direction) else {
+    let direction = query.direction.as_deref().unwrap_or("x");
+    let direction = Direction::named(direction);
+    let is_asked = |layer: &&MapLayer| Some(layer.direction) == direction;
+    let Some(layer) = map.layers.iter().find(is_asked) else {
         return Err(Problem::new(
             StatusCode::BAD_REQUEST,
             "direction is x (circumferential) or y (meridional)",
@@ -157,8 +160,12 @@ async fn map(
         std: layer.std.clone(),
         strain: layer.strain.clone(),
         error: layer.error.clone(),
-        status: layer.status.clone(),
-        direction,
+        status: layer
+            .status
+            .iter()
+            .map(|status| status.as_str().to_owned())
+            .collect(),
+        direction: layer.direction.to_string(),
     }))
 }
 

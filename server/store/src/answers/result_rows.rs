@@ -1,6 +1,8 @@
 //! Results with their ranked rows.
 
+use fem_client::solver::direction::Direction;
 use placement::result::{RankedLayout, RankedLocation, StudyCost, StudyResult};
+use placement::score::location_scores::{GSI, MDRM_GSI, MEAN_GSI, OWN_GSI};
 use serde::de::DeserializeOwned;
 use sqlx::SqliteConnection;
 
@@ -126,16 +128,16 @@ async fn insert_location(
     .bind(study)
     .bind(&location.name)
     .bind(whole(location.rank))
-    .bind(location.gsi_x_percent)
-    .bind(location.gsi_y_percent)
-    .bind(location.mean_gsi_x_percent)
-    .bind(location.mean_gsi_y_percent)
-    .bind(location.own_gsi_x_percent)
-    .bind(location.own_gsi_y_percent)
-    .bind(location.mdrm_gsi_x_percent)
-    .bind(location.mdrm_gsi_y_percent)
-    .bind(location.rank_x.map(whole))
-    .bind(location.rank_y.map(whole))
+    .bind(location.value(GSI, Direction::X))
+    .bind(location.value(GSI, Direction::Y))
+    .bind(location.value(MEAN_GSI, Direction::X))
+    .bind(location.value(MEAN_GSI, Direction::Y))
+    .bind(location.value(OWN_GSI, Direction::X))
+    .bind(location.value(OWN_GSI, Direction::Y))
+    .bind(location.value(MDRM_GSI, Direction::X))
+    .bind(location.value(MDRM_GSI, Direction::Y))
+    .bind(location.ranks.x.map(whole))
+    .bind(location.ranks.y.map(whole))
     .bind(location.rank_certain)
     .execute(connection)
     .await?;

@@ -14,14 +14,14 @@ fn lists(response: &mut Response) -> impl Iterator<Item = &mut Vec<f64>> {
         [
             &mut map.theta_deg,
             &mut map.phi_deg,
-            &mut map.strain_x,
-            &mut map.strain_y,
+            &mut map.strain.x,
+            &mut map.strain.y,
         ]
     });
     let rings = response
         .rings
         .iter_mut()
-        .flat_map(|ring| [&mut ring.theta_deg, &mut ring.strain_x, &mut ring.strain_y]);
+        .flat_map(|ring| [&mut ring.theta_deg, &mut ring.strain.x, &mut ring.strain.y]);
     map.chain(rings)
 }
 

@@ -141,9 +141,9 @@ async fn a_number_that_is_not_finite_is_not_stored() {
         .await
         .expect("inserts");
     let mut wrong = solved();
-    response(&mut wrong.0).locations[2].strain_x = f64::NAN;
+    response(&mut wrong.0).locations[2].strain.x = f64::NAN;
     let mut on_ring = solved();
-    response(&mut on_ring.0).rings[1].strain_y[359] = f64::INFINITY;
+    response(&mut on_ring.0).rings[1].strain.y[359] = f64::INFINITY;
     for wrong in [wrong, on_ring] {
         let refused = insert(&mut tx, &study, &record(&wrong)).await;
         assert!(matches!(refused, Err(StoreError::NotFinite { .. })));

@@ -1,14 +1,14 @@
 //! What the answer of a study says, with closed formulas in place of finite elements.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
 use fem_client::closed_form::ClosedFormSolver;
+use fem_client::solver::direction::Direction;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
+use gsa::method::analysis::Status;
 use placement::result::{RankedLocation, StudyResult};
+use placement::score::location_scores::{GSI, MDRM_GSI, MEAN_GSI, OWN_GSI};
 use serde_json::Value;
-use support::{MemoryArchive, answered, observed, shipped, study};
+
+use crate::support::{MemoryArchive, answered, observed, shipped, study};
 
 fn location<'r>(result: &'r StudyResult, name: &str) -> &'r RankedLocation {
     result
@@ -36,7 +36,7 @@ fn the_meridional_indices_are_those_of_the_formula() {
     let centre = result
         .outputs
         .iter()
-        .find(|o| o.location == "P3" && o.direction == "y")
+        .find(|o| o.location == "P3" && o.direction == Direction::Y)
         .unwrap();
     for (index, weight) in centre.first_order.as_ref().unwrap().iter().zip(&weights) {
         // A product form would add interactions of the order (sd/h0)^2 = 1e-2; the additive one is exact.
@@ -59,16 +59,16 @@ fn locations_are_ranked_by_their_own_depth_at_the_centre() {
         [1, 2, 3, 4, 5]
     );
     let p3 = location(&result, "P3");
-    assert_eq!(p3.gsi_y_percent, p3.own_gsi_y_percent);
+    assert_eq!(p3.value(GSI, Direction::Y), p3.value(OWN_GSI, Direction::Y));
     assert!(p3.rank_certain);
     // Mirror images tie: they share their place, and it is as certain for the one as for the other.
     assert!(location(&result, "P2").rank_certain && location(&result, "P4").rank_certain);
-    assert_eq!((p3.rank_x, p3.rank_y), (Some(1), Some(1)));
+    assert_eq!((p3.ranks.x, p3.ranks.y), (Some(1), Some(1)));
     for location in &result.locations {
         for share in [
-            location.gsi_x_percent,
-            location.mean_gsi_x_percent,
-            location.mdrm_gsi_x_percent,
+            location.value(GSI, Direction::X),
+            location.value(MEAN_GSI, Direction::X),
+            location.value(MDRM_GSI, Direction::X),
         ] {
             assert!((0.0..=100.0).contains(&share.unwrap()));
         }
@@ -81,7 +81,7 @@ fn the_wide_study_says_where_m_drm_breaks_and_what_it_would_have_said() {
     let centre = result
         .outputs
         .iter()
-        .find(|o| o.location == "P3" && o.direction == "x")
+        .find(|o| o.location == "P3" && o.direction == Direction::X)
         .unwrap();
     assert_eq!(
         (centre.status.as_str(), centre.method.as_str()),
@@ -133,10 +133,10 @@ fn the_map_agrees_with_the_locations() {
     let centre = result
         .outputs
         .iter()
-        .find(|o| o.location == "P3" && o.direction == "y")
+        .find(|o| o.location == "P3" && o.direction == Direction::Y)
         .unwrap();
     let layer = &map.layers[1];
-    assert_eq!(layer.strain[middle], result.cut_point.locations[2].strain_y);
+    assert_eq!(layer.strain[middle], result.cut_point.locations[2].strain.y);
     assert_eq!(
         (layer.first_order.len(), layer.first_order[0].len()),
         (5, 61 * 21)
@@ -168,7 +168,7 @@ fn layouts_are_ranked_by_what_each_film_contributes() {
     );
     // The noise is 2 % of the crown's largest strain, the same for every layout.
     let noise = result.layouts[0].score.noise_strain;
-    assert!((noise / (0.02 * result.cut_point.locations[2].strain_y) - 1.0).abs() < 1e-12);
+    assert!((noise / (0.02 * result.cut_point.locations[2].strain.y) - 1.0).abs() < 1e-12);
     assert!(result.layouts.iter().all(|l| l.score.noise_strain == noise));
     let dense = result
         .layouts
@@ -193,11 +193,11 @@ fn an_input_without_a_station_has_indices_but_no_location() {
          distribution = { kind = \"uniform\", min = 0.7, max = 1.3 }\n",
     ));
     assert_eq!(result.locations[0].name, "P3");
-    assert!(result.locations[0].gsi_x_percent.is_some());
+    assert!(result.locations[0].value(GSI, Direction::X).is_some());
     assert!(
         result.locations[1..]
             .iter()
-            .all(|l| l.gsi_x_percent.is_none() && !l.rank_certain)
+            .all(|l| l.value(GSI, Direction::X).is_none() && !l.rank_certain)
     );
     assert_eq!(result.outputs[4].first_order.as_ref().unwrap().len(), 2);
     assert!(has_note(&result, &["No location lies above what p varies"]));
@@ -238,13 +238,13 @@ fn what_never_varies_is_null_with_a_reason() {
         result
             .outputs
             .iter()
-            .all(|o| o.status == "constant" && o.first_order.is_none() && o.reason.is_some())
+            .all(|o| o.status == Status::Constant && o.first_order.is_none() && o.reason.is_some())
     );
     assert!(
         result
             .locations
             .iter()
-            .all(|l| l.gsi_x_percent.is_none() && l.rank_x.is_none())
+            .all(|l| l.value(GSI, Direction::X).is_none() && l.ranks.x.is_none())
     );
     assert!(has_note(&result, &["doesn't vary"]));
     // serde_json writes NaN as null, so a null among numbers that must exist would show one.
@@ -258,12 +258,12 @@ fn a_single_node_of_each_input_knows_nothing_of_their_influence() {
     study.method.nodes = 1;
     let result = answered(&study);
     for output in &result.outputs {
-        assert_eq!(output.status, "unusable");
+        assert_eq!(output.status, Status::Unusable);
         let reason = output.reason.as_deref().unwrap();
         assert!(reason.contains("a single node"), "{reason}");
         assert!(output.first_order.is_none() && output.mean.is_none());
     }
-    let unranked = |l: &RankedLocation| l.gsi_x_percent.is_none() && l.rank_x.is_none();
+    let unranked = |l: &RankedLocation| l.value(GSI, Direction::X).is_none() && l.ranks.x.is_none();
     assert!(result.locations.iter().all(unranked));
 }
 

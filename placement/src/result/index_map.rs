@@ -1,7 +1,11 @@
 //! The indices over the inner surface.
 
 use fem_client::solver::MapShape;
+use fem_client::solver::direction::Direction;
+use gsa::method::analysis::Status;
 use serde::{Deserialize, Serialize};
+
+use crate::result::named;
 
 /// First-order indices over the dense grid.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -23,7 +27,8 @@ pub struct IndexMap {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct MapLayer {
     /// `x` or `y`.
-    pub direction: String,
+    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    pub direction: Direction,
     /// Strain at the cut point.
     pub strain: Vec<f64>,
     /// Standard deviation of the strain.
@@ -33,5 +38,7 @@ pub struct MapLayer {
     /// Estimated error of the first-order indices, rows x columns.
     pub error: Vec<Option<f64>>,
     /// `ok`, `constant` or `product-form-broken`.
-    pub status: Vec<String>,
+    #[serde(with = "named::list")]
+    #[cfg_attr(feature = "openapi", schema(value_type = Vec<String>))]
+    pub status: Vec<Status>,
 }

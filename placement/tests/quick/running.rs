@@ -1,7 +1,5 @@
 //! Runs of whole studies: the same bits on any number of threads and after any interruption.
 
-mod support;
-
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -11,7 +9,8 @@ use fem_client::solver::{SolveError, SolveRequest};
 use placement::run::usage::cpu_s;
 use placement::run::{Event, Means, RunError, run};
 use placement::study::plan::Plan;
-use support::{MemoryArchive, Twisted, observed, shipped, text};
+
+use crate::support::{MemoryArchive, Twisted, observed, shipped, text};
 
 const POINTS: usize = 26;
 

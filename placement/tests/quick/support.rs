@@ -1,8 +1,5 @@
 //! What the tests of whole studies share: an archive in memory, and solvers that misbehave at one point.
 
-// Each test file uses a part of this; clippy takes functions outside of tests for production code.
-#![allow(dead_code, clippy::unwrap_used)]
-
 use std::collections::HashMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

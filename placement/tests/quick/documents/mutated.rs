@@ -5,8 +5,9 @@ use placement::study::{Study, presets};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
+use super::valid;
+
 use crate::support::shipped;
-use crate::valid;
 
 /// A leaf of a document, or what could stand in its place.
 fn any_value() -> impl Strategy<Value = Value> {

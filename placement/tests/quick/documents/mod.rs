@@ -1,15 +1,12 @@
 //! Study documents: every fault at once, and no document that breaks the reader.
 
-#![allow(clippy::unwrap_used)]
-
 mod mutated;
-#[path = "../support/mod.rs"]
-mod support;
 
 use fem_client::document::{Format, parse};
 use placement::study::{Accuracy, Study, presets};
 use serde_json::{Value, json};
-use support::{shipped, study};
+
+use crate::support::{shipped, study};
 
 fn pointers(document: &Value) -> Vec<String> {
     let faults = Study::from_value(document, &|path| Err(format!("no file {path}")))

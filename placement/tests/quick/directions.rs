@@ -1,21 +1,19 @@
 //! Studies that ask for one strain alone: what they read as, how they rank, and what a tolerance holds for.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::document::Format;
 use fem_client::scene::{Level, Scene};
-use fem_client::solver::Coarser;
-use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
+use fem_client::solver::direction::Direction;
+use fem_client::solver::{Coarser, SolveError, SolveRequest, Solved, Solver};
 use gsa::method::{Kind, Method};
 use placement::result::{RankedLocation, StudyResult};
+use placement::score::location_scores::GSI;
 use placement::study::directions::Directions;
 use placement::study::{Accuracy, Study};
 use serde_json::{Value, json};
-use support::{MemoryArchive, observed, shipped};
 use tire::mesh_error;
+
+use crate::support::{MemoryArchive, observed, shipped};
 
 /// The closed form, whose y strains are linear, with x strains that bend sharply with P1's depth and err with the mesh.
 struct Awkward(ClosedFormSolver);
@@ -45,7 +43,7 @@ impl Solver for Awkward {
         };
         let beyond = (scene.ground.depths_mm[0] - KINK_MM).max(0.0);
         for location in &mut solved.response.locations {
-            location.strain_x += KINK * (1.0 + of_mesh) * beyond;
+            location.strain.x += KINK * (1.0 + of_mesh) * beyond;
         }
         Ok(solved)
     }
@@ -106,8 +104,8 @@ fn directions_are_read_and_written() {
 fn ranks_go_by_what_is_asked_for() {
     type Key = fn(&RankedLocation) -> Option<f64>;
     let keys: [(Directions, Key); 2] = [
-        (Directions::X, |l| l.gsi_x_percent),
-        (Directions::Y, |l| l.gsi_y_percent),
+        (Directions::X, |l| l.value(GSI, Direction::X)),
+        (Directions::Y, |l| l.value(GSI, Direction::Y)),
     ];
     let both = answer(&asking(Directions::Both));
     let mut orders = Vec::new();
@@ -121,7 +119,7 @@ fn ranks_go_by_what_is_asked_for() {
         );
         // The numbers themselves don't depend on the question.
         assert_eq!(result.outputs, both.outputs);
-        let asked = directions.names()[0];
+        let asked = directions.asked()[0];
         let words = format!("Only the {asked} strain is asked for");
         assert!(result.notes[0].starts_with(&words), "{}", result.notes[0]);
         orders.push(result.locations[0].name.clone());
@@ -139,7 +137,7 @@ fn fewer_films_bound_the_errors_of_a_layout_less_tightly() {
         assert_eq!(result.layouts.len(), both.layouts.len());
         let mut compared = 0;
         for layout in &result.layouts {
-            assert_eq!(layout.films, directions.names());
+            assert_eq!(layout.films, directions.asked());
             let twin = both.layouts.iter().find(|twin| {
                 (twin.spacing_deg, &twin.position) == (layout.spacing_deg, &layout.position)
             });

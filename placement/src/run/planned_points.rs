@@ -14,8 +14,9 @@ use fem_client::solver::{
 };
 
 use super::attempt::{Answer, Found, ask};
-use super::{Event, Observer, RunError, refusals};
-use crate::result::FailedPoint;
+use super::run_error::{RunError, refusals};
+use super::run_event::{Event, Observer};
+use crate::result::{Cause, FailedPoint};
 use crate::run::archive::{Archive, ArchiveError, PointRecord, Unsolved};
 use crate::run::usage::{cpu_s, credit};
 use crate::study::sha256_hex;
@@ -193,7 +194,7 @@ impl Points<'_> {
             }
         }
         if let Some((Err(unsolved), _)) = found {
-            return Err(self.without_cut(unsolved.to_string()));
+            return Err(self.without_cut((&*unsolved).into()));
         }
         let key = &self.keys[0];
         let start = self.archive.load_start(key)?;
@@ -201,7 +202,7 @@ impl Points<'_> {
     }
 
     /// Without the cut point there is nothing for the others to start from.
-    fn without_cut(&self, cause: String) -> RunError {
+    fn without_cut(&self, cause: Cause) -> RunError {
         RunError::PointsFailed {
             failed: vec![self.failed_point(0, cause)],
         }
@@ -214,7 +215,7 @@ impl Points<'_> {
             Lack::Refused(SolveError::Refused { faults }) => RunError::Refused { faults },
             Lack::Refused(error) => {
                 self.report_refused(0, &error, done);
-                self.without_cut(cause(&error))
+                self.without_cut(Cause::other(cause(&error)))
             }
         }
     }
@@ -306,7 +307,9 @@ impl Points<'_> {
         for (ordinal, outcome) in outcomes {
             match outcome {
                 Ok(answer) => answers.push((ordinal, answer)),
-                Err(Lack::Refused(error)) => failed.push(self.failed_point(ordinal, cause(&error))),
+                Err(Lack::Refused(error)) => {
+                    failed.push(self.failed_point(ordinal, Cause::other(cause(&error))));
+                }
                 Err(Lack::Stopped) => stopped = true,
                 Err(Lack::Archive(error)) => archive = Some(error),
             }
@@ -388,7 +391,7 @@ impl Points<'_> {
         });
     }
 
-    fn failed_point(&self, ordinal: usize, cause: String) -> FailedPoint {
+    fn failed_point(&self, ordinal: usize, cause: Cause) -> FailedPoint {
         FailedPoint {
             ordinal,
             values: self.values[ordinal].clone(),

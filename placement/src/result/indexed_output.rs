@@ -1,7 +1,11 @@
 //! Indices of one strain, and how far each is off.
 
+use fem_client::solver::direction::Direction;
 use gsa::judge::misses::Misses;
+use gsa::method::analysis::{Form, Status};
 use serde::{Deserialize, Serialize};
+
+use crate::result::named;
 
 /// Indices of one strain.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -10,7 +14,8 @@ pub struct Output {
     /// P1, P2, ...
     pub location: String,
     /// `x` circumferential, `y` meridional.
-    pub direction: String,
+    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    pub direction: Direction,
     /// Mean strain.
     pub mean: Option<f64>,
     /// Standard deviation of the strain.
@@ -20,9 +25,13 @@ pub struct Output {
     /// Total index of each input.
     pub total: Option<Vec<f64>>,
     /// Method that gave `first_order` and `total`: `mdrm` or `additive`.
-    pub method: String,
+    #[serde(with = "named")]
+    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    pub method: Form,
     /// `ok`, `constant` or `product-form-broken`.
-    pub status: String,
+    #[serde(with = "named")]
+    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    pub status: Status,
     /// Why the status is not `ok`.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,

@@ -1,6 +1,6 @@
 //! The texts that fuzzing kept, read again: each found a way through a reader that no other had, or a fault that is mended since.
 
-#[path = "../../tests/fuzz/checks.rs"]
+#[path = "../../../tests/fuzz/checks.rs"]
 mod checks;
 
 /// Every text of a corpus, which is a JSON string on each line.
@@ -16,7 +16,7 @@ fn replay(corpus: &str, check: fn(&str)) {
 #[test]
 fn scenes() {
     replay(
-        include_str!("../../tests/fuzz/corpus/scene.jsonl"),
+        include_str!("../../../tests/fuzz/corpus/scene.jsonl"),
         checks::scene,
     );
 }
@@ -24,7 +24,7 @@ fn scenes() {
 #[test]
 fn studies() {
     replay(
-        include_str!("../../tests/fuzz/corpus/study.jsonl"),
+        include_str!("../../../tests/fuzz/corpus/study.jsonl"),
         checks::study,
     );
 }
@@ -32,7 +32,7 @@ fn studies() {
 #[test]
 fn sweeps() {
     replay(
-        include_str!("../../tests/fuzz/corpus/sweep.jsonl"),
+        include_str!("../../../tests/fuzz/corpus/sweep.jsonl"),
         checks::sweep,
     );
 }
@@ -40,7 +40,7 @@ fn sweeps() {
 #[test]
 fn inputs_of_other_models() {
     replay(
-        include_str!("../../tests/fuzz/corpus/inputs.jsonl"),
+        include_str!("../../../tests/fuzz/corpus/inputs.jsonl"),
         checks::inputs,
     );
 }
@@ -48,7 +48,7 @@ fn inputs_of_other_models() {
 #[test]
 fn values_of_other_models() {
     replay(
-        include_str!("../../tests/fuzz/corpus/values.jsonl"),
+        include_str!("../../../tests/fuzz/corpus/values.jsonl"),
         checks::values,
     );
 }

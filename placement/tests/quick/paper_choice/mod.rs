@@ -2,7 +2,7 @@
 
 mod grid;
 
-use grid::{Grid, difference, mdrm, tensor};
+use self::grid::{Grid, difference, mdrm, tensor};
 
 /// P3 x and P3 y among the outputs.
 const CENTRE: [usize; 2] = [4, 5];

@@ -1,23 +1,20 @@
 //! Errors of the mesh, and the climb to a tolerance or within a budget, with a closed form that has the error of a mesh put on.
 
-// Clippy takes functions outside of tests for production code.
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
 use std::time::{Duration, Instant};
 
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::scene::{Level, Scene};
-use fem_client::solver::Coarser;
-use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
+use fem_client::solver::direction::Direction;
+use fem_client::solver::{Coarser, SolveError, SolveRequest, Solved, Solver};
 use gsa::method::Kind;
 use placement::result::{Output, RankedLocation, StudyResult};
 use placement::run::RunError;
+use placement::score::location_scores::GSI;
 use placement::study::{Accuracy, Study};
-use support::{MemoryArchive, observed, shipped, text};
 use tire::mesh_error;
 use tire::model::mesh_plan;
+
+use crate::support::{MemoryArchive, observed, shipped, text};
 
 /// Strain at P3 that a mesh adds for each mm at P2 beyond 1 mm, over the square of its size.
 const OF_MESH: f64 = 0.03;
@@ -55,7 +52,7 @@ impl Solver for Meshed {
         let cells = mesh_plan(scene, scene.model.level).cells() as f64;
         let slope = OF_MESH * cells.powf(-2.0 / 3.0);
         let depth = scene.ground.depths_mm[1];
-        solved.response.locations[2].strain_x +=
+        solved.response.locations[2].strain.x +=
             slope * (depth - 1.0) + self.kink * (depth - KINK_MM).abs();
         solved.response.model.elements = cells as usize;
         Ok(solved)
@@ -85,7 +82,7 @@ fn answer(study: &Study, solver: &dyn Solver) -> StudyResult {
 
 fn at_centre(result: &StudyResult) -> &Output {
     let found = result.outputs.iter();
-    let mut found = found.filter(|o| o.location == "P3" && o.direction == "x");
+    let mut found = found.filter(|o| o.location == "P3" && o.direction == Direction::X);
     found.next().unwrap()
 }
 
@@ -121,7 +118,8 @@ fn a_draft_does_not_know_its_own() {
     let output = at_centre(&result);
     assert!(output.error.mesh.is_none() && output.error.reason.is_some());
     assert!(output.error.total.is_none() && output.error.quadrature.is_some());
-    let claims_nothing = |l: &RankedLocation| l.gsi_x_error_percent.is_none() && !l.rank_certain;
+    let claims_nothing =
+        |l: &RankedLocation| l.error(GSI, Direction::X).is_none() && !l.rank_certain;
     assert!(result.locations.iter().all(claims_nothing));
     assert_eq!(result.cost.coarser_solves, 0);
     let mut notes = result.notes.iter();

@@ -1,10 +1,6 @@
 //! What a failed solve costs: its point where the load has no equilibrium; where the solver is to blame, the study, but no
 //! other point.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use fem_client::closed_form::ClosedFormSolver;
@@ -13,7 +9,8 @@ use gsa::method::{Kind, Method};
 use placement::run::{Event, Means, RunError, run};
 use placement::study::Study;
 use placement::study::plan::Plan;
-use support::{MemoryArchive, Twisted, answered, observed, shipped, text};
+
+use crate::support::{MemoryArchive, Twisted, answered, observed, shipped, text};
 
 const POINTS: usize = 26;
 
@@ -49,7 +46,8 @@ fn points_without_equilibrium_are_named_and_cost_accuracy() {
     for point in &result.failed_points {
         assert_eq!(&point.values, &plan.values()[point.ordinal]);
         let cause = "not-converged: no equilibrium beyond a depth of 1.26 mm";
-        assert!(point.cause.starts_with(cause), "{}", point.cause);
+        let told = point.cause.to_string();
+        assert!(told.starts_with(cause), "{told}");
     }
     let note = &result.notes[0];
     let count = format!("{} of 26 points without an equilibrium", ordinals.len());
@@ -265,7 +263,7 @@ fn a_panic_costs_its_point_alone() {
     let failed = result.unwrap().failed_points;
     assert_eq!((failed.len(), failed[0].ordinal), (1, 7));
     assert_eq!(
-        failed[0].cause,
+        failed[0].cause.to_string(),
         "solver-failed: panic: element 12 is inside out"
     );
     let told = |event: &&Event| matches!(event, Event::PointFailed { ordinal: 7, .. });
@@ -308,7 +306,7 @@ fn a_response_that_is_not_finite_is_never_stored() {
         ) -> Result<fem_client::solver::Solved, SolveError> {
             let mut solved = ClosedFormSolver::new().solve(request)?;
             if request.start.is_some() {
-                solved.response.rings[1].strain_y[3] = f64::NAN;
+                solved.response.rings[1].strain.y[3] = f64::NAN;
             }
             Ok(solved)
         }
@@ -322,6 +320,7 @@ fn a_response_that_is_not_finite_is_never_stored() {
     assert!(
         failed[0]
             .cause
+            .to_string()
             .contains("a strain of a ring isn't a finite number")
     );
     assert_eq!(archive.points.lock().unwrap().len(), 1);
