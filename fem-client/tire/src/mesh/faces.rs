@@ -3,7 +3,7 @@
 use fem::cell::mesh::{Surface, SurfacePoint};
 use fem::surface::membrane::Window;
 
-use crate::mesh::lines::locate;
+use crate::mesh::grid_lines::locate;
 use crate::mesh::tire_grid::{Extent, TireGrid};
 
 impl TireGrid {

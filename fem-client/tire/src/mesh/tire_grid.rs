@@ -8,7 +8,7 @@
 use fem::cell::element::Order;
 use fem::cell::mesh::Mesh;
 
-use crate::mesh::lines::{graded, half_circle, layers};
+use crate::mesh::grid_lines::{graded, half_circle, layers};
 
 /// How finely a tire is meshed.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -25,7 +25,7 @@ use crate::family::Unsolved;
 use crate::known_case::Case;
 use crate::mesh_refinement::Refinement;
 use fem_client::scene::Scene;
-use tire::mesh::lines::graded;
+use tire::mesh::grid_lines::graded;
 use tire::mesh::tire_grid::{Extent, TireGrid};
 use tire::model::{TireModel, ground, shape};
 
