@@ -1,23 +1,30 @@
-//! Hashes sources at build time, so that what they computed is never mistaken for what others did. A part of the build scripts of this package and of placement.
+//! Hashes sources at build time, so that what they computed is never mistaken for what others did. A part of the build scripts of
+//! tire, calculix and placement.
 
 use std::io;
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-/// Twelve hexadecimal digits that stand for all files of these folders, whose paths begin at the package's; a change of any of them has
-/// the package built again.
+/// [`hash_below`] of folders below the package that is built; a change of any of their files has it built again.
 pub fn hash(folders: &[&str]) -> io::Result<String> {
-    let root = PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
-    let mut files = Vec::new();
     for folder in folders {
         println!("cargo::rerun-if-changed={folder}");
+    }
+    let package = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
+    hash_below(Path::new(&package), folders)
+}
+
+/// Twelve hexadecimal digits that stand for names and content of all files of these folders, whose paths begin at the root.
+pub fn hash_below(root: &Path, folders: &[&str]) -> io::Result<String> {
+    let mut files = Vec::new();
+    for folder in folders {
         collect(&root.join(folder), &mut files)?;
     }
     files.sort();
     let mut hash = Sha256::new();
     for file in &files {
-        let name = file.strip_prefix(&root).unwrap_or(file);
+        let name = file.strip_prefix(root).unwrap_or(file);
         hash.update(name.as_os_str().as_encoded_bytes());
         hash.update(std::fs::read(file)?);
     }

@@ -1,6 +1,5 @@
-//! The binary carries the database's migrations and the dashboard: build again when either changes.
+//! The dashboard is part of the program: build again when it changes.
 
 fn main() {
-    println!("cargo::rerun-if-changed=../migrations");
     println!("cargo::rerun-if-changed=../web/dist");
 }

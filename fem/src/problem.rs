@@ -1,11 +1,11 @@
 //! A boundary value problem, its loads and its state.
 
-use crate::contact::ContactSurface;
-use crate::membrane::Membrane;
-use crate::mesh::Mesh;
-use crate::obstacle::HeightField;
-use crate::pressure::PressureSurface;
+use crate::cell::mesh::Mesh;
+use crate::load::contact::ContactSurface;
+use crate::load::obstacle::HeightField;
+use crate::load::pressure::PressureSurface;
 use crate::solid::SolidModel;
+use crate::surface::membrane::Membrane;
 use crate::tensor::Vector;
 
 /// What is solved: a body, how it is held, and where it can be loaded.
@@ -74,7 +74,7 @@ impl Loads {
 }
 
 impl Loads {
-    /// The same loads with other depths of the ground, where there is one.
+    /// These loads with other depths (mm) of the ground, where there is one.
     pub fn with_depths(&self, depths: &[f64]) -> Self {
         let ground = self.ground.as_ref().map(|ground| HeightField {
             depths: depths.to_vec(),
@@ -125,7 +125,7 @@ impl State {
         }
     }
 
-    /// Current position of a node.
+    /// Current position of a node, mm.
     pub fn position(&self, mesh: &Mesh, node: u32) -> Vector {
         let (x, u) = (
             &mesh.nodes[node as usize],
@@ -142,7 +142,7 @@ impl State {
         }
     }
 
-    /// Adds `factor` times these increments.
+    /// Adds `factor` times these increments of displacements (mm) and pressures (MPa).
     pub fn add(&mut self, factor: f64, displacement: &[Vector], pressure: &[f64]) {
         let own = self.displacement.as_flattened_mut().iter_mut();
         for (u, du) in own.zip(displacement.as_flattened()) {
@@ -153,7 +153,7 @@ impl State {
         }
     }
 
-    /// All unknowns in one list: displacements, then pressures. Friction's anchors are no unknowns.
+    /// All unknowns in one list: displacements (mm), then pressures (MPa). Friction's anchors are no unknowns.
     pub fn to_flat(&self) -> Vec<f64> {
         self.displacement
             .iter()

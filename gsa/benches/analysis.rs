@@ -8,9 +8,9 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use gsa::analysis::analyse;
 use gsa::design::Design;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
+use gsa::method::lines::analyse;
 use ndarray::Array2;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

@@ -3,7 +3,7 @@
 //! Run it with `cargo run --release -p gsa --example own_model`.
 
 use gsa::campaign::Campaign;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
 use gsa::method::{Kind, Method};
 use ndarray::Array2;
 

@@ -1,11 +1,11 @@
 //! Ask and tell: points out, values in, until the method has what it needs.
 //!
-//! A campaign's points only ever grow, and are a function of inputs, method and the values told: told the same, it asks the
-//! same, so that a campaign can be replayed from its values at any time. Point 0 is the cut point, all inputs at their means.
+//! A campaign's points only ever grow, and are a function of inputs, method and the values told, so that a campaign can be
+//! replayed from its values at any time. Point 0 is the cut point, all inputs at their means.
 //!
 //! ```
 //! use gsa::campaign::Campaign;
-//! use gsa::distribution::Distribution;
+//! use gsa::law::distribution::Distribution;
 //! use gsa::method::{Kind, Method};
 //! use ndarray::Array2;
 //!
@@ -27,55 +27,40 @@
 //! ```
 
 use ndarray::{ArrayView2, Axis, Slice};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
 
-use crate::analysis::{self, Analysis, Status};
-use crate::bivariate::{self, PairGrid};
-use crate::climb::{self, Step};
-use crate::corrected::Frame;
-use crate::design::{Design, DesignError, MAX_CHECK_POINTS};
-use crate::distribution::Distribution;
-use crate::error::{ByInput, ErrorParts};
-use crate::method::{Kind, Method};
-use crate::pce::{self, Chaos};
-use crate::saltelli;
-use crate::scattered;
+use crate::design::{Design, DesignError};
+use crate::law::distribution::Distribution;
+use crate::method::Method;
+use crate::method::analysis::Analysis;
+use crate::method::procedure::{Procedure, Runs};
 
 /// The runs a method asks for, and what it makes of them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Campaign {
     inputs: Vec<Distribution>,
     method: Method,
-    rng: ChaCha8Rng,
-    runs: Runs,
-    /// whether the tolerance was met before the last points were asked for
-    confirmed: bool,
+    procedure: Box<dyn Procedure>,
 }
 
-/// Analyses one output.
-type Answer<'a> = Box<dyn Fn(&[f64]) -> Analysis + 'a>;
-
-/// What was planned so far.
-#[derive(Debug, Clone, PartialEq)]
-enum Runs {
-    Lines(Design),
-    Pairs(Design, Vec<PairGrid>),
-    Scattered(Vec<Vec<f64>>),
+impl PartialEq for Campaign {
+    fn eq(&self, other: &Self) -> bool {
+        self.inputs == other.inputs
+            && self.method == other.method
+            && self.procedure.equals(&*other.procedure)
+    }
 }
 
 impl Campaign {
     /// # Errors
-    /// A design that does not exist, or one beyond [`MAX_CHECK_POINTS`].
+    /// A design that does not exist, or one beyond [`MAX_CHECK_POINTS`](crate::design::MAX_CHECK_POINTS).
     pub fn new(inputs: &[Distribution], method: Method) -> Result<Self, DesignError> {
-        let mut rng = ChaCha8Rng::seed_from_u64(method.seed);
-        let runs = first_runs(inputs, &method, &mut rng)?;
+        if inputs.is_empty() {
+            return Err(DesignError::NoInputs);
+        }
         Ok(Self {
             inputs: inputs.to_vec(),
             method,
-            rng,
-            runs,
-            confirmed: false,
+            procedure: method.begin(inputs)?,
         })
     }
 
@@ -103,18 +88,23 @@ impl Campaign {
         }
     }
 
+    /// The laws of the inputs.
+    pub fn inputs(&self) -> &[Distribution] {
+        &self.inputs
+    }
+
     /// All points so far, in the inputs' units.
     pub fn points(&self) -> &[Vec<f64>] {
-        match &self.runs {
-            Runs::Lines(design) | Runs::Pairs(design, _) => design.points(),
+        match self.procedure.runs() {
+            Runs::Lines(design) => design.points(),
             Runs::Scattered(points) => points,
         }
     }
 
     /// The lines through the cut point, for methods that have them.
     pub fn design(&self) -> Option<&Design> {
-        match &self.runs {
-            Runs::Lines(design) | Runs::Pairs(design, _) => Some(design),
+        match self.procedure.runs() {
+            Runs::Lines(design) => Some(design),
             Runs::Scattered(_) => None,
         }
     }
@@ -129,26 +119,8 @@ impl Campaign {
     /// If the number of rows is not the number of points.
     pub fn tell(&mut self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
         let analyses = self.analyse(values)?;
-        if let (Kind::Auto, Runs::Lines(design)) = (self.method.kind, &mut self.runs) {
-            match climb::next_step(design, &analyses, &self.method, &mut self.confirmed) {
-                None => {}
-                Some(Step::Check(count)) => {
-                    design.add_checks(count, &mut self.rng)?;
-                }
-                Some(Step::Refine(inputs)) => {
-                    for (input, nodes) in inputs {
-                        // A law may have no rule of so many nodes: its line then stays as it is.
-                        let _ = design.refine(input, nodes);
-                    }
-                }
-            }
-        }
+        self.procedure.extend(&analyses)?;
         Ok(analyses)
-    }
-
-    /// The laws of the inputs.
-    pub fn inputs(&self) -> &[Distribution] {
-        &self.inputs
     }
 
     /// What follows from the values at all points, without asking for more.
@@ -159,45 +131,12 @@ impl Campaign {
     /// # Panics
     /// If the number of rows is not the number of points.
     pub fn analyse(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
-        let (rows, points) = (values.nrows(), self.points().len());
-        assert!(rows == points, "{rows} rows of values for {points} points");
-        if let (Kind::Mdrm, Runs::Lines(design)) = (self.method.kind, &self.runs) {
-            return Ok(analysis::analyse(design, values));
-        }
-        let each: Answer<'_> = match &self.runs {
-            Runs::Lines(design) => {
-                let frame = Frame::new(design);
-                let tolerance = match self.method.kind {
-                    Kind::Tensor => None,
-                    _ => Some(self.method.tolerance),
-                };
-                Box::new(move |values| climb::analyse(design, &frame, values, tolerance))
-            }
-            Runs::Pairs(design, grids) => {
-                let frame = Frame::new(design);
-                Box::new(move |values| bivariate::answer(design, &frame, grids, values))
-            }
-            Runs::Scattered(_) if self.method.kind == Kind::Saltelli => {
-                let inputs = self.inputs.len();
-                Box::new(move |values| scattered::saltelli(inputs, values))
-            }
-            Runs::Scattered(points) => {
-                let chaos = Chaos::new(&self.inputs, points)
-                    .map_err(|(input, source)| DesignError::Rule { input, source })?;
-                Box::new(move |values| scattered::pce(&chaos, values))
-            }
-        };
-        let by_output = values.t().as_standard_layout().into_owned();
-        let slices = by_output.rows().into_iter();
-        Ok(slices
-            .map(|row| each(row.as_slice().expect("standard layout")))
-            .map(|analysis| self.without_verdict(analysis))
-            .map(|analysis| self.of_one_input(analysis))
-            .collect())
+        self.check_rows(values);
+        self.procedure.analyse(values)
     }
 
-    /// The same for outputs by the thousand that the campaign wasn't asked to serve. The adaptive method then gives the best form on
-    /// its lines, in milliseconds: its check points show that form's error, and aren't used to correct it.
+    /// As [`Campaign::analyse`], for outputs by the thousand that the campaign wasn't asked to serve. The adaptive method then gives
+    /// the best form on its lines, in milliseconds: its check points show that form's error, and aren't used to correct it.
     ///
     /// # Errors
     /// As [`Campaign::analyse`].
@@ -205,95 +144,12 @@ impl Campaign {
     /// # Panics
     /// As [`Campaign::analyse`].
     pub fn survey(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
-        match (self.method.kind, &self.runs) {
-            (Kind::Auto, Runs::Lines(design)) => Ok(analysis::analyse(design, values)),
-            _ => self.analyse(values),
-        }
+        self.check_rows(values);
+        self.procedure.survey(values)
     }
 
-    /// A method that doesn't rest on the product form isn't broken with it.
-    fn without_verdict(&self, analysis: Analysis) -> Analysis {
-        let indexed = analysis.first_order.is_some();
-        match (self.method.kind, analysis.status) {
-            (Kind::Tensor | Kind::Bivariate, Status::ProductFormBroken) if indexed => Analysis {
-                status: Status::Ok,
-                ..analysis
-            },
-            _ => analysis,
-        }
+    fn check_rows(&self, values: &ArrayView2<f64>) {
+        let (rows, points) = (values.nrows(), self.points().len());
+        assert!(rows == points, "{rows} rows of values for {points} points");
     }
-}
-
-impl Campaign {
-    /// A single input has all of the variance, whatever a method's sums say.
-    fn of_one_input(&self, analysis: Analysis) -> Analysis {
-        if self.inputs.len() > 1 || analysis.first_order.is_none() {
-            return analysis;
-        }
-        let none = Some(vec![0.0]);
-        let parts = ByInput {
-            quadrature: analysis.error.quadrature.and(none.clone()),
-            decomposition: analysis.error.decomposition.and(none.clone()),
-            sampling: analysis.error.sampling.and(none),
-            ..ByInput::default()
-        };
-        Analysis {
-            first_order: Some(vec![1.0]),
-            total: Some(vec![1.0]),
-            error: ErrorParts::new(parts, analysis.error.floor),
-            ..analysis
-        }
-    }
-}
-
-fn first_runs(
-    inputs: &[Distribution],
-    method: &Method,
-    rng: &mut ChaCha8Rng,
-) -> Result<Runs, DesignError> {
-    let lines =
-        |checks: usize, rng: &mut ChaCha8Rng| Design::new(inputs, method.nodes, checks, rng);
-    if inputs.is_empty() {
-        return Err(DesignError::NoInputs);
-    }
-    let too_many = |asked: usize| Err(DesignError::TooManyCheckPoints { asked });
-    Ok(match method.kind {
-        Kind::Mdrm => Runs::Lines(lines(method.check_points, rng)?),
-        Kind::Auto => Runs::Lines(lines(method.check_points, rng)?.refined_on_demand()),
-        Kind::Tensor => {
-            let mut design = lines(0, rng)?;
-            let all = design.off_axis_len();
-            if all > MAX_CHECK_POINTS {
-                return too_many(all);
-            }
-            design.add_checks(all, rng)?;
-            design.add_probes(method.check_points, rng);
-            Runs::Lines(design)
-        }
-        Kind::Bivariate => {
-            let pairs = inputs.len().saturating_mul(inputs.len() - 1) / 2;
-            let asked = pairs.saturating_mul(method.nodes * method.nodes);
-            if asked > MAX_CHECK_POINTS {
-                return too_many(asked);
-            }
-            let mut design = lines(method.check_points, rng)?;
-            let grids = bivariate::add_pairs(&mut design);
-            design.add_probes(method.check_points, rng);
-            Runs::Pairs(design, grids)
-        }
-        Kind::Pce if method.samples > MAX_CHECK_POINTS => return too_many(method.samples),
-        Kind::Pce => {
-            // Whether the laws have the polynomials is known now, not after the runs.
-            Chaos::new(inputs, &[])
-                .map_err(|(input, source)| DesignError::Rule { input, source })?;
-            Runs::Scattered(pce::points(inputs, method.samples, method.seed))
-        }
-        Kind::Saltelli => {
-            let asked = method.samples.saturating_mul(inputs.len() + 2);
-            if asked > 10 * MAX_CHECK_POINTS {
-                return too_many(asked);
-            }
-            Runs::Scattered(saltelli::points(inputs, method.samples, method.seed))
-        }
-    })
 }

@@ -4,7 +4,7 @@
 //! share S_i of Var\[Y\] that X_i causes alone, and the share S_Ti it takes part in. The inputs are independent.
 //!
 //! This crate never calls a model. A [`design::Design`] lists the runs to make; whoever owns the model makes them, in
-//! any order and anywhere; [`analysis::analyse`] turns their values into indices with an error. So runs can be queued,
+//! any order and anywhere; [`method::lines::analyse`] turns their values into indices with an error. So runs can be queued,
 //! stored and resumed, and one set of runs serves thousands of outputs.
 //!
 //! The default method is multiplicative dimension reduction (Zhang and Pandey 2014): the output as a product of its sections
@@ -21,16 +21,20 @@
 //! | rho_i, v_i | mean and variance of section i |
 //! | S_i, S_Ti | first-order and total index of input i |
 //!
-//! Read in this order, each module importing only those above it: `recurrence`, `golub_welsch`, `basis`, [`rule`];
-//! `density`, `panel`, `discretisation`, `probability`, [`distribution`]; `polynomials`, `grid`, [`design`]; `scale`,
-//! `spectrum`, `refinement`, `section`, `mdrm`, `shift`, `additive`; `evidence`, [`error`], [`misses`], `composite`, `verdict`, [`analysis`]; `factors`,
-//! `regression`, `dictionary`, `corrected`; [`method`], `climb`, `bivariate`; `sobol`, [`saltelli`], `pce`, `scattered`;
-//! [`campaign`], which is the way in; [`certainty`].
+//! Rooms in reading order; a room's page lists its modules:
+//!
+//! - [`law`]: the laws of the inputs and their Gauss rules
+//! - [`design`]: the runs to make
+//! - [`judge`]: errors of indices, and whether a place in a ranking is certain
+//! - [`form`]: surrogates of an output on its lines
+//! - [`method`]: the ways from runs to indices
+//! - [`campaign`]: the way in
 //!
 //! ```
-//! use gsa::analysis::{Status, analyse};
+//! use gsa::method::analysis::Status;
+//! use gsa::method::lines::analyse;
 //! use gsa::design::Design;
-//! use gsa::distribution::Distribution;
+//! use gsa::law::distribution::Distribution;
 //! use ndarray::Array2;
 //! use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 //!
@@ -55,79 +59,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-// In reading order, which the blank lines keep from being sorted.
-mod recurrence;
-
-mod golub_welsch;
-
-mod basis;
-
-pub mod rule;
-
-mod density;
-
-mod panel;
-
-mod discretisation;
-
-mod probability;
-
-pub mod distribution;
-
-mod polynomials;
-
-mod grid;
-
-pub mod design;
-
-mod scale;
-
-mod spectrum;
-
-mod refinement;
-
-mod section;
-
-mod mdrm;
-
-mod shift;
-
-mod additive;
-
-mod evidence;
-
-pub mod error;
-
-pub mod misses;
-
-mod composite;
-
-mod verdict;
-
-pub mod analysis;
-
-mod factors;
-
-mod regression;
-
-mod dictionary;
-
-mod corrected;
-
-pub mod method;
-
-mod climb;
-
-mod bivariate;
-
-mod sobol;
-
-pub mod saltelli;
-
-mod pce;
-
-mod scattered;
-
 pub mod campaign;
-
-pub mod certainty;
+pub mod design;
+mod form;
+pub mod judge;
+pub mod law;
+pub mod method;

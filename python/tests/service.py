@@ -8,6 +8,7 @@ import os
 import re
 import socket
 import subprocess
+import sys
 import threading
 import time
 from contextlib import closing, contextmanager
@@ -15,11 +16,26 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
 Trouble = str | int | tuple[int, dict[str, str]] | None
 ROOT = Path(__file__).resolve().parents[2]
 BINARY = Path(os.environ.get("STRAINSITE_BIN") or ROOT / "target/release/strainsite").resolve()
+
+
+def said_by(script: Sequence[str | Path], folder: Path, timeout_s: float, **environment: str) -> str:
+    """What Python prints when it runs a script in a folder."""
+    ran = subprocess.run(
+        [sys.executable, *script],
+        cwd=folder,
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        timeout=timeout_s,
+        check=False,
+    )
+    assert ran.returncode == 0, ran.stderr
+    return ran.stdout
 
 
 def free_port() -> int:

@@ -12,7 +12,7 @@ from service import Service, Way, free_port, running
 
 import strainsite
 from strainsite import Client, Study
-from strainsite.transport import seconds_to_wait
+from strainsite.connection.transport import seconds_to_wait
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

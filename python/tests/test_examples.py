@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import json
-import os
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
-from service import BINARY, ROOT
+from service import BINARY, ROOT, said_by
 
 EXAMPLES = ROOT / "examples"
 
@@ -21,18 +18,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def run(folder: Path, *arguments: str | Path) -> str:
-    environment = {**os.environ, "STRAINSITE_BIN": str(BINARY)}
-    ran = subprocess.run(
-        [sys.executable, *arguments],
-        cwd=folder,
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=100,
-        check=False,
-    )
-    assert ran.returncode == 0, ran.stderr
-    return ran.stdout
+    return said_by(arguments, folder, 100, STRAINSITE_BIN=str(BINARY))
 
 
 def test_the_first_ranking_and_what_its_database_holds(folder: Path) -> None:

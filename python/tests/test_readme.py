@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import os
 import re
-import subprocess
-import sys
 from typing import TYPE_CHECKING
 
 import pytest
-from service import BINARY, ROOT
+from service import BINARY, ROOT, said_by
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -32,16 +29,6 @@ def test_the_first_script_runs(readme: str, said: str, written: set[str], tmp_pa
     # What differs: where program and study are, and the mesh, so that it takes a second.
     script = script.replace("target/release/strainsite", str(BINARY)).replace("studies/", f"{ROOT}/studies/")
     script = re.sub('"(coarse|standard)"', '"draft"', script)
-    environment = {**os.environ, "MPLBACKEND": "Agg"}
-    ran = subprocess.run(
-        [sys.executable, "-c", script],
-        cwd=tmp_path,
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-    )
-    assert ran.returncode == 0, ran.stderr
-    assert re.search(said, ran.stdout), ran.stdout
+    printed = said_by(["-c", script], tmp_path, 60, MPLBACKEND="Agg")
+    assert re.search(said, printed), printed
     assert written <= {path.name for path in tmp_path.iterdir()}

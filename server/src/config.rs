@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use placement::usage::machine_memory_bytes;
+use placement::run::usage::machine_memory_bytes;
 
 /// Where studies are kept, and how many solves run at once.
 #[derive(Debug, Clone, Args)]

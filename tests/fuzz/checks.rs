@@ -1,21 +1,21 @@
 //! What must hold for every text that a reader is given, whatever is in it: no panic, no number that isn't finite, and faults that say where.
 //!
-//! The fuzzer calls these with texts of its own making, `placement/tests/fuzzed.rs` with those that it kept.
+//! The fuzzer calls these with texts of its own making, `placement/tests/quick/fuzzed.rs` with those that it kept.
 
 use std::sync::OnceLock;
 
+use fem_client::document::fault::{Fault, MAX_FAULTS};
 use fem_client::document::{Format, parse};
-use fem_client::fault::{Fault, MAX_FAULTS};
 use fem_client::scene::Scene;
-use gsa::analysis::Analysis;
 use gsa::campaign::Campaign;
-use gsa::distribution::Distribution;
+use gsa::law::distribution::Distribution;
+use gsa::method::analysis::Analysis;
 use gsa::method::{Kind, Method};
-use placement::inputs_document::Inputs;
-use placement::plan::{Plan, first_points};
+use placement::own_model::inputs_document::Inputs;
+use placement::own_model::value_table::ValueTable;
+use placement::study::plan::Plan;
 use placement::study::{Study, presets};
 use placement::sweep::{Design, MOST_DESIGNS, Sweep, designs_of, sweep_of, typed_grid};
-use placement::value_table::ValueTable;
 use serde_json::{Value, json};
 
 const OF_SCENE: [&str; 8] = [
@@ -170,7 +170,7 @@ pub fn inputs(text: &str) {
         Err(faults) => return say_where(&faults, text, &OF_INPUTS),
     };
     assert_eq!(inputs.names.len(), inputs.laws.len());
-    let points = first_points(&inputs.method, inputs.laws.len());
+    let points = inputs.method.first_points(inputs.laws.len());
     if points.saturating_mul(inputs.laws.len()) > MOST_PLANNED {
         return;
     }

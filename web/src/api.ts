@@ -1,13 +1,17 @@
 /** The only file that talks to the network. */
 
-import {
-  EVENT_KINDS, type Presets, type Problem, type StudyEvent, type StudyPage, type StudyResult, type StudySummary, type Trade,
-} from "./types.ts";
-import type { Comparison, SweepDetail, SweepEstimate, SweepPage } from "./sweep-types.ts";
+import type { Page } from "./lib/pages.ts";
+import { EVENT_KINDS, type StudyEvent } from "./lib/study/stream-events.ts";
+import type {
+  Comparison, Presets, ProblemDocument, StudyDetail, StudyPage, StudyResult, StudySummary, SweepDetail, SweepEstimate, SweepPage, SweepSummary, Trade,
+} from "./wire.ts";
 
 const ROOT = "/v1";
 /** The service looks at every design of the sweeps that it lists, and the list is asked for again and again. */
 const SWEEPS_OF_A_PAGE = 10;
+
+/** What the service says is wrong. The page has problems of its own, of which there is less to say. */
+export type Problem = Pick<ProblemDocument, "title" | "status"> & Partial<ProblemDocument>;
 
 /** An answer that is not the one asked for, or no answer at all. */
 export class ApiError extends Error {
@@ -39,12 +43,12 @@ export function presets(): Promise<Presets> {
 }
 
 /** Studies by themselves: the designs of a sweep are on its own page. */
-export function studies(cursor: string | null): Promise<StudyPage> {
-  const alone = "/studies?sweep=none";
-  return request("GET", cursor === null ? alone : `${alone}&cursor=${encodeURIComponent(cursor)}`);
+export async function studies(cursor: string | null): Promise<Page<StudySummary>> {
+  const page = await request<StudyPage>("GET", `/studies?sweep=none${further(cursor)}`);
+  return { entries: page.studies, next_cursor: page.next_cursor ?? null };
 }
 
-export function study(id: string): Promise<StudySummary> {
+export function study(id: string): Promise<StudyDetail> {
   return request("GET", path(id));
 }
 
@@ -65,9 +69,9 @@ export function cancel(id: string): Promise<unknown> {
   return request("DELETE", path(id));
 }
 
-export function sweeps(cursor: string | null): Promise<SweepPage> {
-  const limit = `/sweeps?limit=${SWEEPS_OF_A_PAGE}`;
-  return request("GET", cursor === null ? limit : `${limit}&cursor=${encodeURIComponent(cursor)}`);
+export async function sweeps(cursor: string | null): Promise<Page<SweepSummary>> {
+  const page = await request<SweepPage>("GET", `/sweeps?limit=${SWEEPS_OF_A_PAGE}${further(cursor)}`);
+  return { entries: page.sweeps, next_cursor: page.next_cursor ?? null };
 }
 
 export function sweep(id: string): Promise<SweepDetail> {
@@ -128,6 +132,10 @@ export function follow(id: string, listener: StreamListener): () => void {
   source.addEventListener("open", () => listener.open());
   source.addEventListener("error", () => listener.lost());
   return () => source.close();
+}
+
+function further(cursor: string | null): string {
+  return cursor === null ? "" : `&cursor=${encodeURIComponent(cursor)}`;
 }
 
 function path(id: string, rest = ""): string {

@@ -1,7 +1,8 @@
 import { render } from "preact";
-import { createActions } from "./actions.ts";
-import { createStore, initialState } from "./state.ts";
-import "./style.css";
+import { createActions } from "./state/actions.ts";
+import { initialState } from "./state/app-state.ts";
+import { createStore } from "./state/store.ts";
+import "./style/all.css";
 import { App } from "./views/app.tsx";
 
 const root = document.getElementById("app");

@@ -14,11 +14,12 @@
 
 use std::f64::consts::PI;
 
-use crate::gauge::{Gauge, GaugeReading};
 use crate::scene::{Geometry, Scene};
+use crate::solver::direction::PerDirection;
+use crate::solver::gauge::{Gauge, GaugeReading};
 use crate::solver::{
     Choice, Grid, Inflated, LocationStrain, MapShape, ModelSummary, Position, Response,
-    ResponseError, Ring, Section, SolveRequest, StartState, StrainMap, StrainPair,
+    ResponseError, Ring, Section, SolveRequest, StartState, StrainMap,
 };
 
 const REFERENCE_PRESSURE_MPA: f64 = 0.2;
@@ -76,13 +77,13 @@ impl Field {
             .sum()
     }
 
-    fn strain(&self, theta_deg: f64, phi_deg: f64) -> StrainPair {
+    fn strain(&self, theta_deg: f64, phi_deg: f64) -> PerDirection<f64> {
         let depth = self.effective_depth(theta_deg);
         let phi = phi_deg.to_radians();
         let size = self.scale * self.softness * depth;
-        StrainPair {
-            strain_x: 0.04 * size * (1.5 - depth) * (1.0 + phi.cos()) / 2.0,
-            strain_y: 0.09 * size * (2.5 * phi).cos(),
+        PerDirection {
+            x: 0.04 * size * (1.5 - depth) * (1.0 + phi.cos()) / 2.0,
+            y: 0.09 * size * (2.5 * phi).cos(),
         }
     }
 
@@ -103,13 +104,11 @@ impl Field {
             },
             inflated: Inflated {
                 outer_radius_mm: self.radius_mm,
-                crown_stretch_x: 1.01,
-                crown_stretch_y: 1.02,
+                crown_stretch: PerDirection { x: 1.01, y: 1.02 },
             },
             error: ResponseError {
                 reaction_n: 0.0,
-                strain_x: 0.0,
-                strain_y: 0.0,
+                strain: PerDirection::default(),
             },
             max_volume_change: 0.0,
             newton_iterations,
@@ -139,9 +138,9 @@ impl Field {
 
     /// The strain tensor turned to the gauge's direction, on a tire that inflation doesn't stretch.
     fn gauge(&self, gauge: Gauge) -> GaugeReading {
-        let pair = self.strain(gauge.theta_deg, gauge.phi_deg);
+        let along = self.strain(gauge.theta_deg, gauge.phi_deg);
         let (sin, cos) = gauge.angle_deg.to_radians().sin_cos();
-        let strain = cos * cos * pair.strain_x + sin * sin * pair.strain_y;
+        let strain = cos * cos * along.x + sin * sin * along.y;
         GaugeReading {
             gauge,
             strain,
@@ -156,13 +155,13 @@ impl Field {
     fn locations(&self) -> Vec<LocationStrain> {
         let locations = (1..=5_i32).map(|k| {
             let theta_deg = f64::from(k - 3) * self.spacing_deg;
-            let StrainPair { strain_x, strain_y } = self.strain(theta_deg, 0.0);
-            let energy = strain_x * strain_x + strain_x * strain_y + strain_y * strain_y;
+            let strain = self.strain(theta_deg, 0.0);
+            let PerDirection { x, y } = strain;
+            let energy = x * x + x * y + y * y;
             LocationStrain {
                 name: format!("P{k}"),
                 theta_deg,
-                strain_x,
-                strain_y,
+                strain,
                 von_mises_mpa: 1.08 * energy.sqrt(),
                 error: None,
             }
@@ -185,8 +184,7 @@ impl Field {
             }
         }
         StrainMap {
-            strain_x: strains.iter().map(|strain| strain.strain_x).collect(),
-            strain_y: strains.iter().map(|strain| strain.strain_y).collect(),
+            strain: strains.into_iter().collect(),
             theta_deg,
             phi_deg,
             shape: request.readout.shape.then_some(shape),
@@ -214,14 +212,12 @@ impl Field {
 
     fn ring(&self, position: Position) -> Ring {
         let theta_deg: Vec<f64> = (-180..180).map(f64::from).collect();
-        let strains: Vec<StrainPair> = theta_deg
+        let strains = theta_deg
             .iter()
-            .map(|theta| self.strain(*theta, position.angle_deg()))
-            .collect();
+            .map(|theta| self.strain(*theta, position.angle_deg()));
         Ring {
             position,
-            strain_x: strains.iter().map(|strain| strain.strain_x).collect(),
-            strain_y: strains.iter().map(|strain| strain.strain_y).collect(),
+            strain: strains.collect(),
             theta_deg,
         }
     }

@@ -1,6 +1,5 @@
 //! The rubber of a scene.
 
-use fem::material::{Isochoric, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use serde::Serialize;
 
 /// Rubber: an isochoric law and its compressibility.
@@ -136,38 +135,13 @@ impl Law {
         }
     }
 
-    /// The law as the solver evaluates it.
-    pub fn isochoric(&self) -> Box<dyn Isochoric> {
-        match self {
-            &Self::NeoHookean { c10_mpa } => Box::new(NeoHookean { c10: c10_mpa }),
-            &Self::MooneyRivlin { c10_mpa, c01_mpa } => Box::new(MooneyRivlin {
-                c10: c10_mpa,
-                c01: c01_mpa,
-            }),
-            &Self::Yeoh {
-                c10_mpa,
-                c20_mpa,
-                c30_mpa,
-            } => Box::new(Yeoh {
-                c10: c10_mpa,
-                c20: c20_mpa,
-                c30: c30_mpa,
-            }),
-            Self::Ogden { terms } => Box::new(Ogden {
-                terms: terms
-                    .iter()
-                    .map(|term| fem::material::OgdenTerm {
-                        mu: term.mu_mpa,
-                        alpha: term.alpha,
-                    })
-                    .collect(),
-            }),
-        }
-    }
-
     /// Shear modulus in the reference state, MPa.
     pub fn shear_modulus_mpa(&self) -> f64 {
-        self.isochoric().shear_modulus()
+        match self {
+            Self::NeoHookean { c10_mpa } | Self::Yeoh { c10_mpa, .. } => 2.0 * c10_mpa,
+            Self::MooneyRivlin { c10_mpa, c01_mpa } => 2.0 * (c10_mpa + c01_mpa),
+            Self::Ogden { terms } => terms.iter().map(|term| term.mu_mpa).sum(),
+        }
     }
 }
 

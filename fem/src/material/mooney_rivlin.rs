@@ -1,7 +1,7 @@
 //! Mooney-Rivlin: W = C10 (I1 - 3) + C01 (I2 - 3) in the isochoric invariants
 //! I1 = J^(-2/3) F:F and I2 = J^(-4/3) ((F:F)^2 - C:C) / 2, C = F^T F.
 
-use super::{Isochoric, von_mises_of_principal};
+use super::isochoric::{Isochoric, von_mises_of_principal};
 use crate::tensor::{
     Tensor, Tensor4, cofactor, cofactor_derivative, determinant, multiply, transpose,
 };

@@ -1,7 +1,7 @@
 //! Neo-Hookean: W = C10 (I1 - 3) in the isochoric invariant I1 = J^(-2/3) F:F.
 
 use super::first_invariant::FirstInvariant;
-use super::{Isochoric, von_mises_of_principal};
+use super::isochoric::{Isochoric, von_mises_of_principal};
 use crate::tensor::{Tensor, Tensor4};
 
 /// The constant, MPa.

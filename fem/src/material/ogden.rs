@@ -16,7 +16,7 @@
 //! beside it. A difference of powers divided by that of their bases is (x^k - y^k) / (x - y) = y^(k-1) expm1(k ln(1 + d)) / d with
 //! d = (x - y) / y: exact to round-off however close x is to y, and k y^(k-1) where they are equal.
 
-use super::{Isochoric, von_mises_of_principal};
+use super::isochoric::{Isochoric, von_mises_of_principal};
 use crate::tensor::{Tensor, Tensor4, multiply, symmetric_eigen, transpose};
 
 /// One term.

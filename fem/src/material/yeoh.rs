@@ -2,7 +2,7 @@
 //! (O. H. Yeoh, Rubber Chem. Technol. 66 (1993) 754).
 
 use super::first_invariant::FirstInvariant;
-use super::{Isochoric, von_mises_of_principal};
+use super::isochoric::{Isochoric, von_mises_of_principal};
 use crate::tensor::{Tensor, Tensor4};
 
 /// The three constants, MPa.

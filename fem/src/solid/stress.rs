@@ -1,14 +1,15 @@
 //! Stresses of bricks, as pictures show them.
 
-use super::{SolidGeometry, SolidModel};
+use super::solid_geometry::SolidGeometry;
+use super::solid_model::SolidModel;
 use crate::tensor::{Tensor, determinant, multiply, transpose};
 
 /// Means over a brick's current volume, MPa.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanStress {
-    /// Cauchy stress.
+    /// Cauchy stress, MPa.
     pub cauchy: Tensor,
-    /// Von Mises stress: the mean of it, which isn't that of the mean stress.
+    /// Von Mises stress, MPa: the mean of it, which isn't that of the mean stress.
     pub von_mises: f64,
 }
 
@@ -56,9 +57,9 @@ impl SolidGeometry {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::Order;
+    use crate::cell::element::Order;
+    use crate::cell::mesh::Mesh;
     use crate::material::NeoHookean;
-    use crate::mesh::Mesh;
 
     /// A unit cube stretched by l along x and by l^(-1/2) across: sigma_x - sigma_y = mu (l^2 - 1/l), which is the von Mises stress too.
     #[test]

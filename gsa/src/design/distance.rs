@@ -1,8 +1,8 @@
 //! How far points are from the cut, in the coordinates of the rules: deviations of each law, of ln x for lognormal ones.
 
 use super::{CheckPoint, Design};
-use crate::grid::Grid;
-use crate::rule::GaussRule;
+use crate::design::node_grid::Grid;
+use crate::law::rule::GaussRule;
 
 impl Design {
     /// The grid of the present lines.
@@ -15,9 +15,9 @@ impl Design {
         Grid::new(rules, &self.points[0], &distances)
     }
 
-    /// What a mean of squared residuals over the check points counts for in a mean over the law, if they are of interactions of so
-    /// many inputs that grow with the distances: mean of d_i d_j .. by the law over that at the points, each over all choices of
-    /// inputs. Of more inputs at once it counts too much. Of fewer inputs than that there are none.
+    /// Factor from a mean of squared residuals over the check points to their mean over the law, for residuals that are interactions
+    /// of `order` inputs and grow with the distances: the mean of d_i d_j .. by the law over that at the points, each over all
+    /// choices of inputs. Interactions of more inputs get too large a factor; there are none of more inputs than the model has.
     pub(crate) fn weight_of_interactions(&self, order: usize) -> f64 {
         let by_law = |input: usize| {
             let rule = self.lines[input].rule();
@@ -70,7 +70,7 @@ mod tests {
     use rand_chacha::rand_core::SeedableRng;
 
     use super::*;
-    use crate::distribution::Distribution;
+    use crate::law::distribution::Distribution;
 
     #[test]
     fn choices_are_counted_once() {

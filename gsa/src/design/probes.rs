@@ -3,7 +3,7 @@
 use rand::Rng;
 
 use super::Design;
-use crate::grid::latin_hypercube;
+use crate::design::node_grid::latin_hypercube;
 
 impl Design {
     /// Adds points drawn by the laws, a Latin hypercube of them. A single input needs none: it has all of the variance.

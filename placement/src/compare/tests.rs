@@ -1,3 +1,5 @@
+use gsa::method::analysis::{Form, Status};
+
 use super::*;
 use crate::result::{CoarserIndices, IndexError};
 
@@ -11,13 +13,13 @@ fn output(first: f64, coarser: Option<[f64; 2]>) -> Output {
     });
     Output {
         location: "P1".to_owned(),
-        direction: "x".to_owned(),
+        direction: Direction::X,
         mean: Some(0.01),
         std: Some(1e-3),
         first_order: Some(first_order),
         total: None,
-        method: "mdrm".to_owned(),
-        status: "ok".to_owned(),
+        method: Form::Mdrm,
+        status: Status::Ok,
         reason: None,
         mdrm_first_order: None,
         error: IndexError {

@@ -3,7 +3,7 @@
 use fem_client::scene::Level;
 use gsa::method::Kind;
 
-use crate::fidelity::Fidelity;
+use crate::ladder::fidelity::Fidelity;
 use crate::result::ExpectedAccuracy;
 
 /// True and claimed errors of `docs/trade.md`: largest over the ten indices by which the paper's study ranks, five nodes.

@@ -1,17 +1,14 @@
 //! What one solve takes, by a law fitted to measured solves, and corrected by what this machine has measured.
 //!
-//! t = a (N / 300)^b with N the cells between nodes in a quarter of the tire ([`MeshPlan::cells`]). `a` and `b` go through the processor times of the
+//! t = a (N / 300)^b with N the cells between nodes in a quarter of the tire ([`Solver::cells`]). `a` and `b` go through the processor times of the
 //! reference tire's draft (300 cells) and reference meshes (9216), one thread, from solves of whole studies with few and many points. On
 //! the coarse and standard meshes between them the laws are at most 1.6 times too long. The exponents
 //! are within those of `docs/speed.md`, 1.2 to 1.6.
-//!
-//! [`MeshPlan::cells`]: fem_client::tire_mesh::MeshPlan::cells
 
 use std::collections::{BTreeMap, HashMap};
 
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::Solver;
-use fem_client::tire::mesh_plan;
 
 /// Cells of the draft mesh of the reference tire.
 const CELLS: f64 = 300.0;
@@ -62,12 +59,11 @@ pub(crate) struct Task {
 }
 
 impl Task {
-    pub fn of(scene: &Scene, how: How) -> Self {
-        let level = scene.model.level;
+    pub fn of(scene: &Scene, solver: &dyn Solver, how: How) -> Self {
         Self {
             how,
-            level,
-            cells: mesh_plan(scene, level).cells() as f64,
+            level: scene.model.level,
+            cells: solver.cells(scene) as f64,
             friction: scene.contact.friction > 0.0,
         }
     }
@@ -92,11 +88,6 @@ impl Task {
         let (_, draft, exponent) = MEMORY;
         draft * (self.cells / CELLS).powf(exponent)
     }
-}
-
-/// Whether the law is this solver's: another one's times are known by what it has solved alone.
-pub(crate) fn holds_for(solver: &dyn Solver) -> bool {
-    solver.version().starts_with("strainsite-fem ")
 }
 
 /// Memory of the program without a mesh, bytes.
@@ -129,14 +120,18 @@ pub struct Machine {
 impl Machine {
     /// A machine of which nothing is known but how many solves it runs at once.
     pub fn new(threads: usize) -> Self {
-        Self::measured(threads, &[])
+        Self::corrected(threads, Vec::new())
     }
 
     /// A machine that has made these solves. Each mesh and each kind of start is corrected by the median of measured over expected; what was never
     /// measured, by the median of all.
-    pub fn measured(threads: usize, samples: &[Sample]) -> Self {
+    pub fn measured(threads: usize, samples: &[Sample], solver: &dyn Solver) -> Self {
+        Self::corrected(threads, recognised(samples, solver))
+    }
+
+    fn corrected(threads: usize, measured: Vec<(Task, f64)>) -> Self {
         let mut ratios: BTreeMap<(Level, How), Vec<f64>> = BTreeMap::new();
-        for (task, wall_s) in recognised(samples) {
+        for (task, wall_s) in measured {
             let ratio = wall_s / task.law_s();
             if ratio.is_finite() && ratio > 0.0 {
                 let of_kind = ratios.entry((task.level, task.how.law())).or_default();
@@ -173,7 +168,7 @@ impl Machine {
 }
 
 /// The samples whose kind is known: cut points, and points near one of them. Of mirror images the longer one was solved.
-fn recognised(samples: &[Sample]) -> Vec<(Task, f64)> {
+fn recognised(samples: &[Sample], solver: &dyn Solver) -> Vec<(Task, f64)> {
     let cuts: Vec<String> = samples
         .iter()
         .filter(|s| s.cut)
@@ -184,12 +179,12 @@ fn recognised(samples: &[Sample]) -> Vec<(Task, f64)> {
     for sample in samples {
         let tire = tire(&sample.scene);
         if sample.cut {
-            found.push((Task::of(&sample.scene, How::Cut), sample.wall_s));
+            found.push((Task::of(&sample.scene, solver, How::Cut), sample.wall_s));
         } else if cuts.contains(&tire) {
             let place = format!("{tire} {:?}", mirror_class(&sample.scene));
             let longest = near
                 .entry(place)
-                .or_insert((Task::of(&sample.scene, How::Near), 0.0));
+                .or_insert((Task::of(&sample.scene, solver, How::Near), 0.0));
             longest.1 = longest.1.max(sample.wall_s);
         }
     }
@@ -219,12 +214,14 @@ fn median(values: &mut [f64]) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use fem_client::closed_form::ClosedFormSolver;
+
     use super::*;
 
     fn task(level: Level, how: How) -> Task {
         let mut scene = Scene::default();
         scene.model.level = level;
-        Task::of(&scene, how)
+        Task::of(&scene, &ClosedFormSolver::new(), how)
     }
 
     #[test]
@@ -259,7 +256,7 @@ mod tests {
             sample(0.9, 4.0 * near_s, false),
             sample(1.1, 90.0 * near_s, false),
         ];
-        let machine = Machine::measured(2, &samples);
+        let machine = Machine::measured(2, &samples, &ClosedFormSolver::new());
         assert_eq!(machine.samples, 4);
         let ratio = |machine: &Machine, level, how| {
             machine.solve_s(&task(level, how)) / task(level, how).law_s()
@@ -270,7 +267,10 @@ mod tests {
         assert!((ratio(&machine, Level::Draft, How::Near) - 4.0).abs() < 1e-12);
         // What no cut point explains is of unknown kind, and says nothing.
         samples.retain(|sample| !sample.cut);
-        assert_eq!(Machine::measured(2, &samples), Machine::new(2));
+        assert_eq!(
+            Machine::measured(2, &samples, &ClosedFormSolver::new()),
+            Machine::new(2)
+        );
     }
 
     #[test]
@@ -286,7 +286,7 @@ mod tests {
             side(0, 5.0 * near_s, false),
             side(4, 1e-3, false),
         ];
-        let machine = Machine::measured(1, &samples);
+        let machine = Machine::measured(1, &samples, &ClosedFormSolver::new());
         let expected = machine.solve_s(&task(Level::Standard, How::Near));
         assert!((expected - 5.0 * near_s).abs() < 1e-12);
     }

@@ -5,14 +5,14 @@ use std::collections::HashSet;
 
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::Solver;
-use fem_client::tire::is_symmetric;
+use fem_client::solver::direction::Direction;
 use gsa::method::Kind;
 
-use super::law::{How, Task, holds_for, mirror_class, tire};
-use crate::climb::LEVELS;
-use crate::fidelity::Fidelity;
-use crate::plan::{Plan, PlanError};
+use super::law::{How, Task, mirror_class, tire};
+use crate::ladder::climb::LEVELS;
+use crate::ladder::fidelity::Fidelity;
 use crate::run::keys;
+use crate::study::plan::{Plan, PlanError};
 use crate::study::{Accuracy, Study};
 
 /// Times as many points as it starts with that the adaptive method is expected to ask for: it took 3.9 and 4.5 times as many in the
@@ -103,7 +103,7 @@ impl Workload {
                 Err(_) => break,
             };
             let mut fresh = |scenes: &[Scene]| -> Vec<Point> {
-                let mut points = points(scenes, keys);
+                let mut points = points(scenes, solver, keys);
                 points.retain(|point| known.insert(point.key.clone()));
                 points
             };
@@ -132,7 +132,7 @@ impl Workload {
         Ok(Self {
             stages,
             accuracy: study.accuracy,
-            law_holds: holds_for(solver),
+            law_holds: solver.has_time_law(),
             readings: readings(study),
         })
     }
@@ -191,12 +191,16 @@ fn effect_scenes(plan: &Plan, solver: &dyn Solver) -> Vec<Scene> {
 }
 
 /// Points that start from the first one; none of no scenes.
-fn points(scenes: &[Scene], keys: &dyn Fn(&[Scene]) -> Vec<String>) -> Vec<Point> {
+fn points(
+    scenes: &[Scene],
+    solver: &dyn Solver,
+    keys: &dyn Fn(&[Scene]) -> Vec<String>,
+) -> Vec<Point> {
     let Some(cut) = scenes.first() else {
         return Vec::new();
     };
     let keys = keys(scenes);
-    let (tire_of_cut, symmetric) = (tire(cut), is_symmetric(&cut.ground));
+    let (tire_of_cut, symmetric) = (tire(cut), cut.ground.is_symmetric());
     let mut classes = HashSet::new();
     let how = |ordinal: usize, scene: &Scene, classes: &mut HashSet<Vec<u64>>| {
         if ordinal == 0 {
@@ -216,7 +220,7 @@ fn points(scenes: &[Scene], keys: &dyn Fn(&[Scene]) -> Vec<String>) -> Vec<Point
         .enumerate()
         .map(|(ordinal, (scene, key))| Point {
             key,
-            task: Task::of(scene, how(ordinal, scene, &mut classes)),
+            task: Task::of(scene, solver, how(ordinal, scene, &mut classes)),
         })
         .collect()
 }
@@ -227,5 +231,5 @@ fn readings(study: &Study) -> usize {
     let grid = readout
         .grid
         .map_or(0, |grid| grid.circumferential * grid.meridional);
-    2 * (study.scene.ground.stations + 360 * readout.rings.len() + grid)
+    Direction::ALL.len() * (study.scene.ground.stations + 360 * readout.rings.len() + grid)
 }

@@ -9,7 +9,7 @@ use fem_client::solver::{
 };
 
 use super::finite::not_finite;
-use crate::archive::{Outcome, Unsolved};
+use crate::run::archive::{Outcome, Unsolved};
 
 /// What a solve found and what it took.
 pub(super) type Answer = (Outcome, Cost);

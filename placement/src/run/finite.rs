@@ -1,8 +1,9 @@
 //! Guards the archive and the result against numbers that no document can hold.
 
-use fem_client::solver::Response;
+use fem_client::solver::direction::PerDirection;
+use fem_client::solver::{LocationStrain, Response, Ring, Section, StrainMap};
 
-use crate::archive::Outcome;
+use crate::run::archive::Outcome;
 
 /// The first part of an outcome that holds a NaN or an infinity.
 pub(crate) fn not_finite(outcome: &Outcome) -> Option<&'static str> {
@@ -18,67 +19,55 @@ pub(crate) fn not_finite(outcome: &Outcome) -> Option<&'static str> {
 
 /// The first part of a response that holds a NaN or an infinity.
 fn in_response(response: &Response) -> Option<&'static str> {
-    let section = [
-        response.section.crown,
-        response.section.shoulder,
-        response.section.sidewall,
-    ];
-    let inflated = &response.inflated;
-    let error = &response.error;
-    let all = |lists: &[&[f64]]| lists.iter().all(|list| list.iter().all(|x| x.is_finite()));
+    let Section {
+        crown,
+        shoulder,
+        sidewall,
+    } = &response.section;
+    let (inflated, error) = (&response.inflated, &response.error);
+    let at_location = |location: &LocationStrain| {
+        finite([&location.theta_deg, &location.von_mises_mpa]) && finite(location.strain.iter())
+    };
+    let over_map = |map: &StrainMap| {
+        finite(map.theta_deg.iter().chain(&map.phi_deg)) && finite(map.strain.iter().flatten())
+    };
+    let around = |ring: &Ring| finite(&ring.theta_deg) && finite(ring.strain.iter().flatten());
     let checks = [
         ("the reaction", response.reaction_n.is_finite()),
         (
             "a strain or stress at a location",
-            response.locations.iter().all(|location| {
-                all(&[&[
-                    location.theta_deg,
-                    location.strain_x,
-                    location.strain_y,
-                    location.von_mises_mpa,
-                ]])
-            }),
+            response.locations.iter().all(at_location),
         ),
         (
             "a strain of the section",
-            section
-                .iter()
-                .all(|pair| all(&[&[pair.strain_x, pair.strain_y]])),
+            finite(
+                [crown, shoulder, sidewall]
+                    .into_iter()
+                    .flat_map(PerDirection::iter),
+            ),
         ),
         (
             "a figure of the inflated state",
-            all(&[&[
-                inflated.outer_radius_mm,
-                inflated.crown_stretch_x,
-                inflated.crown_stretch_y,
-            ]]),
+            inflated.outer_radius_mm.is_finite() && finite(inflated.crown_stretch.iter()),
         ),
         (
             "an error",
-            all(&[&[error.reaction_n, error.strain_x, error.strain_y]]),
+            error.reaction_n.is_finite() && finite(error.strain.iter()),
         ),
         ("the volume change", response.max_volume_change.is_finite()),
         (
             "a residual",
-            response.residual_history.iter().all(|step| all(&[step])),
+            finite(response.residual_history.iter().flatten()),
         ),
-        (
-            "a strain of the map",
-            response
-                .map
-                .iter()
-                .all(|map| all(&[&map.theta_deg, &map.phi_deg, &map.strain_x, &map.strain_y])),
-        ),
-        (
-            "a strain of a ring",
-            response
-                .rings
-                .iter()
-                .all(|ring| all(&[&ring.theta_deg, &ring.strain_x, &ring.strain_y])),
-        ),
+        ("a strain of the map", response.map.iter().all(over_map)),
+        ("a strain of a ring", response.rings.iter().all(around)),
     ];
     checks
         .into_iter()
         .find(|(_, finite)| !finite)
         .map(|(what, _)| what)
+}
+
+fn finite<'n>(numbers: impl IntoIterator<Item = &'n f64>) -> bool {
+    numbers.into_iter().all(|number| number.is_finite())
 }

@@ -3,8 +3,8 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use fem_client::document::fault::Fault;
 use fem_client::document::json_or_word;
-use fem_client::fault::Fault;
 use serde_json::{Map, Value};
 
 /// Lists of values by path, from texts of the form `KEY=V1,V2,...`. A value is JSON or else a word.

@@ -6,13 +6,16 @@
 use std::collections::{HashMap, HashSet};
 
 use fem_client::document::MAX_BYTES;
-use fem_client::fault::{Fault, entry, member};
-use fem_client::fields::{Fields, shown, visible};
+use fem_client::document::fault::{Fault, entry, member};
+use fem_client::document::fields::{Fields, shown};
+use fem_client::document::visible::visible;
 use serde_json::{Map, Value};
 
-use super::{MOST_DESIGNS, name};
-use crate::study_reader::LONGEST_NAME;
+use crate::study::input_reader::read_name;
+use crate::study::study_reader::LONGEST_NAME;
 
+/// Most designs of a sweep.
+pub const MOST_DESIGNS: usize = 1000;
 /// Most values that a design sets: a scene has fewer fields.
 const MOST_SET: usize = 100;
 /// Most bytes of the values of all designs, written out as JSON: a grid repeats each in many designs.
@@ -26,6 +29,14 @@ pub(super) struct Wish {
     pub pointers: Vec<String>,
     /// Where the design stands.
     pub pointer: String,
+}
+
+/// The name that is given, if any; none after a fault.
+pub(super) fn name(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Option<String>> {
+    match fields.get("name") {
+        None => Some(None),
+        Some(_) => read_name(fields, "name", LONGEST_NAME, faults).map(Some),
+    }
 }
 
 /// Every combination, the last path varying fastest. None after a fault.

@@ -7,29 +7,19 @@ with strainsite.local() as client:
     print(result.locations_frame())
 """
 
-from .client import Client, Preset, Presets
-from .comparison import ComparedIndex, ComparedLocation, ComparedStudy, Comparison
-from .errors import (
-    AnswerError,
-    Busy,
-    DocumentError,
-    Fault,
-    InvalidDocument,
-    LocalServerError,
-    MissingExtra,
-    NotFound,
-    ProblemError,
-    Refused,
-    ServerLost,
-    StrainsiteError,
-    StudyCancelled,
-    StudyFailed,
-    WaitTimeout,
+from .answers.comparison import ComparedIndex, ComparedLocation, ComparedStudy, Comparison
+from .answers.estimate import (
+    CountForecast,
+    DesignEstimate,
+    Estimate,
+    ExpectedAccuracy,
+    Forecast,
+    SolveForecast,
+    SweepEstimate,
 )
-from .estimate import CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast
-from .local import local
-from .maps import StrainMap
-from .result import (
+from .answers.maps import StrainMap
+from .answers.preset import Preset, Presets
+from .answers.result import (
     Choice,
     CoarserIndices,
     Cost,
@@ -48,8 +38,28 @@ from .result import (
     Result,
     StudyIdentity,
 )
-from .study import Study, StudySummary
-from .sweep import Design, DesignCounts, DesignEstimate, Sweep, SweepEstimate, SweepSummary
+from .answers.summary import Design, DesignCounts, StudySummary, SweepSummary
+from .client import Client
+from .errors import (
+    AnswerError,
+    Busy,
+    DocumentError,
+    Fault,
+    InvalidDocument,
+    LocalServerError,
+    MissingExtra,
+    NotFound,
+    ProblemError,
+    Refused,
+    ServerLost,
+    StrainsiteError,
+    StudyCancelled,
+    StudyFailed,
+    WaitTimeout,
+)
+from .local import local
+from .study import Study
+from .sweep import Sweep
 
 __all__ = [
     "AnswerError",

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import os
 import uuid
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 from . import documents
-from .comparison import Comparison
-from .download import download
+from .answers.comparison import Comparison
+from .answers.estimate import Estimate, SweepEstimate
+from .answers.preset import Presets
+from .answers.reading import read
+from .answers.summary import StudySummary
+from .connection.download import download
+from .connection.transport import Transport
 from .errors import DocumentError, StrainsiteError
-from .estimate import Estimate
-from .reading import read
-from .study import Study, StudySummary
-from .sweep import Sweep, SweepEstimate, designs_body
-from .transport import Transport
+from .study import Study, id_of
+from .sweep import Sweep
 
 if TYPE_CHECKING:
     import ssl
@@ -24,32 +25,13 @@ if TYPE_CHECKING:
     from pathlib import Path
     from types import TracebackType
 
-    from .comparison import ComparisonTable
-    from .study import State
+    from .answers.comparison import ComparisonTable
+    from .answers.summary import State
 
     Document = Mapping[str, Any] | str | Path
     """A study: its fields, a TOML or JSON file, or the name of one that the service ships."""
 
 DEFAULT_URL = "http://127.0.0.1:8080"
-
-
-@dataclass(frozen=True)
-class Preset:
-    """A document to start from."""
-
-    name: str
-    title: str
-    document: dict[str, Any]
-    comment: str
-    """What it is for."""
-
-
-@dataclass(frozen=True)
-class Presets:
-    """The documents that the service ships."""
-
-    studies: tuple[Preset, ...]
-    scenes: tuple[Preset, ...]
 
 
 class Client:
@@ -164,12 +146,7 @@ class Client:
             Busy: Too many studies wait.
 
         """
-        answer = self._transport.post(
-            "/v1/studies",
-            self.document(document, set),
-            key=key or str(uuid.uuid4()),
-            params={"priority": str(priority)} if priority else None,
-        )
+        answer = self._submit("/v1/studies", self.document(document, set), priority, key)
         return Study(self._transport, read(StudySummary, answer))
 
     def estimate(self, document: Document, set: Mapping[str, Any] | None = None) -> Estimate:
@@ -232,16 +209,10 @@ class Client:
             InvalidDocument: The study or a design has faults.
 
         """
-        body = {"study": self.document(document, set), **designs_body(grid, designs)}
+        body = {"study": self.document(document, set), **documents.designs_body(grid, designs)}
         if name is not None:
             body["name"] = name
-        answer = self._transport.post(
-            "/v1/sweeps",
-            body,
-            key=key or str(uuid.uuid4()),
-            params={"priority": str(priority)} if priority else None,
-        )
-        return Sweep(self._transport, answer)
+        return Sweep(self._transport, self._submit("/v1/sweeps", body, priority, key))
 
     def estimate_sweep(
         self,
@@ -252,7 +223,7 @@ class Client:
         set: Mapping[str, Any] | None = None,
     ) -> SweepEstimate:
         """What a sweep would cost, before anything is solved; arguments as for `sweep`."""
-        body = {"study": self.document(document, set), **designs_body(grid, designs)}
+        body = {"study": self.document(document, set), **documents.designs_body(grid, designs)}
         return read(SweepEstimate, self._transport.post("/v1/sweeps:estimate", body))
 
     def find_sweep(self, id: str) -> Sweep:
@@ -308,6 +279,10 @@ class Client:
         params = _compared(studies, baseline)
         return download(self._transport, "/v1/comparison/export", format, table, path, params)
 
+    def _submit(self, path: str, body: Mapping[str, Any], priority: int, key: str | None) -> dict[str, Any]:
+        params = {"priority": str(priority)} if priority else None
+        return self._transport.post(path, body, key=key or str(uuid.uuid4()), params=params)
+
     def _pages(self, kind: str, params: Mapping[str, str]) -> Iterator[Any]:
         cursor: str | None = None
         while True:
@@ -318,17 +293,13 @@ class Client:
                 return
 
 
-def _id(study: Study | str) -> str:
-    return study if isinstance(study, str) else study.id
-
-
 def _part(identifier: str) -> str:
     """An identifier as one part of a path, whatever somebody typed."""
     return quote(identifier, safe="")
 
 
 def _compared(studies: Iterable[Study | str], baseline: Study | str | None) -> dict[str, str]:
-    ids = [_id(study) for study in studies]
+    ids = [id_of(study) for study in studies]
     if not ids:
         raise StrainsiteError("there is nothing to compare: give at least one study")
-    return {"studies": ",".join(ids)} | ({} if baseline is None else {"baseline": _id(baseline)})
+    return {"studies": ",".join(ids)} | ({} if baseline is None else {"baseline": id_of(baseline)})

@@ -14,7 +14,7 @@ from .errors import DocumentError
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
 _STEP = re.compile(r"\.?(?P<name>[A-Za-z_][A-Za-z0-9_-]*)|\[(?P<index>\d+)\]")
 _EXAMPLE = "a path is written as in scene.ground.depths_mm[0]"
@@ -144,6 +144,24 @@ def plain(value: Any, where: str = "") -> Any:  # noqa: ANN401 - JSON
     if value is None or isinstance(value, str | bool | int | float):
         return value
     raise DocumentError(f"{where} is {_shown(value)}, which a document can't hold")
+
+
+def designs_body(
+    grid: Mapping[str, Sequence[Any]] | None, designs: Sequence[Mapping[str, Any]] | None
+) -> dict[str, Any]:
+    """The part of a request that says which designs."""
+    if (grid is None) == (designs is None):
+        raise DocumentError('say either grid={"geometry.wall_mm": [2.5, 3.0]} or designs=[{"geometry.wall_mm": 2.5}]')
+    if grid is not None:
+        return {"grid": plain(_in_scene(grid), "grid")}
+    full = [design if "set" in design else {"set": design} for design in designs or ()]
+    listed = [{**design, "set": _in_scene(design["set"])} for design in full]
+    return {"designs": plain(listed, "designs")}
+
+
+def _in_scene(paths: Mapping[str, Any]) -> dict[str, Any]:
+    """Paths as the service has them: those of the scene's fields begin within it, however they were written."""
+    return {path.removeprefix("scene."): values for path, values in paths.items()}
 
 
 def _shown(value: object) -> str:

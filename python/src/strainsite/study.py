@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-from . import frames, html
-from .download import download
+from .answers.estimate import Estimate
+from .answers.maps import StrainMap
+from .answers.reading import read, records
+from .answers.result import Evaluation, Layout, Location, Result
+from .answers.summary import StudySummary
+from .connection.download import download
+from .connection.follow import ENDED, Follower
+from .connection.progress import Deadline, Progress
 from .errors import NotFound, StudyCancelled, StudyFailed
-from .estimate import Estimate
-from .follow import ENDED, Follower
-from .maps import StrainMap
-from .progress import Deadline, Progress
-from .reading import read, records
-from .result import Evaluation, Layout, Location, Result
+from .views import frames, html
 
 if TYPE_CHECKING:
     import os
@@ -21,30 +21,9 @@ if TYPE_CHECKING:
 
     import pandas as pd
 
-    from .transport import Transport
+    from .connection.transport import Transport
 
-State = Literal["queued", "running", "done", "failed", "cancelled"]
 Table = Literal["indices", "locations", "layouts", "points"]
-
-
-@dataclass(frozen=True)
-class StudySummary:
-    """Where a study stands. Times are RFC 3339, UTC."""
-
-    id: str
-    name: str
-    state: str
-    """`queued`, `running`, `done`, `failed` or `cancelled`."""
-    spec_sha256: str
-    points_total: int | None
-    """Points of its plan, as far as that is known."""
-    points_done: int
-    error: str | None
-    """Why it failed, a sentence."""
-    priority: int
-    created: str
-    started: str | None
-    finished: str | None
 
 
 class Study:
@@ -198,3 +177,8 @@ class Study:
 
     def _repr_html_(self) -> str:
         return html.study(self.summary)
+
+
+def id_of(study: Study | str) -> str:
+    """The identifier of a study, or the one that was given."""
+    return study if isinstance(study, str) else study.id

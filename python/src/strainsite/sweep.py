@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from . import documents, frames, html
-from .comparison import Comparison
-from .download import download
-from .errors import DocumentError, StudyCancelled, StudyFailed
-from .estimate import CountForecast, Estimate, Forecast  # noqa: TC001 - fields are read by their types
-from .follow import look
-from .progress import Deadline, Progress
-from .reading import read, records
-from .study import Study, StudySummary
+from .answers.comparison import Comparison
+from .answers.reading import read, records
+from .answers.summary import Design, SweepSummary
+from .connection.download import download
+from .connection.follow import look
+from .connection.progress import Deadline, Progress
+from .documents import designs_body
+from .errors import StudyCancelled, StudyFailed
+from .study import Study, id_of
+from .views import frames, html
 
 if TYPE_CHECKING:
     import os
@@ -22,69 +22,8 @@ if TYPE_CHECKING:
 
     import pandas as pd
 
-    from .comparison import ComparisonTable
-    from .transport import Transport
-
-
-@dataclass(frozen=True)
-class Design:
-    """One design of a sweep."""
-
-    ordinal: int
-    name: str
-    """What tells it from the others, as `wall_mm = 2.5`."""
-    set: dict[str, Any]
-    """What differs from the study, by path."""
-    study: StudySummary
-
-
-@dataclass(frozen=True)
-class DesignCounts:
-    """Designs by where they stand."""
-
-    queued: int
-    running: int
-    done: int
-    failed: int
-    cancelled: int
-
-
-@dataclass(frozen=True)
-class SweepSummary:
-    """Where a sweep stands. Times are RFC 3339, UTC."""
-
-    id: str
-    name: str
-    state: str
-    """`queued`; `running` while some designs haven't ended; `cancelled` when any was; `done` when any has a result; or
-    `failed`."""
-    counts: DesignCounts
-    points_total: int | None
-    """Points of all designs, once all of their plans are known."""
-    points_done: int
-    priority: int
-    created: str
-    finished: str | None
-
-
-@dataclass(frozen=True)
-class DesignEstimate:
-    """What a design would cost; what an earlier one solves is known to it."""
-
-    name: str
-    estimate: Estimate
-
-
-@dataclass(frozen=True)
-class SweepEstimate:
-    """What a sweep would cost."""
-
-    designs: tuple[DesignEstimate, ...]
-    left: CountForecast
-    """Solves of all designs that are left to do."""
-    wall_s: Forecast | None
-    """None where a design's reasons say why."""
-    peak_memory_bytes: int
+    from .answers.comparison import ComparisonTable
+    from .connection.transport import Transport
 
 
 class Sweep:
@@ -211,7 +150,7 @@ class Sweep:
     def _compared(self, baseline: Study | str | None) -> dict[str, str]:
         if baseline is None:
             return {"sweep": self.id}
-        return {"sweep": self.id, "baseline": baseline if isinstance(baseline, str) else baseline.id}
+        return {"sweep": self.id, "baseline": id_of(baseline)}
 
     def designs_frame(self) -> pd.DataFrame:
         """The designs as a pandas frame: ordinal, name, what differs, state, points, study."""
@@ -236,21 +175,3 @@ class Sweep:
 
     def _repr_html_(self) -> str:
         return html.sweep(self)
-
-
-def designs_body(
-    grid: Mapping[str, Sequence[Any]] | None, designs: Sequence[Mapping[str, Any]] | None
-) -> dict[str, Any]:
-    """The part of a request that says which designs."""
-    if (grid is None) == (designs is None):
-        raise DocumentError('say either grid={"geometry.wall_mm": [2.5, 3.0]} or designs=[{"geometry.wall_mm": 2.5}]')
-    if grid is not None:
-        return {"grid": documents.plain(_in_scene(grid), "grid")}
-    full = [design if "set" in design else {"set": design} for design in designs or ()]
-    listed = [{**design, "set": _in_scene(design["set"])} for design in full]
-    return {"designs": documents.plain(listed, "designs")}
-
-
-def _in_scene(paths: Mapping[str, Any]) -> dict[str, Any]:
-    """Paths as the service has them: those of the scene's fields begin within it, however they were written."""
-    return {path.removeprefix("scene."): values for path, values in paths.items()}

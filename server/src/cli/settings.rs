@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use clap::builder::{OsStringValueParser, Resettable};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, Command, CommandFactory, Error, FromArgMatches};
-use fem_client::fault::Fault;
+use fem_client::document::fault::Fault;
 use toml::{Table, Value};
 
 /// The command that has settings, and the flag that names their file.

@@ -1,6 +1,7 @@
+import type { Direction } from "./direction.ts";
+
 /** The view in the address bar: what a link shows is what its sender saw. */
 
-import type { Direction } from "../types.ts";
 
 /** What the map of the inner surface shows. */
 export type Quantity = "index" | "std" | "strain" | "error";
@@ -10,10 +11,10 @@ export const QUANTITIES: readonly Quantity[] = ["index", "std", "strain", "error
 /** What the charts of a sweep show: the indices, or how they differ from the baseline's. */
 export type Shown = "index" | "difference";
 
-export type Route =
-  | { view: "home"; preset: string | null }
-  | { view: "sweep"; id: string; baseline: string | null; shown: Shown }
-  | { view: "study"; id: string; direction: Direction; quantity: Quantity; input: string | null };
+export type HomeRoute = { view: "home"; preset: string | null };
+export type SweepRoute = { view: "sweep"; id: string; baseline: string | null; shown: Shown };
+export type StudyRoute = { view: "study"; id: string; direction: Direction; quantity: Quantity; input: string | null };
+export type Route = HomeRoute | SweepRoute | StudyRoute;
 
 /** Reads `#/studies/{id}?direction=x&quantity=index&input=P3` and `#/sweeps/{id}?baseline=STUDY&shown=difference`; anything else is the home view. */
 export function parseRoute(hash: string): Route {
@@ -49,12 +50,12 @@ export function formatRoute(route: Route): string {
 }
 
 /** The view of a study before its reader chose anything. */
-export function studyRoute(id: string): Route {
+export function studyRoute(id: string): StudyRoute {
   return { view: "study", id, direction: "x", quantity: "index", input: null };
 }
 
 /** The view of a sweep before its reader chose anything. */
-export function sweepRoute(id: string): Route {
+export function sweepRoute(id: string): SweepRoute {
   return { view: "sweep", id, baseline: null, shown: "index" };
 }
 

@@ -1,11 +1,11 @@
-import type { Actions } from "../actions.ts";
 import { formatRoute } from "../lib/route.ts";
-import type { AppState } from "../state.ts";
-import { NewStudy } from "./new-study.tsx";
-import { StudyListView } from "./study-list.tsx";
-import { StudyView } from "./study.tsx";
-import { SweepListView } from "./sweep-list.tsx";
-import { SweepView } from "./sweep.tsx";
+import type { Actions } from "../state/actions.ts";
+import type { AppState } from "../state/app-state.ts";
+import { StudyForm } from "./home/study-form.tsx";
+import { StudyList } from "./sidebar/study-list.tsx";
+import { SweepList } from "./sidebar/sweep-list.tsx";
+import { StudyPage } from "./study/study-page.tsx";
+import { SweepPage } from "./sweep/sweep-page.tsx";
 
 const HOME = formatRoute({ view: "home", preset: null });
 
@@ -29,15 +29,15 @@ export function App({ state, actions }: { state: AppState; actions: Actions }) {
         </nav>
       </header>
       <aside class="sidebar" aria-label="Sweeps and studies">
-        <SweepListView state={state} actions={actions} />
-        <StudyListView state={state} actions={actions} />
+        <SweepList state={state} actions={actions} />
+        <StudyList state={state} actions={actions} />
       </aside>
       <main id="main" tabIndex={-1}>
         {state.route.view === "home" && (
-          <NewStudy draft={state.draft} sweep={state.sweepDraft} presets={state.presets} actions={actions} />
+          <StudyForm draft={state.studyDraft} sweep={state.sweepDraft} presets={state.presets} actions={actions} />
         )}
-        {state.route.view === "study" && <StudyView state={state} route={state.route} actions={actions} />}
-        {state.route.view === "sweep" && <SweepView state={state} route={state.route} actions={actions} />}
+        {state.route.view === "study" && <StudyPage state={state} route={state.route} actions={actions} />}
+        {state.route.view === "sweep" && <SweepPage state={state} route={state.route} actions={actions} />}
       </main>
     </div>
   );

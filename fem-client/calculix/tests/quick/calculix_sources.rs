@@ -1,0 +1,30 @@
+//! What the version of a CalculiX point stands for: the sources of deck, tire and kernel, and nothing beside them.
+
+use std::fs;
+use std::os::unix::fs::PermissionsExt;
+use std::path::Path;
+use std::time::Duration;
+
+use calculix::CalculixSolver;
+use fem_client::solver::Solver;
+
+#[path = "../../../sources.rs"]
+#[expect(dead_code, reason = "build scripts hash below their own package")]
+mod sources;
+
+/// Folders that determine a response, seen from the package.
+const SOURCES: [&str; 3] = ["src", "../tire/src", "../../fem/src"];
+
+#[test]
+fn the_version_has_the_hash_of_deck_tire_and_kernel() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let program = folder.path().join("ccx");
+    fs::write(&program, "#!/bin/sh\necho 'This is Version 9.9'\n").expect("writes");
+    fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).expect("permits");
+    let solver = CalculixSolver::new(&program, Duration::ZERO).expect("says its version");
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let hash = sources::hash_below(package, &SOURCES).expect("reads");
+    let version = solver.version();
+    assert!(version.contains(" 9.9 "), "{version}");
+    assert!(version.ends_with(&format!("+{hash}")), "{version}");
+}

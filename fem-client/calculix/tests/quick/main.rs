@@ -1,0 +1,4 @@
+//! What holds without an installed CalculiX.
+
+#[cfg(unix)]
+mod calculix_sources;

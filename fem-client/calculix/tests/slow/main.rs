@@ -1,0 +1,3 @@
+//! The installed CalculiX, which takes seconds a run.
+
+mod installed;

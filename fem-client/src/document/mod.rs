@@ -1,0 +1,200 @@
+//! Reads TOML or JSON text into one kind of value, whatever its format, so that one reader serves both.
+
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+pub mod fault;
+pub mod fields;
+pub mod non_finite;
+pub mod visible;
+
+use serde_json::{Map, Number, Value};
+
+use crate::document::fault::{Fault, entry, member};
+use crate::document::non_finite::non_finite;
+use crate::document::visible::visible;
+
+/// Longest document that is read, bytes.
+pub const MAX_BYTES: usize = 1 << 20;
+
+/// Deepest nesting of a document. Scenes and studies need five levels.
+pub const MAX_DEPTH: usize = 64;
+
+/// How a document is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// TOML 1.0.
+    Toml,
+    /// JSON.
+    Json,
+}
+
+impl Format {
+    /// The format that a file's name promises: JSON for `.json`, else TOML.
+    pub fn of_path(path: &str) -> Self {
+        let extension = path.rsplit_once('.').map_or("", |(_, extension)| extension);
+        if extension.eq_ignore_ascii_case("json") {
+            Self::Json
+        } else {
+            Self::Toml
+        }
+    }
+}
+
+/// Parses text into a value in which every number is finite. A NaN or an infinity of TOML becomes a value that every
+/// reader refuses.
+///
+/// # Errors
+/// One fault with line and column when the text isn't well-formed, or one that says how it is too large or too deep.
+pub fn parse(text: &str, format: Format) -> Result<Value, Vec<Fault>> {
+    let fault = |detail| {
+        vec![Fault {
+            pointer: String::new(),
+            detail,
+        }]
+    };
+    if text.len() > MAX_BYTES {
+        return Err(fault(format!(
+            "the document has {} bytes; at most {MAX_BYTES} are read",
+            text.len()
+        )));
+    }
+    match format {
+        // serde_json itself refuses more than 128 levels and numbers beyond the range of f64.
+        Format::Json => serde_json::from_str(text)
+            .map_err(|error| fault(format!("not well-formed JSON: {error}"))),
+        Format::Toml => {
+            if longest_key(text) > MAX_KEY_PARTS {
+                let detail = format!("a key of the document has more than {MAX_KEY_PARTS} parts");
+                return Err(fault(detail));
+            }
+            let table: toml::Table =
+                toml::from_str(text).map_err(|error| fault(toml_detail(text, &error)))?;
+            let mut faults = Vec::new();
+            let value = from_toml(toml::Value::Table(table), "", 0, &mut faults);
+            if faults.is_empty() {
+                Ok(value)
+            } else {
+                Err(faults)
+            }
+        }
+    }
+}
+
+/// A value as typed on a command line: JSON, or else a word.
+pub fn json_or_word(text: &str) -> Value {
+    let text = text.trim();
+    serde_json::from_str(text).unwrap_or_else(|_| Value::String(text.to_owned()))
+}
+
+/// Most parts of a dotted TOML key. Each part nests a table, and tables are dropped recursively; the parser itself
+/// bounds how deep brackets and braces nest, not dots.
+const MAX_KEY_PARTS: usize = 100;
+
+/// Parts of the longest dotted key, or of what may be one: a string with as many dots counts too.
+fn longest_key(text: &str) -> usize {
+    let ends_a_key = |c: char| matches!(c, '=' | ',' | '[' | ']' | '{' | '}' | '\n');
+    let parts = |key: &str| {
+        key.split('.')
+            .filter(|part| !part.trim().is_empty())
+            .count()
+    };
+    text.split(ends_a_key).map(parts).max().unwrap_or(0)
+}
+
+fn toml_detail(text: &str, error: &toml::de::Error) -> String {
+    let message = visible(&error.message().trim_end().replace('\n', "; "));
+    match error.span().and_then(|span| text.get(..span.start)) {
+        Some(before) => {
+            let line = before.matches('\n').count() + 1;
+            let column = before.chars().rev().take_while(|c| *c != '\n').count() + 1;
+            format!("not well-formed TOML: {message} at line {line} column {column}")
+        }
+        None => format!("not well-formed TOML: {message}"),
+    }
+}
+
+fn from_toml(value: toml::Value, pointer: &str, depth: usize, faults: &mut Vec<Fault>) -> Value {
+    if depth > MAX_DEPTH {
+        Fault::add(
+            faults,
+            "",
+            format!("the document is nested deeper than {MAX_DEPTH} levels"),
+        );
+        return Value::Null;
+    }
+    match value {
+        toml::Value::String(text) => Value::String(text),
+        toml::Value::Integer(number) => Value::Number(number.into()),
+        toml::Value::Boolean(flag) => Value::Bool(flag),
+        toml::Value::Datetime(date) => Value::String(date.to_string()),
+        toml::Value::Float(number) => {
+            Number::from_f64(number).map_or_else(|| non_finite(number), Value::Number)
+        }
+        toml::Value::Array(items) => {
+            let convert = |(i, item)| from_toml(item, &entry(pointer, i), depth + 1, faults);
+            Value::Array(items.into_iter().enumerate().map(convert).collect())
+        }
+        toml::Value::Table(table) => {
+            let mut object = Map::new();
+            for (name, item) in table {
+                let item = from_toml(item, &member(pointer, &name), depth + 1, faults);
+                object.insert(name, item);
+            }
+            Value::Object(object)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::non_finite::as_non_finite;
+
+    #[test]
+    fn both_formats_give_the_same_value() {
+        let toml = parse("a = 1\n[b]\nc = [1.5, \"x\", true]\n", Format::Toml).unwrap();
+        let json = parse(r#"{"a": 1, "b": {"c": [1.5, "x", true]}}"#, Format::Json).unwrap();
+        assert_eq!(toml, json);
+    }
+
+    #[test]
+    fn a_syntax_error_is_one_fault_with_its_place() {
+        for (text, format) in [
+            ("a = 1\nb = = 2\n", Format::Toml),
+            ("{\"a\": 1,\n \"b\": }", Format::Json),
+        ] {
+            let faults = parse(text, format).unwrap_err();
+            assert_eq!(faults.len(), 1);
+            assert!(
+                faults[0].detail.contains("line 2 column"),
+                "{}",
+                faults[0].detail
+            );
+        }
+    }
+
+    #[test]
+    fn numbers_that_are_not_finite_are_named() {
+        let value = parse("a = nan\nb = { c = [1.0, -inf] }\n", Format::Toml).unwrap();
+        assert_eq!(as_non_finite(&value["a"]), Some("NaN"));
+        assert_eq!(as_non_finite(&value["b"]["c"][1]), Some("-inf"));
+        assert_eq!(as_non_finite(&value["b"]), None);
+        assert!(parse("{\"a\": 1e999}", Format::Json).is_err());
+        assert!(parse("{\"a\": NaN}", Format::Json).is_err());
+    }
+
+    #[test]
+    fn depth_and_size_are_bounded() {
+        let deep = 500_000;
+        let json = format!("{}{}", "[".repeat(deep), "]".repeat(deep));
+        assert!(parse(&json, Format::Json).is_err());
+        assert!(parse(&format!("a = {}", "[".repeat(deep)), Format::Toml).is_err());
+        assert!(parse(&format!("{}a = 1", "a.".repeat(deep)), Format::Toml).is_err());
+        assert!(parse(&format!("[{}a]", "a.".repeat(99)), Format::Toml).is_err());
+        // Keys at the bound inside inline tables at the parser's own: 8000 tables deep.
+        let nested = format!("{}a = {{\n", "a.".repeat(99)).repeat(80);
+        assert!(parse(&format!("{nested}{}", "}".repeat(80)), Format::Toml).is_err());
+        assert!(parse(&" ".repeat(MAX_BYTES + 1), Format::Json).is_err());
+    }
+}

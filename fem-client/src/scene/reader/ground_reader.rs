@@ -1,0 +1,116 @@
+//! Reads the ground, and checks that it lies under the tire.
+
+use serde_json::Value;
+
+use super::shared_ranges::LENGTH;
+use crate::document::fault::{Fault, entry};
+use crate::document::fields::{Fields, Range, number, plain, shown};
+use crate::scene::{Geometry, Ground, StationFunctions};
+
+/// Most stations of the ground.
+pub const MAX_STATIONS: usize = 21;
+
+pub(super) fn ground(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Ground> {
+    let known = [
+        "stations",
+        "station_spacing_mm",
+        "station_functions",
+        "depths_mm",
+    ];
+    let fields = Fields::open(value, pointer, &known, faults)?;
+    let default = Ground::default();
+    let options = [
+        ("bspline", StationFunctions::Bspline),
+        ("hat", StationFunctions::Hat),
+    ];
+    let spacing = fields.number(
+        "station_spacing_mm",
+        LENGTH,
+        default.station_spacing_mm,
+        faults,
+    );
+    let functions = fields.choice(
+        "station_functions",
+        &options,
+        default.station_functions,
+        faults,
+    );
+    let depths = match fields.get("depths_mm") {
+        None => Some(None),
+        Some((value, pointer)) => depths(value, &pointer, faults).map(Some),
+    };
+    let length = depths.as_ref().map_or(default.stations, |given| {
+        given.as_ref().map_or(default.stations, Vec::len)
+    });
+    let stations =
+        fields.integer("stations", (1, MAX_STATIONS as u64), length as u64, faults)? as usize;
+    let depths = depths?.unwrap_or_else(|| vec![1.0; stations]);
+    if depths.len() != stations {
+        let detail = format!(
+            "must equal the length of depths_mm, which is {}; it is {stations}",
+            depths.len()
+        );
+        Fault::add(faults, &fields.at("stations"), detail);
+    } else if stations.is_multiple_of(2) {
+        let detail = format!(
+            "must be odd, so that one station lies at the contact centre; it is {stations}"
+        );
+        Fault::add(faults, &fields.at("stations"), detail);
+    }
+    Some(Ground {
+        stations,
+        station_spacing_mm: spacing?,
+        station_functions: functions?,
+        depths_mm: depths,
+    })
+}
+
+fn depths(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Vec<f64>> {
+    let items = value
+        .as_array()
+        .filter(|items| (1..=MAX_STATIONS).contains(&items.len()));
+    let Some(items) = items else {
+        let detail = format!(
+            "must be a list of 1 to {MAX_STATIONS} depths in mm; it is {}",
+            shown(value)
+        );
+        Fault::add(faults, pointer, detail);
+        return None;
+    };
+    let range = Range::new(0.0, LENGTH.high, "mm");
+    // Read all before stopping at the first None, so that every faulty depth is named.
+    let read: Vec<Option<f64>> = items
+        .iter()
+        .enumerate()
+        .map(|(i, item)| number(item, &entry(pointer, i), range, faults))
+        .collect();
+    read.into_iter().collect()
+}
+
+/// Rules that tie the ground to the tire above it.
+pub(super) fn check_ground_under(
+    geometry: &Geometry,
+    ground: &Ground,
+    pointer: &str,
+    faults: &mut Vec<Fault>,
+) {
+    let deepest = Range::new(0.0, geometry.section_radius_mm, "mm (section_radius_mm)");
+    for (i, depth) in ground
+        .depths_mm
+        .iter()
+        .enumerate()
+        .filter(|(_, depth)| **depth > deepest.high)
+    {
+        let detail = format!("must be a number {deepest}; it is {}", plain(*depth));
+        Fault::add(faults, &format!("{pointer}/depths_mm/{i}"), detail);
+    }
+    let half_width = (ground.stations - 1) as f64 / 2.0 * ground.station_spacing_mm;
+    if half_width > geometry.outer_radius_mm {
+        let largest = 2.0 * geometry.outer_radius_mm / (ground.stations - 1) as f64;
+        let detail = format!(
+            "must be at most {} mm, so that all stations lie below the tire",
+            plain(largest)
+        );
+        Fault::add(faults, &format!("{pointer}/station_spacing_mm"), detail);
+    }
+}

@@ -1,0 +1,135 @@
+//! The one trait between the product and any solver.
+
+pub mod direction;
+pub mod gauge;
+#[cfg(feature = "openapi")]
+pub mod object_schema;
+pub mod readout;
+pub mod response;
+pub mod solve_error;
+pub mod start_state;
+
+use std::sync::atomic::AtomicBool;
+
+use serde::{Deserialize, Serialize};
+
+use crate::scene::{Level, Scene};
+pub use crate::solver::readout::{Grid, Position, Readout};
+pub use crate::solver::response::{
+    CarcassState, Choice, Extremes, FilmState, Inflated, LocationError, LocationStrain, MapShape,
+    ModelSummary, Response, ResponseError, Ring, Section, StrainMap,
+};
+pub use crate::solver::solve_error::{NoEquilibrium, Reached, SolveError};
+
+/// Answers for one equilibrium of a scene.
+pub trait Solver: Send + Sync {
+    /// Name and version, part of the key under which results are stored.
+    fn version(&self) -> String;
+
+    /// A coarser level on which the same scene shows what its own level misses; `None` where there is none.
+    fn coarser(&self, _scene: &Scene) -> Option<Coarser> {
+        None
+    }
+
+    /// What its model of the scene leaves out and could have.
+    fn omissions(&self, _scene: &Scene) -> Vec<Omission> {
+        Vec::new()
+    }
+
+    /// Cells between the nodes of its mesh in a quarter of the tire: what a solve's time and memory follow from.
+    fn cells(&self, scene: &Scene) -> usize {
+        scene.model.level.cells_of_reference_tire()
+    }
+
+    /// Whether the law of solve times in `placement` was fitted to it.
+    fn has_time_law(&self) -> bool {
+        false
+    }
+
+    /// Solves one equilibrium.
+    ///
+    /// The response is a function of scene and readout up to the solver's tolerance, and to the bit of scene, readout
+    /// and start together.
+    ///
+    /// # Errors
+    /// See [`SolveError`]; only [`SolveError::Broken`] is worth a retry at once.
+    fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError>;
+}
+
+/// What is asked of a solver.
+#[derive(Clone, Copy)]
+pub struct SolveRequest<'a> {
+    /// What is pressed, and how.
+    pub scene: &'a Scene,
+    /// Where the strain is read.
+    pub readout: &'a Readout,
+    /// A neighbouring equilibrium to start from, as an earlier solve returned it.
+    pub start: Option<&'a StartState>,
+    /// Set to true by the caller to end the solve at the next Newton iteration.
+    pub stop: &'a AtomicBool,
+}
+
+/// A coarser level as a witness of a finer one's error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coarser {
+    /// The coarser level.
+    pub level: Level,
+    /// What the finer level may be off, over its difference from the coarser one.
+    pub factor: f64,
+}
+
+/// A part of reality that a scene's model doesn't have.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Omission {
+    /// The part.
+    pub what: &'static str,
+    /// The reason.
+    pub why: String,
+    /// The same scene with that part in a typical size; `None` where no scene can have it, or where it doesn't fit this one.
+    pub richer: Option<Scene>,
+}
+
+/// What a solve gives: the answer, its price, and the state from which a neighbour may start.
+#[derive(Debug, Clone)]
+pub struct Solved {
+    /// The answer; the same bits for the same request.
+    pub response: Response,
+    /// What it took; varies from run to run.
+    pub cost: Cost,
+    /// The equilibrium itself.
+    pub state: StartState,
+}
+
+/// What a solve took.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Cost {
+    /// Wall-clock time, s.
+    pub wall_s: f64,
+    /// Time in numeric factorisation, s.
+    pub factorisation_s: f64,
+    /// Time in substitutions with the factor, and in the contact solved between them, s.
+    #[serde(default)]
+    pub substitution_s: f64,
+    /// Time in assembly of residual and tangent, s.
+    pub assembly_s: f64,
+    /// Newton iterations.
+    pub newton_iterations: usize,
+    /// Numeric factorisations; the tangent shared by the solves of a study isn't counted.
+    #[serde(default)]
+    pub factorisations: usize,
+}
+
+/// An equilibrium from which a neighbour may start: opaque, but it survives storage bit for bit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StartState {
+    /// Says which inflated problem `inflated` solves; the solver's own business.
+    pub inflated_key: String,
+    /// Unknowns of the inflated state.
+    pub inflated: Vec<f64>,
+    /// Internal pressure of the equilibrium, MPa.
+    pub pressure_mpa: f64,
+    /// Station depths of the equilibrium, mm.
+    pub depths_mm: Vec<f64>,
+    /// Unknowns of the equilibrium.
+    pub equilibrium: Vec<f64>,
+}

@@ -1,0 +1,54 @@
+//! Where the strain is read.
+
+use serde::{Deserialize, Serialize};
+
+use crate::solver::gauge::Gauge;
+
+/// Where the strain is read, beside P1-P5 and the section points that every response has.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Readout {
+    /// Dense map of the inner surface; absent: no map.
+    pub grid: Option<Grid>,
+    /// Where the map's points lie, too: a picture needs it of one point of a study, and no other grows by it.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub shape: bool,
+    /// Lines around the wheel at these meridional positions.
+    pub rings: Vec<Position>,
+    /// Single points, each with a direction.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub gauges: Vec<Gauge>,
+}
+
+/// A regular grid on the inner surface, centred on the contact, both ends included.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Grid {
+    /// Points along the circumference, odd.
+    pub circumferential: usize,
+    /// Points from bead to bead, odd.
+    pub meridional: usize,
+    /// Half of the circumferential extent, degrees.
+    pub half_width_deg: f64,
+}
+
+/// Named meridional positions of a film.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Position {
+    /// 0 degrees from the crown.
+    Crown,
+    /// 45 degrees from the crown.
+    Shoulder,
+    /// 90 degrees from the crown.
+    Sidewall,
+}
+
+impl Position {
+    /// Meridional angle from the crown, degrees.
+    pub fn angle_deg(self) -> f64 {
+        match self {
+            Self::Crown => 0.0,
+            Self::Shoulder => 45.0,
+            Self::Sidewall => 90.0,
+        }
+    }
+}

@@ -1,0 +1,278 @@
+//! What a solve answers: strains, forces and diagnostics of one equilibrium.
+
+use serde::{Deserialize, Serialize};
+
+use crate::solver::direction::{
+    CrownStretchFields, PerDirection, StrainFields, StretchFields, TensionFields,
+};
+use crate::solver::gauge::GaugeReading;
+use crate::solver::readout::Position;
+
+/// Strains, forces and diagnostics of one equilibrium.
+///
+/// Strains are stretches relative to the inflated state minus one, on the inner surface; x circumferential,
+/// y meridional.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Response {
+    /// Vertical force of the ground on the whole tire, N.
+    pub reaction_n: f64,
+    /// P1, P2, ... in order.
+    pub locations: Vec<LocationStrain>,
+    /// Crown, shoulder and sidewall above the contact centre.
+    pub section: Section,
+    /// The inflated state before contact.
+    pub inflated: Inflated,
+    /// Estimated discretisation errors of the readout.
+    pub error: ResponseError,
+    /// Largest |J - 1| of an element's mean.
+    pub max_volume_change: f64,
+    /// Newton iterations of all load steps of this solve.
+    pub newton_iterations: usize,
+    /// Residual norms relative to the forces of the problem, one list per load step.
+    pub residual_history: Vec<Vec<f64>>,
+    /// What was modelled.
+    pub model: ModelSummary,
+    /// The dense map, when asked for.
+    pub map: Option<StrainMap>,
+    /// One ring per position asked for, in the order asked.
+    pub rings: Vec<Ring>,
+    /// One reading per gauge asked for, in the order asked.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub gauges: Vec<GaugeReading>,
+    /// State of the textile layer; absent without one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub carcass: Option<CarcassState>,
+    /// State of the film; absent without one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub film: Option<FilmState>,
+}
+
+/// Strain at a named location.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LocationStrain {
+    /// P1, P2, ...
+    pub name: String,
+    /// Angle from the contact centre, degrees, positive in the rolling direction.
+    pub theta_deg: f64,
+    /// Strain.
+    #[serde(flatten, with = "StrainFields")]
+    pub strain: PerDirection<f64>,
+    /// Von Mises stress of the rubber at the inner surface, MPa.
+    pub von_mises_mpa: f64,
+    /// Estimated discretisation errors; absent when the solver has no estimate.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub error: Option<LocationError>,
+}
+
+/// Estimated discretisation errors at a location, absolute: see [`crate::solver::gauge::GaugeError`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct LocationError {
+    /// Of the strain.
+    #[serde(flatten, with = "StrainFields")]
+    pub strain: PerDirection<f64>,
+    /// Of the von Mises stress, MPa.
+    pub von_mises_mpa: f64,
+}
+
+/// Least and greatest values over the whole textile layer.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CarcassState {
+    /// Stretch of the fibres.
+    pub fibre_stretch: Extremes,
+    /// Tension along the fibres: force per reference length across a family, N/mm; negative in compression.
+    pub tension_n_per_mm: Extremes,
+}
+
+/// Least and greatest values over the whole film, relative to its unstressed state in the undeformed tire.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FilmState {
+    /// Stretch.
+    #[serde(flatten, with = "StretchFields")]
+    pub stretch: PerDirection<Extremes>,
+    /// Tension (second Piola-Kirchhoff), N/mm.
+    #[serde(flatten, with = "TensionFields")]
+    pub tension_n_per_mm: PerDirection<Extremes>,
+}
+
+/// Least and greatest value of a field.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Extremes {
+    /// Least value.
+    pub min: f64,
+    /// Greatest value.
+    pub max: f64,
+}
+
+impl Extremes {
+    /// The range without values.
+    pub const NONE: Self = Self {
+        min: f64::INFINITY,
+        max: f64::NEG_INFINITY,
+    };
+
+    /// Widens the range to a value.
+    pub fn include(&mut self, value: f64) {
+        self.min = self.min.min(value);
+        self.max = self.max.max(value);
+    }
+}
+
+/// Strains over the section above the contact centre.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Section {
+    /// 0 degrees from the crown.
+    #[serde(with = "StrainFields")]
+    pub crown: PerDirection<f64>,
+    /// 45 degrees from the crown.
+    #[serde(with = "StrainFields")]
+    pub shoulder: PerDirection<f64>,
+    /// 90 degrees from the crown.
+    #[serde(with = "StrainFields")]
+    pub sidewall: PerDirection<f64>,
+}
+
+/// The inflated tire before contact.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Inflated {
+    /// Outer radius at the crown, mm.
+    pub outer_radius_mm: f64,
+    /// Stretch at the crown's inner surface.
+    #[serde(flatten, with = "CrownStretchFields")]
+    pub crown_stretch: PerDirection<f64>,
+}
+
+/// Estimated errors: absolute, of the largest reported value of each kind.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ResponseError {
+    /// Contact penetration's share of the reaction, N.
+    pub reaction_n: f64,
+    /// Largest error of the strain at P1-P5.
+    #[serde(flatten, with = "StrainFields")]
+    pub strain: PerDirection<f64>,
+}
+
+/// What was modelled and what was left out.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ModelSummary {
+    /// `3d`, `3d-half` or `3d-quarter`.
+    pub dimension: String,
+    /// Mesh level.
+    pub level: String,
+    /// Number of solid elements.
+    pub elements: usize,
+    /// Free displacement unknowns.
+    pub dofs: usize,
+    /// Parts of the scene in the model.
+    pub modelled: Vec<Choice>,
+    /// Parts of the scene left out.
+    pub left_out: Vec<Choice>,
+}
+
+/// One modelling choice with its reason.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct Choice {
+    /// The part.
+    pub what: String,
+    /// The reason.
+    pub why: String,
+    /// What leaving it out does: the largest change of a strain at P1, P2, ... at the means when it is modelled, over the largest strain
+    /// of that direction there. 0 where leaving it out is exact; absent where the part is modelled, or the effect isn't known.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub effect: Option<f64>,
+}
+
+/// Strains on a regular grid, row by row: all circumferential points of the first meridional angle first.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StrainMap {
+    /// Circumferential angles of the columns, degrees.
+    pub theta_deg: Vec<f64>,
+    /// Meridional angles of the rows from the crown, degrees.
+    pub phi_deg: Vec<f64>,
+    /// Strain, rows x columns.
+    #[serde(flatten, with = "StrainFields")]
+    pub strain: PerDirection<Vec<f64>>,
+    /// Where its points lie, when asked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub shape: Option<MapShape>,
+}
+
+/// Where the points of a map lie: x in the rolling direction, y along the axle, z upward, from the wheel's centre.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct MapShape {
+    /// Positions in the inflated state before contact, mm, rows x columns.
+    pub inflated_mm: Vec<[f64; 3]>,
+    /// Displacements from there to the equilibrium, mm, rows x columns.
+    pub displacement_mm: Vec<[f64; 3]>,
+}
+
+/// Strains around the whole wheel at one meridional position.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Ring {
+    /// Where the ring lies.
+    pub position: Position,
+    /// Angles from -180 (included) to 180 (excluded), one degree apart.
+    pub theta_deg: Vec<f64>,
+    /// Strain.
+    #[serde(flatten, with = "StrainFields")]
+    pub strain: PerDirection<Vec<f64>>,
+}
+
+#[cfg(feature = "openapi")]
+mod schemas {
+    use utoipa::openapi::{RefOr, Schema};
+    use utoipa::{PartialSchema, ToSchema};
+
+    use super::{LocationError, LocationStrain};
+    use crate::solver::object_schema::{ObjectSchema, Type};
+
+    impl PartialSchema for LocationStrain {
+        fn schema() -> RefOr<Schema> {
+            ObjectSchema::new("Strain at a named location.")
+                .required(Type::String, "name", "P1, P2, ...")
+                .required(
+                    Type::Number,
+                    "theta_deg",
+                    "Angle from the contact centre, degrees, positive in the rolling direction.",
+                )
+                .required(Type::Number, "strain_x", "Circumferential strain.")
+                .required(Type::Number, "strain_y", "Meridional strain.")
+                .required(
+                    Type::Number,
+                    "von_mises_mpa",
+                    "Von Mises stress of the rubber at the inner surface, MPa.",
+                )
+                .optional_object(
+                    "LocationError",
+                    "error",
+                    "Estimated discretisation errors; absent when the solver has no estimate.",
+                )
+                .schema()
+        }
+    }
+
+    impl ToSchema for LocationStrain {
+        fn schemas(schemas: &mut Vec<(String, RefOr<Schema>)>) {
+            schemas.push((LocationError::name().into(), LocationError::schema()));
+        }
+    }
+
+    impl PartialSchema for LocationError {
+        fn schema() -> RefOr<Schema> {
+            let description = "Estimated discretisation errors at a location, absolute: see [`crate::gauge::GaugeError`].";
+            ObjectSchema::new(description)
+                .required(Type::Number, "strain_x", "Of the circumferential strain.")
+                .required(Type::Number, "strain_y", "Of the meridional strain.")
+                .required(
+                    Type::Number,
+                    "von_mises_mpa",
+                    "Of the von Mises stress, MPa.",
+                )
+                .schema()
+        }
+    }
+
+    impl ToSchema for LocationError {}
+}

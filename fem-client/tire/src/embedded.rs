@@ -1,0 +1,323 @@
+//! The embedded finite element solver.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use fem::newton::iteration::{Effort, Newton, NewtonSettings};
+use fem::newton::path::PathReport;
+use fem::problem::{Loads, State};
+use sha2::{Digest, Sha256};
+
+use crate::mesh::tire_grid::{Extent, MeshPlan};
+use crate::mesh_error;
+use crate::model::{TireModel, ground, mesh_plan};
+use crate::neighbourhood::{Neighbourhood, Neighbourhoods, Pressed};
+use crate::omission;
+use crate::readout::surface_reader::{Diagnostics, Reader};
+use crate::session::Session;
+use fem_client::hexadecimal::hexadecimal;
+use fem_client::scene::Scene;
+use fem_client::solver::Coarser;
+use fem_client::solver::Omission;
+use fem_client::solver::gauge;
+use fem_client::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
+
+/// Largest relative residual of an equilibrium. On the reference tire it leaves 1e-8 in a strain and 1e-7 of the
+/// reaction (measured against 1e-12), five orders below the mesh's share.
+const TOLERANCE: f64 = 1e-8;
+
+/// Rise of the ground for which contact is prepared, relative to the wall.
+const CONTACT_MARGIN: f64 = 0.1;
+
+/// Solves scenes with the `fem` crate, one equilibrium per call, on the calling thread.
+#[derive(Debug)]
+pub struct EmbeddedSolver {
+    settings: NewtonSettings,
+    neighbourhoods: Neighbourhoods,
+}
+
+impl Default for EmbeddedSolver {
+    fn default() -> Self {
+        Self::with_settings(Self::settings())
+    }
+}
+
+impl Solver for EmbeddedSolver {
+    fn version(&self) -> String {
+        // The sources' hash tells results of different numerics apart, whether or not someone raised the version.
+        format!(
+            "strainsite-fem {}+{}",
+            env!("CARGO_PKG_VERSION"),
+            env!("SOLVER_SOURCES")
+        )
+    }
+
+    fn coarser(&self, scene: &Scene) -> Option<Coarser> {
+        mesh_error::coarser(scene)
+    }
+
+    fn omissions(&self, scene: &Scene) -> Vec<Omission> {
+        omission::omissions(scene)
+    }
+
+    fn cells(&self, scene: &Scene) -> usize {
+        mesh_plan(scene, scene.model.level).cells()
+    }
+
+    fn has_time_law(&self) -> bool {
+        true
+    }
+
+    fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        let plan = mesh_plan(request.scene, request.scene.model.level);
+        self.solve_on(request, &plan)
+    }
+}
+
+impl EmbeddedSolver {
+    /// How the default solver finds equilibria.
+    pub fn settings() -> NewtonSettings {
+        NewtonSettings {
+            tolerance: TOLERANCE,
+            ..NewtonSettings::default()
+        }
+    }
+
+    /// A solver whose equilibria are found otherwise. Its version says nothing of that: for measurements, not for storage.
+    pub fn with_settings(settings: NewtonSettings) -> Self {
+        Self {
+            settings,
+            neighbourhoods: Neighbourhoods::default(),
+        }
+    }
+
+    /// Solves a scene on a mesh of the caller's choice.
+    ///
+    /// # Errors
+    /// As [`Solver::solve`].
+    pub fn solve_on(
+        &self,
+        request: &SolveRequest<'_>,
+        plan: &MeshPlan,
+    ) -> Result<Solved, SolveError> {
+        let begin = Instant::now();
+        let faults = gauge::faults(&request.readout.gauges, request.scene);
+        if !faults.is_empty() {
+            return Err(SolveError::Refused { faults });
+        }
+        let key = inflated_key(request.scene, plan);
+        let near = request
+            .start
+            .filter(|start| start.inflated_key == key)
+            .and_then(|start| {
+                let extent = extent(request.scene);
+                self.neighbourhoods.of(request.scene, plan, extent, start)
+            });
+        match near {
+            Some(near) => solve_near(request, &near, self.settings, begin),
+            None => solve_afresh(request, plan, self.settings, begin),
+        }
+    }
+}
+
+/// The smallest part of the tire that the ground's symmetry allows.
+pub fn extent(scene: &Scene) -> Extent {
+    if scene.ground.is_symmetric() {
+        Extent::Quarter
+    } else {
+        Extent::Half
+    }
+}
+
+fn broken(error: impl std::fmt::Display) -> SolveError {
+    SolveError::Broken {
+        detail: error.to_string(),
+    }
+}
+
+/// From a neighbouring equilibrium of the same inflated tire, with its tangent.
+fn solve_near(
+    request: &SolveRequest<'_>,
+    near: &Neighbourhood,
+    settings: NewtonSettings,
+    begin: Instant,
+) -> Result<Solved, SolveError> {
+    let newton = Newton::with_tangent(&near.model.problem, near.tangent.clone());
+    let mut newton = newton.map_err(broken)?;
+    newton.settings = settings;
+    let mut session = session(request, &near.model, newton);
+    let target = session.target(&near.inflated);
+    let (depths, mirrored) = near.canonical(&request.scene.ground.depths_mm);
+    let pressed = match near.recall(&depths) {
+        Some(pressed) => pressed,
+        None => {
+            let canonical = target.with_depths(&depths);
+            let pressed = press_near(&mut session, near, &canonical);
+            let pressed = Arc::new(pressed.map_err(|error| error.mirrored(mirrored))?);
+            near.remember(depths, pressed.clone());
+            pressed
+        }
+    };
+    let state = if mirrored {
+        let image = near.model.grid.mirror_half(&pressed.state.to_flat());
+        let image = image.and_then(|flat| State::from_flat(&near.model.problem, &flat));
+        image.ok_or_else(|| broken("the mirrored state doesn't fit its mesh"))?
+    } else {
+        pressed.state.clone()
+    };
+    let key = near.inflated_key.clone();
+    let answer = Answer {
+        inflated_key: key,
+        inflated: near.inflated.clone(),
+        equilibrium: state,
+        report: &pressed.report,
+        iterations: pressed.iterations,
+    };
+    Ok(session.answer(request, begin, answer, &target))
+}
+
+fn press_near(
+    session: &mut Session<'_>,
+    near: &Neighbourhood,
+    target: &Loads,
+) -> Result<Pressed, SolveError> {
+    // With friction the equilibrium depends on the path: always the one from the inflated state.
+    if session.scene.contact.friction > 0.0 {
+        return session.press(&near.inflated, target, None);
+    }
+    let neighbour = (&near.equilibrium, &near.loads);
+    session.press(&near.inflated, target, Some(neighbour))
+}
+
+/// From nothing, or from the equilibrium of a similar tire on the same mesh.
+fn solve_afresh(
+    request: &SolveRequest<'_>,
+    plan: &MeshPlan,
+    settings: NewtonSettings,
+    begin: Instant,
+) -> Result<Solved, SolveError> {
+    let model = TireModel::new(request.scene, plan, extent(request.scene));
+    let newton = Newton::for_contact(
+        &model.problem,
+        &State::reference(&model.problem),
+        &expected_contact(request.scene),
+    );
+    let mut newton = newton.map_err(broken)?;
+    newton.settings = settings;
+    let start = request.start;
+    let near_inflated = start.and_then(|start| model.fit(&start.inflated));
+    let near_equilibrium = start.and_then(|start| model.fit(&start.equilibrium));
+    let mut session = session(request, &model, newton);
+    let inflated = session.inflate(near_inflated)?;
+    let target = session.target(&inflated);
+    let near_loads = start.map(|start| start_loads(start, &target));
+    let near = near_equilibrium.as_ref().zip(near_loads.as_ref());
+    let near = near.filter(|_| request.scene.contact.friction == 0.0);
+    let pressed = session.press(&inflated, &target, near)?;
+    let answer = Answer {
+        inflated_key: inflated_key(request.scene, plan),
+        inflated,
+        equilibrium: pressed.state,
+        report: &pressed.report,
+        iterations: session.newton.effort.iterations,
+    };
+    Ok(session.answer(request, begin, answer, &target))
+}
+
+/// The scene's ground below the undeformed tire, raised a little: inflation moves wall and ground alike.
+fn expected_contact(scene: &Scene) -> Loads {
+    let radius = scene.geometry.outer_radius_mm - CONTACT_MARGIN * scene.geometry.wall_mm;
+    Loads {
+        ground: Some(ground(&scene.ground, radius)),
+        ..Loads::default()
+    }
+}
+
+fn session<'m>(
+    request: &SolveRequest<'m>,
+    model: &'m TireModel,
+    newton: Newton<'m>,
+) -> Session<'m> {
+    Session {
+        scene: request.scene,
+        model,
+        newton,
+        stop: request.stop,
+    }
+}
+
+/// The loads at which a start state is in equilibrium, but for the inflated radius.
+fn start_loads(start: &StartState, target: &Loads) -> Loads {
+    Loads {
+        pressure: start.pressure_mpa,
+        ..target.with_depths(&start.depths_mm)
+    }
+}
+
+/// What a solve found.
+struct Answer<'a> {
+    inflated_key: String,
+    inflated: State,
+    equilibrium: State,
+    report: &'a PathReport,
+    iterations: usize,
+}
+
+impl Session<'_> {
+    fn answer(
+        mut self,
+        request: &SolveRequest<'_>,
+        begin: Instant,
+        answer: Answer<'_>,
+        loads: &Loads,
+    ) -> Solved {
+        let scene = request.scene;
+        let (inflated, equilibrium) = (&answer.inflated, &answer.equilibrium);
+        let reader = Reader::new(scene, self.model, inflated, equilibrium, loads);
+        let steps = answer.report.steps.iter();
+        let diagnostics = Diagnostics {
+            max_volume_change: self.newton.max_volume_change(equilibrium),
+            newton_iterations: answer.iterations,
+            residual_history: steps
+                .map(|step| step.iter().map(|r| r.worst()).collect())
+                .collect(),
+            model: self.model.summary(scene, self.newton.unknowns()),
+        };
+        let state = StartState {
+            inflated_key: answer.inflated_key,
+            inflated: inflated.to_flat(),
+            pressure_mpa: scene.pressure.internal_mpa,
+            depths_mm: scene.ground.depths_mm.clone(),
+            equilibrium: equilibrium.to_flat(),
+        };
+        Solved {
+            response: reader.response(request.readout, diagnostics),
+            cost: cost(&self.newton.effort, begin),
+            state,
+        }
+    }
+}
+
+fn cost(effort: &Effort, begin: Instant) -> Cost {
+    Cost {
+        wall_s: begin.elapsed().as_secs_f64(),
+        factorisation_s: effort.factorisation.as_secs_f64(),
+        substitution_s: effort.substitution.as_secs_f64(),
+        assembly_s: effort.assembly.as_secs_f64(),
+        newton_iterations: effort.iterations,
+        factorisations: effort.factorisations,
+    }
+}
+
+/// Hash of all that determines the inflated state: the scene without its ground and contact, and the mesh.
+fn inflated_key(scene: &Scene, plan: &MeshPlan) -> String {
+    let parts = (
+        &scene.geometry,
+        &scene.material,
+        &scene.carcass,
+        &scene.film,
+        &scene.pressure,
+    );
+    let text = format!("{parts:?} {plan:?}");
+    hexadecimal(&Sha256::digest(text.as_bytes()))
+}

@@ -1,0 +1,138 @@
+//! States of a tire mesh, mirrored about the contact centre.
+//!
+//! The mirror changes the sign of theta, and with it of the displacement along x and of the pressure mode along theta.
+
+use crate::mesh::tire_grid::{Extent, TireGrid};
+
+/// The pressure mode along theta; the modes are 1, phi, theta, rho along the brick's own axes.
+const THETA_MODE: usize = 2;
+
+impl TireGrid {
+    /// Unknowns (mm, then MPa) of the quarter mesh with this one's grid lines, mirrored to this half mesh. `None` when this is no half mesh or the length doesn't fit.
+    pub fn mirror_quarter(&self, quarter: &[f64]) -> Option<Vec<f64>> {
+        if self.extent != Extent::Half {
+            return None;
+        }
+        let e = self.order.edge_nodes() - 1;
+        let [nphi, ntheta, nrho] = self.bricks();
+        let modes = self.order.pressure_modes();
+        let (line, half) = (self.phi_nodes() * self.rho_nodes(), ntheta / 2);
+        let displacements = 3 * line * (e * half + 1);
+        if quarter.len() != displacements + modes * nphi * nrho * half {
+            return None;
+        }
+        let (displacement, pressure) = quarter.split_at(displacements);
+        let mut flat = Vec::with_capacity(2 * quarter.len());
+        for theta in 0..self.theta_nodes() {
+            let offset = theta.abs_diff(e * half);
+            for u in displacement[3 * line * offset..3 * line * (offset + 1)].chunks_exact(3) {
+                flat.extend([if theta < e * half { -u[0] } else { u[0] }, u[1], u[2]]);
+            }
+        }
+        let row = modes * nphi * nrho;
+        for theta in 0..ntheta {
+            let source = if theta < half {
+                half - 1 - theta
+            } else {
+                theta - half
+            };
+            for p in pressure[row * source..row * (source + 1)].chunks_exact(modes) {
+                flat.extend(p.iter().enumerate().map(|(mode, &p)| {
+                    if mode == THETA_MODE && theta < half {
+                        -p
+                    } else {
+                        p
+                    }
+                }));
+            }
+        }
+        Some(flat)
+    }
+
+    /// Unknowns (mm, then MPa) of this half mesh, left and right exchanged. `None` when this is no half mesh or the length doesn't fit.
+    pub fn mirror_half(&self, flat: &[f64]) -> Option<Vec<f64>> {
+        let [nphi, ntheta, nrho] = self.bricks();
+        let modes = self.order.pressure_modes();
+        let line = 3 * self.phi_nodes() * self.rho_nodes();
+        let lines = self.theta_nodes();
+        let row = modes * nphi * nrho;
+        if self.extent != Extent::Half || flat.len() != line * lines + row * ntheta {
+            return None;
+        }
+        let (displacement, pressure) = flat.split_at(line * lines);
+        let mut mirrored = Vec::with_capacity(flat.len());
+        for theta in 0..lines {
+            let source = (lines - theta) % lines;
+            for u in displacement[line * source..line * (source + 1)].chunks_exact(3) {
+                mirrored.extend([-u[0], u[1], u[2]]);
+            }
+        }
+        for theta in 0..ntheta {
+            let source = ntheta - 1 - theta;
+            for p in pressure[row * source..row * (source + 1)].chunks_exact(modes) {
+                let signed = |(mode, &p): (usize, &f64)| if mode == THETA_MODE { -p } else { p };
+                mirrored.extend(p.iter().enumerate().map(signed));
+            }
+        }
+        Some(mirrored)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use fem::cell::element::Order;
+
+    use super::*;
+    use crate::mesh::tire_grid::{MeshPlan, TireShape};
+
+    fn grid() -> TireGrid {
+        let shape = TireShape {
+            centre_radius: 37.5,
+            inner: 9.5,
+            outer: 12.5,
+            bead_angle: 2.0,
+            carcass: None,
+        };
+        let plan = MeshPlan {
+            order: Order::Quadratic,
+            fine_angle: 0.3,
+            fine: 2,
+            coarse: 2,
+            meridional: 2,
+            meridional_growth: 2.0,
+            layers: 1,
+        };
+        TireGrid::new(shape, &plan, Extent::Half)
+    }
+
+    #[test]
+    fn mirrored_nodes_are_mirrored_positions() {
+        let grid = grid();
+        let (mesh, _) = grid.mesh();
+        let pressures = mesh.brick_count() * mesh.order.pressure_modes();
+        let positions: Vec<f64> = mesh
+            .nodes
+            .iter()
+            .flatten()
+            .copied()
+            .chain(vec![0.0; pressures])
+            .collect();
+        let mirrored = grid.mirror_half(&positions).unwrap();
+        for (a, b) in positions.iter().zip(&mirrored) {
+            // Sines and cosines of opposite angles, rounded.
+            assert!((a - b).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn mirroring_twice_changes_nothing() {
+        let grid = grid();
+        let (mesh, _) = grid.mesh();
+        let size = 3 * mesh.nodes.len() + mesh.brick_count() * mesh.order.pressure_modes();
+        let state: Vec<f64> = (0..size).map(|k| (k as f64).sin()).collect();
+        let once = grid.mirror_half(&state).unwrap();
+        assert_ne!(once, state);
+        assert_eq!(grid.mirror_half(&once).unwrap(), state);
+        assert_eq!(grid.mirror_half(&state[1..]), None);
+    }
+}

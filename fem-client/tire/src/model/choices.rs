@@ -1,0 +1,110 @@
+//! What the model of a scene has, and what it leaves out.
+
+use fem::cell::element::Order;
+use fem_client::scene::Scene;
+use fem_client::solver::Choice;
+
+use super::resting_ground::FRICTION_STEPS;
+use crate::mesh::tire_grid::Extent;
+use crate::omission::omissions;
+
+fn choice(what: &str, why: String) -> Choice {
+    Choice {
+        what: what.into(),
+        why,
+        effect: None,
+    }
+}
+
+/// What is modelled, with reasons.
+pub(super) fn modelled(scene: &Scene, order: Order) -> Vec<Choice> {
+    let element = element(order);
+    let volume = compressibility(scene.material.d1_per_mpa);
+    let mut list = vec![
+        choice(
+            "wall",
+            format!(
+                "three-dimensional, {element}: strains across and along the wheel are both asked for"
+            ),
+        ),
+        choice(
+            "rubber",
+            format!("{}, {volume}", scene.material.law.title()),
+        ),
+        choice(
+            "pressure",
+            "live load with its tangent: it follows the deformed inner surface".into(),
+        ),
+        choice(
+            "contact",
+            "rigid ground, penalty on the vertical gap".into(),
+        ),
+    ];
+    if scene.contact.friction > 0.0 {
+        let why = format!(
+            "Coulomb, coefficient {}, pressed from the inflated state in {FRICTION_STEPS} steps: the path matters",
+            scene.contact.friction
+        );
+        list.push(choice("friction", why));
+    }
+    if let Some(film) = &scene.film {
+        list.push(choice(
+            "film",
+            format!(
+                "isotropic membrane in plane stress, {} x {} mm at P3, glued on before inflation",
+                film.length_mm, film.width_mm
+            ),
+        ));
+    }
+    if scene.carcass.is_some() {
+        list.push(choice(
+            "carcass",
+            "two fibre families as a membrane inside the wall, slack in compression".into(),
+        ));
+    }
+    list
+}
+
+fn element(order: Order) -> &'static str {
+    match order {
+        Order::Linear => "8-node bricks with one pressure each (Q1P0)",
+        Order::Quadratic => "27-node bricks with a linear pressure each (Q2/P1)",
+        Order::PlaneLinear => "4-node quadrilaterals in plane strain with one pressure each (Q1P0)",
+        Order::PlaneQuadratic => {
+            "9-node quadrilaterals in plane strain with a linear pressure each (Q2/P1)"
+        }
+    }
+}
+
+fn compressibility(d1_per_mpa: f64) -> String {
+    if d1_per_mpa == 0.0 {
+        "exactly incompressible, because d1_per_mpa is 0".to_string()
+    } else {
+        format!("bulk modulus {} MPa from d1_per_mpa", 2.0 / d1_per_mpa)
+    }
+}
+
+/// What is left out, with reasons; the effect is known where it is nothing.
+pub(super) fn left_out(scene: &Scene, extent: Extent) -> Vec<Choice> {
+    let exact = |what: &str, why: &str| Choice {
+        what: what.into(),
+        why: why.into(),
+        effect: Some(0.0),
+    };
+    let mut list = Vec::new();
+    if extent != Extent::Full {
+        list.push(exact(
+            "y < 0",
+            "tire, ground and loads are symmetric about the wheel's middle plane: exact",
+        ));
+    }
+    if extent == Extent::Quarter {
+        list.push(exact(
+            "x < 0",
+            "the depths are symmetric about the contact centre: exact",
+        ));
+    }
+    let omitted = omissions(scene).into_iter();
+    list.extend(omitted.map(|omission| choice(omission.what, omission.why)));
+    list
+}

@@ -1,0 +1,173 @@
+//! What solves that start from the same equilibrium share: the model, the fitted states and the factorised tangent there.
+//!
+//! The points of a study all start from its cut point, so this is made twice, for the symmetric and the full ground, and
+//! every other point is solved without a factorisation of its own. It is a function of scene, mesh and start, never of
+//! which solve came first, so that results don't depend on it to the bit.
+
+use std::cmp::Ordering;
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use fem::newton::iteration::Newton;
+use fem::newton::path::PathReport;
+use fem::newton::tangent::Tangent;
+use fem::problem::{Loads, State};
+use sha2::{Digest, Sha256};
+
+use crate::mesh::tire_grid::{Extent, MeshPlan};
+use crate::model::{TireModel, ground};
+use fem_client::hexadecimal::hexadecimal;
+use fem_client::scene::{Ground, Scene};
+use fem_client::solver::StartState;
+
+/// Neighbourhoods that are kept; the oldest goes first. Each holds a factor: 60 MB for a standard half model.
+const KEPT: usize = 4;
+/// Equilibria that a neighbourhood keeps for their mirror images.
+const PRESSED: usize = 64;
+/// Rise of the ground that the border is ready for, as a share of the start's largest depth, and of the wall.
+const REACH: [f64; 2] = [0.5, 0.1];
+
+/// One equilibrium, ready to be left in any direction.
+#[derive(Debug)]
+pub(crate) struct Neighbourhood {
+    pub(crate) inflated_key: String,
+    pub(crate) model: TireModel,
+    pub(crate) inflated: State,
+    pub(crate) equilibrium: State,
+    pub(crate) loads: Loads,
+    pub(crate) tangent: Arc<Tangent>,
+    /// Whether left and right are alike here, so that mirrored depths have mirrored equilibria.
+    symmetric: bool,
+    pressed: Mutex<VecDeque<(Vec<f64>, Arc<Pressed>)>>,
+}
+
+/// An equilibrium on the ground, and how it was found.
+#[derive(Debug)]
+pub(crate) struct Pressed {
+    pub(crate) state: State,
+    pub(crate) report: PathReport,
+    pub(crate) iterations: usize,
+}
+
+impl Neighbourhood {
+    /// `None` when the state belongs to another mesh or inflation, or its tangent can't be had.
+    fn new(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> Option<Self> {
+        let model = TireModel::new(scene, plan, extent);
+        let inflated = model.fit(&start.inflated)?;
+        let equilibrium = model.fit(&start.equilibrium)?;
+        let radius = model.crown_radius(&inflated);
+        let depths = Ground {
+            depths_mm: start.depths_mm.clone(),
+            ..scene.ground.clone()
+        };
+        let loads = Loads {
+            pressure: start.pressure_mpa,
+            ground: Some(ground(&depths, radius)),
+            ..Loads::default()
+        };
+        let deepest = start.depths_mm.iter().copied().fold(0.0, f64::max);
+        let reach = REACH[0] * deepest + REACH[1] * scene.geometry.wall_mm;
+        let raised = Loads {
+            ground: Some(ground(&depths, radius - reach)),
+            ..loads.clone()
+        };
+        let mut newton = Newton::for_contact(&model.problem, &equilibrium, &raised).ok()?;
+        let tangent = newton.tangent_at(&equilibrium, &loads).ok()?;
+        Some(Self {
+            inflated_key: start.inflated_key.clone(),
+            model,
+            inflated,
+            equilibrium,
+            loads,
+            tangent,
+            symmetric: extent == Extent::Half && depths.is_symmetric(),
+            pressed: Mutex::default(),
+        })
+    }
+
+    /// Depths in the order in which they are solved, and whether that exchanges left and right: of two mirrored grounds
+    /// only one is ever solved.
+    pub(crate) fn canonical(&self, depths: &[f64]) -> (Vec<f64>, bool) {
+        let mirrored: Vec<f64> = depths.iter().rev().copied().collect();
+        let ahead = mirrored.iter().zip(depths).map(|(a, b)| a.total_cmp(b));
+        let is_less = ahead.fold(Ordering::Equal, Ordering::then) == Ordering::Less;
+        if self.symmetric && is_less {
+            (mirrored, true)
+        } else {
+            (depths.to_vec(), false)
+        }
+    }
+
+    /// The equilibrium at these depths if it was found lately.
+    pub(crate) fn recall(&self, depths: &[f64]) -> Option<Arc<Pressed>> {
+        let pressed = self.pressed.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = pressed.iter().find(|(known, _)| known == depths);
+        known.map(|(_, pressed)| pressed.clone())
+    }
+
+    /// Keeps an equilibrium for its mirror image.
+    pub(crate) fn remember(&self, depths: Vec<f64>, found: Arc<Pressed>) {
+        let mut pressed = self.pressed.lock().unwrap_or_else(PoisonError::into_inner);
+        if pressed.len() == PRESSED {
+            pressed.pop_front();
+        }
+        pressed.push_back((depths, found));
+    }
+}
+
+type Slot = Arc<OnceLock<Option<Arc<Neighbourhood>>>>;
+
+/// The last few neighbourhoods.
+#[derive(Debug, Default)]
+pub(crate) struct Neighbourhoods {
+    slots: Mutex<Vec<(String, Slot)>>,
+}
+
+impl Neighbourhoods {
+    /// The neighbourhood of a start state, made at most once however many threads ask.
+    pub(crate) fn of(
+        &self,
+        scene: &Scene,
+        plan: &MeshPlan,
+        extent: Extent,
+        start: &StartState,
+    ) -> Option<Arc<Neighbourhood>> {
+        let slot = self.slot(key(scene, plan, extent, start));
+        slot.get_or_init(|| Neighbourhood::new(scene, plan, extent, start).map(Arc::new))
+            .clone()
+    }
+
+    fn slot(&self, key: String) -> Slot {
+        let mut slots = self.slots.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, slot)) = slots.iter().find(|(known, _)| *known == key) {
+            return slot.clone();
+        }
+        if slots.len() == KEPT {
+            slots.remove(0);
+        }
+        let slot = Slot::default();
+        slots.push((key, slot.clone()));
+        slot
+    }
+}
+
+/// Hash of all that a neighbourhood is made of.
+fn key(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> String {
+    let ground = Ground {
+        depths_mm: start.depths_mm.clone(),
+        ..scene.ground.clone()
+    };
+    let scene = Scene {
+        ground,
+        ..scene.clone()
+    };
+    let mut hash = Sha256::new();
+    hash.update(format!(
+        "{scene:?} {plan:?} {extent:?} {}",
+        start.inflated_key
+    ));
+    for value in start.inflated.iter().chain(&start.equilibrium) {
+        hash.update(value.to_le_bytes());
+    }
+    hexadecimal(&hash.finalize())
+}

@@ -1,0 +1,365 @@
+//! Strains of an equilibrium, read off the inner surface.
+
+use fem::problem::{Loads, State};
+use fem::surface::chart::Recovery;
+use fem::surface::membrane::Membrane;
+use fem::surface::surface_law::{InPlane, SurfaceLaw};
+use fem::tensor::Vector;
+
+use crate::model::{TireModel, cord_families, film_law};
+use crate::readout::probe::{Probe, States};
+use fem_client::scene::Scene;
+use fem_client::solver::direction::PerDirection;
+use fem_client::solver::gauge::{Gauge, GaugeError, GaugeReading};
+use fem_client::solver::{
+    CarcassState, Extremes, FilmState, Grid, Inflated, LocationError, LocationStrain, MapShape,
+    ModelSummary, Position, Readout, Response, ResponseError, Ring, Section, StrainMap,
+};
+
+/// Bound of the exponent n in "reaction proportional to depth^n": 1 for a membrane under pressure, 1.5 for a Hertz sphere.
+const DEPTH_EXPONENT: f64 = 1.5;
+
+/// What the state doesn't show: the solver's part of a response, field by field as in [`Response`].
+pub struct Diagnostics {
+    /// Largest |J - 1| of an element's mean.
+    pub max_volume_change: f64,
+    /// Newton iterations of all load steps.
+    pub newton_iterations: usize,
+    /// Residual norms, one list per load step.
+    pub residual_history: Vec<Vec<f64>>,
+    /// What was modelled.
+    pub model: ModelSummary,
+}
+
+/// Reads one equilibrium.
+pub struct Reader<'m> {
+    scene: &'m Scene,
+    model: &'m TireModel,
+    inflated: Recovery<'m>,
+    current: Recovery<'m>,
+    equilibrium: &'m State,
+    loads: &'m Loads,
+    inflated_radius: f64,
+}
+
+impl<'m> Reader<'m> {
+    /// Recovers the stretches of the inflated state and of the equilibrium.
+    pub fn new(
+        scene: &'m Scene,
+        model: &'m TireModel,
+        inflated: &'m State,
+        equilibrium: &'m State,
+        loads: &'m Loads,
+    ) -> Self {
+        let mesh = &model.problem.mesh;
+        let recover =
+            |state: &'m State| Recovery::new(&model.chart, mesh, |node| state.position(mesh, node));
+        let inflated_radius = -inflated.position(mesh, model.grid.lowest_node())[2];
+        Self {
+            scene,
+            model,
+            inflated: recover(inflated),
+            current: recover(equilibrium),
+            equilibrium,
+            loads,
+            inflated_radius,
+        }
+    }
+
+    /// The response, with what its solver says of the way there.
+    pub fn response(&self, readout: &Readout, diagnostics: Diagnostics) -> Response {
+        let locations = self.locations();
+        Response {
+            reaction_n: self.reaction().0,
+            error: self.error(&locations),
+            locations,
+            section: Section {
+                crown: self.strain(0.0, Position::Crown.angle_deg().to_radians()),
+                shoulder: self.strain(0.0, Position::Shoulder.angle_deg().to_radians()),
+                sidewall: self.strain(0.0, Position::Sidewall.angle_deg().to_radians()),
+            },
+            inflated: self.inflated_summary(),
+            max_volume_change: diagnostics.max_volume_change,
+            newton_iterations: diagnostics.newton_iterations,
+            residual_history: diagnostics.residual_history,
+            model: diagnostics.model,
+            map: readout.grid.as_ref().map(|grid| StrainMap {
+                shape: readout.shape.then(|| self.shape(grid)),
+                ..self.map(grid)
+            }),
+            rings: readout
+                .rings
+                .iter()
+                .map(|&position| self.ring(position))
+                .collect(),
+            gauges: readout
+                .gauges
+                .iter()
+                .map(|&gauge| self.gauge(gauge))
+                .collect(),
+            carcass: self.carcass(),
+            film: self.film(),
+        }
+    }
+
+    /// Vertical force on the whole tire and the pressure-weighted mean penetration.
+    fn reaction(&self) -> (f64, f64) {
+        let (Some(contact), Some(ground)) = (&self.model.problem.contact, &self.loads.ground)
+        else {
+            return (0.0, 0.0);
+        };
+        let mesh = &self.model.problem.mesh;
+        let resultant = contact.resultant(ground, |node| self.equilibrium.position(mesh, node));
+        (
+            self.model.multiplicity() * resultant.force[2],
+            resultant.mean_penetration,
+        )
+    }
+
+    fn locations(&self) -> Vec<LocationStrain> {
+        let ground = &self.scene.ground;
+        let centre = (ground.stations as f64 - 1.0) / 2.0;
+        (0..ground.stations)
+            .map(|k| {
+                let theta = (k as f64 - centre) * ground.station_spacing_mm / self.inflated_radius;
+                let probe = self.probe(theta, 0.0);
+                let strain = PerDirection::of(|direction| {
+                    probe.estimate(|states| states.signal_in(direction))
+                });
+                let von_mises = probe.estimate(|states| self.von_mises(states));
+                LocationStrain {
+                    name: format!("P{}", k + 1),
+                    theta_deg: theta.to_degrees(),
+                    strain: strain.map(|strain| strain.value),
+                    von_mises_mpa: von_mises.value,
+                    error: Some(LocationError {
+                        strain: strain.map(|strain| strain.error),
+                        von_mises_mpa: von_mises.error,
+                    }),
+                }
+            })
+            .collect()
+    }
+
+    fn gauge(&self, gauge: Gauge) -> GaugeReading {
+        let probe = self.probe(gauge.theta_deg.to_radians(), gauge.phi_deg.to_radians());
+        // Only y >= 0 (and x >= 0 on a quarter) is meshed: beyond a symmetry plane directions are mirrored.
+        let angle = self.mirrored_angle(&gauge);
+        let strain = probe.estimate(|states| states.signal(angle));
+        let stretch = probe.estimate(|states| states.current.along(angle));
+        let green_lagrange = probe.estimate(|states| states.current.green_lagrange_along(angle));
+        let von_mises = probe.estimate(|states| self.von_mises(states));
+        GaugeReading {
+            gauge,
+            strain: strain.value,
+            stretch: stretch.value,
+            green_lagrange: green_lagrange.value,
+            von_mises_mpa: von_mises.value,
+            error: Some(GaugeError {
+                strain: strain.error,
+                stretch: stretch.error,
+                green_lagrange: green_lagrange.error,
+                von_mises_mpa: von_mises.error,
+            }),
+        }
+    }
+
+    /// The gauge's angle in the meshed part, rad.
+    fn mirrored_angle(&self, gauge: &Gauge) -> f64 {
+        let angle = gauge.angle_deg.to_radians();
+        let theta = gauge.theta_deg.to_radians();
+        if (gauge.phi_deg < 0.0) != self.model.grid.is_mirrored(theta) {
+            -angle
+        } else {
+            angle
+        }
+    }
+
+    fn probe(&self, theta: f64, phi: f64) -> Probe {
+        Probe::new(
+            &self.current,
+            &self.inflated,
+            self.model.grid.inner_point(theta, phi),
+        )
+    }
+
+    /// The inner surface carries only pressure, so the wall's normal is a principal direction there and the in-plane
+    /// stretches with det F = 1 give all of the isochoric deformation.
+    fn von_mises(&self, states: &States) -> f64 {
+        let (l1, l2) = states.current.principal();
+        self.model
+            .problem
+            .solid
+            .material
+            .von_mises([l1, l2, 1.0 / (l1 * l2)])
+    }
+
+    fn error(&self, locations: &[LocationStrain]) -> ResponseError {
+        let errors = locations.iter().filter_map(|location| location.error);
+        let strain = errors.fold(PerDirection::default(), |largest, error| {
+            largest.zip(error.strain).map(|(a, b): (f64, f64)| a.max(b))
+        });
+        let (reaction, penetration) = self.reaction();
+        let depth = self
+            .scene
+            .ground
+            .depths_mm
+            .iter()
+            .copied()
+            .fold(0.0, f64::max);
+        ResponseError {
+            reaction_n: if depth > 0.0 {
+                DEPTH_EXPONENT * reaction * penetration / depth
+            } else {
+                0.0
+            },
+            strain,
+        }
+    }
+
+    /// Extremes over all integration points of the textile layer and both families.
+    fn carcass(&self) -> Option<CarcassState> {
+        let families = cord_families(self.scene.carcass.as_ref()?);
+        let membrane = self.model.carcass()?;
+        let (mut stretch, mut tension) = (Extremes::NONE, Extremes::NONE);
+        for strain in self.layer_strains(membrane) {
+            for family in &families {
+                stretch.include(family.stretch(&strain));
+                tension.include(family.tension(&strain));
+            }
+        }
+        Some(CarcassState {
+            fibre_stretch: stretch,
+            tension_n_per_mm: tension,
+        })
+    }
+
+    /// Extremes over all integration points of the film.
+    fn film(&self) -> Option<FilmState> {
+        let law = film_law(self.scene.film.as_ref()?);
+        let membrane = self.model.film()?;
+        let (mut stretches, mut tensions) = ([Extremes::NONE; 2], [Extremes::NONE; 2]);
+        for strain in self.layer_strains(membrane) {
+            let (tension, _) = law.tensions(&strain);
+            for k in 0..2 {
+                stretches[k].include((1.0 + 2.0 * strain[k]).sqrt());
+                tensions[k].include(tension[k]);
+            }
+        }
+        Some(FilmState {
+            stretch: stretches.into(),
+            tension_n_per_mm: tensions.into(),
+        })
+    }
+
+    /// Strains at all integration points of a layer.
+    fn layer_strains(&self, membrane: &'m Membrane) -> impl Iterator<Item = InPlane> {
+        let faces = membrane.surface.iter().enumerate();
+        faces.flat_map(|(face, nodes)| {
+            let displacement: Vec<[f64; 3]> = nodes
+                .iter()
+                .map(|&node| self.equilibrium.displacement[node as usize])
+                .collect();
+            membrane.strains(face, &displacement).collect::<Vec<_>>()
+        })
+    }
+
+    fn inflated_summary(&self) -> Inflated {
+        let stretch = self.inflated.at(self.model.grid.inner_point(0.0, 0.0));
+        Inflated {
+            outer_radius_mm: self.inflated_radius,
+            crown_stretch: [stretch.s1, stretch.s2].into(),
+        }
+    }
+
+    /// Strains at wheel and section angles, rad.
+    fn strain(&self, theta: f64, phi: f64) -> PerDirection<f64> {
+        let point = self.model.grid.inner_point(theta, phi);
+        let states = States {
+            current: self.current.at(point),
+            inflated: self.inflated.at(point),
+        };
+        PerDirection::of(|direction| states.signal_in(direction))
+    }
+
+    /// Angles of the columns and of the rows of a map, degrees.
+    fn map_lines(&self, grid: &Grid) -> (Vec<f64>, Vec<f64>) {
+        let bead = self.scene.geometry.bead_angle_deg;
+        let theta_deg = spread(grid.half_width_deg, grid.circumferential);
+        (theta_deg, spread(bead, grid.meridional))
+    }
+
+    fn map(&self, grid: &Grid) -> StrainMap {
+        let (theta_deg, phi_deg) = self.map_lines(grid);
+        let points = phi_deg
+            .iter()
+            .flat_map(|phi| theta_deg.iter().map(move |theta| (theta, phi)));
+        let strains = points.map(|(theta, phi)| self.strain(theta.to_radians(), phi.to_radians()));
+        StrainMap {
+            strain: strains.collect(),
+            theta_deg,
+            phi_deg,
+            shape: None,
+        }
+    }
+
+    fn shape(&self, grid: &Grid) -> MapShape {
+        let (theta_deg, phi_deg) = self.map_lines(grid);
+        let mut shape = MapShape::default();
+        for phi in &phi_deg {
+            for theta in &theta_deg {
+                let (theta, phi) = (theta.to_radians(), phi.to_radians());
+                let inflated = self.position(&self.inflated, theta, phi);
+                let current = self.position(&self.current, theta, phi);
+                let displacement = [0, 1, 2].map(|i| current[i] - inflated[i]);
+                shape.inflated_mm.push(inflated.map(to_picometre));
+                shape.displacement_mm.push(displacement.map(to_picometre));
+            }
+        }
+        shape
+    }
+
+    /// Position in a state at wheel and section angles (rad), beyond the symmetry planes too.
+    fn position(&self, state: &Recovery<'_>, theta: f64, phi: f64) -> Vector {
+        let grid = &self.model.grid;
+        let [x, y, z] = state.position(grid.inner_point(theta, phi));
+        let mirrored = |is_mirrored, value: f64| if is_mirrored { -value } else { value };
+        [
+            mirrored(grid.is_mirrored(theta), x),
+            mirrored(phi < 0.0, y),
+            z,
+        ]
+    }
+
+    fn ring(&self, position: Position) -> Ring {
+        let theta_deg: Vec<f64> = (-180..180).map(f64::from).collect();
+        let phi = position.angle_deg().to_radians();
+        let strains = theta_deg
+            .iter()
+            .map(|theta| self.strain(theta.to_radians(), phi));
+        Ring {
+            position,
+            strain: strains.collect(),
+            theta_deg,
+        }
+    }
+}
+
+/// Rounded to a picometre, far below the solver's tolerance: the text of a map is shorter by a third of its shape.
+fn to_picometre(length_mm: f64) -> f64 {
+    (length_mm * 1e9).round() / 1e9
+}
+
+/// `n` angles from -half to half, exactly symmetric.
+fn spread(half: f64, n: usize) -> Vec<f64> {
+    let middle = (n as f64 - 1.0) / 2.0;
+    (0..n)
+        .map(|i| {
+            if n == 1 {
+                0.0
+            } else {
+                half * (i as f64 - middle) / middle
+            }
+        })
+        .collect()
+}

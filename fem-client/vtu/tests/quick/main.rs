@@ -1,0 +1,3 @@
+//! Pictures of solved tires.
+
+mod pictures;

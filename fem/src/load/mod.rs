@@ -1,0 +1,11 @@
+//! What loads a body from outside, in reading order:
+//!
+//! - [`pressure`]: live pressure on a surface
+//! - [`traction`]: dead forces on a surface
+//! - [`obstacle`], [`friction`], [`contact`]: rigid ground and contact with it
+
+pub mod contact;
+pub mod friction;
+pub mod obstacle;
+pub mod pressure;
+pub mod traction;

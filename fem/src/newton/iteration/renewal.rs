@@ -1,0 +1,84 @@
+//! When Newton's method makes a new tangent, and how.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use super::{Cause, Newton};
+use crate::linear::factor::Inertia;
+use crate::linear::system::{Entries, Imbalance};
+use crate::newton::tangent::Tangent;
+use crate::problem::{Loads, State};
+
+/// Steps over which the rate of convergence is taken.
+const RATE_STEPS: usize = 2;
+
+impl Newton<'_> {
+    /// Whether the steps that the tangent still needs cost more than a new one, at the mean rate of the last two of the
+    /// `kept` steps that it has made: a point that opens or closes can spoil a single one.
+    pub(super) fn wants_renewal(&self, history: &[Imbalance], kept: usize) -> bool {
+        if self.tangent.is_none() || kept == 0 {
+            return self.tangent.is_none();
+        }
+        let steps = kept.min(RATE_STEPS);
+        let (before, now) = (
+            history[history.len() - 1 - steps],
+            history[history.len() - 1],
+        );
+        let rate = (now.worst() / before.worst()).powf(1.0 / steps as f64);
+        let left = (self.settings.tolerance / now.worst()).ln() / rate.ln();
+        rate >= 1.0 || left > self.settings.renewal_cost
+    }
+
+    /// Assembles and factorises the tangent at a state, and returns the signs of its pivots, contact included.
+    ///
+    /// # Errors
+    /// [`Cause::Singular`].
+    pub(super) fn renew(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
+        let start = Instant::now();
+        let mut tangent = match self.tangent.take().and_then(Arc::into_inner) {
+            Some(own) => own,
+            None => Tangent::new(self.setup.clone(), self.assembler.coupling_len())
+                .map_err(Cause::Singular)?,
+        };
+        let entries = self
+            .entries
+            .get_or_insert_with(|| Entries::new(&self.setup));
+        self.assembler
+            .tangent(state, loads, &self.pending, entries, &mut tangent.coupling);
+        let assembled = Instant::now();
+        tangent
+            .factorise(entries, &mut self.workspace)
+            .map_err(Cause::Singular)?;
+        self.effort.factorisation += assembled.elapsed();
+        self.effort.assembly += assembled - start;
+        self.effort.factorisations += 1;
+        self.focus = None;
+        self.acceleration.reset();
+        let inertia = tangent.inertia(self.problem, state, loads.ground.as_ref());
+        self.tangent = Some(Arc::new(tangent));
+        self.indefinite |= !inertia.is_positive();
+        Ok(inertia)
+    }
+
+    /// The tangent at a state, for solves of the same problem near it: its factor is in single precision, because these
+    /// solves are bound by reading it and correct its rounding like the distance between their states.
+    ///
+    /// # Errors
+    /// [`Cause`] when it is singular or doesn't fit in memory.
+    pub fn tangent_at(&mut self, state: &State, loads: &Loads) -> Result<Arc<Tangent>, Cause> {
+        self.inertia_at(state, loads)?;
+        let own = self.tangent.take().and_then(Arc::into_inner);
+        own.map(|tangent| Arc::new(tangent.rounded()))
+            .ok_or(Cause::Diverged)
+    }
+
+    /// Signs of the pivots at an equilibrium. The tangent made for it serves the next solve.
+    ///
+    /// # Errors
+    /// As [`Newton::tangent_at`].
+    pub fn inertia_at(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
+        self.set_pending(state, loads.support_factor);
+        self.cover_contact(state, loads)?;
+        self.renew(state, loads)
+    }
+}

@@ -1,0 +1,50 @@
+//! Newton's iteration step by step, for methods that add equations of their own.
+
+use super::{Cause, Newton};
+use crate::linear::factor::Inertia;
+use crate::linear::sparsity::Equations;
+use crate::linear::system::Imbalance;
+use crate::problem::{Loads, State};
+
+impl Newton<'_> {
+    /// Prescribes the held displacements at this factor: the first step from `state` makes them.
+    pub(crate) fn hold(&mut self, state: &State, support_factor: f64) {
+        self.set_pending(state, support_factor);
+    }
+
+    /// Imbalance at a state, which the next [`Newton::linearise`] works on.
+    pub(crate) fn imbalance(&mut self, state: &State, loads: &Loads) -> Imbalance {
+        self.residual(state, loads)
+    }
+
+    /// Equation numbers of the displacements.
+    pub(crate) fn equations(&self) -> &Equations {
+        &self.setup.equations
+    }
+
+    /// Renews the tangent, and solves it for the increments of the free displacements that belong to the last residual:
+    /// [`Newton::increments_mut`].
+    pub(crate) fn linearise(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
+        let inertia = self.renew(state, loads)?;
+        self.solve_displacements(state, loads)?;
+        Ok(inertia)
+    }
+
+    /// Increments of the free displacements, by equations, that [`Newton::advance`] will apply.
+    pub(crate) fn increments_mut(&mut self) -> &mut [f64] {
+        &mut self.rhs
+    }
+
+    /// Solves with the present tangent, without ground, in place.
+    pub(crate) fn solve_linear(&mut self, state: &State, rhs: &mut [f64]) -> Result<(), Cause> {
+        let tangent = self.tangent.clone().ok_or(Cause::Diverged)?;
+        tangent.solve(self.problem, state, None, rhs, 0.0, &mut self.workspace);
+        Ok(())
+    }
+
+    /// Applies the increments, or the largest of their halvings that inverts no element. Returns the fraction applied.
+    pub(crate) fn advance(&mut self, state: &mut State, loads: &Loads) -> Result<f64, Cause> {
+        self.collect_increments()?;
+        self.update(state, loads).map(|(factor, _)| factor)
+    }
+}

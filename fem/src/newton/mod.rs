@@ -1,0 +1,14 @@
+//! Equilibrium, in reading order:
+//!
+//! - `focus`, `condensed_contact`, [`tangent`]: linear body, nonlinear contact
+//! - `acceleration`, [`iteration`]: Newton's method under given loads
+//! - [`volume_control`]: equilibrium at a given volume of a cavity, and limit points
+//! - [`path`]: load stepping with automatic cut-back
+
+pub(crate) mod acceleration;
+pub(crate) mod condensed_contact;
+pub(crate) mod focus;
+pub mod iteration;
+pub mod path;
+pub mod tangent;
+pub mod volume_control;

@@ -1,0 +1,133 @@
+//! A factorised tangent, and the step it gives at any state near its own.
+//!
+//! Contact is left out of the matrix and solved in full on the border (see `condensed_contact`), so one factor serves
+//! all states whose body - not contact - is nearly as stiff. To hold a body that rests on nothing but the ground, springs
+//! are added to the border before the factorisation and taken off its Schur complement.
+
+use std::sync::Arc;
+
+use faer::Mat;
+
+use crate::linear::factor::{Factor, Inertia, Workspace};
+use crate::linear::setup::Setup;
+use crate::linear::symbolic::LinearError;
+use crate::linear::system::Entries;
+use crate::load::obstacle::HeightField;
+use crate::newton::condensed_contact::{CondensedContact, inertia, solve_free};
+use crate::newton::focus::Focus;
+use crate::problem::{Problem, State};
+
+/// Tangent of everything but contact at one state, factorised.
+#[derive(Debug)]
+pub struct Tangent {
+    pub(crate) setup: Arc<Setup>,
+    factor: Factor,
+    /// Schur complement of the border, without contact.
+    schur: Mat<f64>,
+    /// Derivative of each brick's volume residuals by its displacements: brick, mode, unknown.
+    pub(crate) coupling: Vec<f64>,
+}
+
+impl Tangent {
+    pub(crate) fn new(setup: Arc<Setup>, coupling_len: usize) -> Result<Self, LinearError> {
+        Ok(Self {
+            factor: Factor::new(setup.symbolic.clone())?,
+            schur: Mat::new(),
+            coupling: vec![0.0; coupling_len],
+            setup,
+        })
+    }
+
+    /// Factorises these entries; the coupling has been filled by the caller.
+    pub(crate) fn factorise(
+        &mut self,
+        entries: &mut Entries,
+        workspace: &mut Workspace,
+    ) -> Result<(), LinearError> {
+        let spring = self.add_springs(entries);
+        self.factor.factorise(&entries.values, workspace)?;
+        self.schur = self.factor.schur_complement();
+        for k in 0..self.schur.nrows() {
+            self.schur[(k, k)] -= spring;
+        }
+        Ok(())
+    }
+
+    /// This tangent with its factor in single precision.
+    #[must_use]
+    pub(crate) fn rounded(self) -> Self {
+        Self {
+            factor: self.factor.rounded(),
+            ..self
+        }
+    }
+
+    /// Puts a spring as stiff as the body's mean diagonal on each unknown of the border; returns its stiffness.
+    fn add_springs(&self, entries: &mut Entries) -> f64 {
+        let starts = &self.setup.symbolic.pattern().column_starts;
+        let diagonals = || self.setup.equations.interior..self.setup.equations.count;
+        if diagonals().is_empty() {
+            return 0.0;
+        }
+        let place = |column: usize| starts[column + 1] - 1;
+        let sum: f64 = diagonals().map(|c| entries.values[place(c)].abs()).sum();
+        let spring = sum / diagonals().len() as f64;
+        for column in diagonals() {
+            entries.values[place(column)] += spring;
+        }
+        spring
+    }
+
+    /// Solves for the displacement increments of all equations, in place of the right-hand side: minus the condensed
+    /// residual of all but contact. The contact is solved up to a residual of `tolerance`, N.
+    pub(crate) fn solve(
+        &self,
+        problem: &Problem,
+        state: &State,
+        contact: Option<(&HeightField, &Focus)>,
+        rhs: &mut [f64],
+        tolerance: f64,
+        workspace: &mut Workspace,
+    ) {
+        self.factor.eliminate(rhs, workspace);
+        let border = &mut rhs[self.setup.equations.interior..];
+        if !border.is_empty() {
+            let focused = contact.and_then(|(ground, focus)| {
+                CondensedContact::new(problem, &self.setup, focus, state, ground).zip(Some(focus))
+            });
+            match focused {
+                Some((contact, focus)) => {
+                    let increments = contact.solve(&focus.reduce(border), tolerance);
+                    focus.expand(&increments, border);
+                }
+                None => solve_free(&self.schur, border),
+            }
+        }
+        self.factor.complete(rhs, workspace);
+    }
+
+    /// The part of the border that serves these contact faces.
+    pub(crate) fn focus(&self, problem: &Problem, faces: Vec<bool>) -> Focus {
+        Focus::new(problem, &self.setup, &self.schur, faces)
+    }
+
+    /// Signs of the pivots, those of the contact at `state` included.
+    pub(crate) fn inertia(
+        &self,
+        problem: &Problem,
+        state: &State,
+        ground: Option<&HeightField>,
+    ) -> Inertia {
+        let focus = self.focus(problem, self.setup.border_faces.clone());
+        let contact = ground
+            .and_then(|ground| CondensedContact::new(problem, &self.setup, &focus, state, ground));
+        let border = match contact {
+            Some(contact) => contact.inertia(),
+            None if self.schur.nrows() > 0 => inertia(&self.schur),
+            None => Inertia::default(),
+        };
+        Inertia {
+            negative: self.factor.interior_inertia().negative + border.negative,
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! The kernel from outside: contracts of all laws, and small problems with exact answers.
+
+mod cube;
+mod factor_precisions;
+mod homogeneous_deformations;
+mod law_contract;
+mod mixed_solid;
+mod plane_strain;
+mod pressed_cube;
+mod sphere_inflation;
+mod surface_law_contract;

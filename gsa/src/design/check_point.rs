@@ -1,0 +1,21 @@
+//! One check point of a design.
+
+/// A run off the cut lines, against which the reduced forms are tested.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CheckPoint {
+    pub(super) ordinal: usize,
+    pub(super) nodes: Vec<usize>,
+}
+
+impl CheckPoint {
+    /// Which point of the design it is.
+    pub fn ordinal(&self) -> usize {
+        self.ordinal
+    }
+
+    /// For each input, which node the coordinate is, counted through its lines in the order they were added: of the rule
+    /// itself where the line was never refined.
+    pub fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+}

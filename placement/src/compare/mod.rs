@@ -1,0 +1,403 @@
+//! Studies side by side: what differs, and which differences are real.
+//!
+//! Two studies on the same kind of mesh are off by nearly the same, so that much of the mesh's error is gone from their difference. How much is left is
+//! read off the coarser mesh as for a single index: with the indices I and J of two studies on the fine and I', J' on the coarser mesh
+//!
+//! ```text
+//! mesh error of I - J = factor |(I - J) - (I' - J')|, the largest over the inputs
+//! ```
+//!
+//! And two studies that were checked at the same points of their inputs miss nearly the same there: the method's error of the difference is that of the differences
+//! of what they miss, point by point ([`gsa::judge::misses`]). Whatever two errors have not in common is independent, so that it adds up as e^2 = e_I^2 + e_J^2: all
+//! of the mesh's where a study has no coarser one. A difference beyond its error is real, any other noise.
+
+use fem_client::solver::direction::{Direction, PerDirection};
+use gsa::judge::misses::{Claim, Misses, error_of_difference};
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use crate::result::{FormMisses, Output, RankedLocation, StudyCost, StudyResult};
+use crate::score::location_scores::GSI;
+
+/// A study to be compared.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    /// Its identifier.
+    pub id: String,
+    /// Its name, or that of the design.
+    pub name: String,
+    /// What the design sets, by path.
+    pub set: Option<Map<String, Value>>,
+    /// Where it stands: `done` and others.
+    pub state: String,
+    /// Its answer, or why there is none, a sentence.
+    pub result: Result<StudyResult, String>,
+}
+
+/// The table.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct Comparison {
+    /// The study that differences are taken from; null when none of them has a result.
+    pub baseline: Option<String>,
+    /// The studies in the order asked for.
+    pub studies: Vec<ComparedStudy>,
+    /// Every location of every study that has a result, best first.
+    pub rows: Vec<ComparedLocation>,
+    /// What the reader must know before believing the differences, whole sentences.
+    pub notes: Vec<String>,
+}
+
+/// One of the studies.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ComparedStudy {
+    /// Its identifier.
+    pub id: String,
+    /// Its name, or that of the design.
+    pub name: String,
+    /// What the design sets, by path; null for a study that belongs to no sweep.
+    #[cfg_attr(feature = "openapi", schema(value_type = Option<Object>))]
+    pub set: Option<Map<String, Value>>,
+    /// `queued`, `running`, `done`, `failed` or `cancelled`.
+    pub state: String,
+    /// Why there is no result.
+    pub reason: Option<String>,
+    /// SHA-256 of its document.
+    pub spec_sha256: Option<String>,
+    /// Versions of the program and the solver.
+    pub version: Option<String>,
+    /// Mesh level.
+    pub level: Option<String>,
+    /// Vertical force at the means, N.
+    pub reaction_n: Option<f64>,
+    /// Standard deviation of the x strain at the contact centre: the signal of a film there.
+    pub std_strain_x: Option<f64>,
+    /// The same for y.
+    pub std_strain_y: Option<f64>,
+    /// First of the ranking.
+    pub best: Option<String>,
+    /// Whether its errors leave no doubt about that.
+    pub best_certain: Option<bool>,
+    /// Angle between the units of the best layout, degrees.
+    pub layout_spacing_deg: Option<f64>,
+    /// Where they lie.
+    pub layout_position: Option<String>,
+    /// What it took.
+    pub cost: Option<StudyCost>,
+}
+
+/// A location in one of the studies.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ComparedLocation {
+    /// The study.
+    pub study: String,
+    /// P1, P2, ...
+    pub location: String,
+    /// 1 is best.
+    pub rank: usize,
+    /// Whether the errors leave no doubt about this rank.
+    pub rank_certain: bool,
+    /// Places lost since the baseline, negative when gained; null there, and where it hasn't the location.
+    pub rank_change: Option<i64>,
+    /// Whether a change of the rank is `real` (both ranks are certain), `noise` or `unknown`; null without one.
+    pub rank_verdict: Option<Verdict>,
+    /// First-order index of the location's own depth for the x strain at the contact centre.
+    pub x: ComparedIndex,
+    /// The same for the y strain.
+    pub y: ComparedIndex,
+}
+
+impl ComparedLocation {
+    /// The index of a direction.
+    pub fn in_direction(&self, direction: Direction) -> &ComparedIndex {
+        match direction {
+            Direction::X => &self.x,
+            Direction::Y => &self.y,
+        }
+    }
+}
+
+/// An index beside the baseline's.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ComparedIndex {
+    /// The index, percent.
+    pub gsi_percent: Option<f64>,
+    /// Its error, percentage points.
+    pub error_percent: Option<f64>,
+    /// The index minus the baseline's, percentage points; null in the baseline.
+    pub difference_percent: Option<f64>,
+    /// Error of the difference, percentage points: less than both errors together, where both meshes err alike.
+    pub difference_error_percent: Option<f64>,
+    /// Whether the difference is beyond its error.
+    pub verdict: Option<Verdict>,
+}
+
+/// What a difference is worth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// Beyond its error.
+    Real,
+    /// Within its error.
+    Noise,
+    /// Its error isn't known.
+    Unknown,
+}
+
+impl Verdict {
+    /// The word in documents.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Real => "real",
+            Self::Noise => "noise",
+            Self::Unknown => "unknown",
+        }
+    }
+}
+
+/// Compares studies with the one of this identifier, or with the first that has a result.
+pub fn compare(entries: &[Entry], baseline: Option<&str>) -> Comparison {
+    let answered = |entry: &&Entry| entry.result.is_ok();
+    let wanted = |entry: &&Entry| baseline.is_none_or(|id| entry.id == id);
+    let base = entries.iter().filter(wanted).find(answered);
+    let base_result = base.and_then(|base| base.result.as_ref().ok());
+    let mut rows = Vec::new();
+    for entry in entries {
+        let Ok(result) = &entry.result else {
+            continue;
+        };
+        let other = base_result.filter(|_| base.is_some_and(|base| base.id != entry.id));
+        let locations = result.locations.iter();
+        rows.extend(locations.map(|location| row(&entry.id, result, location, other)));
+    }
+    Comparison {
+        baseline: base.map(|base| base.id.clone()),
+        studies: entries.iter().map(column).collect(),
+        notes: notes(entries, base_result),
+        rows,
+    }
+}
+
+fn column(entry: &Entry) -> ComparedStudy {
+    let result = entry.result.as_ref().ok();
+    let best = result.and_then(|result| result.locations.first());
+    let layout = result.and_then(|result| result.layouts.first());
+    let signal = PerDirection::of(|direction| centre(result?, direction)?.std);
+    ComparedStudy {
+        id: entry.id.clone(),
+        name: entry.name.clone(),
+        set: entry.set.clone(),
+        state: entry.state.clone(),
+        reason: entry.result.as_ref().err().cloned(),
+        spec_sha256: result.map(|result| result.study.spec_sha256.clone()),
+        version: result.map(|result| result.study.version.clone()),
+        level: result.map(|result| result.model.level.clone()),
+        reaction_n: result.map(|result| result.cut_point.reaction_n),
+        std_strain_x: signal.x,
+        std_strain_y: signal.y,
+        best: best.map(|best| best.name.clone()),
+        best_certain: best.map(|best| best.rank_certain),
+        layout_spacing_deg: layout.map(|layout| layout.spacing_deg),
+        layout_position: layout.map(|layout| layout.position.clone()),
+        cost: result.map(|result| result.cost.clone()),
+    }
+}
+
+/// The strain at the contact centre, by which locations are ranked.
+fn centre(result: &StudyResult, direction: Direction) -> Option<&Output> {
+    let of_direction = || {
+        let outputs = result.outputs.iter();
+        outputs.filter(move |output| output.direction == direction)
+    };
+    of_direction().nth(of_direction().count() / 2)
+}
+
+fn row(
+    id: &str,
+    result: &StudyResult,
+    location: &RankedLocation,
+    base: Option<&StudyResult>,
+) -> ComparedLocation {
+    let same = |other: &&RankedLocation| other.name == location.name;
+    let other = base.and_then(|base| base.locations.iter().find(same));
+    let change = other.map(|other| places(location.rank) - places(other.rank));
+    let certain = other.is_some_and(|other| other.rank_certain && location.rank_certain);
+    let known = other.is_some_and(|other| other.knows_error() && location.knows_error());
+    let index = PerDirection::of(|direction| {
+        let against = base.zip(other);
+        let against = against.map(|(base, other)| Index::of(base, other, direction));
+        Index::of(result, location, direction).beside(against)
+    });
+    ComparedLocation {
+        study: id.to_owned(),
+        location: location.name.clone(),
+        rank: location.rank,
+        rank_certain: location.rank_certain,
+        rank_change: change,
+        rank_verdict: change.filter(|change| *change != 0).map(|_| match known {
+            _ if certain => Verdict::Real,
+            true => Verdict::Noise,
+            false => Verdict::Unknown,
+        }),
+        x: index.x,
+        y: index.y,
+    }
+}
+
+fn places(rank: usize) -> i64 {
+    i64::try_from(rank).unwrap_or(i64::MAX)
+}
+
+/// An index of a location.
+#[derive(Debug, Clone, Copy)]
+struct Index<'r> {
+    percent: Option<f64>,
+    /// Percentage points.
+    error: Option<f64>,
+    /// Which input it is of.
+    input: Option<usize>,
+    /// The strain that it is of.
+    output: Option<&'r Output>,
+}
+
+impl<'r> Index<'r> {
+    fn of(result: &'r StudyResult, location: &RankedLocation, direction: Direction) -> Self {
+        let name = location.input.as_ref();
+        Self {
+            percent: location.value(GSI, direction),
+            error: location.error(GSI, direction),
+            input: name.and_then(|name| result.inputs.iter().position(|i| i.name == *name)),
+            output: centre(result, direction),
+        }
+    }
+
+    /// Beside another study's.
+    fn beside(self, other: Option<Self>) -> ComparedIndex {
+        let alone = ComparedIndex {
+            gsi_percent: self.percent,
+            error_percent: self.error,
+            ..ComparedIndex::default()
+        };
+        let difference = other.and_then(|other| Some((other, self.percent? - other.percent?)));
+        let Some((other, difference)) = difference else {
+            return alone;
+        };
+        let error = self.error_of_difference(other);
+        ComparedIndex {
+            difference_percent: Some(difference),
+            difference_error_percent: error,
+            verdict: Some(match error {
+                Some(error) if difference.abs() > error => Verdict::Real,
+                Some(_) => Verdict::Noise,
+                None => Verdict::Unknown,
+            }),
+            ..alone
+        }
+    }
+
+    /// Error of the difference from another study's, percentage points; `None` where one of their errors isn't known.
+    fn error_of_difference(self, other: Self) -> Option<f64> {
+        let (own, theirs) = (self.claim()?, other.claim()?);
+        let meshes = self.output.zip(other.output);
+        let Some(mesh) = meshes.and_then(|(output, other)| shared_mesh_error(output, other)) else {
+            return self.error.zip(other.error).map(|(a, b)| a.hypot(b));
+        };
+        let method = match (self.input, other.input) {
+            (Some(input), Some(same)) if input == same => {
+                error_of_difference(input, own.claim(), theirs.claim())
+            }
+            _ => own.error.hypot(theirs.error),
+        };
+        Some(100.0 * (mesh + method).min(1.0))
+    }
+
+    /// The method's part of the error.
+    fn claim(self) -> Option<MethodClaim> {
+        let (error, output) = (self.error? / 100.0, self.output?);
+        Some(MethodClaim {
+            error: (error - output.error.mesh.unwrap_or(0.0)).max(0.0),
+            misses: output.misses.as_ref().map(FormMisses::misses),
+        })
+    }
+}
+
+/// What is claimed of a method's error, absolute.
+struct MethodClaim {
+    error: f64,
+    misses: Option<Misses>,
+}
+
+impl MethodClaim {
+    fn claim(&self) -> Claim<'_> {
+        Claim {
+            error: self.error,
+            misses: self.misses.as_ref(),
+        }
+    }
+}
+
+/// What the meshes leave of the difference between two studies' indices of a strain, absolute; `None` where a coarser mesh is missing,
+/// or the studies vary different inputs.
+fn shared_mesh_error(ours: &Output, theirs: &Output) -> Option<f64> {
+    let (fine, coarse) = (ours.first_order.as_ref()?, ours.coarser.as_ref()?);
+    let (other_fine, other_coarse) = (theirs.first_order.as_ref()?, theirs.coarser.as_ref()?);
+    if fine.len() != other_fine.len() {
+        return None;
+    }
+    let factor = coarse.factor.max(other_coarse.factor);
+    let on_fine = fine.iter().zip(other_fine).map(|(i, j)| i - j);
+    let coarse_pairs = coarse.first_order.iter().zip(&other_coarse.first_order);
+    let on_coarse = coarse_pairs.map(|(i, j)| i - j);
+    let left = on_fine.zip(on_coarse).map(|(a, b)| factor * (a - b).abs());
+    Some(left.fold(0.0, f64::max).min(1.0))
+}
+
+fn notes(entries: &[Entry], base: Option<&StudyResult>) -> Vec<String> {
+    let mut notes = Vec::new();
+    let results = || {
+        entries
+            .iter()
+            .filter_map(|entry| entry.result.as_ref().ok())
+    };
+    let Some(base) = base else {
+        let nobody = if results().next().is_some() {
+            "the baseline has no result, so that there are no differences from it"
+        } else {
+            "no study has a result: the reasons stand beside them"
+        };
+        return vec![nobody.to_owned()];
+    };
+    let differ = |part: fn(&StudyResult) -> &str| results().any(|r| part(r) != part(base));
+    if differ(|result| &result.model.level) {
+        notes.push(
+            "the studies are on meshes of different levels: a part of their differences is the meshes'".to_owned(),
+        );
+    }
+    if differ(|result| &result.study.version) {
+        notes.push(
+            "the studies are of different versions of the program, which the differences may come from".to_owned(),
+        );
+    }
+    let vary = |result: &StudyResult| {
+        let inputs = result.inputs.iter();
+        inputs.map(|input| input.vary.clone()).collect::<Vec<_>>()
+    };
+    if results().any(|result| vary(result) != vary(base)) {
+        notes.push(
+            "the studies vary different inputs: an index is a share of what these inputs do together".to_owned(),
+        );
+    }
+    if results().any(|result| result.locations.iter().any(|l| !l.knows_error())) {
+        notes.push(
+            "of a draft no error is known, so that nothing can be said of its differences: accuracy.preset = \"coarse\" is the cheapest mesh that knows its own".to_owned(),
+        );
+    }
+    notes
+}
+
+#[cfg(test)]
+mod tests;

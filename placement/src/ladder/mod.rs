@@ -1,0 +1,11 @@
+//! Meshes times methods, from quick to accurate:
+//!
+//! - [`fidelity`]: mesh and method as one value, and the ladder of them
+//! - [`effects`]: what leaving out a part of reality does
+//! - [`climb`]: the cheapest model that meets a tolerance or a budget
+//! - [`trade`]: what accuracy a second buys
+
+pub mod climb;
+pub mod effects;
+pub mod fidelity;
+pub mod trade;

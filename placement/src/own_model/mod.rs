@@ -1,0 +1,4 @@
+//! Inputs and outputs of models that others run: the documents of `strainsite gsa`.
+
+pub mod inputs_document;
+pub mod value_table;

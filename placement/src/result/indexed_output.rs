@@ -1,0 +1,124 @@
+//! Indices of one strain, and how far each is off.
+
+use fem_client::solver::direction::Direction;
+use gsa::judge::misses::Misses;
+use gsa::method::analysis::{Form, Status};
+use serde::{Deserialize, Serialize};
+
+use crate::result::named;
+
+/// Indices of one strain.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct Output {
+    /// P1, P2, ...
+    pub location: String,
+    /// `x` circumferential, `y` meridional.
+    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    pub direction: Direction,
+    /// Mean strain.
+    pub mean: Option<f64>,
+    /// Standard deviation of the strain.
+    pub std: Option<f64>,
+    /// First-order index of each input.
+    pub first_order: Option<Vec<f64>>,
+    /// Total index of each input.
+    pub total: Option<Vec<f64>>,
+    /// Method that gave `first_order` and `total`: `mdrm` or `additive`.
+    #[serde(with = "named")]
+    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    pub method: Form,
+    /// `ok`, `constant` or `product-form-broken`.
+    #[serde(with = "named")]
+    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    pub status: Status,
+    /// Why the status is not `ok`.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+    /// What M-DRM said, when its product form is broken.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub mdrm_first_order: Option<Vec<f64>>,
+    /// Error of the first-order indices, absolute.
+    pub error: IndexError,
+    /// The indices on a coarser mesh, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub coarser: Option<CoarserIndices>,
+    /// What the method's form misses at the check points, where it has any.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub misses: Option<FormMisses>,
+}
+
+/// Indices of the same points on a coarser mesh: the witness of the mesh's error, and of how much of it two studies share.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct CoarserIndices {
+    /// First-order index of each input.
+    pub first_order: Vec<f64>,
+    /// What the finer mesh may be off, over its difference from the coarser one.
+    pub factor: f64,
+}
+
+/// What a form misses at the check points: the witness of the method's error, and of how much of it two studies share.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct FormMisses {
+    /// Which node of its input's rule each coordinate of each check point is, point after point.
+    pub nodes: Vec<usize>,
+    /// Strain minus the form's at each check point, over the standard deviation.
+    pub residuals: Vec<f64>,
+    /// What each of them adds to the error of a first-order index, input after input.
+    pub contributions: Vec<f64>,
+    /// Probability of the interactions, which the residuals stand for.
+    pub weight: f64,
+    /// How many numbers of the form were fitted to the check points.
+    pub fitted: usize,
+}
+
+impl FormMisses {
+    /// `None` where a number isn't finite: the form overflows there.
+    pub(crate) fn of(misses: &Misses) -> Option<Self> {
+        let mut numbers = misses.residuals.iter().chain(&misses.contributions);
+        numbers.all(|number| number.is_finite()).then(|| Self {
+            nodes: misses.nodes.clone(),
+            residuals: misses.residuals.clone(),
+            contributions: misses.contributions.clone(),
+            weight: misses.weight,
+            fitted: misses.fitted,
+        })
+    }
+
+    /// As the analysis knows them.
+    pub(crate) fn misses(&self) -> Misses {
+        Misses {
+            nodes: self.nodes.clone(),
+            residuals: self.residuals.clone(),
+            contributions: self.contributions.clone(),
+            weight: self.weight,
+            fitted: self.fitted,
+        }
+    }
+}
+
+/// Parts of the error of an index, absolute.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct IndexError {
+    /// From the mesh.
+    pub mesh: Option<f64>,
+    /// From the quadrature rule.
+    pub quadrature: Option<f64>,
+    /// From the decomposition.
+    pub decomposition: Option<f64>,
+    /// Sum of the parts, the largest over the inputs; null where the mesh's part isn't known.
+    pub total: Option<f64>,
+    /// Why a part is null.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+}
+
+impl IndexError {
+    /// What quadrature and decomposition add, for comparisons on one mesh.
+    pub fn of_method(&self) -> f64 {
+        self.quadrature.unwrap_or(0.0) + self.decomposition.unwrap_or(0.0)
+    }
+}

@@ -1,0 +1,101 @@
+//! The answer of a study: the result document, field by field.
+//!
+//! Numbers that do not exist are `None` (null in JSON) with a reason beside them.
+
+mod climb_report;
+mod cost_forecast;
+mod failed_point;
+mod index_map;
+mod indexed_output;
+pub mod named;
+mod ranked_layout;
+mod ranked_location;
+mod study_cost;
+
+pub use climb_report::{Climb, ClimbRung};
+pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast};
+pub use failed_point::{Cause, FailedPoint};
+use fem_client::solver::ModelSummary;
+pub use index_map::{IndexMap, MapLayer};
+pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};
+pub use ranked_layout::{LayoutScore, RankedLayout};
+pub use ranked_location::RankedLocation;
+use serde::{Deserialize, Serialize};
+pub use study_cost::StudyCost;
+
+/// The whole answer.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct StudyResult {
+    /// Which study.
+    pub study: StudyIdentity,
+    /// What was modelled.
+    pub model: ModelSummary,
+    /// What varied.
+    pub inputs: Vec<InputReport>,
+    /// Every location and direction with its indices.
+    pub outputs: Vec<Output>,
+    /// Ranked locations.
+    pub locations: Vec<RankedLocation>,
+    /// Ranked layouts.
+    pub layouts: Vec<RankedLayout>,
+    /// First-order indices over the dense grid, when asked for.
+    pub map: Option<IndexMap>,
+    /// What the user must know before believing the numbers, whole sentences.
+    pub notes: Vec<String>,
+    /// Points that have no equilibrium, with their causes; the indices are taken from the others.
+    pub failed_points: Vec<FailedPoint>,
+    /// The cut point's own response in short: reaction and strains at the means.
+    pub cut_point: CutPoint,
+    /// How the accuracy asked for was looked for; absent where a level was asked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub climb: Option<Climb>,
+    /// What it took. Not part of the result's hash.
+    pub cost: StudyCost,
+    /// What it was expected to take when the run began; not part of the result's hash either. Absent where nobody asked.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub estimate: Option<Estimate>,
+}
+
+/// Which study, which document, which program.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct StudyIdentity {
+    /// Identifier in the database.
+    pub id: String,
+    /// Name from the document.
+    pub name: String,
+    /// SHA-256 of the canonical document.
+    pub spec_sha256: String,
+    /// Version of strainsite and its solver.
+    pub version: String,
+}
+
+/// One input as it was understood.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct InputReport {
+    /// Its name.
+    pub name: String,
+    /// Path of the scene's field.
+    pub vary: String,
+    /// Its distribution as in the document.
+    #[cfg_attr(feature = "openapi", schema(value_type = Object))]
+    pub distribution: serde_json::Value,
+}
+
+/// The response at the means.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct CutPoint {
+    /// Input values.
+    pub values: Vec<f64>,
+    /// Vertical force, N.
+    pub reaction_n: f64,
+    /// Outer radius after inflation, mm.
+    pub inflated_outer_radius_mm: f64,
+    /// Strains at P1, P2, ...
+    pub locations: Vec<fem_client::solver::LocationStrain>,
+    /// Newton residuals of its load steps.
+    pub residual_history: Vec<Vec<f64>>,
+}

@@ -1,0 +1,121 @@
+//! Locations in their order.
+
+use std::collections::BTreeMap;
+
+use fem_client::direction_fields;
+use fem_client::solver::direction::{Direction, PerDirection};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::Value;
+
+use crate::score::location_scores::{Figure, GSI, LocationScores, Score};
+
+direction_fields! {
+    /// Of ranks by one direction alone.
+    RankFields: "rank_x", "rank_y";
+}
+
+/// One candidate location in the ranking.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RankedLocation {
+    /// P1, P2, ...
+    pub name: String,
+    /// The input that is this location's own: the depth of the station below it.
+    #[serde(default)]
+    pub input: Option<String>,
+    /// 1 is best.
+    pub rank: usize,
+    /// What it is judged by.
+    #[serde(flatten)]
+    pub scores: LocationScores,
+    /// Rank by one strain alone.
+    #[serde(flatten, with = "RankFields")]
+    pub ranks: PerDirection<Option<usize>>,
+    /// Whether the errors leave no doubt about this rank.
+    pub rank_certain: bool,
+}
+
+impl RankedLocation {
+    /// A score's value.
+    pub fn value(&self, score: &Score, direction: Direction) -> Option<f64> {
+        self.scores.of_score(score)[direction].value
+    }
+
+    /// A score's error.
+    pub fn error(&self, score: &Score, direction: Direction) -> Option<f64> {
+        self.scores.of_score(score)[direction].error
+    }
+
+    /// Whether an index that it is ranked by has a known error.
+    pub(crate) fn knows_error(&self) -> bool {
+        let ranked_by = self.scores.of_score(GSI);
+        ranked_by.iter().any(|figure| figure.error.is_some())
+    }
+}
+
+impl Serialize for LocationScores {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.fields())
+    }
+}
+
+/// From the fields of a location; documents of earlier versions have fewer.
+impl<'de> Deserialize<'de> for LocationScores {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let fields = BTreeMap::<String, Value>::deserialize(deserializer)?;
+        let number = |name: String| fields.get(&name)?.as_f64();
+        Ok(Self::of(|score, direction| Figure {
+            value: number(score.field(direction)),
+            error: score.error_field(direction).and_then(number),
+        }))
+    }
+}
+
+#[cfg(feature = "openapi")]
+mod schema {
+    use fem_client::solver::direction::Direction;
+    use fem_client::solver::object_schema::{ObjectSchema, Type};
+    use utoipa::openapi::{RefOr, Schema};
+    use utoipa::{PartialSchema, ToSchema};
+
+    use super::RankedLocation;
+    use crate::score::location_scores::{SCORES, Score};
+
+    impl PartialSchema for RankedLocation {
+        fn schema() -> RefOr<Schema> {
+            let own = "The input that is this location's own: the depth of the station below it.";
+            let schema = ObjectSchema::new("One candidate location in the ranking.")
+                .required(Type::String, "name", "P1, P2, ...")
+                .optional(Type::String, "input", own)
+                .required(Type::Integer, "rank", "1 is best.");
+            let schema = SCORES
+                .iter()
+                .fold(schema, |schema, score| with_score(schema, score));
+            let schema = Direction::ALL
+                .into_iter()
+                .fold(schema, |schema, direction| {
+                    let by = format!("Rank by the {direction} strain alone.");
+                    schema.optional(Type::Integer, &format!("rank_{direction}"), &by)
+                });
+            let certain = "Whether the errors leave no doubt about this rank.";
+            schema
+                .required(Type::Boolean, "rank_certain", certain)
+                .schema()
+        }
+    }
+
+    fn with_score(mut schema: ObjectSchema, score: &Score) -> ObjectSchema {
+        for direction in Direction::ALL {
+            let what = score.what[direction];
+            schema = schema.optional(Type::Number, &score.field(direction), what);
+        }
+        for direction in Direction::ALL {
+            if let Some(field) = score.error_field(direction) {
+                let what = score.what_of_error(direction);
+                schema = schema.optional(Type::Number, &field, &what);
+            }
+        }
+        schema
+    }
+
+    impl ToSchema for RankedLocation {}
+}

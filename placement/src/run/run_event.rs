@@ -1,0 +1,44 @@
+//! What a run tells its caller on the way.
+
+/// What happens during a run, as it happens.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Event {
+    /// The archive was searched; the solves begin. An adaptive method may go on to a longer plan, and every run goes on to the
+    /// same points on a coarser mesh: it begins again then.
+    Started {
+        /// Points of the run, as far as that is known.
+        points: usize,
+        /// Those that are there already.
+        reused: usize,
+    },
+    /// A point was solved, and is in the archive.
+    PointSolved {
+        /// Its ordinal in the plan.
+        ordinal: usize,
+        /// Points done so far, reused ones included; rises by one from event to event.
+        done: usize,
+        /// Points of the plan.
+        of: usize,
+        /// Wall-clock time of the solve, s.
+        wall_s: f64,
+        /// Newton iterations of the solve.
+        newton_iterations: usize,
+    },
+    /// A point has no response: no equilibrium, which is in the archive, or its solve broke. Both count as done, a refused one
+    /// doesn't.
+    PointFailed {
+        /// Its ordinal in the plan.
+        ordinal: usize,
+        /// As for solved points.
+        done: usize,
+        /// Points of the plan.
+        of: usize,
+        /// What happened.
+        cause: String,
+    },
+    /// All points are there.
+    Analysing,
+}
+
+/// Is told of events, from the solving threads, one at a time for points.
+pub type Observer<'o> = &'o (dyn Fn(Event) + Sync);

@@ -1,0 +1,104 @@
+//! Plan and outcomes to the answer of a study.
+
+use fem_client::solver::ModelSummary;
+
+use crate::layout::rank_layouts;
+use crate::result::{CutPoint, FailedPoint, InputReport, StudyCost, StudyIdentity, StudyResult};
+use crate::run::archive::Outcome;
+use crate::score::indices::{Coarse, score};
+use crate::score::notes::notes;
+use crate::score::rank::rank;
+use crate::study::Study;
+use crate::study::plan::Plan;
+
+/// The answer, without the study's identifier, which the database gives it. What it cost is asked for at the end.
+///
+/// # Panics
+/// If there is not one outcome for each point of the plan, or the cut point has no response.
+pub fn assemble(
+    study: &Study,
+    plan: &Plan,
+    outcomes: &[Outcome],
+    coarse: Option<&Coarse>,
+    solver_version: &str,
+    cost: impl FnOnce() -> StudyCost,
+) -> StudyResult {
+    let cut = outcomes[0]
+        .as_ref()
+        .expect("without the cut point's response nothing is assembled");
+    let failed_points = failed_points(plan, outcomes);
+    let scores = score(plan.campaign(), study.directions, cut, outcomes, coarse);
+    let locations = rank(study, &scores);
+    let layouts = rank_layouts(study, plan.campaign(), cut, outcomes);
+    let ranked = (&locations[..], &layouts[..]);
+    let notes = notes(study, plan, cut, &scores, ranked, &failed_points);
+    StudyResult {
+        study: StudyIdentity {
+            id: String::new(),
+            name: study.name.clone(),
+            spec_sha256: study.spec_sha256(),
+            version: version(solver_version),
+        },
+        model: largest_model(outcomes),
+        inputs: study.inputs.iter().map(input_report).collect(),
+        outputs: scores.outputs().cloned().collect(),
+        locations,
+        layouts,
+        map: scores.map,
+        notes,
+        failed_points,
+        cut_point: CutPoint {
+            values: plan.values()[0].clone(),
+            reaction_n: cut.reaction_n,
+            inflated_outer_radius_mm: cut.inflated.outer_radius_mm,
+            locations: cut.locations.clone(),
+            residual_history: cut.residual_history.clone(),
+        },
+        climb: None,
+        cost: cost(),
+        estimate: None,
+    }
+}
+
+/// What a result's version is with this solver: equal ones give equal results of equal documents.
+pub fn version(solver_version: &str) -> String {
+    format!(
+        "strainsite {}+{}, solver {solver_version}",
+        env!("CARGO_PKG_VERSION"),
+        env!("ANALYSIS_SOURCES")
+    )
+}
+
+/// The points without an equilibrium, in the order of the plan.
+pub(crate) fn failed_points(plan: &Plan, outcomes: &[Outcome]) -> Vec<FailedPoint> {
+    let failed = |(ordinal, outcome): (usize, &Outcome)| {
+        let unsolved = outcome.as_ref().err()?;
+        Some(FailedPoint {
+            ordinal,
+            values: plan.values()[ordinal].clone(),
+            cause: unsolved.into(),
+        })
+    };
+    outcomes.iter().enumerate().filter_map(failed).collect()
+}
+
+/// The largest model that any point needed: symmetric points are solved on less. The first of equals, so that it doesn't
+/// depend on later points.
+fn largest_model(outcomes: &[Outcome]) -> ModelSummary {
+    let largest = outcomes
+        .iter()
+        .flatten()
+        .rev()
+        .max_by_key(|response| response.model.dofs);
+    largest
+        .map(|response| response.model.clone())
+        .unwrap_or_default()
+}
+
+fn input_report(input: &crate::study::Input) -> InputReport {
+    InputReport {
+        name: input.name.clone(),
+        vary: input.vary.clone(),
+        distribution: input.distribution_value(),
+    }
+}

@@ -1,0 +1,15 @@
+//! From responses to a result, in reading order:
+//!
+//! - [`indices`]: responses to indices of every output
+//! - `quantity`: what of a response is analysed
+//! - [`location_scores`]: the table of figures that a location is judged by
+//! - [`rank`]: indices to ranked locations
+//! - `notes`: what the user must know before believing the numbers
+//! - [`assemble`]: all of it into the answer
+
+pub mod assemble;
+pub mod indices;
+pub mod location_scores;
+pub(crate) mod notes;
+pub(crate) mod quantity;
+pub mod rank;

@@ -1,0 +1,323 @@
+//! What the user must know before believing the numbers, in whole sentences made from the data.
+
+use fem_client::solver::Response;
+use fem_client::solver::direction::{Direction, PerDirection};
+use gsa::method::analysis::Status;
+
+use crate::result::{FailedPoint, Output, RankedLayout, RankedLocation};
+use crate::score::indices::{NO_MESH_ERROR, Scores};
+use crate::score::location_scores::{GSI, SCORES};
+use crate::score::quantity::QUANTITY;
+use crate::score::rank::{Key, ordered, own_inputs};
+use crate::study::Study;
+use crate::study::plan::Plan;
+
+/// Failed points that a sentence names.
+const NAMED: usize = 3;
+/// Difference of an index from M-DRM's that is worth a sentence.
+const NOTABLE_DIFFERENCE: f64 = 0.1;
+
+/// All notes of a study, in the order in which a reader needs them.
+pub(crate) fn notes(
+    study: &Study,
+    plan: &Plan,
+    cut: &Response,
+    scores: &Scores,
+    (locations, layouts): (&[RankedLocation], &[RankedLayout]),
+    failed: &[FailedPoint],
+) -> Vec<String> {
+    let mut notes = Vec::new();
+    notes.extend(one_direction(study));
+    notes.extend(without_equilibrium(study, plan, failed));
+    notes.extend(
+        PerDirection::of(|direction| broken(scores, direction))
+            .into_iter()
+            .flatten(),
+    );
+    notes.extend(
+        PerDirection::of(|direction| constant(scores, direction))
+            .into_iter()
+            .flatten(),
+    );
+    notes.extend(mdrm_at_centre(study, scores));
+    notes.extend(other_orders(locations));
+    notes.extend(uncertain(locations));
+    notes.extend(without_location(study, cut));
+    notes.extend(contact_edges(study, plan, cut));
+    notes.extend(symmetry(study, cut, locations));
+    notes.extend(without_mesh_error(scores));
+    if !layouts.is_empty() {
+        notes.push(
+            "The layouts' errors are lower bounds for small changes about the mean load, with the same noise in every \
+             film; a layout that is blind somewhere has no bound and comes last."
+                .to_owned(),
+        );
+    }
+    notes
+}
+
+/// What the answer goes by, where one strain alone is asked for.
+fn one_direction(study: &Study) -> Option<String> {
+    let [asked] = study.directions.asked() else {
+        return None;
+    };
+    let other = Direction::ALL
+        .iter()
+        .find(|direction| *direction != asked)?;
+    Some(format!(
+        "Only the {asked} {QUANTITY} is asked for: ranks, layouts and the accuracy go by it. The {other} {QUANTITY} is what the same points give."
+    ))
+}
+
+/// That the mesh's part of the errors is missing, where it is.
+fn without_mesh_error(scores: &Scores) -> Option<String> {
+    let indexed = |output: &&Output| output.first_order.is_some();
+    let mut outputs = scores.outputs().filter(indexed);
+    let without = outputs.find(|output| output.error.mesh.is_none())?;
+    Some(match without.error.total {
+        Some(_) => format!("The errors of the indices leave out the mesh: {NO_MESH_ERROR}."),
+        None => format!(
+            "How far the indices are off isn't known, and no rank is certain: {NO_MESH_ERROR}, as on the draft level. The next level knows."
+        ),
+    })
+}
+
+/// `P1`, `P1 and P2`, `P1, P2 and P3`.
+fn listed(names: &[&str]) -> String {
+    match names.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => names.concat(),
+    }
+}
+
+/// What failed points are, and what they do to the indices.
+fn without_equilibrium(study: &Study, plan: &Plan, failed: &[FailedPoint]) -> Option<String> {
+    let named: Vec<String> = failed
+        .iter()
+        .take(NAMED)
+        .map(|point| {
+            format!(
+                "point {} ({}): {}",
+                point.ordinal,
+                away_from_means(study, plan, point),
+                point.cause
+            )
+        })
+        .collect();
+    let more = match failed.len().checked_sub(named.len())? {
+        0 => String::new(),
+        more => format!("; and {more} more"),
+    };
+    (!named.is_empty()).then(|| {
+        format!(
+            "{} of {} points without an equilibrium: {}{more}. The indices are taken from the other points, as if the loads between \
+             and beyond them could be borne, with the errors that this leaves.",
+            failed.len(),
+            plan.values().len(),
+            named.join("; "),
+        )
+    })
+}
+
+/// `P1 = 1.27`: the inputs that a point moves away from their means, to four digits.
+fn away_from_means(study: &Study, plan: &Plan, point: &FailedPoint) -> String {
+    let inputs = study
+        .inputs
+        .iter()
+        .zip(&point.values)
+        .zip(&plan.values()[0]);
+    let moved: Vec<String> = inputs
+        .filter(|((_, x), mean)| x != mean)
+        .map(|((input, x), _)| {
+            let rounded = format!("{x:.3e}").parse().unwrap_or(*x);
+            format!("{} = {rounded}", input.name)
+        })
+        .collect();
+    moved.join(", ")
+}
+
+fn with_status(scores: &Scores, direction: Direction, status: Status) -> Vec<&Output> {
+    let matches = |output: &&Output| output.direction == direction && output.status == status;
+    scores.outputs().filter(matches).collect()
+}
+
+fn names<'o>(outputs: &[&'o Output]) -> Vec<&'o str> {
+    outputs
+        .iter()
+        .map(|output| output.location.as_str())
+        .collect()
+}
+
+fn broken(scores: &Scores, direction: Direction) -> Option<String> {
+    let outputs = with_status(scores, direction, Status::ProductFormBroken);
+    let method = outputs.first()?.method.as_str();
+    Some(format!(
+        "M-DRM's product form doesn't hold for the {direction} {QUANTITY} at {}: the {method} reduction gives the indices there.",
+        listed(&names(&outputs))
+    ))
+}
+
+fn constant(scores: &Scores, direction: Direction) -> Option<String> {
+    let outputs = with_status(scores, direction, Status::Constant);
+    outputs.first()?;
+    Some(format!(
+        "The {direction} {QUANTITY} at {} doesn't vary with the inputs, so it has no indices.",
+        listed(&names(&outputs))
+    ))
+}
+
+/// Where M-DRM would say something else at the contact centre, it is said in figures.
+fn mdrm_at_centre(study: &Study, scores: &Scores) -> Vec<String> {
+    let mut notes = Vec::new();
+    let centre = &scores.at_locations[scores.at_locations.len() / 2];
+    for scored in centre.iter() {
+        let output = &scored.output;
+        let (Some(chosen), Some(mdrm)) = (&output.first_order, &scored.mdrm_first_order) else {
+            continue;
+        };
+        let differs =
+            |(_, (chosen, mdrm)): &(_, (&f64, &f64))| (*chosen - *mdrm).abs() > NOTABLE_DIFFERENCE;
+        for (input, (chosen, mdrm)) in study
+            .inputs
+            .iter()
+            .zip(chosen.iter().zip(mdrm))
+            .filter(differs)
+        {
+            notes.push(format!(
+                "M-DRM would give {:.1} % to {} in the {} {QUANTITY} at {}, where the {} reduction gives {:.1} %.",
+                100.0 * mdrm, input.name, output.direction, output.location, output.method.as_str(), 100.0 * chosen
+            ));
+        }
+    }
+    notes
+}
+
+/// Other fair ways to rank, where they disagree with the default one.
+fn other_orders(locations: &[RankedLocation]) -> Vec<String> {
+    let in_order = |key: Key<'_>| -> Vec<&str> {
+        let order = ordered(locations, &[key]).into_iter();
+        order.map(|i| locations[i].name.as_str()).collect()
+    };
+    let others = SCORES
+        .iter()
+        .filter_map(|score| Some((score, score.other_order?)));
+    let mut notes = Vec::new();
+    for (score, what) in others {
+        for direction in Direction::ALL {
+            let at_centre = |location: &RankedLocation| location.value(GSI, direction);
+            let other = |location: &RankedLocation| location.value(score, direction);
+            let differ = |l: &RankedLocation| other(l).is_none() != at_centre(l).is_none();
+            if locations.iter().any(differ) {
+                continue;
+            }
+            let (default, found) = (in_order(&at_centre), in_order(&other));
+            if default != found {
+                notes.push(format!(
+                    "By the {direction} {QUANTITY}{what} the order is {}; by the same {QUANTITY} at the contact centre it is {}.",
+                    found.join(", "),
+                    default.join(", ")
+                ));
+            }
+        }
+    }
+    notes
+}
+
+/// Ranks that known errors leave open; where none is known another note says so.
+fn uncertain(locations: &[RankedLocation]) -> Option<String> {
+    let unsure: Vec<&str> = locations
+        .iter()
+        .filter(|location| !location.rank_certain && location.knows_error())
+        .map(|location| location.name.as_str())
+        .collect();
+    (!unsure.is_empty()).then(|| {
+        let verb = if unsure.len() == 1 {
+            "rank of"
+        } else {
+            "ranks of"
+        };
+        let is = if unsure.len() == 1 { "is" } else { "are" };
+        format!(
+            "The {verb} {} {is} not certain: the errors bridge the distance to a neighbour.",
+            listed(&unsure)
+        )
+    })
+}
+
+fn without_location(study: &Study, cut: &Response) -> Option<String> {
+    let own = own_inputs(study, cut.locations.len());
+    let homeless = |i: &usize| !own.contains(&Some(*i));
+    let names: Vec<&str> = (0..study.inputs.len())
+        .filter(homeless)
+        .map(|i| study.inputs[i].name.as_str())
+        .collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "No location lies above what {} varies: it has indices, but no part in the ranking.",
+            listed(&names)
+        )
+    })
+}
+
+/// Stations that touch at one end of their range and not at the other, judged by the undeformed profile: the ground
+/// at a distance x from the centre meets a circle of radius R at a depth of R - sqrt(R^2 - x^2).
+fn contact_edges(study: &Study, plan: &Plan, cut: &Response) -> Option<String> {
+    let radius = cut.inflated.outer_radius_mm;
+    let ground = &study.scene.ground;
+    let middle = (ground.depths_mm.len() - 1) as f64 / 2.0;
+    let mut edges = Vec::new();
+    for (input, line) in study.inputs.iter().zip(plan.campaign().design()?.lines()) {
+        let Some(station) = input.station() else {
+            continue;
+        };
+        let x = ((station as f64 - middle) * ground.station_spacing_mm).min(radius);
+        let touching = radius - (radius * radius - x * x).max(0.0).sqrt();
+        let nodes = &line.rule().nodes;
+        if nodes.iter().any(|depth| *depth <= touching)
+            && nodes.iter().any(|depth| *depth > touching)
+        {
+            edges.push(format!("{} (at {touching:.2} mm)", input.name));
+        }
+    }
+    let edges: Vec<&str> = edges.iter().map(String::as_str).collect();
+    (!edges.is_empty()).then(|| {
+        format!(
+            "Within the range of its depth the station of {} gains or loses contact, judged by the undeformed profile: \
+             the strain bends there, and Gauss rules converge slowly.",
+            listed(&edges)
+        )
+    })
+}
+
+/// How well mirror locations agree, where the inputs are mirror images of each other.
+fn symmetry(study: &Study, cut: &Response, locations: &[RankedLocation]) -> Option<String> {
+    let own = own_inputs(study, cut.locations.len());
+    let law = |location: usize| own[location].map(|input| &study.inputs[input].distribution);
+    let last = own.len() - 1;
+    let mirrored = (0..own.len()).all(|i| law(i).is_some() && law(i) == law(last - i));
+    let depths = &study.scene.ground.depths_mm;
+    if !mirrored || own.len() < 2 || !depths.iter().eq(depths.iter().rev()) {
+        return None;
+    }
+    let by_name = |i: usize| locations.iter().find(|l| l.name == cut.locations[i].name);
+    let pairs: Vec<String> = (0..own.len() / 2)
+        .filter_map(|i| {
+            let (left, right) = (by_name(i)?, by_name(last - i)?);
+            let gsi = |location: &RankedLocation, direction| location.value(GSI, direction);
+            let difference =
+                |direction| Some((gsi(left, direction)? - gsi(right, direction)?).abs());
+            let (x, y) = (difference(Direction::X)?, difference(Direction::Y)?);
+            Some(format!(
+                "{} with {} by {x:.1e} (x) and {y:.1e} (y)",
+                left.name, right.name
+            ))
+        })
+        .collect();
+    let pairs: Vec<&str> = pairs.iter().map(String::as_str).collect();
+    (!pairs.is_empty()).then(|| {
+        format!(
+            "Mirror locations should agree; in percentage points they differ: {}.",
+            listed(&pairs)
+        )
+    })
+}

@@ -1,0 +1,273 @@
+//! Indices to ranked locations.
+//!
+//! A location's own input is the one that varies the depth of the station below it. The default order is by the sum of
+//! the own input's first-order indices for the x and the y strain at the contact centre, or by the one that is asked for; equal sums
+//! (shares within 1e-9) are ordered by x, then by name. A location without an index comes last.
+
+use fem_client::solver::direction::{Direction, PerDirection};
+use gsa::judge::certainty::{Estimate, places_certain};
+
+use crate::result::RankedLocation;
+use crate::score::indices::{Scored, Scores};
+use crate::score::location_scores::{Figure, GSI, LocationScores, OwnIndex, OwnIndices};
+use crate::study::Study;
+use crate::study::directions::Directions;
+
+/// Percentages closer than this are equal (1e-9 as shares): what symmetry makes equal still differs by rounding.
+const EQUAL_PERCENT: f64 = 1e-7;
+
+/// For each location, which input varies the depth of the station below it.
+///
+/// Locations and stations are both centred on the contact and one spacing apart, so they are matched from the middle.
+pub fn own_inputs(study: &Study, locations: usize) -> Vec<Option<usize>> {
+    let stations = study.scene.ground.depths_mm.len();
+    let station_below = |location: usize| (location + stations / 2).checked_sub(locations / 2);
+    let input_of = |station: usize| {
+        study
+            .inputs
+            .iter()
+            .position(|input| input.station() == Some(station))
+    };
+    (0..locations)
+        .map(|location| station_below(location).and_then(input_of))
+        .collect()
+}
+
+/// Ranks the locations, best first.
+pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
+    let own = own_inputs(study, scores.at_locations.len());
+    let mut locations: Vec<RankedLocation> = own
+        .iter()
+        .enumerate()
+        .map(|(i, input)| RankedLocation {
+            input: input.map(|input| study.inputs[input].name.clone()),
+            ..unranked(scores, i, *input)
+        })
+        .collect();
+    for direction in Direction::ALL {
+        let gsi = |location: &RankedLocation| location.value(GSI, direction);
+        for (rank, i) in ordered(&locations, &[&gsi]).into_iter().enumerate() {
+            if gsi(&locations[i]).is_some() {
+                locations[i].ranks[direction] = Some(rank + 1);
+            }
+        }
+    }
+    let gsi_x = |location: &RankedLocation| location.value(GSI, Direction::X);
+    let default = |location: &RankedLocation| default_key(location, study.directions);
+    let order = ordered(&locations, &[&default, &gsi_x]);
+    let mut ranked: Vec<RankedLocation> = order.iter().map(|i| locations[*i].clone()).collect();
+    for (i, location) in ranked.iter_mut().enumerate() {
+        location.rank = i + 1;
+    }
+    mark_certain(&mut ranked, study.directions);
+    ranked
+}
+
+/// A location with its scores: what each output says of its own input.
+fn unranked(scores: &Scores, location: usize, input: Option<usize>) -> RankedLocation {
+    let percent = |indices: &Option<Vec<f64>>| Some(100.0 * indices.as_ref()?[input?]);
+    let own_index = |scored: &Scored| OwnIndex {
+        index: percent(&scored.output.first_order),
+        error: percent(&scored.index_errors),
+        mdrm_index: percent(&scored.mdrm_first_order),
+    };
+    let everywhere = PerDirection::of(|direction| {
+        let scored = scores.at_locations.iter().map(|at| &at[direction]);
+        scored.map(own_index).collect::<Vec<OwnIndex>>()
+    });
+    RankedLocation {
+        name: scores.at_locations[location].x.output.location.clone(),
+        input: None,
+        rank: 0,
+        scores: LocationScores::of(|score, direction| {
+            (score.compute)(&OwnIndices {
+                everywhere: &everywhere[direction],
+                location,
+            })
+        }),
+        ranks: PerDirection::default(),
+        rank_certain: false,
+    }
+}
+
+/// A figure of a location, where it has one.
+pub(crate) type Key<'k> = &'k dyn Fn(&RankedLocation) -> Option<f64>;
+
+/// What the default order goes by: the index that is asked for, or the sum of both, percent.
+fn default_key(location: &RankedLocation, directions: Directions) -> Option<f64> {
+    of_asked(
+        location.scores.of_score(GSI),
+        directions,
+        |gsi| gsi.value,
+        |x, y| x + y,
+    )
+}
+
+/// Its error; the two of a sum come from different outputs.
+fn key_error(location: &RankedLocation, directions: Directions) -> Option<f64> {
+    of_asked(
+        location.scores.of_score(GSI),
+        directions,
+        |gsi| gsi.error,
+        f64::hypot,
+    )
+}
+
+/// A part of the figures that are asked for, joined where there are two; `None` where one is missing.
+fn of_asked(
+    figures: &PerDirection<Figure>,
+    directions: Directions,
+    part: fn(&Figure) -> Option<f64>,
+    join: fn(f64, f64) -> f64,
+) -> Option<f64> {
+    let asked = directions.asked().iter();
+    let parts: Option<Vec<f64>> = asked.map(|&direction| part(&figures[direction])).collect();
+    parts?.into_iter().reduce(join)
+}
+
+/// Order of the locations by the keys, greatest first, missing ones last; what all keys call equal goes by name.
+pub(crate) fn ordered(locations: &[RankedLocation], keys: &[Key<'_>]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..locations.len()).collect();
+    order.sort_by(|a, b| locations[*a].name.cmp(&locations[*b].name));
+    sort_by_keys(&mut order, locations, keys);
+    order
+}
+
+/// Sorts by the first key, then each run of nearly equal ones by the next keys. Comparing with a tolerance inside one
+/// sort would not be an order: a ~ b and b ~ c without a ~ c.
+fn sort_by_keys(order: &mut [usize], locations: &[RankedLocation], keys: &[Key<'_>]) {
+    let Some((key, rest)) = keys.split_first() else {
+        order.sort_by(|a, b| locations[*a].name.cmp(&locations[*b].name));
+        return;
+    };
+    let value = |i: usize| key(&locations[i]).unwrap_or(f64::NEG_INFINITY);
+    order.sort_by(|a, b| value(*b).total_cmp(&value(*a)));
+    let equal =
+        |a: &usize, b: &usize| value(*a) == value(*b) || value(*a) - value(*b) <= EQUAL_PERCENT;
+    for run in order.chunk_by_mut(equal) {
+        sort_by_keys(run, locations, rest);
+    }
+}
+
+/// A rank is certain if its location truly outranks all others, or is outranked, with the probability of
+/// [`gsa::judge::certainty`]; locations that tie share their place.
+fn mark_certain(ranked: &mut [RankedLocation], directions: Directions) {
+    let known = |location: &RankedLocation| {
+        Some(Estimate {
+            value: default_key(location, directions)?,
+            error: key_error(location, directions).unwrap_or(f64::INFINITY),
+        })
+    };
+    let estimates: Vec<Option<Estimate>> = ranked.iter().map(known).collect();
+    let ranks: Vec<Estimate> = estimates.iter().flatten().copied().collect();
+    let mut certain = places_certain(&ranks, EQUAL_PERCENT).into_iter();
+    for (location, estimate) in ranked.iter_mut().zip(&estimates) {
+        // A location without an index could belong anywhere: the last place is the only one left for it.
+        location.rank_certain = estimate.is_some() && certain.next().unwrap_or(false);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::score::location_scores::Score;
+
+    fn location(name: &str, x: Option<f64>, y: Option<f64>) -> RankedLocation {
+        let gsi = PerDirection { x, y };
+        let figure = |score: &Score, direction| Figure {
+            value: gsi[direction].filter(|_| score.name == GSI.name),
+            error: None,
+        };
+        RankedLocation {
+            name: name.to_owned(),
+            input: None,
+            rank: 0,
+            scores: LocationScores::of(figure),
+            ranks: PerDirection::default(),
+            rank_certain: false,
+        }
+    }
+
+    fn names(locations: &[RankedLocation], order: Vec<usize>) -> Vec<&str> {
+        let ordered = order.into_iter().map(|i| &locations[i]);
+        ordered.map(|location| location.name.as_str()).collect()
+    }
+
+    fn sum(location: &RankedLocation) -> Option<f64> {
+        default_key(location, Directions::Both)
+    }
+
+    #[test]
+    fn equal_sums_go_by_x_then_by_name_and_missing_ones_last() {
+        let locations = [
+            location("P0", None, Some(90.0)),
+            location("P2", Some(10.0), Some(20.0)),
+            location("P3", Some(11.0), Some(19.0)),
+            location("P1", Some(10.0 + 1e-9), Some(20.0)),
+            location("P4", Some(30.0), Some(30.0)),
+        ];
+        let gsi_x = |location: &RankedLocation| location.value(GSI, Direction::X);
+        let order = ordered(&locations, &[&sum, &gsi_x]);
+        assert_eq!(names(&locations, order), ["P4", "P3", "P1", "P2", "P0"]);
+    }
+
+    #[test]
+    fn the_order_does_not_depend_on_the_order_given() {
+        // Neighbours are equal within the tolerance, the ends are not: no comparison of pairs would be an order.
+        let chain: Vec<RankedLocation> = (0..40)
+            .map(|i| location(&format!("P{i:02}"), Some(0.6e-7 * f64::from(i)), Some(0.0)))
+            .collect();
+        let mut reversed = chain.clone();
+        reversed.reverse();
+        let in_order = |locations| names(locations, ordered(locations, &[&sum]));
+        assert_eq!(in_order(&chain), in_order(&reversed));
+        assert!(in_order(&chain).is_sorted());
+    }
+
+    /// With the same error of every sum, all of it from x.
+    fn mark_certain_with(ranked: &mut [RankedLocation], error: Option<f64>) {
+        for location in ranked.iter_mut() {
+            let gsi = location.scores.clone();
+            let errors = PerDirection {
+                x: error,
+                y: Some(0.0),
+            };
+            location.scores = LocationScores::of(|score, direction| Figure {
+                value: gsi.of_score(score)[direction].value,
+                error: errors[direction],
+            });
+        }
+        mark_certain(ranked, Directions::Both);
+    }
+
+    #[test]
+    fn ranks_are_certain_beyond_the_errors_of_the_others() {
+        let mut ranked = [
+            location("a", Some(60.0), Some(0.0)),
+            location("b", Some(50.0), Some(0.0)),
+            location("c", Some(46.0), Some(0.0)),
+            location("d", None, None),
+        ];
+        // b from c: 2 4/sqrt(2 16) = 1.4 deviations; a from b: 3.5
+        mark_certain_with(&mut ranked, Some(4.0));
+        assert_eq!(
+            ranked.each_ref().map(|l| l.rank_certain),
+            [true, false, false, false]
+        );
+        mark_certain_with(&mut ranked[..3], Some(2.0));
+        assert!(ranked[..3].iter().all(|l| l.rank_certain));
+        mark_certain_with(&mut ranked, None);
+        assert!(ranked.iter().all(|l| !l.rank_certain));
+    }
+
+    #[test]
+    fn mirror_locations_share_a_certain_place() {
+        let mut ranked = [
+            location("a", Some(60.0), Some(0.0)),
+            location("b", Some(20.0), Some(0.0)),
+            location("c", Some(20.0 - 1e-9), Some(0.0)),
+        ];
+        mark_certain_with(&mut ranked, Some(10.0));
+        assert!(ranked.iter().all(|l| l.rank_certain));
+    }
+}

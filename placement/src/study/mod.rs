@@ -1,0 +1,240 @@
+//! The study document: what varies, what is asked.
+//!
+//! - [`directions`]: which strains are asked for, and what follows from that
+//! - [`study_reader`] and, for its parts, `candidate_reader`, [`distribution_reader`], `input_reader`, `method_reader`: read a study,
+//!   with every fault at once
+//! - [`plan`]: the design points of a study, a pure function of the document
+
+pub(crate) mod candidate_reader;
+pub mod directions;
+pub mod distribution_reader;
+pub(crate) mod input_reader;
+pub(crate) mod method_reader;
+pub mod plan;
+pub mod study_reader;
+
+use fem_client::hexadecimal::hexadecimal;
+use fem_client::scene::{Level, Scene};
+use fem_client::solver::{Grid, Position, Readout};
+use gsa::law::distribution::Distribution;
+use gsa::method::{Kind, Method};
+use serde_json::{Map, Value, json};
+use sha2::{Digest, Sha256};
+
+use crate::study::directions::Directions;
+
+/// A checked study. Build it with [`Study::from_document`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Study {
+    /// Free text, not empty.
+    pub name: String,
+    /// What is pressed; at a point of the plan, with the point's values put in.
+    pub scene: Scene,
+    /// What varies.
+    pub inputs: Vec<Input>,
+    /// Which strains are asked for.
+    pub directions: Directions,
+    /// Dense map of candidates; absent: P1-P5 alone.
+    pub grid: Option<Grid>,
+    /// Layouts to score.
+    pub layouts: Layouts,
+    /// How indices are computed.
+    pub method: Method,
+    /// How finely the scene is modelled, at first where an accuracy is asked for; `scene.model.level` is the same.
+    pub level: Level,
+    /// What is asked of the answer.
+    pub accuracy: Accuracy,
+}
+
+/// What is asked of the answer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Accuracy {
+    /// The study's own level and method.
+    Preset,
+    /// Largest error of an index, absolute.
+    Tolerance(f64),
+    /// Wall-clock time, s.
+    Budget(f64),
+}
+
+/// One uncertain field of the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Input {
+    /// Unique name, P1 to P5 in the paper's study.
+    pub name: String,
+    /// Path of the scene's field, as `ground.depths_mm[0]`.
+    pub vary: String,
+    /// Its distribution.
+    pub distribution: Distribution,
+}
+
+/// Layouts to score.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layouts {
+    /// Angles between neighbouring units, degrees; each divides 360.
+    pub spacings_deg: Vec<f64>,
+    /// Meridional positions of the units.
+    pub positions: Vec<Position>,
+}
+
+impl Default for Layouts {
+    fn default() -> Self {
+        Self {
+            spacings_deg: vec![30.0, 45.0, 60.0, 72.0, 90.0, 120.0, 180.0],
+            positions: vec![Position::Crown, Position::Shoulder, Position::Sidewall],
+        }
+    }
+}
+
+/// Names and TOML texts of the studies that ship.
+pub fn presets() -> [(&'static str, &'static str); 2] {
+    [
+        ("foot-tire", include_str!("../../../studies/foot-tire.toml")),
+        (
+            "foot-tire-paper",
+            include_str!("../../../studies/foot-tire-paper.toml"),
+        ),
+    ]
+}
+
+impl Study {
+    /// What every solve of this study reads off. The crown's ring is always among those that layouts need: it sets
+    /// the noise.
+    pub fn readout(&self) -> Readout {
+        let mut rings = Vec::new();
+        if !self.layouts.spacings_deg.is_empty() && !self.layouts.positions.is_empty() {
+            rings.push(Position::Crown);
+            rings.extend(
+                self.layouts
+                    .positions
+                    .iter()
+                    .filter(|p| **p != Position::Crown),
+            );
+        }
+        Readout {
+            grid: self.grid,
+            shape: false,
+            rings,
+            gauges: Vec::new(),
+        }
+    }
+
+    /// The study as JSON text with every default filled in and the scene inline. It reads back as the same study, and
+    /// equal studies have equal texts.
+    pub fn canonical(&self) -> String {
+        let mut candidates = Map::new();
+        candidates.insert("points".to_owned(), "P1-P5".into());
+        if self.directions != Directions::Both {
+            let asked = self.directions.asked().iter();
+            let names: Value = asked.map(|direction| direction.as_str()).collect();
+            candidates.insert("directions".to_owned(), names);
+        }
+        if let Some(grid) = self.grid {
+            let grid = json!({
+                "circumferential": grid.circumferential,
+                "meridional": grid.meridional,
+                "half_width_deg": grid.half_width_deg,
+            });
+            candidates.insert("grid".to_owned(), grid);
+        }
+        let positions = self
+            .layouts
+            .positions
+            .iter()
+            .map(|position| position_name(*position));
+        json!({
+            "name": self.name,
+            "scene": self.scene.to_value(),
+            "inputs": self.inputs.iter().map(Input::to_value).collect::<Vec<_>>(),
+            "candidates": candidates,
+            "layouts": {
+                "spacings_deg": self.layouts.spacings_deg,
+                "positions": positions.collect::<Vec<_>>(),
+            },
+            "method": method_value(&self.method),
+            "accuracy": match self.accuracy {
+                Accuracy::Preset => json!({"preset": self.level.as_str()}),
+                Accuracy::Tolerance(tolerance) => json!({"tolerance": tolerance}),
+                Accuracy::Budget(seconds) => json!({"budget_s": seconds}),
+            },
+        })
+        .to_string()
+    }
+
+    /// SHA-256 of the canonical text, in hexadecimal digits.
+    pub fn spec_sha256(&self) -> String {
+        sha256_hex(&self.canonical())
+    }
+}
+
+impl Input {
+    /// The station whose depth this input varies, counted from 0; None when it varies something else.
+    pub fn station(&self) -> Option<usize> {
+        self.vary
+            .strip_prefix("ground.depths_mm[")?
+            .strip_suffix(']')?
+            .parse()
+            .ok()
+    }
+
+    /// The distribution as in the document.
+    pub fn distribution_value(&self) -> Value {
+        let mut value = Map::new();
+        value.insert("kind".to_owned(), self.distribution.kind().into());
+        let parameters = self.distribution.parameters();
+        value.extend(
+            parameters
+                .into_iter()
+                .map(|(name, x)| (name.to_owned(), x.into())),
+        );
+        if let Some((low, high)) = self.distribution.truncation() {
+            value.insert("truncate".to_owned(), json!([low, high]));
+        }
+        Value::Object(value)
+    }
+
+    fn to_value(&self) -> Value {
+        json!({"name": self.name, "vary": self.vary, "distribution": self.distribution_value()})
+    }
+}
+
+/// The settings that the kind uses.
+fn method_value(method: &Method) -> Value {
+    let mut value = Map::new();
+    let mut put = |name: &str, setting: Value| value.insert(name.to_owned(), setting);
+    put("kind", method.kind.as_str().into());
+    if !matches!(method.kind, Kind::Pce | Kind::Saltelli) {
+        put("nodes", method.nodes.into());
+        put("check_points", method.check_points.into());
+    }
+    if matches!(method.kind, Kind::Pce | Kind::Saltelli) {
+        put("samples", method.samples.into());
+    }
+    if method.kind == Kind::Auto {
+        put("tolerance", method.tolerance.into());
+        put("most_runs", method.most_runs.into());
+    }
+    put("seed", method.seed.into());
+    Value::Object(value)
+}
+
+/// Positions with their names in documents.
+pub const POSITIONS: [(&str, Position); 3] = [
+    ("crown", Position::Crown),
+    ("shoulder", Position::Shoulder),
+    ("sidewall", Position::Sidewall),
+];
+
+/// The name of a position in documents.
+pub fn position_name(position: Position) -> &'static str {
+    match position {
+        Position::Crown => "crown",
+        Position::Shoulder => "shoulder",
+        Position::Sidewall => "sidewall",
+    }
+}
+
+/// SHA-256 of a text, in hexadecimal digits.
+pub(crate) fn sha256_hex(text: &str) -> String {
+    hexadecimal(&Sha256::digest(text))
+}

@@ -1,0 +1,236 @@
+//! Reads a study from a document, with every fault at once.
+
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use fem_client::document::fault::{Fault, member};
+use fem_client::document::fields::{Fields, Range, alternatives, choice, shown};
+use fem_client::document::{Format, parse};
+use fem_client::scene::{Level, PRESETS, Scene};
+use gsa::method::{Kind, Method};
+use serde_json::Value;
+
+use crate::study::candidate_reader::{candidates, layouts};
+use crate::study::input_reader::{read_inputs, read_name};
+use crate::study::method_reader::{Limits, read_method};
+use crate::study::plan::{Plan, PlanError};
+use crate::study::{Accuracy, Study};
+
+/// Gives the text of a scene file, or says why it can't be had.
+pub type Resolve<'r> = &'r dyn Fn(&str) -> Result<String, String>;
+
+/// Longest name of a study, characters.
+pub(crate) const LONGEST_NAME: usize = 200;
+/// Most strains of all maps of a study: they are held in memory twice while they are analysed, 320 MB at this bound.
+const MOST_MAP_STRAINS: usize = 20_000_000;
+/// Largest error of an index that may be asked for.
+const TOLERANCE: Range = Range::new(1e-4, 1.0, "");
+/// Wall-clock time that may be allowed.
+const BUDGET: Range = Range::new(0.1, 1e6, "s");
+/// Solves take seconds, so that more would be a slip.
+const LIMITS: Limits = Limits {
+    nodes: 15,
+    check_points: 1000,
+    samples: 10_000,
+    runs: 100_000,
+};
+
+impl Study {
+    /// Reads a study from text. `resolve` gives the text of a scene that the study names by its path, so that this
+    /// crate opens no files.
+    ///
+    /// # Errors
+    /// Every fault of the document.
+    pub fn from_document(
+        text: &str,
+        format: Format,
+        resolve: Resolve<'_>,
+    ) -> Result<Self, Vec<Fault>> {
+        let value = parse(text, format)?;
+        Self::from_value(&value, resolve)
+    }
+
+    /// Reads a study from a parsed document.
+    ///
+    /// # Errors
+    /// Every fault of the document.
+    pub fn from_value(value: &Value, resolve: Resolve<'_>) -> Result<Self, Vec<Fault>> {
+        let mut faults = Vec::new();
+        let study = read(value, resolve, &mut faults);
+        match study {
+            Some(study) if faults.is_empty() => Ok(study),
+            _ => Err(faults),
+        }
+    }
+}
+
+fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<Study> {
+    let known = [
+        "name",
+        "scene",
+        "inputs",
+        "candidates",
+        "layouts",
+        "method",
+        "accuracy",
+    ];
+    let fields = Fields::open(value, "", &known, faults)?;
+    let name = read_name(&fields, "name", LONGEST_NAME, faults);
+    let scene = scene(&fields, resolve, faults);
+    let candidates = candidates(&fields, faults);
+    let layouts = layouts(&fields, faults);
+    let method = read_method(&fields, LIMITS, faults);
+    let accuracy = accuracy(&fields, scene.as_ref(), faults);
+    let nodes = method
+        .as_ref()
+        .map_or(Method::of(Kind::Mdrm).nodes, |method| method.nodes);
+    let inputs = read_inputs(&fields, scene.as_ref(), nodes, faults);
+    let (mut scene, (accuracy, level)) = (scene?, accuracy?);
+    scene.model.level = level;
+    let (directions, grid) = candidates?;
+    let study = Study {
+        name: name?,
+        scene,
+        inputs: inputs?,
+        directions,
+        grid,
+        layouts: layouts?,
+        method: method?,
+        level,
+        accuracy,
+    };
+    // Ends of single inputs are checked with the inputs; their combinations only here.
+    if faults.is_empty() && are_few_enough(&study, faults) {
+        check_plan(&study, faults);
+    }
+    Some(study)
+}
+
+/// Whether the plan is small enough to be made at all. The other methods bound their designs by themselves.
+fn are_few_enough(study: &Study, faults: &mut Vec<Fault>) -> bool {
+    let (samples, inputs) = (study.method.samples, study.inputs.len());
+    let solves = samples.saturating_mul(inputs + 2) as u64;
+    if study.method.kind != Kind::Saltelli || solves <= LIMITS.runs {
+        return true;
+    }
+    let detail = format!(
+        "{samples} base points of {inputs} inputs are {solves} solves; a study has at most {}",
+        LIMITS.runs
+    );
+    Fault::add(faults, "/method/samples", detail);
+    false
+}
+
+fn check_plan(study: &Study, faults: &mut Vec<Fault>) {
+    match Plan::new(study) {
+        Ok(plan) => check_map(study, plan.points.len(), faults),
+        Err(PlanError::Design(error)) => Fault::add(faults, "/inputs", error.to_string()),
+        Err(error @ PlanError::Point { .. }) => {
+            let detail = format!("the inputs together leave the ranges of the scene: {error}");
+            Fault::add(faults, "/inputs", detail);
+        }
+    }
+}
+
+fn check_map(study: &Study, points: usize, faults: &mut Vec<Fault>) {
+    let cells = study
+        .grid
+        .map_or(0, |grid| grid.circumferential * grid.meridional);
+    let strains = 2 * cells * points;
+    if strains > MOST_MAP_STRAINS {
+        let detail = format!(
+            "this map has {strains} strains over the study's {points} points; at most {MOST_MAP_STRAINS} are kept"
+        );
+        Fault::add(faults, "/candidates/grid", detail);
+    }
+}
+
+fn scene(fields: &Fields<'_>, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<Scene> {
+    let what = "a path, a table, or { preset = \"foot-tire\" }";
+    let (value, pointer) = fields.required("scene", what, faults)?;
+    match value {
+        Value::String(path) => scene_file(path, &pointer, resolve, faults),
+        Value::Object(object) if object.contains_key("preset") => {
+            let names = PRESETS.map(|(name, _)| (name, name));
+            let name = choice(
+                &object["preset"],
+                &member(&pointer, "preset"),
+                &names,
+                faults,
+            )?;
+            let mut overrides = object.clone();
+            overrides.shift_remove("preset");
+            Scene::preset(name)?.overlaid(&overrides, &pointer, faults)
+        }
+        Value::Object(_) => Scene::from_value(value, &pointer, faults),
+        other => {
+            Fault::add(
+                faults,
+                &pointer,
+                format!("must be {what}; it is {}", shown(other)),
+            );
+            None
+        }
+    }
+}
+
+fn scene_file(
+    path: &str,
+    pointer: &str,
+    resolve: Resolve<'_>,
+    faults: &mut Vec<Fault>,
+) -> Option<Scene> {
+    let text = match resolve(path) {
+        Ok(text) => text,
+        Err(detail) => {
+            Fault::add(faults, pointer, detail);
+            return None;
+        }
+    };
+    let name = path.escape_debug();
+    match Scene::from_text(&text, Format::of_path(path)) {
+        Ok(scene) => Some(scene),
+        Err(found) => {
+            for fault in found {
+                let at = format!("{pointer}{}", fault.pointer);
+                Fault::add(faults, &at, format!("in {name}: {}", fault.detail));
+            }
+            None
+        }
+    }
+}
+
+/// What is asked of the answer, and the mesh level: the preset's, or the scene's own when the study doesn't ask. Where a
+/// tolerance is asked for, the way begins at the first level that knows its own error, and at the draft for a budget.
+fn accuracy(
+    fields: &Fields<'_>,
+    scene: Option<&Scene>,
+    faults: &mut Vec<Fault>,
+) -> Option<(Accuracy, Level)> {
+    let default = scene.map_or(Level::Standard, |scene| scene.model.level);
+    let Some((value, pointer)) = fields.get("accuracy") else {
+        return Some((Accuracy::Preset, default));
+    };
+    let known = ["preset", "tolerance", "budget_s"];
+    let fields = Fields::open(value, &pointer, &known, faults)?;
+    let given = known.iter().filter(|name| fields.get(name).is_some());
+    if given.count() != 1 {
+        let presets = alternatives(Level::NAMES.iter().map(|(name, _)| *name));
+        let detail = format!(
+            "must hold exactly one of {}; preset is {presets}",
+            known.join(", ")
+        );
+        Fault::add(faults, &pointer, detail);
+        return None;
+    }
+    if fields.get("tolerance").is_some() {
+        let tolerance = fields.number("tolerance", TOLERANCE, 0.0, faults)?;
+        return Some((Accuracy::Tolerance(tolerance), Level::Coarse));
+    }
+    if fields.get("budget_s").is_some() {
+        let seconds = fields.number("budget_s", BUDGET, 0.0, faults)?;
+        return Some((Accuracy::Budget(seconds), Level::Draft));
+    }
+    let level = fields.choice("preset", &Level::NAMES, default, faults)?;
+    Some((Accuracy::Preset, level))
+}

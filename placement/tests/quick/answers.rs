@@ -1,0 +1,282 @@
+//! What the answer of a study says, with closed formulas in place of finite elements.
+
+use fem_client::closed_form::ClosedFormSolver;
+use fem_client::solver::direction::Direction;
+use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
+use gsa::method::analysis::Status;
+use placement::result::{RankedLocation, StudyResult};
+use placement::score::location_scores::{GSI, MDRM_GSI, MEAN_GSI, OWN_GSI};
+use serde_json::Value;
+
+use crate::support::{MemoryArchive, answered, observed, shipped, study};
+
+fn location<'r>(result: &'r StudyResult, name: &str) -> &'r RankedLocation {
+    result
+        .locations
+        .iter()
+        .find(|location| location.name == name)
+        .unwrap()
+}
+
+fn has_note(result: &StudyResult, words: &[&str]) -> bool {
+    result
+        .notes
+        .iter()
+        .any(|note| words.iter().all(|word| note.contains(word)))
+}
+
+#[test]
+fn the_meridional_indices_are_those_of_the_formula() {
+    // The y strain at the centre is linear in the depths with weights exp(-k^2 / 2), so S_k = w_k^2 / sum w^2.
+    let result = answered(&shipped("foot-tire"));
+    let weights: Vec<f64> = (-2..=2)
+        .map(|k: i32| (-f64::from(k * k) / 2.0).exp())
+        .collect();
+    let whole: f64 = weights.iter().map(|w| w * w).sum();
+    let centre = result
+        .outputs
+        .iter()
+        .find(|o| o.location == "P3" && o.direction == Direction::Y)
+        .unwrap();
+    for (index, weight) in centre.first_order.as_ref().unwrap().iter().zip(&weights) {
+        // A product form would add interactions of the order (sd/h0)^2 = 1e-2; the additive one is exact.
+        let expected = weight * weight / whole;
+        let tolerance = centre.error.total.unwrap() + 1e-9;
+        assert!(
+            (index - expected).abs() <= tolerance,
+            "{index} for {expected} +- {tolerance}"
+        );
+    }
+}
+
+#[test]
+fn locations_are_ranked_by_their_own_depth_at_the_centre() {
+    let result = answered(&shipped("foot-tire"));
+    let names: Vec<&str> = result.locations.iter().map(|l| l.name.as_str()).collect();
+    assert_eq!(names, ["P3", "P2", "P4", "P1", "P5"]);
+    assert_eq!(
+        result.locations.iter().map(|l| l.rank).collect::<Vec<_>>(),
+        [1, 2, 3, 4, 5]
+    );
+    let p3 = location(&result, "P3");
+    assert_eq!(p3.value(GSI, Direction::Y), p3.value(OWN_GSI, Direction::Y));
+    assert!(p3.rank_certain);
+    // Mirror images tie: they share their place, and it is as certain for the one as for the other.
+    assert!(location(&result, "P2").rank_certain && location(&result, "P4").rank_certain);
+    assert_eq!((p3.ranks.x, p3.ranks.y), (Some(1), Some(1)));
+    for location in &result.locations {
+        for share in [
+            location.value(GSI, Direction::X),
+            location.value(MEAN_GSI, Direction::X),
+            location.value(MDRM_GSI, Direction::X),
+        ] {
+            assert!((0.0..=100.0).contains(&share.unwrap()));
+        }
+    }
+}
+
+#[test]
+fn the_wide_study_says_where_m_drm_breaks_and_what_it_would_have_said() {
+    let result = answered(&shipped("foot-tire-paper"));
+    let centre = result
+        .outputs
+        .iter()
+        .find(|o| o.location == "P3" && o.direction == Direction::X)
+        .unwrap();
+    assert_eq!(
+        (centre.status.as_str(), centre.method.as_str()),
+        ("product-form-broken", "additive")
+    );
+    assert!(centre.mdrm_first_order.is_some() && centre.reason.is_some());
+    assert!(
+        has_note(&result, &["product form", "x strain", "additive"]),
+        "{:#?}",
+        result.notes
+    );
+    assert!(
+        has_note(&result, &["gains or loses contact", "P2 (at 0.30 mm)"]),
+        "{:#?}",
+        result.notes
+    );
+}
+
+#[test]
+fn notes_tell_of_symmetry_and_of_the_missing_mesh_error() {
+    let result = answered(&shipped("foot-tire"));
+    assert!(
+        has_note(&result, &["P1 with P5 by", "P2 with P4 by"]),
+        "{:#?}",
+        result.notes
+    );
+    assert!(has_note(&result, &["leave out the mesh"]));
+    assert!(
+        result
+            .outputs
+            .iter()
+            .all(|output| output.error.mesh.is_none() && output.error.reason.is_some())
+    );
+    let mut lopsided = shipped("foot-tire");
+    lopsided.inputs[0].distribution =
+        gsa::law::distribution::Distribution::uniform(0.8, 1.2).unwrap();
+    assert!(!has_note(&answered(&lopsided), &["P1 with P5 by"]));
+}
+
+#[test]
+fn the_map_agrees_with_the_locations() {
+    let result = answered(&shipped("foot-tire"));
+    let map = result.map.as_ref().unwrap();
+    assert_eq!(
+        (map.theta_deg.len(), map.phi_deg.len(), map.layers.len()),
+        (61, 21, 2)
+    );
+    let middle = 10 * 61 + 30;
+    let centre = result
+        .outputs
+        .iter()
+        .find(|o| o.location == "P3" && o.direction == Direction::Y)
+        .unwrap();
+    let layer = &map.layers[1];
+    assert_eq!(layer.strain[middle], result.cut_point.locations[2].strain.y);
+    assert_eq!(
+        (layer.first_order.len(), layer.first_order[0].len()),
+        (5, 61 * 21)
+    );
+    for (input, index) in centre.first_order.as_ref().unwrap().iter().enumerate() {
+        assert_eq!(layer.first_order[input][middle], Some(*index));
+    }
+}
+
+#[test]
+fn layouts_are_ranked_by_what_each_film_contributes() {
+    let result = answered(&shipped("foot-tire"));
+    assert_eq!(result.layouts.len(), 21);
+    let keys: Vec<f64> = result
+        .layouts
+        .iter()
+        .map(|l| {
+            l.score
+                .worst_angle_error_deg
+                .map_or(f64::INFINITY, |e| e * (l.units as f64).sqrt())
+        })
+        .collect();
+    assert!(keys.is_sorted(), "{keys:?}");
+    assert!(
+        result
+            .layouts
+            .iter()
+            .all(|l| l.score.worst_angle_error_deg.is_some() || l.score.reason.is_some())
+    );
+    // The noise is 2 % of the crown's largest strain, the same for every layout.
+    let noise = result.layouts[0].score.noise_strain;
+    assert!((noise / (0.02 * result.cut_point.locations[2].strain.y) - 1.0).abs() < 1e-12);
+    assert!(result.layouts.iter().all(|l| l.score.noise_strain == noise));
+    let dense = result
+        .layouts
+        .iter()
+        .find(|l| l.units == 12 && l.position == "crown")
+        .unwrap();
+    let sparse = result
+        .layouts
+        .iter()
+        .find(|l| l.units == 2 && l.position == "crown")
+        .unwrap();
+    assert!(dense.score.weakest_signal > sparse.score.weakest_signal);
+}
+
+#[test]
+fn an_input_without_a_station_has_indices_but_no_location() {
+    let result = answered(&study(
+        "name = \"pressure and depth\"\nscene = { preset = \"foot-tire\" }\n\
+         [[inputs]]\nname = \"p\"\nvary = \"pressure.internal_mpa\"\n\
+         distribution = { kind = \"uniform\", min = 0.15, max = 0.25 }\n\
+         [[inputs]]\nname = \"middle\"\nvary = \"ground.depths_mm[2]\"\n\
+         distribution = { kind = \"uniform\", min = 0.7, max = 1.3 }\n",
+    ));
+    assert_eq!(result.locations[0].name, "P3");
+    assert!(result.locations[0].value(GSI, Direction::X).is_some());
+    assert!(
+        result.locations[1..]
+            .iter()
+            .all(|l| l.value(GSI, Direction::X).is_none() && !l.rank_certain)
+    );
+    assert_eq!(result.outputs[4].first_order.as_ref().unwrap().len(), 2);
+    assert!(has_note(&result, &["No location lies above what p varies"]));
+    let layout = &result.layouts[0].score;
+    assert_eq!(layout.worst_angle_error_deg, None);
+    assert!(
+        layout
+            .reason
+            .as_ref()
+            .unwrap()
+            .contains("not every station")
+    );
+}
+
+#[test]
+fn what_never_varies_is_null_with_a_reason() {
+    let mut study = shipped("foot-tire");
+    // The closed form's strains don't depend on the rubber, only on where a solve starts.
+    struct FromScratch;
+    impl Solver for FromScratch {
+        fn version(&self) -> String {
+            "from scratch".to_owned()
+        }
+        fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+            ClosedFormSolver::new().solve(&SolveRequest {
+                start: None,
+                ..*request
+            })
+        }
+    }
+    study.inputs.truncate(1);
+    study.inputs[0].vary = "material.c10_mpa".to_owned();
+    let law = gsa::law::distribution::Distribution::uniform(0.14, 0.15);
+    study.inputs[0].distribution = law.unwrap();
+    let result = observed(&study, &FromScratch, &MemoryArchive::default(), 1).0;
+    let result = result.unwrap();
+    assert!(
+        result
+            .outputs
+            .iter()
+            .all(|o| o.status == Status::Constant && o.first_order.is_none() && o.reason.is_some())
+    );
+    assert!(
+        result
+            .locations
+            .iter()
+            .all(|l| l.value(GSI, Direction::X).is_none() && l.ranks.x.is_none())
+    );
+    assert!(has_note(&result, &["doesn't vary"]));
+    // serde_json writes NaN as null, so a null among numbers that must exist would show one.
+    let document: Value = serde_json::to_value(&result).unwrap();
+    assert!(document["cut_point"]["reaction_n"].is_number());
+}
+
+#[test]
+fn a_single_node_of_each_input_knows_nothing_of_their_influence() {
+    let mut study = shipped("foot-tire");
+    study.method.nodes = 1;
+    let result = answered(&study);
+    for output in &result.outputs {
+        assert_eq!(output.status, Status::Unusable);
+        let reason = output.reason.as_deref().unwrap();
+        assert!(reason.contains("a single node"), "{reason}");
+        assert!(output.first_order.is_none() && output.mean.is_none());
+    }
+    let unranked = |l: &RankedLocation| l.value(GSI, Direction::X).is_none() && l.ranks.x.is_none();
+    assert!(result.locations.iter().all(unranked));
+}
+
+#[test]
+fn the_result_reads_back_from_its_document() {
+    let result = answered(&shipped("foot-tire"));
+    let text = serde_json::to_string(&result).unwrap();
+    assert_eq!(serde_json::from_str::<StudyResult>(&text).unwrap(), result);
+    let cost = &result.cost;
+    assert_eq!((cost.solves, cost.reused), (26, 0));
+    // 12 iterations from scratch, 4 for each of the 25 others.
+    assert_eq!(cost.newton_iterations, 112);
+    let shares =
+        cost.factorisation_share + cost.substitution_share + cost.assembly_share + cost.other_share;
+    assert!((shares - 1.0).abs() < 1e-12, "{shares}");
+}

@@ -1,0 +1,346 @@
+//! Study documents: every fault at once, and no document that breaks the reader.
+
+mod mutated;
+
+use fem_client::document::{Format, parse};
+use placement::study::{Accuracy, Study, presets};
+use serde_json::{Value, json};
+
+use crate::support::{shipped, study};
+
+fn pointers(document: &Value) -> Vec<String> {
+    let faults = Study::from_value(document, &|path| Err(format!("no file {path}")))
+        .expect_err("has faults");
+    faults.into_iter().map(|fault| fault.pointer).collect()
+}
+
+fn valid() -> Value {
+    parse(presets()[0].1, Format::Toml).unwrap()
+}
+
+fn with(pointer: &str, value: Value) -> Value {
+    let mut document = valid();
+    *document
+        .pointer_mut(pointer)
+        .unwrap_or_else(|| panic!("no {pointer}")) = value;
+    document
+}
+
+#[test]
+fn shipped_studies_read_and_plan() {
+    for (name, _) in presets() {
+        let study = shipped(name);
+        assert_eq!(study.inputs.len(), 5);
+        assert_eq!(
+            study
+                .scene
+                .carcass
+                .as_ref()
+                .map(|carcass| carcass.angle_deg),
+            Some(55.0)
+        );
+    }
+}
+
+#[test]
+fn little_is_enough() {
+    let study = study(
+        "name = \"a\"\nscene = {}\n[[inputs]]\nname = \"p\"\nvary = \"pressure.internal_mpa\"\n\
+         distribution = { kind = \"lognormal\", mu = -1.6, sigma = 0.1 }",
+    );
+    assert_eq!(
+        (
+            study.method.nodes,
+            study.method.check_points,
+            study.method.seed
+        ),
+        (5, 5, 1)
+    );
+    assert_eq!((study.grid, study.layouts.spacings_deg.len()), (None, 7));
+    assert_eq!(study.scene.carcass, None);
+}
+
+#[test]
+fn every_fault_is_found_at_once() {
+    let document = json!({
+        "name": " ",
+        "scene": {"preset": "foot-tire", "ground": {"depths_mm": [1, 1, 1, 1, -1]}},
+        "inputs": [
+            {"name": "a", "vary": "x", "distribution": {"kind": "uniform", "min": 1}},
+            {"name": "b\n", "distribution": {"kind": "cauchy", "shape": 1, "scale": 1}},
+            {"name": "c", "vary": "ground.depths_mm[0]", "distribution": {"kind": "normal", "mean": 1, "std": 0}},
+            {"name": "d", "vary": "ground.depths_mm[1]", "distribution": {"kind": "uniform", "min": 2, "max": 1}},
+            7
+        ],
+        "candidates": {"points": "P1-P9", "grid": {"circumferential": 60, "half_width_deg": 0}},
+        "layouts": {"spacings_deg": [60, 50, 60], "positions": ["crown", "toe"]},
+        "method": {"kind": "sobol", "nodes": 16, "check_points": 1.5, "seed": -1},
+        "accuracy": {"tolerance": 0.02, "budget_s": 60},
+        "extra": {}
+    });
+    assert_eq!(
+        pointers(&document),
+        [
+            "/extra",
+            "/name",
+            "/scene/ground/depths_mm/4",
+            "/candidates/points",
+            "/candidates/grid/circumferential",
+            "/candidates/grid/meridional",
+            "/candidates/grid/half_width_deg",
+            "/layouts/spacings_deg/1",
+            "/layouts/spacings_deg/2",
+            "/layouts/positions/1",
+            "/method/kind",
+            "/method/nodes",
+            "/method/check_points",
+            "/method/seed",
+            "/accuracy",
+            "/inputs/0/vary",
+            "/inputs/0/distribution/max",
+            "/inputs/1/name",
+            "/inputs/1/vary",
+            "/inputs/1/distribution/kind",
+            "/inputs/2/distribution/std",
+            "/inputs/3/distribution",
+            "/inputs/4",
+        ]
+    );
+}
+
+#[test]
+fn a_number_that_is_none_and_a_faulty_scene_hide_no_other_fault() {
+    let text = "name = \"a\"\n\
+        scene = { geometry = { wall_mm = -3 }, material = { c10_mpa = nan } }\n\
+        [[inputs]]\nname = \"P1\"\nvary = \"ground.depths_mm[1]\"\n\
+        distribution = { kind = \"uniform\", min = 1.3, max = 0.7 }\n\
+        [[inputs]]\nname = \"P1\"\nvary = \"ground.depth[0]\"\n\
+        distribution = { kind = \"normal\", mean = inf, std = 1 }\n\
+        [method]\nnodes = 50\n";
+    let faults =
+        Study::from_document(text, Format::Toml, &|_| Err(String::new())).expect_err("has faults");
+    let mut pointers: Vec<&str> = faults.iter().map(|fault| fault.pointer.as_str()).collect();
+    pointers.sort_unstable();
+    assert_eq!(
+        pointers,
+        [
+            "/inputs/0/distribution",
+            "/inputs/1/distribution/mean",
+            "/inputs/1/name",
+            "/inputs/1/vary",
+            "/method/nodes",
+            "/scene/geometry/wall_mm",
+            "/scene/material/c10_mpa",
+        ]
+    );
+}
+
+#[test]
+fn inputs_must_exist_be_numbers_and_differ() {
+    assert_eq!(
+        pointers(&with("/inputs/1/vary", json!("ground.depth[1]"))),
+        ["/inputs/1/vary"]
+    );
+    assert_eq!(
+        pointers(&with("/inputs/1/vary", json!("model.level"))),
+        ["/inputs/1/vary"]
+    );
+    assert_eq!(
+        pointers(&with("/inputs/1/vary", json!("ground.depths_mm[ 0 ]"))),
+        ["/inputs/1/vary"]
+    );
+    assert_eq!(
+        pointers(&with("/inputs/1/name", json!("P1"))),
+        ["/inputs/1/name"]
+    );
+    assert_eq!(pointers(&with("/inputs", json!([]))), ["/inputs"]);
+}
+
+#[test]
+fn a_support_outside_the_scene_s_range_is_refused_at_its_ends() {
+    let law = |value| pointers(&with("/inputs/0/distribution", value));
+    let here = ["/inputs/0/distribution"];
+    assert_eq!(law(json!({"kind": "uniform", "min": -0.1, "max": 1})), here);
+    assert_eq!(law(json!({"kind": "uniform", "min": 0.1, "max": 13})), here);
+    // The outermost of five Gauss nodes lie 2.857 standard deviations out.
+    assert_eq!(law(json!({"kind": "normal", "mean": 1, "std": 0.4})), here);
+    let narrow = with(
+        "/inputs/0/distribution",
+        json!({"kind": "normal", "mean": 1, "std": 0.3}),
+    );
+    assert!(Study::from_value(&narrow, &|_| Err(String::new())).is_ok());
+}
+
+#[test]
+fn every_law_reads_back_as_it_was_written() {
+    for law in [
+        json!({"kind": "uniform", "min": 0.7, "max": 1.3}),
+        json!({"kind": "normal", "mean": 1.0, "std": 0.1}),
+        json!({"kind": "lognormal", "mu": 0.0, "sigma": 0.1}),
+        json!({"kind": "exponential", "rate": 5.0, "truncate": [0.1, 2.0]}),
+        json!({"kind": "gamma", "shape": 9.0, "scale": 0.1}),
+        json!({"kind": "weibull", "shape": 3.0, "scale": 1.0}),
+        json!({"kind": "beta", "alpha": 2.0, "beta": 3.0, "min": 0.5, "max": 1.5}),
+        json!({"kind": "gumbel", "location": 1.0, "scale": 0.1}),
+        json!({"kind": "triangular", "min": 0.5, "mode": 1.0, "max": 1.2}),
+        json!({"kind": "normal", "mean": 1.0, "std": 2.0, "truncate": [0.5, 1.5]}),
+    ] {
+        let document = with("/inputs/0/distribution", law.clone());
+        let study = Study::from_value(&document, &|_| Err(String::new())).expect("no faults");
+        assert_eq!(study.inputs[0].distribution_value(), law);
+    }
+    // On [0, 1] unless said otherwise; zero is then a stated end, and a depth that a scene takes.
+    let document = with(
+        "/inputs/0/distribution",
+        json!({"kind": "beta", "alpha": 2, "beta": 3}),
+    );
+    let study = Study::from_value(&document, &|_| Err(String::new())).expect("no faults");
+    assert_eq!(study.inputs[0].distribution.support(), (0.0, 1.0));
+}
+
+#[test]
+fn every_fault_of_a_law_is_named_at_its_parameter() {
+    let law = |value| pointers(&with("/inputs/0/distribution", value));
+    let at = |names: &[&str]| -> Vec<String> {
+        names
+            .iter()
+            .map(|name| format!("/inputs/0/distribution{name}"))
+            .collect()
+    };
+    assert_eq!(
+        law(json!({"kind": "gamma", "shape": -1, "scale": 0, "rate": 1, "truncate": [3, 2]})),
+        at(&["/rate", "/shape", "/scale", "/truncate"])
+    );
+    assert_eq!(
+        law(json!({"kind": "weibull", "scale": "wide", "truncate": [1, "x", 2]})),
+        at(&["/shape", "/scale", "/truncate"])
+    );
+    assert_eq!(
+        law(json!({"kind": "gumbel", "location": 1, "scale": 0.1, "truncate": ["a", null]})),
+        at(&["/truncate/0", "/truncate/1"])
+    );
+    assert_eq!(
+        law(json!({"kind": "triangular", "min": 1, "mode": 3, "max": 2})),
+        at(&["/mode"])
+    );
+    assert_eq!(
+        law(json!({"kind": "beta", "alpha": 1, "beta": 1, "min": 2})),
+        at(&[""])
+    );
+    assert_eq!(
+        law(json!({"kind": "exponential", "rate": 1, "truncate": [-2, -1]})),
+        at(&["/truncate"])
+    );
+    assert_eq!(law(json!({"kind": ["normal"]})), at(&["/kind"]));
+    assert_eq!(law(json!("normal")), at(&[""]));
+    // The ends that a document states must be fit for the scene.
+    assert_eq!(
+        law(json!({"kind": "normal", "mean": 1, "std": 2, "truncate": [-0.5, 1.5]})),
+        at(&[""])
+    );
+}
+
+#[test]
+fn inputs_that_contradict_each_other_only_together_are_refused() {
+    let mut document = valid();
+    document["scene"] = json!({});
+    document["inputs"] = json!([
+        {"name": "wall", "vary": "geometry.wall_mm", "distribution": {"kind": "uniform", "min": 2, "max": 9}},
+        {"name": "section", "vary": "geometry.section_radius_mm",
+         "distribution": {"kind": "uniform", "min": 4, "max": 21}}
+    ]);
+    document["method"] = json!({"check_points": 16});
+    assert_eq!(pointers(&document), ["/inputs"]);
+}
+
+#[test]
+fn more_solves_than_anyone_waits_for_are_refused_before_they_are_planned() {
+    // (9 + 2) 10 000 solves; 100 000 are allowed.
+    let mut document = with("/method", json!({"kind": "saltelli", "samples": 10_000}));
+    document["scene"] = json!({"preset": "foot-tire", "ground": {"depths_mm": vec![1.0; 21], "station_spacing_mm": 2.0}});
+    document["inputs"] = (0..9)
+        .map(|k| {
+            json!({"name": format!("P{k}"), "vary": format!("ground.depths_mm[{k}]"),
+                   "distribution": {"kind": "uniform", "min": 0.7, "max": 1.3}})
+        })
+        .collect();
+    assert_eq!(pointers(&document), ["/method/samples"]);
+    document["method"]["samples"] = json!(100);
+    assert!(Study::from_value(&document, &|path| Err(path.to_owned())).is_ok());
+}
+
+#[test]
+fn a_map_that_would_not_fit_in_memory_is_refused() {
+    let mut document = valid();
+    document["candidates"]["grid"] = json!({"circumferential": 201, "meridional": 201});
+    document["method"]["check_points"] = json!(1000);
+    assert_eq!(pointers(&document), ["/candidates/grid"]);
+}
+
+#[test]
+fn a_scene_file_is_read_through_the_callback() {
+    let mut document = valid();
+    document["scene"] = json!("tires/mine.json");
+    let resolve = |path: &str| match path {
+        "tires/mine.json" => Ok("{\"geometry\": {\"wall_mm\": 2}}".to_owned()),
+        other => Err(format!("no file {other}")),
+    };
+    assert_eq!(
+        Study::from_value(&document, &resolve)
+            .unwrap()
+            .scene
+            .geometry
+            .wall_mm,
+        2.0
+    );
+    let faulty = |_: &str| Ok("{\"geometry\": {\"wall_mm\": 20}}".to_owned());
+    let faults = Study::from_value(&document, &faulty).unwrap_err();
+    assert_eq!(faults[0].pointer, "/scene/geometry/wall_mm");
+    assert!(
+        faults[0].detail.starts_with("in tires/mine.json: "),
+        "{}",
+        faults[0].detail
+    );
+    let refusing = |_: &str| Err("paths aren't read here".to_owned());
+    let faults = Study::from_value(&document, &refusing).unwrap_err();
+    assert_eq!(
+        (faults[0].pointer.as_str(), faults[0].detail.as_str()),
+        ("/scene", "paths aren't read here")
+    );
+}
+
+#[test]
+fn an_accuracy_is_a_level_a_tolerance_or_a_budget() {
+    let read = |accuracy: Value| {
+        let document = with("/accuracy", accuracy);
+        Study::from_value(&document, &|_| Err(String::new()))
+    };
+    let tolerance = read(json!({"tolerance": 0.03})).unwrap();
+    assert_eq!(tolerance.accuracy, Accuracy::Tolerance(0.03));
+    let budget = read(json!({"budget_s": 60})).unwrap();
+    assert_eq!(budget.accuracy, Accuracy::Budget(60.0));
+    for (study, level) in [(tolerance, "coarse"), (budget, "draft")] {
+        assert_eq!(study.level.as_str(), level);
+        let again = Study::from_document(&study.canonical(), Format::Json, &|_| Err(String::new()));
+        assert_eq!(again.unwrap(), study);
+    }
+    for (wrong, pointer) in [
+        (json!({}), "/accuracy"),
+        (json!({"preset": "draft", "budget_s": 1}), "/accuracy"),
+        (json!({"tolerance": 0}), "/accuracy/tolerance"),
+        (json!({"tolerance": 2}), "/accuracy/tolerance"),
+        (json!({"budget_s": -1}), "/accuracy/budget_s"),
+    ] {
+        let faults = read(wrong).unwrap_err();
+        assert_eq!(faults.len(), 1);
+        assert_eq!(faults[0].pointer, pointer);
+    }
+}
+
+#[test]
+fn the_accuracy_sets_the_level_of_the_scene() {
+    let document = with("/accuracy/preset", json!("draft"));
+    let study = Study::from_value(&document, &|_| Err(String::new())).unwrap();
+    assert_eq!(study.level.as_str(), "draft");
+    assert_eq!(study.scene.model.level, study.level);
+}

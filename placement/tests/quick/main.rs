@@ -1,0 +1,14 @@
+//! Studies as their users have them: read, run, failed, answered.
+
+// Clippy takes functions outside of tests for production code.
+#![allow(clippy::unwrap_used)]
+
+mod accuracy;
+mod answers;
+mod directions;
+mod documents;
+mod failing;
+mod fuzzed;
+mod paper_choice;
+mod running;
+mod support;

@@ -1,0 +1,252 @@
+//! Runs of whole studies: the same bits on any number of threads and after any interruption.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use fem_client::closed_form::ClosedFormSolver;
+use fem_client::solver::{SolveError, SolveRequest};
+use placement::run::usage::cpu_s;
+use placement::run::{Event, Means, RunError, run};
+use placement::study::plan::Plan;
+
+use crate::support::{MemoryArchive, Twisted, observed, shipped, text};
+
+const POINTS: usize = 26;
+
+#[test]
+fn the_result_is_the_same_to_the_bit_on_any_number_of_threads() {
+    let study = shipped("foot-tire");
+    let on = |threads| {
+        let solver = ClosedFormSolver::new().with_delay(Duration::from_millis(1));
+        text(
+            &observed(&study, &solver, &MemoryArchive::default(), threads)
+                .0
+                .unwrap(),
+        )
+    };
+    let one = on(1);
+    assert_eq!(on(2), one);
+    assert_eq!(on(7), one);
+}
+
+#[test]
+fn a_stopped_run_goes_on_where_it_ended_and_gives_the_same_bits() {
+    let study = shipped("foot-tire");
+    let plan = Plan::new(&study).unwrap();
+    let (archive, solver) = (
+        MemoryArchive::default(),
+        Twisted::new(|_: &SolveRequest<'_>| None),
+    );
+    let stop = AtomicBool::new(false);
+    let stop_at_nine = |event| {
+        if matches!(event, Event::PointSolved { done: 9, .. }) {
+            stop.store(true, Ordering::Relaxed);
+        }
+    };
+    let means = Means {
+        solver: &solver,
+        archive: &archive,
+        threads: 2,
+        stop: &stop,
+        pause: None,
+        observer: &stop_at_nine,
+    };
+    let stopped = run(&study, &plan, means);
+    assert_eq!(stopped, Err(RunError::Stopped));
+    // The other thread may have been in the middle of one more solve.
+    let stored = archive.points.lock().unwrap().len();
+    assert!((9..=10).contains(&stored), "{stored}");
+
+    let (resumed, events) = observed(&study, &solver, &archive, 2);
+    let resumed = resumed.unwrap();
+    assert_eq!(
+        events[0],
+        Event::Started {
+            points: POINTS,
+            reused: stored
+        }
+    );
+    assert_eq!(resumed.cost.reused, stored);
+    assert_eq!(archive.rewritten.load(Ordering::Relaxed), 0);
+    let solved = events
+        .iter()
+        .filter(|event| matches!(event, Event::PointSolved { .. }))
+        .count();
+    assert_eq!(solved, POINTS - stored);
+    let undisturbed = observed(&study, &solver, &MemoryArchive::default(), 1)
+        .0
+        .unwrap();
+    assert_eq!(text(&resumed), text(&undisturbed));
+}
+
+/// Even when the wish is there from the start, a pause lets every run do something: it comes to its end, and to the same bits.
+#[test]
+fn a_run_that_is_paused_again_and_again_comes_to_its_end() {
+    let study = shipped("foot-tire");
+    let plan = Plan::new(&study).unwrap();
+    let solver = Twisted::new(|_: &SolveRequest<'_>| None);
+    let archive = MemoryArchive::default();
+    let (stop, pause) = (AtomicBool::new(false), AtomicBool::new(true));
+    let means = Means {
+        solver: &solver,
+        archive: &archive,
+        threads: 2,
+        stop: &stop,
+        pause: Some(&pause),
+        observer: &|_| {},
+    };
+    let mut stored = Vec::new();
+    let result = loop {
+        match run(&study, &plan, means) {
+            Err(RunError::Paused) => stored.push(archive.points.lock().unwrap().len()),
+            other => break other.unwrap(),
+        }
+    };
+    let steps = || stored.windows(2).map(|pair| pair[1] - pair[0]);
+    assert!(steps().all(|step| (1..=2).contains(&step)), "{stored:?}");
+    assert_eq!(solver.solves.load(Ordering::Relaxed), POINTS);
+    let undisturbed = observed(&study, &solver, &MemoryArchive::default(), 1)
+        .0
+        .unwrap();
+    assert_eq!(text(&result), text(&undisturbed));
+}
+
+#[test]
+fn a_finished_study_is_answered_from_the_archive_alone() {
+    let study = shipped("foot-tire");
+    let archive = MemoryArchive::default();
+    let first = observed(&study, &ClosedFormSolver::new(), &archive, 2)
+        .0
+        .unwrap();
+    let refuses = Twisted::new(|_: &SolveRequest<'_>| Some(SolveError::Stopped));
+    let (again, events) = observed(&study, &refuses, &archive, 2);
+    assert_eq!(text(&again.unwrap()), text(&first));
+    assert_eq!(
+        events,
+        [
+            Event::Started {
+                points: POINTS,
+                reused: POINTS
+            },
+            Event::Analysing
+        ]
+    );
+    assert_eq!(refuses.solves.load(Ordering::Relaxed), 0);
+}
+
+/// Linux alone tells it.
+#[cfg(target_os = "linux")]
+#[test]
+fn processor_time_is_that_of_the_run_s_own_threads() {
+    const OF_A_SOLVE: f64 = 0.02;
+    const OTHERS: usize = 4;
+    let busy = || {
+        let begun = cpu_s();
+        while cpu_s() - begun < OF_A_SOLVE {
+            std::hint::black_box(0);
+        }
+    };
+    let solver = Twisted::new(|_: &SolveRequest<'_>| {
+        busy();
+        None
+    });
+    let ended = AtomicBool::new(false);
+    let other = || {
+        while !ended.load(Ordering::Relaxed) {
+            busy();
+        }
+        cpu_s()
+    };
+    std::thread::scope(|scope| {
+        // At work beside it, as other designs of a sweep are.
+        let others: Vec<_> = (0..OTHERS).map(|_| scope.spawn(other)).collect();
+        let (study, archive) = (shipped("foot-tire"), MemoryArchive::default());
+        let result = observed(&study, &solver, &archive, 2).0.unwrap();
+        ended.store(true, Ordering::Relaxed);
+        let own = result.cost.cpu_s;
+        let others: f64 = others.into_iter().map(|o| o.join().unwrap()).sum();
+        let solves = solver.solves.load(Ordering::Relaxed) as f64 * OF_A_SOLVE;
+        // The rest is the analysis.
+        let bound = solves..solves + 0.5 * others;
+        assert!(
+            bound.contains(&own),
+            "{own} s, solves {solves} s, others {others} s"
+        );
+    });
+}
+
+#[test]
+fn events_come_in_order() {
+    let study = shipped("foot-tire");
+    let (result, events) = observed(
+        &study,
+        &ClosedFormSolver::new(),
+        &MemoryArchive::default(),
+        4,
+    );
+    result.unwrap();
+    assert_eq!(
+        events.first(),
+        Some(&Event::Started {
+            points: POINTS,
+            reused: 0
+        })
+    );
+    assert!(matches!(
+        events[1],
+        Event::PointSolved {
+            ordinal: 0,
+            done: 1,
+            of: POINTS,
+            ..
+        }
+    ));
+    assert_eq!(events.last(), Some(&Event::Analysing));
+    let counts: Vec<usize> = events
+        .iter()
+        .filter_map(|event| match event {
+            Event::PointSolved { done, .. } => Some(*done),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(counts, (1..=POINTS).collect::<Vec<_>>());
+}
+
+#[test]
+fn every_other_point_starts_from_the_cut_point() {
+    let study = shipped("foot-tire");
+    let starts = Mutex::new(Vec::new());
+    let watch = Twisted::new(|request: &SolveRequest<'_>| {
+        starts
+            .lock()
+            .unwrap()
+            .push(request.start.map(|start| start.depths_mm.clone()));
+        None
+    });
+    observed(&study, &watch, &MemoryArchive::default(), 3)
+        .0
+        .unwrap();
+    let starts = starts.lock().unwrap();
+    assert_eq!(starts[0], None);
+    assert!(
+        starts[1..]
+            .iter()
+            .all(|start| start.as_deref() == Some(&[1.0; 5]))
+    );
+}
+
+#[test]
+fn a_missing_start_state_is_an_error_that_names_the_entry() {
+    let study = shipped("foot-tire");
+    let archive = MemoryArchive::default();
+    let breaks = Twisted::new(|request: &SolveRequest<'_>| {
+        request.start.map(|_| SolveError::Broken {
+            detail: "lost its file".to_owned(),
+        })
+    });
+    observed(&study, &breaks, &archive, 1).0.unwrap_err();
+    let key = archive.starts.lock().unwrap().drain().next().unwrap().0;
+    let result = observed(&study, &ClosedFormSolver::new(), &archive, 1).0;
+    assert_eq!(result, Err(RunError::StartMissing { key }));
+}

@@ -1,0 +1,3 @@
+//! Studies that are solved with finite elements.
+
+mod effects;

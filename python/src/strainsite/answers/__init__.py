@@ -1,0 +1,1 @@
+"""What the service answers, as typed objects. No file here sends a request."""

@@ -1,0 +1,1 @@
+"""Answers as pandas frames, figures and what notebooks show."""

@@ -1,0 +1,128 @@
+//! The database as the place where solved points are kept.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use fem_client::solver::{Cost, StartState};
+use placement::run::archive::{Archive, ArchiveError, Outcome, PointRecord};
+use sqlx::SqliteConnection;
+use tokio::runtime::Handle;
+use tracing::{Instrument, Span};
+
+use crate::metrics::{Metrics, PointOutcome};
+use store::points::crashes;
+use store::points::evaluations::{self, Evaluation};
+use store::{Store, StoreError};
+
+/// Keeps the points of one study. Used from solving threads, which may wait; never from a task of the runtime.
+pub struct StoreArchive {
+    store: Arc<Store>,
+    runtime: Handle,
+    study: String,
+    metrics: Arc<Metrics>,
+    span: Span,
+    disk_full: AtomicBool,
+}
+
+impl StoreArchive {
+    /// The archive of this study, whose span is the current one.
+    pub fn new(store: Arc<Store>, runtime: Handle, study: &str, metrics: Arc<Metrics>) -> Self {
+        Self {
+            store,
+            runtime,
+            study: study.to_owned(),
+            metrics,
+            span: Span::current(),
+            disk_full: AtomicBool::new(false),
+        }
+    }
+
+    /// Writes in one transaction, and remembers a full disk.
+    fn write(
+        &self,
+        change: impl AsyncFnOnce(&mut SqliteConnection) -> Result<(), StoreError>,
+    ) -> Result<(), ArchiveError> {
+        let written = self.wait(async {
+            let mut transaction = self.store.begin().await?;
+            change(&mut transaction).await?;
+            self.store.commit(transaction, 0).await
+        });
+        if matches!(written, Err(StoreError::Full)) {
+            self.disk_full.store(true, Ordering::Relaxed);
+        }
+        written.map_err(failed)
+    }
+
+    /// Waits for the database, on whichever thread: what is logged of it belongs to the study.
+    fn wait<T>(&self, work: impl Future<Output = T>) -> T {
+        self.runtime.block_on(work.instrument(self.span.clone()))
+    }
+
+    /// Whether a point could not be stored because the disk is full.
+    pub fn disk_full(&self) -> bool {
+        self.disk_full.load(Ordering::Relaxed)
+    }
+}
+
+impl Archive for StoreArchive {
+    /// Whichever study solved them; this one is noted to use them too.
+    fn load(
+        &self,
+        keys: &[String],
+        first: usize,
+    ) -> Result<Vec<Option<(Outcome, Cost)>>, ArchiveError> {
+        let mut reused = 0;
+        self.write(async |connection| {
+            reused = evaluations::link_known(connection, &self.study, first, keys).await?;
+            Ok(())
+        })?;
+        self.metrics.points(PointOutcome::Reused, reused);
+        let found = self.wait(async {
+            let mut connection = self.store.read().await?;
+            evaluations::find(&mut connection, keys).await
+        });
+        let answer = |evaluation: Evaluation| (evaluation.outcome, evaluation.cost);
+        let found = found.map_err(failed)?;
+        Ok(found.into_iter().map(|found| found.map(answer)).collect())
+    }
+
+    fn begin(&self, key: &str) -> Result<(), ArchiveError> {
+        self.write(async |connection| crashes::begin(connection, key).await)
+    }
+
+    fn give_up(&self, key: &str) -> Result<(), ArchiveError> {
+        self.write(async |connection| crashes::end(connection, key).await)
+    }
+
+    fn crashes(&self, key: &str) -> Result<usize, ArchiveError> {
+        let found = self.wait(async {
+            let mut connection = self.store.read().await?;
+            crashes::of(&mut connection, key).await
+        });
+        found.map_err(failed)
+    }
+
+    /// One transaction for the evaluation, its start state and its place in the study: a kill leaves all or nothing.
+    fn save(&self, point: &PointRecord<'_>) -> Result<(), ArchiveError> {
+        self.write(async |connection| {
+            evaluations::insert(connection, &self.study, point).await?;
+            crashes::end(connection, point.key).await
+        })?;
+        self.metrics.solve(point.cost.wall_s);
+        Ok(())
+    }
+
+    fn load_start(&self, key: &str) -> Result<Option<StartState>, ArchiveError> {
+        let found = self.wait(async {
+            let mut connection = self.store.read().await?;
+            evaluations::find_start(&mut connection, key).await
+        });
+        found.map_err(failed)
+    }
+}
+
+fn failed(error: StoreError) -> ArchiveError {
+    ArchiveError {
+        detail: error.to_string(),
+    }
+}

@@ -1,0 +1,289 @@
+//! Runs one claimed study from its document to its end, the same for the service and for the command line.
+//!
+//! A study that was interrupted anywhere is run again as if it were new: its plan is the same, the archive has the
+//! points that were solved, and what is lacking is solved from the same start.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+use fem_client::solver::Solver;
+use placement::ladder::climb;
+use placement::result::{Estimate, FailedPoint, StudyResult};
+use placement::run::usage::{cpu_s, peak_memory_bytes};
+use placement::run::{Event, Means, RunError};
+use placement::score::assemble::version;
+use placement::study::Study;
+use serde_json::{Value, json};
+use tokio::runtime::Handle;
+
+use crate::answered::{Answered, answered};
+use crate::database_archive::StoreArchive;
+use crate::forecast::forecast;
+use crate::metrics::{Metrics, PointOutcome};
+use crate::solving::traced::Traced;
+use crate::study_document::stored_plan;
+use store::answers::result_rows;
+use store::queue::event_rows;
+use store::queue::study_rows::{self, State, StudyRow};
+use store::queue::turns;
+use store::{Store, StoreError};
+
+/// What a study is run with.
+#[derive(Clone)]
+pub struct Engine {
+    /// Where points and results go.
+    pub store: Arc<Store>,
+    /// Who solves.
+    pub solver: Arc<dyn Solver>,
+    /// Solves that run at once.
+    pub threads: usize,
+    /// Counts points.
+    pub metrics: Arc<Metrics>,
+}
+
+/// How a run ended.
+#[derive(Debug)]
+pub enum End {
+    /// With a result.
+    Done(Box<StudyResult>),
+    /// Without one.
+    Failed {
+        /// Why, a sentence.
+        error: String,
+        /// The points that have no response.
+        points: Vec<FailedPoint>,
+    },
+    /// On request; what was solved is kept.
+    Stopped,
+    /// Because it was another study's turn; what was solved is kept.
+    Paused,
+    /// Because the disk is full; what was solved before is kept.
+    DiskFull,
+}
+
+impl End {
+    /// One word for the log.
+    pub fn as_str(&self) -> &'static str {
+        match self {
+            Self::Done(_) => "done",
+            Self::Failed { .. } => "failed",
+            Self::Stopped => "stopped",
+            Self::Paused => "paused",
+            Self::DiskFull => "disk full",
+        }
+    }
+
+    /// A failure that no single point is to blame for.
+    pub fn failed(error: impl Into<String>) -> Self {
+        Self::Failed {
+            error: error.into(),
+            points: Vec::new(),
+        }
+    }
+}
+
+impl Engine {
+    /// Runs a claimed study until it ends, `stop` is set, or `pause` is and the solves in flight have ended. Blocks: call it on a
+    /// plain thread.
+    pub fn run(
+        &self,
+        row: &StudyRow,
+        runtime: &Handle,
+        stop: &AtomicBool,
+        pause: Option<&AtomicBool>,
+        progress: &(dyn Fn(&Event) + Sync),
+    ) -> End {
+        // Of the highest level, so that no filter takes the study's name from a line that it lets through.
+        let span = tracing::error_span!("study", study = row.id);
+        let _entered = span.enter();
+        let (study, plan) = match stored_plan(row) {
+            Ok(read) => read,
+            Err(error) => return End::failed(error),
+        };
+        let archive = StoreArchive::new(
+            self.store.clone(),
+            runtime.clone(),
+            &row.id,
+            self.metrics.clone(),
+        );
+        let observer = |event: Event| {
+            let _entered = span.enter();
+            if let Err(error) = runtime.block_on(self.record(&row.id, &event)) {
+                tracing::warn!(study = row.id, %error, "an event could not be recorded");
+            }
+            self.metrics.event(&event);
+            progress(&event);
+        };
+        let solver = Traced::new(self.solver.clone(), span.clone());
+        let means = Means {
+            solver: &solver,
+            archive: &archive,
+            threads: self.threads,
+            stop,
+            pause,
+            observer: &observer,
+        };
+        let begun = (Instant::now(), cpu_s());
+        let estimate = runtime.block_on(self.estimated(row, &study));
+        if let Some(Answered { mut result, points }) = runtime.block_on(self.answered(row, &study))
+        {
+            observer(Event::Started {
+                points,
+                reused: points,
+            });
+            result.estimate = estimate;
+            result.cost.wall_s = begun.0.elapsed().as_secs_f64();
+            result.cost.cpu_s = (cpu_s() - begun.1).max(0.0);
+            result.cost.peak_memory_bytes = peak_memory_bytes();
+            return End::Done(Box::new(result));
+        }
+        match climb::answer(&study, &plan, means) {
+            Ok(mut result) => {
+                result.estimate = estimate;
+                result.study.id.clone_from(&row.id);
+                End::Done(Box::new(result))
+            }
+            Err(RunError::Stopped) => End::Stopped,
+            Err(RunError::Paused) => End::Paused,
+            Err(RunError::Archive(_)) if archive.disk_full() => End::DiskFull,
+            Err(error) => End::Failed {
+                error: error.to_string(),
+                points: error.failed_points().to_vec(),
+            },
+        }
+    }
+
+    /// The answer of an earlier study of the same document. Where there is none, or it can't be had, the study is computed.
+    async fn answered(&self, row: &StudyRow, study: &Study) -> Option<Answered> {
+        let version = version(&self.solver.version());
+        let found = answered(&self.store, row, study, &version).await;
+        let found = found.unwrap_or_else(|error| {
+            tracing::warn!(%error, "whether the study was answered before isn't known");
+            None
+        })?;
+        let shared = u64::try_from(found.points).unwrap_or(0);
+        self.metrics.points(PointOutcome::Reused, shared);
+        Some(found)
+    }
+
+    /// What the study is expected to take, stored with it. Not worth a study: without it the study runs too.
+    async fn estimated(&self, row: &StudyRow, study: &Study) -> Option<Estimate> {
+        let estimate = match forecast(Some(&self.store), &self.solver, self.threads, study).await {
+            Ok(estimate) => estimate,
+            Err(error) => {
+                tracing::warn!(%error, "the study's cost could not be estimated");
+                return None;
+            }
+        };
+        let stored = async {
+            let mut transaction = self.store.begin().await?;
+            study_rows::set_estimate(&mut transaction, &row.id, &estimate).await?;
+            self.store.commit(transaction, 0).await
+        };
+        if let Err(error) = stored.await {
+            tracing::warn!(%error, "the study's estimate could not be stored");
+        }
+        Some(estimate)
+    }
+
+    async fn record(&self, study: &str, event: &Event) -> Result<(), StoreError> {
+        let mut transaction = self.store.begin().await?;
+        // A solve may end after its study was cancelled: its point is kept, but nothing comes after the last event.
+        if !study_rows::is_running(&mut transaction, study).await? {
+            return Ok(());
+        }
+        if let Some((total, done)) = progress_of(event) {
+            study_rows::set_progress(&mut transaction, study, total, done).await?;
+        }
+        let (kind, payload) = wire(event);
+        let id = event_rows::insert(&mut transaction, study, kind, &payload).await?;
+        self.store.commit(transaction, id).await
+    }
+
+    /// Records how a run ended. Returns false, and changes nothing, when the study was cancelled meanwhile.
+    ///
+    /// # Errors
+    /// When the database can't be written; then the study is still running and this can be tried again.
+    pub async fn settle(&self, row: &StudyRow, end: &End) -> Result<bool, StoreError> {
+        let mut transaction = self.store.begin().await?;
+        let (changed, kind, payload) = match end {
+            End::Done(result) => {
+                result_rows::insert(&mut transaction, &row.id, result).await?;
+                let sha256 = result_rows::sha256_of(&mut transaction, &row.id).await?;
+                let changed =
+                    study_rows::finish(&mut transaction, &row.id, State::Done, None).await?;
+                (changed, "done", json!({"result_sha256": sha256}))
+            }
+            End::Failed { error, points } => {
+                let changed =
+                    study_rows::finish(&mut transaction, &row.id, State::Failed, Some(error))
+                        .await?;
+                (
+                    changed,
+                    "failed",
+                    json!({"error": error, "failed_points": points}),
+                )
+            }
+            End::Stopped | End::DiskFull => {
+                let changed = turns::release(&mut transaction, &row.id).await?;
+                (changed, "queued", json!({"resumed": true}))
+            }
+            End::Paused => {
+                let changed = turns::pass_on(&mut transaction, &row.id).await?;
+                (changed, "queued", json!({"resumed": true}))
+            }
+        };
+        if !changed {
+            return Ok(false);
+        }
+        let id = event_rows::insert(&mut transaction, &row.id, kind, &payload).await?;
+        self.store.commit(transaction, id).await?;
+        Ok(true)
+    }
+}
+
+/// Total and finished points, when the event changes them.
+fn progress_of(event: &Event) -> Option<(usize, usize)> {
+    match *event {
+        Event::Started { points, reused } => Some((points, reused)),
+        Event::PointSolved { done, of, .. } | Event::PointFailed { done, of, .. } => {
+            Some((of, done))
+        }
+        Event::Analysing => None,
+    }
+}
+
+fn wire(event: &Event) -> (&'static str, Value) {
+    match event {
+        Event::Started { points, reused } => {
+            ("started", json!({"points": points, "reused": reused}))
+        }
+        Event::PointSolved {
+            ordinal,
+            done,
+            of,
+            wall_s,
+            newton_iterations,
+        } => (
+            "point-solved",
+            json!({
+                "ordinal": ordinal,
+                "done": done,
+                "of": of,
+                "wall_s": wall_s,
+                "newton_iterations": newton_iterations,
+            }),
+        ),
+        Event::PointFailed {
+            ordinal,
+            done,
+            of,
+            cause,
+        } => (
+            "point-failed",
+            json!({"ordinal": ordinal, "done": done, "of": of, "cause": cause}),
+        ),
+        Event::Analysing => ("analysing", json!({})),
+    }
+}

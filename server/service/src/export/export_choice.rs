@@ -1,0 +1,112 @@
+//! Tables and formats to choose from, and why a file can't be made.
+
+use serde::Deserialize;
+use utoipa::ToSchema;
+
+/// What is wanted of a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, ToSchema, clap::ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum Table {
+    /// Indices of every strain with their errors: one row per location, direction and input.
+    Indices,
+    /// Ranked locations.
+    Locations,
+    /// Ranked layouts.
+    Layouts,
+    /// Solved points: inputs, force, strains.
+    Points,
+}
+
+impl Table {
+    const ALL: [Self; 4] = [Self::Indices, Self::Locations, Self::Layouts, Self::Points];
+
+    /// The name in addresses and file names.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Indices => "indices",
+            Self::Locations => "locations",
+            Self::Layouts => "layouts",
+            Self::Points => "points",
+        }
+    }
+
+    /// The table of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|table| table.as_str() == name)
+    }
+}
+
+/// How a file is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, ToSchema, clap::ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum FileFormat {
+    /// One table as comma-separated values.
+    Csv,
+    /// The whole result.
+    Json,
+    /// One table with typed columns, for data frames.
+    Parquet,
+    /// The map on the inner surface, for ParaView.
+    Vtu,
+}
+
+impl FileFormat {
+    const ALL: [Self; 4] = [Self::Csv, Self::Json, Self::Parquet, Self::Vtu];
+
+    /// The name in addresses, and the ending of file names.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Json => "json",
+            Self::Parquet => "parquet",
+            Self::Vtu => "vtu",
+        }
+    }
+
+    /// The format of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.as_str() == name)
+    }
+
+    /// The media type. None is registered for VTK's formats; a VTU file is well-formed XML.
+    pub fn media_type(self) -> &'static str {
+        match self {
+            Self::Csv => "text/csv; charset=utf-8",
+            Self::Json => "application/json",
+            Self::Parquet => "application/vnd.apache.parquet",
+            Self::Vtu => "application/xml",
+        }
+    }
+
+    /// Whether a table has to be chosen.
+    pub fn has_tables(self) -> bool {
+        matches!(self, Self::Csv | Self::Parquet)
+    }
+
+    /// Whether people can read it on a terminal.
+    pub fn is_text(self) -> bool {
+        matches!(self, Self::Csv | Self::Json)
+    }
+}
+
+/// A file that can't be made.
+#[derive(Debug, thiserror::Error)]
+pub enum ExportError {
+    /// The study has no map.
+    #[error("this study has no map: its document asks for no candidates.grid")]
+    NoMap,
+    /// Its result is an earlier version's.
+    #[error(
+        "this result was found by a version that didn't keep where the points of a map lie: submit its document again"
+    )]
+    NoShape,
+    /// The map isn't one.
+    #[error("the VTU file can't be made: {0}")]
+    Vtu(#[from] vtu::VtuError),
+    /// The writer of Parquet failed.
+    #[error("the Parquet file can't be made: {0}")]
+    Parquet(#[from] ::parquet::errors::ParquetError),
+    /// The result can't be written as JSON.
+    #[error("the result can't be written as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}

@@ -1,0 +1,147 @@
+//! What a study would cost on this machine, with what this database knows.
+
+use std::collections::HashSet;
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+use fem_client::solver::Solver;
+use placement::estimate::{Machine, Workload, estimate};
+use placement::result::Estimate;
+use placement::study::Study;
+use placement::study::plan::PlanError;
+use placement::sweep::Sweep;
+
+use crate::wire::sweep_wire::{DesignEstimate, SweepEstimate};
+use store::points::evaluations;
+use store::{Store, StoreError};
+
+/// Why there is no estimate.
+#[derive(Debug, thiserror::Error)]
+pub enum ForecastError {
+    /// The study can't be planned.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// The database failed.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// It would take more memory than there is.
+    #[error("the study would take about {} of memory, and {} are there; a coarser level, fewer points, a smaller candidates.grid or fewer threads take less", gigabytes(*.needed_bytes), gigabytes(*.there_bytes))]
+    Memory {
+        /// What it would take, bytes.
+        needed_bytes: u64,
+        /// What it may take, bytes.
+        there_bytes: u64,
+    },
+    /// Planning panicked.
+    #[error("the study could not be planned; the log says why")]
+    Broken,
+}
+
+fn gigabytes(bytes: u64) -> String {
+    format!("{:.2} GB", bytes as f64 / 1e9)
+}
+
+/// What a study would cost. Times are corrected by the newest solves of the database; what it holds already costs nothing.
+///
+/// # Errors
+/// See [`ForecastError`].
+pub async fn forecast(
+    store: Option<&Store>,
+    solver: &Arc<dyn Solver>,
+    threads: usize,
+    study: &Study,
+) -> Result<Estimate, ForecastError> {
+    let work = planned(solver, study, Workload::of).await?;
+    let (mut known, mut samples) = (HashSet::new(), Vec::new());
+    if let Some(store) = store {
+        let keys: Vec<&str> = work.keys().collect();
+        let mut connection = store.read().await?;
+        known = evaluations::known(&mut connection, &keys).await?;
+        samples = evaluations::samples(&mut connection).await?;
+    }
+    let machine = Machine::measured(solves_at_once(threads), &samples, solver.as_ref());
+    Ok(estimate(&work, &known, &machine))
+}
+
+fn solves_at_once(threads: usize) -> usize {
+    let cores = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    threads.min(cores)
+}
+
+/// A large design takes a second to plan, which the runtime's threads haven't.
+async fn planned(
+    solver: &Arc<dyn Solver>,
+    study: &Study,
+    plan: fn(&Study, &dyn Solver) -> Result<Workload, PlanError>,
+) -> Result<Workload, ForecastError> {
+    let (solver, study) = (solver.clone(), study.clone());
+    let planned = tokio::task::spawn_blocking(move || plan(&study, solver.as_ref()));
+    Ok(planned.await.map_err(|_| ForecastError::Broken)??)
+}
+
+/// What the designs of a sweep would cost, one after the other: what one of them solves is known to those after it.
+///
+/// # Errors
+/// See [`ForecastError`].
+pub async fn forecast_sweep(
+    store: Option<&Store>,
+    solver: &Arc<dyn Solver>,
+    threads: usize,
+    sweep: &Sweep,
+) -> Result<SweepEstimate, ForecastError> {
+    let (mut known, mut samples, mut designs) = (HashSet::new(), None, Vec::new());
+    for design in &sweep.designs {
+        let work = planned(solver, &design.study, Workload::of).await?;
+        if let Some(store) = store {
+            let keys: Vec<&str> = work.keys().collect();
+            let mut connection = store.read().await?;
+            known.extend(evaluations::known(&mut connection, &keys).await?);
+            if samples.is_none() {
+                samples = Some(evaluations::samples(&mut connection).await?);
+            }
+        }
+        let samples = samples.as_deref().unwrap_or_default();
+        let machine = Machine::measured(solves_at_once(threads), samples, solver.as_ref());
+        designs.push(DesignEstimate {
+            name: design.name.clone(),
+            estimate: estimate(&work, &known, &machine),
+        });
+        known.extend(work.keys().map(str::to_owned));
+    }
+    Ok(SweepEstimate::of(designs))
+}
+
+/// What a study takes of memory with so many solves at once, bytes.
+///
+/// # Errors
+/// When it can't be planned.
+pub fn memory_bytes(study: &Study, solver: &dyn Solver, threads: usize) -> Result<u64, PlanError> {
+    let work = Workload::without_keys(study, solver)?;
+    Ok(memory_of(&work, threads))
+}
+
+fn memory_of(work: &Workload, threads: usize) -> u64 {
+    let machine = Machine::new(solves_at_once(threads));
+    estimate(work, &HashSet::new(), &machine).peak_memory_bytes
+}
+
+/// Refuses a study that would take more memory than it may, before anything of it is allocated.
+///
+/// # Errors
+/// [`ForecastError::Memory`]; when the study can't be planned.
+pub async fn admit(
+    solver: &Arc<dyn Solver>,
+    threads: usize,
+    there_bytes: u64,
+    study: &Study,
+) -> Result<(), ForecastError> {
+    let work = planned(solver, study, Workload::without_keys).await?;
+    let needed_bytes = memory_of(&work, threads);
+    if needed_bytes > there_bytes {
+        return Err(ForecastError::Memory {
+            needed_bytes,
+            there_bytes,
+        });
+    }
+    Ok(())
+}

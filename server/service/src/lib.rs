@@ -1,0 +1,33 @@
+//! What strainsite does with studies, whoever asks: neither HTTP nor command line.
+//!
+//! The modules, in reading order:
+//!
+//! - [`solving`]: which solver answers, chosen here and nowhere else, and how a solve is watched
+//! - [`shutdown`]: the wish to stop
+//! - [`study_document`]: study documents from files and from the database
+//! - [`point_views`]: the points of a study as a reader sees them
+//! - [`wire`]: what goes over the wire
+//! - [`metrics`]: what is counted and measured
+//! - [`database_archive`]: the database as the place where solved points are kept
+//! - [`forecast`]: what a study would cost
+//! - [`answered`]: the same study again
+//! - [`engine`]: runs one study from its document to its end
+//! - [`queue`]: the queue of studies
+//! - [`sweeps`]: many designs of a study as one
+//! - [`comparison`]: studies side by side
+//! - [`export`]: answers as tables for other programs
+
+pub mod answered;
+pub mod comparison;
+pub mod database_archive;
+pub mod engine;
+pub mod export;
+pub mod forecast;
+pub mod metrics;
+pub mod point_views;
+pub mod queue;
+pub mod shutdown;
+pub mod solving;
+pub mod study_document;
+pub mod sweeps;
+pub mod wire;

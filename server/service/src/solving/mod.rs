@@ -1,0 +1,9 @@
+//! Who solves, and how a solve is watched.
+//!
+//! - [`solver_choice`]: which solver answers
+//! - [`watched`]: solves that come to an end in time
+//! - [`traced`]: solves whose lines in the log say for which study
+
+pub mod solver_choice;
+pub mod traced;
+pub mod watched;

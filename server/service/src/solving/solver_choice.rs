@@ -1,0 +1,37 @@
+//! Which solver answers: chosen here and nowhere else.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
+
+use calculix::CalculixSolver;
+use fem_client::solver::Solver;
+use tire::embedded::EmbeddedSolver;
+
+use crate::solving::watched::Watched;
+
+pub use calculix::NotInstalled;
+
+/// A Newton iteration on the largest mesh that is allowed takes seconds; what hasn't ended then won't.
+const GRACE: Duration = Duration::from_secs(60);
+
+/// Who solves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SolverName<'p> {
+    /// This program's own finite elements.
+    Embedded,
+    /// An installed CalculiX: its program.
+    Calculix(&'p Path),
+}
+
+/// The solver of this name; a solve that takes longer than `limit` ends without an answer.
+///
+/// # Errors
+/// When CalculiX is asked for and isn't installed.
+pub fn solver(name: SolverName<'_>, limit: Duration) -> Result<Arc<dyn Solver>, NotInstalled> {
+    let solver: Arc<dyn Solver> = match name {
+        SolverName::Embedded => Arc::new(EmbeddedSolver::default()),
+        SolverName::Calculix(program) => Arc::new(CalculixSolver::new(program, limit + GRACE)?),
+    };
+    Ok(Arc::new(Watched::new(solver, limit, GRACE)))
+}

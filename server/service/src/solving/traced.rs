@@ -1,0 +1,48 @@
+//! A solver whose solves belong to a span of the log, whichever thread they run on.
+
+use std::sync::Arc;
+
+use fem_client::scene::Scene;
+use fem_client::solver::Coarser;
+use fem_client::solver::Omission;
+use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
+use tracing::Span;
+
+/// Another solver, whose every line in the log says what it is at work for.
+pub struct Traced {
+    solver: Arc<dyn Solver>,
+    span: Span,
+}
+
+impl Traced {
+    /// Solves within this span.
+    pub fn new(solver: Arc<dyn Solver>, span: Span) -> Self {
+        Self { solver, span }
+    }
+}
+
+impl Solver for Traced {
+    fn version(&self) -> String {
+        self.solver.version()
+    }
+
+    fn coarser(&self, scene: &Scene) -> Option<Coarser> {
+        self.solver.coarser(scene)
+    }
+
+    fn omissions(&self, scene: &Scene) -> Vec<Omission> {
+        self.solver.omissions(scene)
+    }
+
+    fn cells(&self, scene: &Scene) -> usize {
+        self.solver.cells(scene)
+    }
+
+    fn has_time_law(&self) -> bool {
+        self.solver.has_time_law()
+    }
+
+    fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        self.span.in_scope(|| self.solver.solve(request))
+    }
+}

@@ -1,0 +1,91 @@
+//! Study documents from files and from the database.
+
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use std::path::Path;
+
+use fem_client::document::Format;
+use fem_client::document::fault::Fault;
+use placement::study::Study;
+use placement::study::plan::Plan;
+use placement::sweep::{changed, typed_settings};
+
+use store::queue::study_rows::StudyRow;
+
+/// The study that a row of the database asks for.
+///
+/// # Errors
+/// A sentence, when this version refuses what an earlier one stored.
+pub fn stored_study(row: &StudyRow) -> Result<Study, String> {
+    stored_text(&row.spec)
+}
+
+/// The study of a canonical document in the database.
+///
+/// # Errors
+/// As for [`stored_study`].
+pub fn stored_text(spec: &str) -> Result<Study, String> {
+    let refuse = |path: &str| Err(format!("a stored study names the file {path:?}"));
+    Study::from_document(spec, Format::Json, &refuse).map_err(|faults| {
+        let first = faults.first().map(Fault::to_string).unwrap_or_default();
+        format!("this version refuses the stored document: {first}")
+    })
+}
+
+/// The same with its plan, which a large design takes a second to make.
+///
+/// # Errors
+/// As for [`stored_study`]; when it can't be planned.
+pub fn stored_plan(row: &StudyRow) -> Result<(Study, Plan), String> {
+    let study = stored_study(row)?;
+    let plan = Plan::new(&study).map_err(|error| error.to_string())?;
+    Ok((study, plan))
+}
+
+/// Reads a text file, or says in a fault why it can't be read.
+///
+/// # Errors
+/// One fault naming the file.
+pub fn read_file(path: &Path) -> Result<String, Vec<Fault>> {
+    std::fs::read_to_string(path).map_err(|error| {
+        vec![Fault {
+            pointer: String::new(),
+            detail: format!("{} can't be read: {error}", path.display()),
+        }]
+    })
+}
+
+/// Reads a study from its text. Scene files that it names are looked for beside the study first, then in the
+/// working folder.
+///
+/// # Errors
+/// Every fault of the document.
+pub fn read_study(text: &str, path: &Path) -> Result<Study, Vec<Fault>> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let scene_file = |name: &str| {
+        let beside = folder.join(name);
+        let file = if beside.exists() {
+            beside
+        } else {
+            Path::new(name).to_owned()
+        };
+        std::fs::read_to_string(&file)
+            .map_err(|error| format!("{} can't be read: {error}", file.display()))
+    };
+    Study::from_document(text, format_of(path), &scene_file)
+}
+
+/// Reads a study file, with the fields that are set by texts of the form `KEY=VALUE`.
+///
+/// # Errors
+/// Every fault of the file, or else of what is set.
+pub fn read_changed(path: &Path, set: &[String]) -> Result<Study, Vec<Fault>> {
+    let study = read_study(&read_file(path)?, path)?;
+    changed(study, typed_settings(set)?)
+}
+
+/// The format that a file's name promises.
+pub fn format_of(path: &Path) -> Format {
+    Format::of_path(&path.to_string_lossy())
+}

@@ -1,0 +1,218 @@
+//! Examples of the service's documents. A test reads each back as the type that it is an example of.
+
+use fem_client::document::{Format, parse};
+use serde_json::{Value, json};
+
+const ID: &str = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b";
+const SHA256: &str = "af5570f5a1810b7af78caf4bc70a660f0df51e42baf91d4de5b2328de0e83dfc";
+
+/// A small study, as TOML.
+pub fn study_toml() -> &'static str {
+    "name = \"two depths\"\nscene = { preset = \"foot-tire\" }\n\
+     [[inputs]]\nname = \"P2\"\nvary = \"ground.depths_mm[1]\"\ndistribution = { kind = \"uniform\", min = 0.7, max = 1.3 }\n\
+     [[inputs]]\nname = \"P3\"\nvary = \"ground.depths_mm[2]\"\ndistribution = { kind = \"uniform\", min = 0.7, max = 1.3 }\n\
+     [method]\nkind = \"mdrm\"\nnodes = 3\n[accuracy]\npreset = \"draft\"\n"
+}
+
+/// The same as JSON.
+pub fn study() -> Value {
+    parse(study_toml(), Format::Toml).unwrap_or_default()
+}
+
+/// A study at work.
+pub fn summary() -> Value {
+    json!({
+        "id": ID, "name": "two depths", "state": "running", "spec_sha256": SHA256, "points_total": 10, "points_done": 4,
+        "error": null, "priority": 0, "created": "2026-11-22T01:02:03.456Z", "started": "2026-11-22T01:02:03.460Z", "finished": null,
+    })
+}
+
+/// The same with its document.
+pub fn detail() -> Value {
+    let mut detail = summary();
+    detail["document"] = study();
+    detail["estimate"] = estimate();
+    detail["result_sha256"] = Value::Null;
+    detail["trade_measured"] = false.into();
+    detail["sweep"] = Value::Null;
+    detail
+}
+
+/// What it is expected to take.
+pub fn estimate() -> Value {
+    json!({
+        "solves": {"own": 10, "coarser": 0, "effects": 0, "known": 0, "left": {"least": 10, "expected": 10, "most": 10}},
+        "wall_s": {"least": 0.06, "expected": 0.18, "most": 0.54},
+        "peak_memory_bytes": 36_000_000,
+        "accuracy": {"fidelity": "draft mdrm 3", "error_true": 0.022, "error_claimed": 0.1323},
+        "threads": 2, "measured_solves": 0,
+        "reasons": ["this database has no solves to measure this machine by: the times are those of another machine, and off by a factor of 3"],
+    })
+}
+
+/// A place in the ranking.
+pub fn location() -> Value {
+    json!({
+        "name": "P3", "input": "P3", "rank": 1, "gsi_x_percent": 88.3, "gsi_y_percent": 73.3, "gsi_x_error_percent": 0.2, "gsi_y_error_percent": 0.4,
+        "mean_gsi_x_percent": 60.7, "mean_gsi_y_percent": 59.4, "own_gsi_x_percent": 88.3, "own_gsi_y_percent": 73.3,
+        "mdrm_gsi_x_percent": 85.2, "mdrm_gsi_y_percent": 73.3, "rank_x": 1, "rank_y": 1, "rank_certain": true,
+    })
+}
+
+/// A layout.
+pub fn layout() -> Value {
+    json!({
+        "rank": 1, "spacing_deg": 60.0, "units": 6, "position": "crown", "films": ["x", "y"],
+        "score": {"weakest_signal": 0.002, "worst_angle_error_deg": 3.1, "rms_angle_error_deg": 1.2, "worst_depth_error_mm": 0.08, "noise_strain": 0.0017},
+    })
+}
+
+fn strain() -> Value {
+    json!({"name": "P3", "theta_deg": 0.0, "strain_x": 0.0202, "strain_y": 0.0846, "von_mises_mpa": 0.147})
+}
+
+/// A solved point.
+pub fn evaluation() -> Value {
+    json!({
+        "ordinal": 0, "key": SHA256, "level": "draft", "values": [1.0, 1.0], "reaction_n": 13.39, "locations": [strain()], "newton_iterations": 14,
+        "wall_s": 0.07,
+    })
+}
+
+/// A point of a study, as its stream tells it.
+pub fn event() -> Value {
+    let data = json!({"kind": "point-solved", "time": "2026-11-22T01:02:03.456Z", "ordinal": 3, "done": 4, "of": 10, "wall_s": 0.07, "newton_iterations": 5});
+    json!({"id": "17", "event": "point-solved", "data": data.to_string()})
+}
+
+/// A layer of a map of one point.
+pub fn map() -> Value {
+    json!({
+        "direction": "x", "input": "P3", "theta_deg": [0.0], "phi_deg": [0.0], "first_order": [0.883], "std": [0.0109], "strain": [0.0202],
+        "error": [0.002], "status": ["ok"],
+    })
+}
+
+/// A result, with one of each of its lists.
+pub fn result() -> Value {
+    json!({
+        "study": {"id": ID, "name": "two depths", "spec_sha256": SHA256, "version": "strainsite 0.1.0"},
+        "model": {"dimension": "3d-half", "level": "draft", "elements": 600, "dofs": 2610,
+                  "modelled": [{"what": "contact", "why": "rigid ground, penalty on the vertical gap"}], "left_out": []},
+        "inputs": [{"name": "P3", "vary": "ground.depths_mm[2]", "distribution": {"kind": "uniform", "min": 0.7, "max": 1.3}}],
+        "outputs": [{"location": "P3", "direction": "x", "mean": 0.0201, "std": 0.0109, "first_order": [0.883], "total": [0.883],
+                     "method": "mdrm", "status": "ok",
+                     "error": {"mesh": null, "quadrature": 1e-5, "decomposition": 0.001, "total": 0.00101, "reason": "a draft doesn't know its mesh's error"}}],
+        "locations": [location()], "layouts": [layout()], "map": null,
+        "notes": ["The errors of the indices leave out the mesh."], "failed_points": [],
+        "cut_point": {"values": [1.0], "reaction_n": 13.39, "inflated_outer_radius_mm": 50.39, "locations": [strain()], "residual_history": [[0.6, 0.003, 2e-9]]},
+        "cost": {"solves": 10, "reused": 0, "newton_iterations": 40, "wall_s": 0.2, "cpu_s": 0.3, "peak_memory_bytes": 36_000_000,
+                 "factorisation_share": 0.2, "assembly_share": 0.3, "other_share": 0.5},
+        "estimate": estimate(),
+    })
+}
+
+/// The first rows of a table.
+pub fn csv() -> &'static str {
+    "rank,name,input,gsi_x_percent,gsi_y_percent\n1,P3,P3,72.86,55.33\n"
+}
+
+/// The beginning of a Parquet file.
+pub fn parquet() -> &'static str {
+    "PAR1"
+}
+
+/// The beginning of a map's file.
+pub fn vtu() -> &'static str {
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+}
+
+/// A trade of one rung.
+pub fn trade() -> Value {
+    let rung = json!({
+        "label": "draft mdrm 3", "fidelity": {"level": "draft", "method": "mdrm", "nodes": 3, "check_points": 5}, "wall_s": 0.2, "cpu_s": 0.24,
+        "solves": 16, "error_true": 0.0235, "error_claimed": 0.1051, "covered": 1.0, "ranking_agrees": true, "pareto": true, "indices": [],
+    });
+    json!({"study": "two depths", "spec_sha256": SHA256, "reference": rung, "rungs": [rung]})
+}
+
+/// A shipped document.
+pub fn preset() -> Value {
+    json!({"name": "two-depths", "title": "two depths", "document": study(), "comment": "A small study."})
+}
+
+/// Something that isn't there.
+pub fn absent() -> Value {
+    json!({"type": "about:blank", "title": "Not Found", "status": 404, "detail": "there is no study \"x\"", "request_id": ID})
+}
+
+/// Somebody without the token.
+pub fn locked() -> Value {
+    json!({"type": "about:blank", "title": "Unauthorized", "status": 401, "detail": "this service asks for its token", "request_id": ID})
+}
+
+/// More than a service takes on.
+pub fn crowded() -> Value {
+    json!({
+        "type": "about:blank", "title": "Too Many Requests", "status": 429,
+        "detail": "at most 20000 studies may wait: send it again when some are done", "request_id": ID,
+    })
+}
+
+/// A service that can't work.
+pub fn unready() -> Value {
+    json!({
+        "type": "about:blank", "title": "Service Unavailable", "status": 503, "detail": "the database does not answer; the service's log says why",
+        "request_id": ID,
+    })
+}
+
+/// A document with a fault.
+pub fn faults() -> Value {
+    json!({
+        "type": "about:blank", "title": "Unprocessable Entity", "status": 422, "detail": "the document has one fault",
+        "errors": [{"pointer": "/method/nodes", "detail": "must be a whole number from 1 to 65; it is 0"}], "request_id": ID,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use placement::ladder::trade::Trade;
+    use placement::result::{Estimate, StudyResult};
+    use placement::study::Study;
+    use serde::de::DeserializeOwned;
+
+    use super::super::study_wire as wire;
+    use super::*;
+    use crate::point_views::EvaluationView;
+
+    fn reads<T: DeserializeOwned>(example: Value) {
+        serde_json::from_value::<T>(example.clone())
+            .unwrap_or_else(|error| panic!("{}: {error}: {example}", std::any::type_name::<T>()));
+    }
+
+    #[test]
+    fn examples_are_of_their_types() {
+        reads::<wire::StudySummary>(summary());
+        reads::<wire::StudyDetail>(detail());
+        reads::<EvaluationView>(evaluation());
+        reads::<wire::StreamEvent>(event());
+        reads::<wire::MapView>(map());
+        reads::<wire::Preset>(preset());
+        reads::<wire::StudyDocument>(study());
+        reads::<Estimate>(estimate());
+        reads::<StudyResult>(result());
+        reads::<Trade>(trade());
+    }
+
+    #[test]
+    fn the_example_study_is_valid() {
+        let refuse = |path: &str| Err(path.to_owned());
+        for (text, format) in [
+            (study_toml().to_owned(), Format::Toml),
+            (study().to_string(), Format::Json),
+        ] {
+            Study::from_document(&text, format, &refuse).expect("a valid study");
+        }
+    }
+}

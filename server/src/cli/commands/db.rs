@@ -1,0 +1,157 @@
+//! `strainsite db`: looks after the database file.
+
+use std::path::{Path, PathBuf};
+use std::pin::pin;
+
+use clap::{Args, Subcommand};
+use tokio::runtime::Runtime;
+
+use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::output::{JsonTarget, tell};
+use crate::cli::terminal::paint::{BAD, GOOD, painted};
+use crate::cli::terminal::progress::{TICK, bytes_bar, clock, count, counting_bar};
+use store::file::upkeep::{self, Inspection};
+
+/// Look after the database file
+#[derive(Debug, Args)]
+pub struct Db {
+    #[command(subcommand)]
+    task: Task,
+    /// Database file
+    #[arg(
+        long,
+        global = true,
+        env = "STRAINSITE_DB",
+        value_name = "FILE",
+        default_value = "strainsite.db"
+    )]
+    db: PathBuf,
+    /// Write what was found as JSON to a file, or to standard output with -
+    #[arg(long, global = true, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Task {
+    /// Read every row and compare it with its hash; also while the service runs
+    Check,
+    /// Write a copy to a file that isn't there yet; also while the service runs
+    Backup {
+        /// The copy
+        target: PathBuf,
+    },
+    /// Give free pages back to the disk; not while the service runs
+    Vacuum,
+    /// Let points be solved again that the program died of three times; not while the service runs
+    Release,
+}
+
+impl Db {
+    /// Does the task.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let runtime = Runtime::new().map_err(Failure::other)?;
+        match &self.task {
+            Task::Check => self.check(&runtime),
+            Task::Backup { target } => self.backup(&runtime, target),
+            Task::Vacuum => self.vacuum(&runtime),
+            Task::Release => self.release(&runtime),
+        }
+    }
+
+    fn check(&self, runtime: &Runtime) -> Result<(), Failure> {
+        let found = runtime.block_on(async {
+            let mut connection = upkeep::open(&self.db).await?;
+            let bar = counting_bar(0, "rows");
+            let seen = |done, of| count(&bar, done, of);
+            let found = upkeep::inspect(&mut connection, &seen).await;
+            bar.finish_and_clear();
+            found
+        });
+        let found = found.map_err(Failure::other)?;
+        if let Some(target) = &self.json {
+            target.write(&found)?;
+        }
+        tell(&report(&self.db, &found), self.json.as_ref())?;
+        match found.faults.len() {
+            0 => Ok(()),
+            1 => Err(Failure::Other("the database has a fault".to_owned())),
+            faults => Err(Failure::Other(format!("the database has {faults} faults"))),
+        }
+    }
+
+    fn backup(&self, runtime: &Runtime, target: &Path) -> Result<(), Failure> {
+        let copied = runtime.block_on(async {
+            let mut connection = upkeep::open(&self.db).await?;
+            let bar = bytes_bar(upkeep::used_bytes(&mut connection).await?);
+            let copying = upkeep::copy_to(&mut connection, target);
+            let copied = watched(copying, || bar.set_position(size(target).unwrap_or(0))).await;
+            bar.finish_and_clear();
+            copied
+        });
+        copied.map_err(Failure::other)?;
+        let text = format!("{} was copied to {}\n", self.db.display(), target.display());
+        tell(&text, self.json.as_ref())
+    }
+
+    fn release(&self, runtime: &Runtime) -> Result<(), Failure> {
+        let released = runtime.block_on(upkeep::release(&self.db));
+        let text = match released.map_err(Failure::other)? {
+            1 => "one point may be tried again\n".to_owned(),
+            points => format!("{points} points may be tried again\n"),
+        };
+        tell(&text, self.json.as_ref())
+    }
+
+    fn vacuum(&self, runtime: &Runtime) -> Result<(), Failure> {
+        let before = size(&self.db)?;
+        let waiting = clock("compacting");
+        let compacted = runtime.block_on(upkeep::compact(&self.db));
+        waiting.finish_and_clear();
+        compacted.map_err(Failure::other)?;
+        let text = format!(
+            "{} went from {before} to {} bytes\n",
+            self.db.display(),
+            size(&self.db)?
+        );
+        tell(&text, self.json.as_ref())
+    }
+}
+
+/// Looks now and then how far something is.
+async fn watched<T>(work: impl Future<Output = T>, look: impl Fn()) -> T {
+    let mut ticks = tokio::time::interval(TICK);
+    let mut work = pin!(work);
+    loop {
+        tokio::select! {
+            done = &mut work => return done,
+            _ = ticks.tick() => look(),
+        }
+    }
+}
+
+fn size(path: &Path) -> Result<u64, Failure> {
+    let metadata = std::fs::metadata(path);
+    metadata.map(|metadata| metadata.len()).map_err(|error| {
+        Failure::Other(format!(
+            "the database {} can't be opened: {error}",
+            path.display()
+        ))
+    })
+}
+
+fn report(path: &Path, found: &Inspection) -> String {
+    let mut text = format!("{}: read", path.display());
+    for (index, (table, rows)) in found.rows.iter().enumerate() {
+        let comma = if index == 0 { "" } else { "," };
+        text.push_str(&format!("{comma} {rows} {}", table.replace('_', " ")));
+    }
+    text.push('\n');
+    for fault in &found.faults {
+        text.push_str(&format!("- {}\n", painted(BAD, fault)));
+    }
+    if found.faults.is_empty() {
+        let whole = "every row matches its hash, every reference leads somewhere, every study has its points";
+        text.push_str(&(painted(GOOD, whole) + "\n"));
+    }
+    text
+}

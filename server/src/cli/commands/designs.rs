@@ -1,0 +1,282 @@
+//! Runs the designs of a sweep, several at once.
+//!
+//! While the cut point of a design is solved, one thread works and the others wait for it. So designs run side by side, each on its share of the
+//! threads, as many as memory allows; their results are the same to the bit as one after the other. Designs that share points stay
+//! together, in their order, so that none solves what another one is at.
+
+use std::collections::{BTreeMap, HashMap};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use fem_client::solver::Solver;
+use indicatif::ProgressBar;
+use placement::estimate::Workload;
+use placement::run::Event;
+use tokio::runtime::Handle;
+
+use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::progress::say_failed;
+use service::engine::{End, Engine};
+use service::forecast::memory_bytes;
+use service::study_document::stored_study;
+use store::StoreError;
+use store::queue::sweep_rows::DesignRow;
+use store::queue::turns;
+
+/// What designs are run with.
+pub struct Crew<'c> {
+    pub runtime: &'c Handle,
+    pub engine: &'c Engine,
+    /// A solver for each design at work: one remembers the tire that it solved last.
+    pub solver: &'c (dyn Fn() -> Result<Arc<dyn Solver>, Failure> + Sync),
+    /// Memory that they may take together, bytes.
+    pub memory_bytes: u64,
+    pub stop: &'c AtomicBool,
+}
+
+impl Crew<'_> {
+    /// Runs those of the designs that have not ended, each to its end, whatever that is; false when the user asked to stop.
+    pub fn run(&self, designs: &[DesignRow], bar: &ProgressBar) -> Result<bool, Failure> {
+        let open: Vec<&DesignRow> = designs.iter().filter(|d| !d.study.ended()).collect();
+        let groups = groups(&open, self.engine.solver.as_ref());
+        let at_once = self.at_once(&open, groups.len());
+        let progress = Progress::new(bar, designs.len(), open.len());
+        let (next, failed) = (AtomicUsize::new(0), Mutex::new(None));
+        let work = |threads: usize| {
+            let engine = Engine {
+                solver: (self.solver)()?,
+                threads,
+                ..self.engine.clone()
+            };
+            while let Some(group) = groups.get(next.fetch_add(1, Ordering::Relaxed)) {
+                for index in group {
+                    if self.stop.load(Ordering::Relaxed) {
+                        return Ok(());
+                    }
+                    self.solve(&engine, open[*index], &|event| progress.show(*index, event))?;
+                    progress.ended(*index);
+                }
+            }
+            Ok(())
+        };
+        let work = |threads: usize| {
+            if let Err(failure) = work(threads) {
+                self.stop.store(true, Ordering::Relaxed);
+                let mut failed = failed.lock().unwrap_or_else(PoisonError::into_inner);
+                failed.get_or_insert(failure);
+            }
+        };
+        let threads = self.engine.threads;
+        std::thread::scope(|scope| {
+            for worker in 0..at_once {
+                // Threads that can't be shared out evenly go to the first.
+                let share = threads / at_once + usize::from(worker < threads % at_once);
+                let work = &work;
+                scope.spawn(move || work(share.max(1)));
+            }
+        });
+        match failed.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            Some(failure) => Err(failure),
+            None => Ok(!self.stop.load(Ordering::Relaxed)),
+        }
+    }
+
+    /// Designs that fit beside each other.
+    fn at_once(&self, designs: &[&DesignRow], groups: usize) -> usize {
+        let solver = self.engine.solver.as_ref();
+        let needed = designs.iter().filter_map(|design| {
+            let study = stored_study(&design.study).ok()?;
+            memory_bytes(&study, solver, 1).ok()
+        });
+        let largest = needed.max().unwrap_or(1).max(1);
+        let fit = usize::try_from(self.memory_bytes / largest).unwrap_or(usize::MAX);
+        self.engine.threads.min(groups).min(fit).max(1)
+    }
+
+    fn solve(
+        &self,
+        engine: &Engine,
+        design: &DesignRow,
+        observer: &(dyn Fn(&Event) + Sync),
+    ) -> Result<(), Failure> {
+        let claimed = self.runtime.block_on(async {
+            let mut transaction = engine.store.begin().await?;
+            let row = turns::claim(&mut transaction, &design.study.id).await?;
+            engine.store.commit(transaction, 0).await?;
+            Ok::<_, StoreError>(row)
+        });
+        let Some(row) = claimed.map_err(Failure::other)? else {
+            return Ok(());
+        };
+        let end = engine.run(&row, self.runtime, self.stop, None, observer);
+        let settled = self.runtime.block_on(engine.settle(&row, &end));
+        settled.map_err(Failure::other)?;
+        match end {
+            End::DiskFull => Err(Failure::other(StoreError::Full)),
+            End::Done(_) | End::Failed { .. } | End::Stopped | End::Paused => Ok(()),
+        }
+    }
+}
+
+/// Designs by their places, those that share a point in one group.
+fn groups(designs: &[&DesignRow], solver: &dyn Solver) -> Vec<Vec<usize>> {
+    let keys = designs.iter().map(|design| {
+        // What can't be planned fails by itself.
+        let study = stored_study(&design.study).ok();
+        let work = study.and_then(|study| Workload::of(&study, solver).ok());
+        let keys = work
+            .as_ref()
+            .map(|work| work.keys().map(str::to_owned).collect());
+        keys.unwrap_or_default()
+    });
+    grouped(keys)
+}
+
+/// A forest, in which each design points to an earlier one of its group, and the first of a group to itself.
+fn grouped(designs: impl Iterator<Item = Vec<String>>) -> Vec<Vec<usize>> {
+    let mut earlier: Vec<usize> = Vec::new();
+    let mut first_with: HashMap<String, usize> = HashMap::new();
+    for (index, keys) in designs.enumerate() {
+        earlier.push(index);
+        for key in keys {
+            let other = *first_with.entry(key).or_insert(index);
+            let (one, other) = (root(&mut earlier, index), root(&mut earlier, other));
+            earlier[one.max(other)] = one.min(other);
+        }
+    }
+    let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for index in 0..earlier.len() {
+        groups
+            .entry(root(&mut earlier, index))
+            .or_default()
+            .push(index);
+    }
+    groups.into_values().collect()
+}
+
+/// The first of a design's group; the ways that were long are shorter afterwards.
+fn root(earlier: &mut [usize], mut index: usize) -> usize {
+    while earlier[index] != index {
+        earlier[index] = earlier[earlier[index]];
+        index = earlier[index];
+    }
+    index
+}
+
+/// The bar of a whole sweep, as if designs that have not begun had as many points as the largest that have.
+struct Progress<'b> {
+    bar: &'b ProgressBar,
+    all: usize,
+    before: usize,
+    points: Mutex<Vec<Points>>,
+}
+
+#[derive(Debug, Clone, Copy, Default)]
+struct Points {
+    done: usize,
+    of: usize,
+    ended: bool,
+}
+
+impl<'b> Progress<'b> {
+    fn new(bar: &'b ProgressBar, all: usize, open: usize) -> Self {
+        Self {
+            bar,
+            all,
+            before: all - open,
+            points: Mutex::new(vec![Points::default(); open]),
+        }
+    }
+
+    fn show(&self, index: usize, event: &Event) {
+        match event {
+            Event::Started { points, reused } => self.set(index, *reused, *points),
+            Event::PointSolved { done, of, .. } => self.set(index, *done, *of),
+            Event::PointFailed {
+                done,
+                of,
+                ordinal,
+                cause,
+            } => {
+                self.set(index, *done, *of);
+                say_failed(self.bar, *ordinal, cause);
+            }
+            Event::Analysing => {}
+        }
+    }
+
+    fn set(&self, index: usize, done: usize, of: usize) {
+        self.update(|points| {
+            points[index].done = done;
+            points[index].of = of;
+        });
+    }
+
+    fn ended(&self, index: usize) {
+        self.update(|points| {
+            points[index].done = points[index].of;
+            points[index].ended = true;
+        });
+    }
+
+    fn update(&self, change: impl FnOnce(&mut Vec<Points>)) {
+        let mut points = self.points.lock().unwrap_or_else(PoisonError::into_inner);
+        change(&mut points);
+        let largest = points.iter().map(|points| points.of).max().unwrap_or(0);
+        let of = |points: &Points| if points.of == 0 { largest } else { points.of };
+        let count = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
+        let ended = self.before + points.iter().filter(|points| points.ended).count();
+        self.bar
+            .set_prefix(format!("{ended} of {} designs  ", self.all));
+        self.bar.set_length(count(points.iter().map(of).sum()));
+        self.bar
+            .set_position(count(points.iter().map(|points| points.done).sum()));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::{Duration, Instant};
+
+    use super::*;
+
+    #[test]
+    fn designs_that_share_a_point_stay_together_in_their_order() {
+        let keys = |lists: &[&[&str]]| {
+            let owned = |list: &&[&str]| list.iter().map(|key| (*key).to_owned()).collect();
+            grouped(lists.iter().map(owned).collect::<Vec<_>>().into_iter())
+        };
+        assert_eq!(keys(&[&["a"], &["b"], &["a"]]), [vec![0, 2], vec![1]]);
+        // The third joins the first two.
+        assert_eq!(
+            keys(&[&["a"], &["b"], &["b", "a"], &["c"]]),
+            [vec![0, 1, 2], vec![3]]
+        );
+        assert_eq!(
+            keys(&[&["a", "x"], &["b"], &["b", "a"], &["x"]]),
+            [vec![0, 1, 2, 3]]
+        );
+        assert_eq!(keys(&[&[], &[]]), [vec![0], vec![1]]);
+    }
+
+    #[test]
+    fn a_long_chain_of_designs_is_grouped_as_quickly_as_it_is_read() {
+        // Each design shares a key with the next: moving a group's keys to the next one's would take an hour.
+        const DESIGNS: usize = 100_000;
+        let chain = |index: usize| vec![index.to_string(), (index + 1).to_string()];
+        let begun = Instant::now();
+        let forward = grouped((0..DESIGNS).map(chain));
+        let backward = grouped((0..DESIGNS).rev().map(chain));
+        // The last one joins all others, which stood alone until then.
+        let all = (0..DESIGNS).map(|index| index.to_string()).collect();
+        let alone = (0..DESIGNS).map(|index| vec![index.to_string()]);
+        let joined = grouped(alone.chain([all]));
+        assert_eq!((forward.len(), backward.len(), joined.len()), (1, 1, 1));
+        assert_eq!(forward[0].len(), DESIGNS);
+        assert!(
+            begun.elapsed() < Duration::from_secs(30),
+            "{:?}",
+            begun.elapsed()
+        );
+    }
+}

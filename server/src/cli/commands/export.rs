@@ -1,0 +1,108 @@
+//! `strainsite export`: a study's answer as a file, without a service.
+
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use placement::result::StudyResult;
+use sqlx::SqliteConnection;
+
+use crate::cli::commands::library::{Database, study};
+use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::output::{print, write_whole};
+use service::export::{self, ExportError, FileFormat, Table};
+use service::point_views;
+use store::answers::result_rows;
+use store::queue::study_rows::StudyRow;
+
+/// Write a study's answer as a file: a table, the map, or the whole result
+#[derive(Debug, Args)]
+pub struct Export {
+    /// Identifier of the study, or its beginning
+    id: String,
+    #[command(flatten)]
+    database: Database,
+    /// How to write it
+    #[arg(long, value_enum, value_name = "FORMAT", default_value = "csv")]
+    format: FileFormat,
+    /// What CSV and Parquet hold
+    #[arg(long, value_enum, value_name = "TABLE", default_value = "indices")]
+    table: Table,
+    /// File to write; standard output when absent
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+impl Export {
+    /// Writes the answer.
+    pub fn execute(&self) -> Result<(), Failure> {
+        readable(self.format, self.output.as_deref())?;
+        let wanted = export::Export {
+            format: self.format,
+            table: self.table,
+        };
+        let bytes = self.database.read(async |connection| {
+            let row = study(connection, &self.id).await?;
+            let result = result(connection, &row).await?;
+            let points = if wanted.needs_points() {
+                point_views::of(connection, &row)
+                    .await
+                    .map_err(Failure::other)?
+            } else {
+                Vec::new()
+            };
+            wanted.bytes(&result, &points).map_err(failure)
+        })?;
+        deliver(self.format, bytes, self.output.as_deref())
+    }
+}
+
+/// Refuses to print on a terminal what nobody can read there.
+pub fn readable(format: FileFormat, output: Option<&Path>) -> Result<(), Failure> {
+    if output.is_some() || format.is_text() || !std::io::stdout().is_terminal() {
+        return Ok(());
+    }
+    Err(Failure::input(format!(
+        "{} is nothing to read on a terminal: name a file with --output, or send it to another program",
+        format.as_str()
+    )))
+}
+
+/// Writes the bytes of an export to a file, or to standard output.
+pub fn deliver(
+    format: FileFormat,
+    mut bytes: Vec<u8>,
+    output: Option<&Path>,
+) -> Result<(), Failure> {
+    if format == FileFormat::Json {
+        bytes.push(b'\n');
+    }
+    match output {
+        Some(path) => write_whole(path, &bytes),
+        None => print(&bytes),
+    }
+}
+
+fn failure(error: ExportError) -> Failure {
+    match error {
+        ExportError::NoMap => Failure::input(error.to_string()),
+        error => Failure::other(error),
+    }
+}
+
+async fn result(
+    connection: &mut SqliteConnection,
+    study: &StudyRow,
+) -> Result<StudyResult, Failure> {
+    let found = result_rows::find(connection, &study.id).await;
+    let Some((result, _)) = found.map_err(Failure::other)? else {
+        let why = study.error.as_deref().unwrap_or("it hasn't ended");
+        return Err(Failure::Other(format!(
+            "study {} is {} and has no result: {}",
+            study.id,
+            study.state().as_str(),
+            why.escape_debug()
+        )));
+    };
+    Ok(result)
+}

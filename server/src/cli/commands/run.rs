@@ -1,0 +1,172 @@
+//! `strainsite run`: one study without the service, with the same engine and the same database.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::Args;
+use fem_client::solver::NoEquilibrium;
+use placement::result::{FailedPoint, StudyResult};
+use placement::study::Study;
+use serde_json::json;
+use tokio::runtime::Runtime;
+
+use crate::cli::solver_option::SolverOption;
+use crate::cli::terminal::estimate_text::{dry_run, estimated};
+use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::output::{JsonTarget, tell, write_whole};
+use crate::cli::terminal::progress::{progress_bar, show};
+use crate::cli::terminal::ranked_table::report;
+use crate::cli::terminal::signals::stop_flag;
+use crate::config::Config;
+use service::engine::{End, Engine};
+use service::export::{Export, FileFormat, Table};
+use service::forecast::{admit, forecast};
+use service::metrics::Metrics;
+use service::queue::{enqueue, recover};
+use service::study_document::read_changed;
+use store::queue::study_rows::{self, StudyRow};
+use store::queue::turns;
+use store::{Store, StoreError};
+
+/// Run one study without the service
+#[derive(Debug, Args)]
+pub struct Run {
+    /// Study file, TOML or JSON
+    study: PathBuf,
+    /// Set a field of the study or its scene otherwise; may be given more than once
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    #[command(flatten)]
+    config: Config,
+    #[command(flatten)]
+    solver: SolverOption,
+    /// Say what the study would cost, and solve nothing
+    #[arg(long, conflicts_with = "out")]
+    dry_run: bool,
+    /// Write result.json and locations.csv into this folder
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Write the result as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+impl Run {
+    /// Runs the study and prints its answer.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let study = read_changed(&self.study, &self.set).map_err(Failure::Input)?;
+        let runtime = Runtime::new().map_err(Failure::other)?;
+        if self.dry_run {
+            return self.estimate(&runtime, &study);
+        }
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let (threads, memory_bytes) = (self.config.threads(), self.config.memory_bytes());
+        runtime
+            .block_on(admit(&solver, threads, memory_bytes, &study))
+            .map_err(|error| Failure::input(error.to_string()))?;
+        let store = runtime
+            .block_on(Store::open(&self.config.db))
+            .map_err(Failure::other)?;
+        let engine = Engine {
+            store: Arc::new(store),
+            solver,
+            threads,
+            metrics: Metrics::new(),
+        };
+        let end = self.solve(&runtime, &engine, &study);
+        runtime.block_on(engine.store.close());
+        self.answer(end?)
+    }
+
+    fn estimate(&self, runtime: &Runtime, study: &Study) -> Result<(), Failure> {
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let threads = self.config.threads();
+        let estimate = estimated(runtime, &self.config.db, async |store| {
+            forecast(store, &solver, threads, study).await
+        })?;
+        if let Some(target) = &self.json {
+            target.write(&estimate)?;
+        }
+        tell(&dry_run(&study.name, &estimate), self.json.as_ref())
+    }
+
+    fn solve(&self, runtime: &Runtime, engine: &Engine, study: &Study) -> Result<End, Failure> {
+        let row = runtime
+            .block_on(claim(&engine.store, study))
+            .map_err(Failure::other)?;
+        let stop = stop_flag(runtime)?;
+        let bar = progress_bar("");
+        let end = engine.run(&row, runtime.handle(), &stop, None, &|event| {
+            show(&bar, event)
+        });
+        bar.finish_and_clear();
+        runtime
+            .block_on(engine.settle(&row, &end))
+            .map_err(Failure::other)?;
+        Ok(end)
+    }
+
+    fn answer(&self, end: End) -> Result<(), Failure> {
+        match end {
+            End::Done(result) => self.publish(&result),
+            End::Failed { error, points } => Err(failure(error, &points)),
+            End::DiskFull => Err(Failure::other(StoreError::Full)),
+            End::Stopped | End::Paused => Err(Failure::Other(format!(
+                "stopped; what is solved is kept in {}, and the next run of this study resumes there",
+                self.config.db.display()
+            ))),
+        }
+    }
+
+    fn publish(&self, result: &StudyResult) -> Result<(), Failure> {
+        if let Some(folder) = &self.out {
+            std::fs::create_dir_all(folder).map_err(|error| {
+                Failure::Other(format!("{} can't be made: {error}", folder.display()))
+            })?;
+            JsonTarget::File(folder.join("result.json")).write(result)?;
+            let ranking = Export {
+                format: FileFormat::Csv,
+                table: Table::Locations,
+            };
+            write_whole(
+                &folder.join("locations.csv"),
+                &ranking.bytes(result, &[]).map_err(Failure::other)?,
+            )?;
+        }
+        if let Some(target) = &self.json {
+            target.write(result)?;
+        }
+        tell(&report(result), self.json.as_ref())
+    }
+}
+
+/// Takes the interrupted study of the same document up again, or stores a new one.
+async fn claim(store: &Store, study: &Study) -> Result<StudyRow, StoreError> {
+    recover(store).await?;
+    let mut transaction = store.begin().await?;
+    let sha256 = study.spec_sha256();
+    let id = match study_rows::queued_twin(&mut transaction, &sha256).await? {
+        Some(row) => row.id,
+        None => enqueue(&mut transaction, study, 0).await?,
+    };
+    let row = turns::claim(&mut transaction, &id).await?;
+    store.commit(transaction, 0).await?;
+    row.ok_or(StoreError::Database(sqlx::Error::RowNotFound))
+}
+
+/// The physics is to blame when every point that failed has no equilibrium.
+fn failure(error: String, points: &[FailedPoint]) -> Failure {
+    let physical = |point: &FailedPoint| {
+        let status = point.cause.status?;
+        NoEquilibrium::ALL.contains(&status).then_some(status)
+    };
+    let statuses: Option<Vec<NoEquilibrium>> = points.iter().map(physical).collect();
+    match statuses.as_deref().and_then(<[NoEquilibrium]>::first) {
+        Some(status) => Failure::Physics {
+            status: status.as_str().to_owned(),
+            detail: error,
+            known: json!({"failed_points": points}),
+        },
+        None => Failure::Other(error),
+    }
+}

@@ -1,0 +1,215 @@
+//! `strainsite serve`: the service and the dashboard.
+
+use std::env;
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::Args;
+use fem_client::document::fault::Fault;
+
+use crate::cli::solver_option::SolverOption;
+use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::output::print;
+use crate::cli::terminal::signals::Signals;
+use crate::config::{Config, address, seconds};
+use crate::http::edge::guard::HostName;
+use crate::running::{Limits, Outside, Service, ServiceParts};
+use crate::telemetry::{self, LogFilter, LogFormat};
+use crate::token::{Token, TokenError};
+
+/// The environment variable that may hold the token: unlike an argument, it is in no list of processes.
+const TOKEN_VARIABLE: &str = "STRAINSITE_TOKEN";
+
+/// Start the service and the dashboard
+#[derive(Debug, Args)]
+pub struct Serve {
+    /// Address to listen on; port 0 takes a free one. One that other machines can reach needs a token
+    #[arg(long, env = "STRAINSITE_ADDR", value_name = "IP:PORT", default_value = "127.0.0.1:8080",
+          value_parser = address)]
+    addr: SocketAddr,
+    /// How long a study runs before another one that waits has its turn, seconds
+    #[arg(long, env = "STRAINSITE_TURN_S", value_name = "SECONDS", default_value = "10", value_parser = seconds)]
+    turn_s: Duration,
+    /// Ask every client for a token: the one in the environment variable STRAINSITE_TOKEN or in --token-file, or else one that is drawn
+    /// and printed
+    #[arg(long)]
+    token: bool,
+    /// File that holds the token, and nothing else; asks for it
+    #[arg(long, env = "STRAINSITE_TOKEN_FILE", value_name = "FILE")]
+    token_file: Option<PathBuf>,
+    /// Another name under which the service is reached; may be given several times, needs a token
+    #[arg(long = "host", env = "STRAINSITE_HOST", value_name = "NAME[:PORT]", value_delimiter = ',',
+          value_parser = HostName::read)]
+    hosts: Vec<HostName>,
+    /// Studies that may wait in the queue; further ones are refused with 429
+    #[arg(long, env = "STRAINSITE_MAX_WAITING", value_name = "N", default_value_t = Limits::default().waiting_studies)]
+    max_waiting: u32,
+    /// Event streams that may be open at once; further ones are refused with 429
+    #[arg(long, env = "STRAINSITE_MAX_STREAMS", value_name = "N", default_value_t = Limits::default().event_streams)]
+    max_streams: usize,
+    /// What is logged: a level, or levels of parts of the program, as in info,server::http=debug
+    #[arg(
+        long,
+        env = "STRAINSITE_LOG",
+        value_name = "FILTER",
+        default_value = "info"
+    )]
+    log: LogFilter,
+    /// How it is logged: for people, or as one JSON object a line
+    #[arg(
+        long,
+        env = "STRAINSITE_LOG_FORMAT",
+        value_enum,
+        value_name = "FORMAT",
+        default_value = "text"
+    )]
+    log_format: LogFormat,
+    /// File of settings, TOML: its keys are the names of these flags, with _ for -. Flags and environment go before it
+    #[arg(
+        long = "config",
+        id = "config",
+        env = "STRAINSITE_CONFIG",
+        value_name = "FILE"
+    )]
+    file: Option<PathBuf>,
+    #[command(flatten)]
+    config: Config,
+    #[command(flatten)]
+    solver: SolverOption,
+}
+
+/// What clients have to know, and whether they know it yet.
+struct Secret {
+    token: Token,
+    drawn: bool,
+}
+
+impl Serve {
+    /// Starts the log as the settings say.
+    pub fn start_log(&self) {
+        telemetry::start_service(&self.log, self.log_format);
+        if let Some(file) = &self.file {
+            tracing::info!(?file, "settings were read");
+        }
+    }
+
+    /// Serves until Ctrl-C or SIGTERM.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let (parts, drawn) = self.parts().map_err(Failure::Input)?;
+        let runtime = tokio::runtime::Runtime::new().map_err(Failure::other)?;
+        runtime.block_on(serve(parts, drawn))
+    }
+
+    /// What the service is made of, and a token that nobody knows yet; or every setting that can't be used with the others or on this
+    /// machine.
+    fn parts(&self) -> Result<(ServiceParts, Option<Token>), Vec<Fault>> {
+        let mut faults = Vec::new();
+        let mut note = |detail: String| {
+            faults.push(Fault {
+                pointer: String::new(),
+                detail,
+            });
+        };
+        let secret = self.secret().map_err(&mut note).ok().flatten();
+        let outside = Outside {
+            token: secret.as_ref().map(|secret| secret.token.clone()),
+            hosts: self.hosts.clone(),
+            limits: Limits {
+                waiting_studies: self.max_waiting,
+                event_streams: self.max_streams,
+                memory_bytes: self.config.memory_bytes(),
+            },
+        };
+        if let Err(error) = outside.check(self.addr) {
+            note(error.to_string());
+        }
+        let solver = self
+            .solver
+            .solver()
+            .map_err(|error| note(error.to_string()));
+        let Ok(solver) = solver else {
+            return Err(faults);
+        };
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let parts = ServiceParts {
+            address: self.addr,
+            database: self.config.db.clone(),
+            solver,
+            threads: self.config.threads(),
+            turn: self.turn_s,
+            outside,
+        };
+        let drawn = secret.filter(|secret| secret.drawn);
+        Ok((parts, drawn.map(|secret| secret.token)))
+    }
+
+    /// The token that clients are asked for. One that is given is asked for, with `--token` or without.
+    fn secret(&self) -> Result<Option<Secret>, String> {
+        let (given, whence) = match (env::var_os(TOKEN_VARIABLE), &self.token_file) {
+            (Some(_), Some(_)) => {
+                return Err(format!(
+                    "the token is either in {TOKEN_VARIABLE} or in --token-file, not in both"
+                ));
+            }
+            (Some(text), None) => {
+                let token = text.to_str().ok_or(TokenError::Unfit);
+                (token.and_then(Token::chosen), TOKEN_VARIABLE)
+            }
+            (None, Some(path)) => (Token::in_file(path), "--token-file"),
+            (None, None) if self.token => (Token::random(), "--token"),
+            (None, None) => return Ok(None),
+        };
+        let token = given.map_err(|error| format!("{whence}: {error}"))?;
+        let drawn = whence == "--token";
+        Ok(Some(Secret { token, drawn }))
+    }
+}
+
+async fn serve(parts: ServiceParts, drawn: Option<Token>) -> Result<(), Failure> {
+    let mut signals = Signals::listen()?;
+    let service = Service::start(parts).await.map_err(Failure::other)?;
+    print(&format!("listening on http://{}\n", service.address()))?;
+    if let Some(token) = drawn {
+        print(&format!("token {}\n", token.reveal()))?;
+    }
+    if let Some(path) = service.login() {
+        let here = reachable(service.address());
+        print(&format!("in a browser, once: http://{here}{path}\n"))?;
+    }
+    signals.next().await;
+    tracing::info!("stopping; once more stops at once");
+    tokio::select! {
+        () = service.stop() => Ok(()),
+        () = signals.next() => Err(Failure::Other("stopped at once; the next start resumes".to_owned())),
+    }
+}
+
+/// An address that a browser on this machine can open.
+fn reachable(address: SocketAddr) -> SocketAddr {
+    let ip = match address.ip() {
+        ip if !ip.is_unspecified() => ip,
+        IpAddr::V4(_) => Ipv4Addr::LOCALHOST.into(),
+        IpAddr::V6(_) => Ipv6Addr::LOCALHOST.into(),
+    };
+    SocketAddr::new(ip, address.port())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_browser_on_this_machine_can_open_the_printed_address() {
+        for (bound, printed) in [
+            ("0.0.0.0:80", "127.0.0.1:80"),
+            ("[::]:80", "[::1]:80"),
+            ("10.0.0.7:80", "10.0.0.7:80"),
+        ] {
+            let bound = bound.parse().expect("an address");
+            assert_eq!(reachable(bound).to_string(), printed);
+        }
+    }
+}

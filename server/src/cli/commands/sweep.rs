@@ -1,0 +1,235 @@
+//! `strainsite sweep`: one study over a grid of designs, without the service.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::Args;
+use placement::compare::{Comparison, compare};
+use placement::study::Study;
+use placement::sweep::{Design, Sweep as Plan, designs_of, sweep_of, typed_grid};
+use serde_json::json;
+use tokio::runtime::Runtime;
+
+use crate::cli::commands::compare::table;
+use crate::cli::commands::designs::Crew;
+use crate::cli::commands::library::the_only;
+use crate::cli::solver_option::SolverOption;
+use crate::cli::terminal::estimate_text::{dry_sweep, estimated};
+use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::output::{JsonTarget, tell};
+use crate::cli::terminal::progress::progress_bar;
+use crate::cli::terminal::signals::stop_flag;
+use crate::config::Config;
+use service::comparison::of_designs;
+use service::engine::Engine;
+use service::forecast::{admit, forecast_sweep};
+use service::metrics::Metrics;
+use service::queue::recover;
+use service::study_document::{read_changed, stored_text};
+use service::sweeps::{extend, resume, store};
+use service::wire::sweep_wire::SweepDetail;
+use store::queue::sweep_rows::{self, DesignRow, SweepRow};
+use store::{Store, StoreError};
+
+/// Run one study over a grid of designs, and compare them
+#[derive(Debug, Args)]
+pub struct Sweep {
+    /// Study file, TOML or JSON
+    #[arg(required_unless_present = "resume", conflicts_with = "resume")]
+    study: Option<PathBuf>,
+    /// Values that a field takes, as in geometry.wall_mm=2.5,3,3.5; given more than once, every combination is a design
+    #[arg(long, value_name = "KEY=V1,V2,...", required_unless_present = "resume")]
+    grid: Vec<String>,
+    /// Set a field of the study or its scene otherwise in all designs; may be given more than once
+    #[arg(long, value_name = "KEY=VALUE", conflicts_with = "resume")]
+    set: Vec<String>,
+    /// Go on with a sweep of the database, and with the designs of --grid beside its own
+    #[arg(long, value_name = "ID")]
+    resume: Option<String>,
+    /// What the sweep is called; like its study when absent
+    #[arg(long, value_name = "NAME", conflicts_with = "resume")]
+    name: Option<String>,
+    #[command(flatten)]
+    config: Config,
+    #[command(flatten)]
+    solver: SolverOption,
+    /// Say what the sweep would cost, and solve nothing
+    #[arg(long, conflicts_with = "resume")]
+    dry_run: bool,
+    /// Write sweep and comparison as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+impl Sweep {
+    /// Runs the designs that have no result yet, and prints the comparison.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let plan = self
+            .study
+            .as_ref()
+            .map(|path| self.plan(path))
+            .transpose()?;
+        let runtime = Runtime::new().map_err(Failure::other)?;
+        if let (true, Some(plan)) = (self.dry_run, &plan) {
+            return self.estimate(&runtime, plan);
+        }
+        let engine = Engine {
+            solver: self.solver.solver().map_err(Failure::other)?,
+            store: Arc::new(
+                runtime
+                    .block_on(Store::open(&self.config.db))
+                    .map_err(Failure::other)?,
+            ),
+            threads: self.config.threads(),
+            metrics: Metrics::new(),
+        };
+        let ended = self.run(&runtime, &engine, plan.as_ref());
+        runtime.block_on(engine.store.close());
+        let (detail, comparison) = ended?;
+        if let Some(target) = &self.json {
+            target.write(&json!({"sweep": detail, "comparison": comparison}))?;
+        }
+        tell(&table(&comparison), self.json.as_ref())?;
+        let without = detail.designs.len() - detail.summary.counts.done;
+        if without > 0 {
+            return Err(Failure::Partial(format!(
+                "{without} of {} designs have no result: the reasons stand above",
+                detail.designs.len()
+            )));
+        }
+        Ok(())
+    }
+
+    fn plan(&self, path: &std::path::Path) -> Result<Plan, Failure> {
+        let base = read_changed(path, &self.set).map_err(Failure::Input)?;
+        let grid = typed_grid(&self.grid).map_err(Failure::Input)?;
+        sweep_of(base, self.name.as_deref(), &grid).map_err(Failure::Input)
+    }
+
+    fn estimate(&self, runtime: &Runtime, plan: &Plan) -> Result<(), Failure> {
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let threads = self.config.threads();
+        let estimate = estimated(runtime, &self.config.db, async |store| {
+            forecast_sweep(store, &solver, threads, plan).await
+        })?;
+        if let Some(target) = &self.json {
+            target.write(&estimate)?;
+        }
+        tell(
+            &dry_sweep(&plan.name, threads, &estimate),
+            self.json.as_ref(),
+        )
+    }
+
+    fn run(
+        &self,
+        runtime: &Runtime,
+        engine: &Engine,
+        plan: Option<&Plan>,
+    ) -> Result<(SweepDetail, Comparison), Failure> {
+        runtime
+            .block_on(recover(&engine.store))
+            .map_err(Failure::other)?;
+        let sweep = self.stored(runtime, engine, plan)?;
+        let stop = stop_flag(runtime)?;
+        let designs = || {
+            let found = runtime.block_on(designs_in(&engine.store, &sweep.id));
+            found.map_err(Failure::other)
+        };
+        let bar = progress_bar("");
+        let all = designs()?;
+        let crew = Crew {
+            runtime: runtime.handle(),
+            engine,
+            solver: &|| self.solver.solver().map_err(Failure::other),
+            memory_bytes: self.config.memory_bytes(),
+            stop: &stop,
+        };
+        let whole = crew.run(&all, &bar);
+        if !whole? {
+            bar.finish_and_clear();
+            return Err(Failure::Other(format!(
+                "stopped; what is solved is kept in {}: strainsite sweep --resume {} goes on",
+                self.config.db.display(),
+                sweep.id
+            )));
+        }
+        bar.finish_and_clear();
+        let ended = designs()?;
+        let entries = runtime.block_on(async {
+            let mut connection = engine.store.read().await?;
+            of_designs(&mut connection, &ended).await
+        });
+        let comparison = compare(&entries.map_err(Failure::other)?, None);
+        Ok((SweepDetail::of(&sweep, &ended), comparison))
+    }
+
+    /// The sweep, new or gone on with, in the database.
+    fn stored(
+        &self,
+        runtime: &Runtime,
+        engine: &Engine,
+        plan: Option<&Plan>,
+    ) -> Result<SweepRow, Failure> {
+        let admit_all = |designs: &[Design]| {
+            let there = self.config.memory_bytes();
+            designs.iter().try_for_each(|design| {
+                let admitted = admit(&engine.solver, engine.threads, there, &design.study);
+                runtime
+                    .block_on(admitted)
+                    .map_err(|error| Failure::input(format!("{}: {error}", design.name)))
+            })
+        };
+        let Some(plan) = plan else {
+            let wanted = self.resume.as_deref().unwrap_or_default();
+            let sweep = runtime.block_on(sweep_named(&engine.store, wanted))?;
+            let base = stored_text(&sweep.spec).map_err(Failure::Other)?;
+            let further = self.further(&base)?;
+            admit_all(&further)?;
+            runtime
+                .block_on(go_on(&engine.store, &sweep, &further))
+                .map_err(Failure::other)?;
+            return Ok(sweep);
+        };
+        admit_all(&plan.designs)?;
+        runtime
+            .block_on(new(&engine.store, plan))
+            .map_err(Failure::other)
+    }
+
+    fn further(&self, base: &Study) -> Result<Vec<Design>, Failure> {
+        if self.grid.is_empty() {
+            return Ok(Vec::new());
+        }
+        let grid = typed_grid(&self.grid).map_err(Failure::Input)?;
+        let document = json!({"grid": grid});
+        designs_of(base, &document).map_err(Failure::Input)
+    }
+}
+
+async fn designs_in(store: &Store, sweep: &str) -> Result<Vec<DesignRow>, StoreError> {
+    let mut connection = store.read().await?;
+    sweep_rows::designs(&mut connection, sweep).await
+}
+
+async fn sweep_named(from: &Store, beginning: &str) -> Result<SweepRow, Failure> {
+    let mut connection = from.read().await.map_err(Failure::other)?;
+    let found = sweep_rows::beginning_with(&mut connection, beginning, 2).await;
+    the_only(found.map_err(Failure::other)?, "sweep", beginning)
+}
+
+async fn new(to: &Store, plan: &Plan) -> Result<SweepRow, StoreError> {
+    let mut transaction = to.begin().await?;
+    let id = store(&mut transaction, plan, 0).await?;
+    let row = sweep_rows::find(&mut transaction, &id).await?;
+    to.commit(transaction, 0).await?;
+    row.ok_or(StoreError::Database(sqlx::Error::RowNotFound))
+}
+
+/// Puts back what has no result, and adds further designs.
+async fn go_on(to: &Store, sweep: &SweepRow, further: &[Design]) -> Result<(), StoreError> {
+    let mut transaction = to.begin().await?;
+    resume(&mut transaction, sweep).await?;
+    extend(&mut transaction, sweep, further).await?;
+    to.commit(transaction, 0).await
+}

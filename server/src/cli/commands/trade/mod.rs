@@ -1,0 +1,166 @@
+//! `strainsite trade`: what accuracy a second buys, measured on one study.
+
+mod plot;
+mod trade_table;
+
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use fem_client::scene::Level;
+use gsa::method::Kind;
+use placement::ladder::fidelity::Fidelity;
+use placement::ladder::trade::{Trade as Measured, answer, compare};
+use placement::result::StudyResult;
+use placement::run::RunError;
+use placement::study::Study;
+use tokio::runtime::Runtime;
+
+use crate::cli::solver_option::SolverOption;
+use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::output::{JsonTarget, tell, warn, write_whole};
+use crate::cli::terminal::paint::{WARNING, painted};
+use crate::cli::terminal::progress::{progress_bar, show};
+use crate::cli::terminal::signals::stop_flag;
+use crate::config::Config;
+use service::study_document::read_changed;
+use store::answers::trades;
+use store::{Store, StoreError};
+
+/// Measure the trade of speed for accuracy: the study on a ladder of meshes and methods, against the best of them
+#[derive(Debug, Args)]
+pub struct Trade {
+    /// Study file, TOML or JSON
+    study: PathBuf,
+    /// Set a field of the study or its scene otherwise; may be given more than once
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    #[command(flatten)]
+    config: Config,
+    #[command(flatten)]
+    solver: SolverOption,
+    /// Finest mesh level of the ladder
+    #[arg(long, value_name = "LEVEL", default_value = "reference",
+          value_parser = PossibleValuesParser::new(Level::NAMES.map(|(name, _)| name)))]
+    up_to: String,
+    /// Mesh level of the reference
+    #[arg(long, value_name = "LEVEL", default_value = "reference",
+          value_parser = PossibleValuesParser::new(Level::NAMES.map(|(name, _)| name)))]
+    reference_level: String,
+    /// Method of the reference, with 5 nodes for each input
+    #[arg(long, value_name = "KIND", default_value = "bivariate",
+          value_parser = PossibleValuesParser::new(Kind::ALL.map(Kind::as_str)))]
+    reference_method: String,
+    /// Write trade.csv and trade.svg into this folder
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Write the trade as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+/// Nodes of the reference's rules.
+const REFERENCE_NODES: usize = 5;
+
+impl Trade {
+    /// Runs the ladder and its reference, and prints what they took and how far off they are.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let study = read_changed(&self.study, &self.set).map_err(Failure::Input)?;
+        let runtime = Runtime::new().map_err(Failure::other)?;
+        let stop = stop_flag(&runtime)?;
+        // Opened before the work, so that a database that is in use is said at once.
+        let store = runtime
+            .block_on(Store::open(&self.config.db))
+            .map_err(Failure::other)?;
+        let measured = self.measure(&study, &stop);
+        let kept = measured.and_then(|trade| {
+            runtime
+                .block_on(keep(&store, &trade))
+                .map_err(Failure::other)?;
+            Ok(trade)
+        });
+        runtime.block_on(store.close());
+        let trade = kept?;
+        if let Some(folder) = &self.out {
+            std::fs::create_dir_all(folder).map_err(|error| {
+                Failure::Other(format!("{} can't be made: {error}", folder.display()))
+            })?;
+            write_whole(&folder.join("trade.csv"), &trade_table::csv(&trade))?;
+            let drawn = plot::svg(&trade).map_err(Failure::Other)?;
+            write_whole(&folder.join("trade.svg"), &drawn)?;
+        }
+        if let Some(target) = &self.json {
+            target.write(&trade)?;
+        }
+        tell(&trade_table::report(&trade), self.json.as_ref())
+    }
+
+    fn measure(&self, study: &Study, stop: &AtomicBool) -> Result<Measured, Failure> {
+        let reference = self.reference();
+        let mut rungs = Vec::new();
+        let mut left_out = Vec::new();
+        let finest = level(&self.up_to);
+        for fidelity in Fidelity::ladder().filter(|rung| rung.level <= finest) {
+            match self.answer(study, fidelity, stop)? {
+                Ok(result) => rungs.push((fidelity, result)),
+                Err(RunError::Stopped) => return Err(stopped()),
+                Err(error) => left_out.push(format!("{}: {error}", fidelity.label())),
+            }
+        }
+        for rung in left_out {
+            warn(&format!("{}: {rung}\n", painted(WARNING, "left out")));
+        }
+        let truth = self.answer(study, reference, stop)?;
+        let truth = truth.map_err(|error| match error {
+            RunError::Stopped => stopped(),
+            error => Failure::Other(format!("the reference has no answer: {error}")),
+        })?;
+        Ok(compare(study, (reference, &truth), &rungs))
+    }
+
+    fn reference(&self) -> Fidelity {
+        let kind = Kind::ALL
+            .iter()
+            .find(|kind| kind.as_str() == self.reference_method);
+        Fidelity {
+            level: level(&self.reference_level),
+            kind: kind.copied().unwrap_or(Kind::Bivariate),
+            nodes: REFERENCE_NODES,
+        }
+    }
+
+    /// One rung, with a solver that has seen nothing yet.
+    fn answer(
+        &self,
+        study: &Study,
+        fidelity: Fidelity,
+        stop: &AtomicBool,
+    ) -> Result<Result<StudyResult, RunError>, Failure> {
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let bar = progress_bar(&format!("{:24} ", fidelity.label()));
+        let threads = self.config.threads();
+        let result = answer(study, fidelity, solver.as_ref(), threads, stop, &|event| {
+            show(&bar, &event)
+        });
+        bar.finish_and_clear();
+        Ok(result)
+    }
+}
+
+/// Stores a trade for the service to show.
+async fn keep(store: &Store, trade: &Measured) -> Result<(), StoreError> {
+    let mut transaction = store.begin().await?;
+    trades::insert(&mut transaction, trade).await?;
+    store.commit(transaction, 0).await
+}
+
+/// The level of this name, which the command line has checked.
+fn level(name: &str) -> Level {
+    let named = Level::NAMES.iter().find(|(known, _)| *known == name);
+    named.map_or(Level::Reference, |(_, level)| *level)
+}
+
+fn stopped() -> Failure {
+    Failure::Other("stopped on request".to_owned())
+}

@@ -1,0 +1,176 @@
+//! Chooses the command, runs it, and chooses the exit code.
+
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser, Subcommand};
+
+use crate::cli::commands::{
+    compare, db, export, gsa, library, run, serve, shell, solve, sweep, trade, validate, verify,
+};
+use crate::cli::settings;
+use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::help_examples;
+use crate::cli::terminal::output::{JsonTarget, warn};
+use crate::telemetry;
+
+/// Ranks strain-sensor locations in a smart tire
+#[derive(Debug, Parser)]
+#[command(name = "strainsite", version, arg_required_else_help = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Start the service and the dashboard
+    #[command(after_help = help_examples::SERVE)]
+    Serve(serve::Serve),
+    /// Run one study without the service
+    #[command(after_help = help_examples::RUN)]
+    Run(run::Run),
+    /// Solve one equilibrium of a scene
+    #[command(after_help = help_examples::SOLVE)]
+    Solve(solve::Solve),
+    /// Analyse a model of your own: print the points to run, then read their outputs back
+    #[command(after_help = help_examples::GSA)]
+    Gsa(gsa::Gsa),
+    /// Measure how much accuracy a second buys
+    #[command(after_help = help_examples::TRADE)]
+    Trade(trade::Trade),
+    /// Run one study over a grid of designs, and compare them
+    #[command(after_help = help_examples::SWEEP)]
+    Sweep(sweep::Sweep),
+    /// Compare studies, or the designs of a sweep: what differs, and which differences are real
+    #[command(after_help = help_examples::COMPARE)]
+    Compare(compare::Compare),
+    /// List the studies of a database, newest first
+    #[command(after_help = help_examples::LIST)]
+    List(library::List),
+    /// Show a study: its ranked table, or how far it is
+    #[command(after_help = help_examples::SHOW)]
+    Show(library::Show),
+    /// Write a study's answer as a file: a table, the map, or the whole result
+    #[command(after_help = help_examples::EXPORT)]
+    Export(export::Export),
+    /// Look after the database file
+    #[command(after_help = help_examples::DB)]
+    Db(db::Db),
+    /// Check a study or scene file without running it
+    #[command(after_help = help_examples::VALIDATE)]
+    Validate(validate::Validate),
+    /// Solve problems whose answer is known, and compare
+    #[command(after_help = help_examples::VERIFY)]
+    Verify(verify::Verify),
+    /// Print completions for a shell
+    #[command(after_help = help_examples::COMPLETIONS)]
+    Completions(shell::Completions),
+    /// Print the manual page, or write those of all commands into a folder
+    #[command(after_help = help_examples::MAN)]
+    Man(shell::Manual),
+}
+
+/// Runs the program: the one place that prints failures and chooses the exit code.
+pub fn main() -> ExitCode {
+    let command = match settings::parse::<Cli>() {
+        Ok(cli) => cli.command,
+        Err(faults) => return ended(Err(Failure::Input(faults)), None),
+    };
+    match &command {
+        Command::Serve(command) => command.start_log(),
+        _ => telemetry::start(),
+    }
+    let (done, json) = match command {
+        Command::Serve(command) => (command.execute(), None),
+        Command::Run(command) => (command.execute(), command.json),
+        Command::Solve(command) => (command.execute(), command.json),
+        Command::Gsa(command) => (command.execute(), command.json()),
+        Command::Trade(command) => (command.execute(), command.json),
+        Command::Sweep(command) => (command.execute(), command.json),
+        Command::Compare(command) => (command.execute(), command.json),
+        Command::List(command) => (command.execute(), command.json),
+        Command::Show(command) => (command.execute(), command.json),
+        Command::Export(command) => (command.execute(), None),
+        Command::Db(command) => (command.execute(), None),
+        Command::Validate(command) => (command.execute(), None),
+        // Its document holds the failed cases already.
+        Command::Verify(command) => (command.execute(), None),
+        Command::Completions(command) => (command.execute(Cli::command()), None),
+        Command::Man(command) => (command.execute(Cli::command()), None),
+    };
+    ended(done, json)
+}
+
+fn ended(done: Result<(), Failure>, json: Option<JsonTarget>) -> ExitCode {
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            warn(&failure.painted());
+            if let Some(target) = json.filter(|_| !matches!(failure, Failure::Partial(_)))
+                && let Err(error) = target.write(&failure.document())
+            {
+                warn(&error.painted());
+            }
+            ExitCode::from(failure.code())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The arguments of a line as a shell splits it: at spaces outside of single quotes.
+    fn arguments(line: &str) -> Vec<String> {
+        let parts = line.split('\'').enumerate();
+        let words = parts.flat_map(|(index, part)| match index % 2 {
+            0 => part.split_whitespace().map(str::to_owned).collect(),
+            _ => vec![part.to_owned()],
+        });
+        words.collect()
+    }
+
+    fn check(command: &clap::Command, path: &str) {
+        let help = command.get_after_help().map(ToString::to_string);
+        let leaf = command.get_subcommands().next().is_none();
+        let lines: Vec<String> = help
+            .iter()
+            .flat_map(|help| help.lines().skip(1))
+            .map(|line| line.trim().to_owned())
+            .collect();
+        // What db does is shown for all of its tasks together.
+        assert!(
+            !lines.is_empty() || !leaf || path.starts_with("strainsite db"),
+            "{path} has no examples"
+        );
+        for line in lines {
+            assert!(line.starts_with(path), "{line}");
+            if let Err(error) = Cli::try_parse_from(arguments(&line)) {
+                panic!("{line}: {error}");
+            }
+        }
+        for below in command.get_subcommands() {
+            check(below, &format!("{path} {}", below.get_name()));
+        }
+    }
+
+    #[test]
+    fn every_example_of_the_help_is_a_command_line() {
+        check(&Cli::command(), "strainsite");
+    }
+
+    #[test]
+    fn every_command_has_its_page() {
+        let mut program = Cli::command();
+        program.build();
+        let pages = shell::pages(&program).expect("pages");
+        let text = |name: &str| {
+            let page = pages.iter().find(|(file, _)| file == name);
+            &page.unwrap_or_else(|| panic!("{name} is missing")).1
+        };
+        assert!(text("strainsite.1").contains(".TH strainsite 1"));
+        assert!(text("strainsite-sweep.1").contains("\\-\\-grid"));
+        assert!(text("strainsite-gsa-plan.1").contains("Examples:"));
+        assert!(text("strainsite-db-check.1").contains("hash"));
+    }
+}

@@ -1,0 +1,17 @@
+//! What is said, where, and how it looks.
+//!
+//! - [`exit`]: why a command fails, and its exit code
+//! - `paint`, `output`: painted text, plain where paint isn't wanted; documents
+//! - `progress`: bars and clocks
+//! - `signals`: Ctrl-C
+//! - `estimate_text`, `ranked_table`: figures as tables
+//! - `help_examples`: the examples of `--help`
+
+pub(crate) mod estimate_text;
+pub mod exit;
+pub(crate) mod help_examples;
+pub(crate) mod output;
+pub(crate) mod paint;
+pub(crate) mod progress;
+pub(crate) mod ranked_table;
+pub(crate) mod signals;

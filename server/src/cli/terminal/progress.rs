@@ -1,0 +1,125 @@
+//! How far a run is, on a terminal.
+
+use std::time::Duration;
+
+use anstream::{AutoStream, ColorChoice};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use placement::run::Event;
+
+use crate::cli::terminal::paint::{BAD, painted};
+
+/// A bar on standard error, on a terminal only, after a label.
+pub fn progress_bar(label: &str) -> ProgressBar {
+    let bar = ProgressBar::new(0);
+    if let Ok(style) = ProgressStyle::with_template(
+        "{prefix}{wide_bar} {pos}/{len} points, {elapsed} gone, {eta} to go  {msg}",
+    ) {
+        bar.set_style(style);
+    }
+    bar.set_prefix(label.to_owned());
+    bar
+}
+
+/// A bar that counts so many things of this kind.
+pub fn counting_bar(of: usize, kind: &str) -> ProgressBar {
+    ticking_bar(number(of), &format!("{{pos}}/{{len}} {kind}"))
+}
+
+/// A bar of a file that grows to so many bytes.
+pub fn bytes_bar(of: u64) -> ProgressBar {
+    ticking_bar(of, "{bytes}/{total_bytes}")
+}
+
+fn ticking_bar(of: u64, counted: &str) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(of), ProgressDrawTarget::hidden());
+    let template = format!("{{wide_bar}} {counted}, {{elapsed}} gone, {{eta}} to go");
+    if let Ok(style) = ProgressStyle::with_template(&template) {
+        bar.set_style(style);
+    }
+    seen_in_time(bar)
+}
+
+/// Moves a bar; what comes before the first of all isn't counted in the time that one takes.
+pub fn count(bar: &ProgressBar, done: usize, of: usize) {
+    bar.set_length(number(of));
+    bar.set_position(number(done));
+    if done == 1 {
+        bar.reset_eta();
+    }
+}
+
+fn number(count: usize) -> u64 {
+    u64::try_from(count).unwrap_or(u64::MAX)
+}
+
+/// What stands there while something takes its time, of which nobody knows how much.
+pub fn clock(what: &str) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}, {elapsed} gone") {
+        bar.set_style(style);
+    }
+    bar.set_message(what.to_owned());
+    seen_in_time(bar)
+}
+
+/// The bar, hidden so far, is seen from its second second on: nothing flickers on the terminal for what is done before.
+fn seen_in_time(bar: ProgressBar) -> ProgressBar {
+    let waiting = bar.downgrade();
+    std::thread::spawn(move || {
+        std::thread::sleep(PATIENCE);
+        let still = waiting.upgrade().filter(|bar| !bar.is_finished());
+        if let Some(bar) = still {
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+            bar.enable_steady_tick(TICK);
+        }
+    });
+    bar
+}
+
+/// What takes less needs no bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How often a bar is drawn anew when nothing else moves it.
+pub const TICK: Duration = Duration::from_millis(200);
+
+/// Says above the bar which point failed, and why.
+pub fn say_failed(bar: &ProgressBar, ordinal: usize, cause: &str) {
+    let point = format!("point {ordinal}");
+    let point = match AutoStream::choice(&std::io::stderr()) {
+        ColorChoice::Never => point,
+        _ => painted(BAD, point),
+    };
+    bar.println(format!("{point}: {cause}"));
+}
+
+/// Moves the bar, and says above it what failed.
+pub fn show(bar: &ProgressBar, event: &Event) {
+    match event {
+        Event::Started { points, reused } => {
+            bar.set_length(number(*points));
+            bar.set_position(number(*reused));
+            bar.reset_eta();
+        }
+        Event::PointSolved {
+            done,
+            newton_iterations,
+            wall_s,
+            ..
+        } => {
+            bar.set_position(number(*done));
+            bar.set_message(format!(
+                "last: {newton_iterations} iterations, {wall_s:.1} s"
+            ));
+        }
+        Event::PointFailed {
+            ordinal,
+            done,
+            cause,
+            ..
+        } => {
+            bar.set_position(number(*done));
+            say_failed(bar, *ordinal, cause);
+        }
+        Event::Analysing => bar.set_message("analysing"),
+    }
+}

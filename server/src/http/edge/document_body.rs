@@ -1,0 +1,192 @@
+//! Reads the bodies of studies and sweeps.
+
+// What users send is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use std::time::Duration;
+
+use axum::body::Body;
+use axum::extract::{FromRequest, Request};
+use axum::http::{HeaderMap, StatusCode, header};
+use fem_client::document::fault::Fault;
+use fem_client::document::{Format, MAX_BYTES, parse};
+use http_body_util::BodyExt;
+use placement::study::Study;
+use placement::sweep::Sweep;
+use serde_json::Value;
+use tokio::sync::Semaphore;
+
+use crate::http::edge::problem_document::Problem;
+
+/// A client that has not sent its document by then is refused.
+const BODY_TIMEOUT: Duration = Duration::from_secs(30);
+/// A body that goes on beyond this is cut off.
+const DISCARDED_BYTES: usize = 16 * MAX_BYTES;
+
+/// Documents checked at once: the largest design takes 100 MB meanwhile.
+static READERS: Semaphore = Semaphore::const_new(4);
+
+/// A request's body: a document that nobody has looked into yet.
+pub struct Document {
+    text: String,
+    format: Format,
+}
+
+impl<S: Send + Sync> FromRequest<S> for Document {
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, _: &S) -> Result<Self, Problem> {
+        let format = format_of(request.headers())?;
+        let text = read(request).await?;
+        Ok(Self { text, format })
+    }
+}
+
+impl Document {
+    /// What a reader makes of it.
+    ///
+    /// # Errors
+    /// 400 when it isn't well-formed, 422 with every fault that the reader finds.
+    pub async fn checked<T, R>(self, reader: R) -> Result<T, Problem>
+    where
+        T: Send + 'static,
+        R: FnOnce(&Value) -> Result<T, Vec<Fault>> + Send + 'static,
+    {
+        let Self { text, format } = self;
+        // A closed semaphore can't be: nobody closes it.
+        let place = READERS.acquire().await.ok();
+        // A large design takes seconds to check, which the runtime's threads haven't.
+        let read = tokio::task::spawn_blocking(move || {
+            let _place = place;
+            reader(&well_formed(&text, format)?).map_err(Problem::faults)
+        });
+        let broken = |_| {
+            let detail = "the service has a fault; its log says where";
+            Problem::new(StatusCode::INTERNAL_SERVER_ERROR, detail)
+        };
+        read.await.map_err(broken)?
+    }
+}
+
+/// A checked study from a request's body.
+pub struct StudyBody {
+    /// The study.
+    pub study: Study,
+}
+
+impl<S: Send + Sync> FromRequest<S> for StudyBody {
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, state: &S) -> Result<Self, Problem> {
+        let document = Document::from_request(request, state).await?;
+        let study = document.checked(|value| Study::from_value(value, &no_files));
+        study.await.map(|study| Self { study })
+    }
+}
+
+/// A checked sweep from a request's body.
+pub struct SweepBody {
+    /// The sweep.
+    pub sweep: Sweep,
+}
+
+impl<S: Send + Sync> FromRequest<S> for SweepBody {
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, state: &S) -> Result<Self, Problem> {
+        let document = Document::from_request(request, state).await?;
+        let sweep = document.checked(|value| Sweep::from_value(value, &no_files));
+        sweep.await.map(|sweep| Self { sweep })
+    }
+}
+
+/// A service must not read files that a page or a script on another machine names.
+fn no_files(path: &str) -> Result<String, String> {
+    Err(format!(
+        "the service reads no scene files, so {path:?} can't be used here: put the scene's tables inline, or name a \
+         preset as in {{\"preset\": \"foot-tire\"}}"
+    ))
+}
+
+fn format_of(headers: &HeaderMap) -> Result<Format, Problem> {
+    let unsupported = |detail| Problem::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, detail);
+    if headers.contains_key(header::CONTENT_ENCODING) {
+        return Err(unsupported(
+            "send the document as it is, without a Content-Encoding",
+        ));
+    }
+    let kind = headers
+        .get(header::CONTENT_TYPE)
+        .and_then(|value| value.to_str().ok())
+        .unwrap_or_default();
+    match kind
+        .split(';')
+        .next()
+        .unwrap_or_default()
+        .trim()
+        .to_ascii_lowercase()
+        .as_str()
+    {
+        "application/json" => Ok(Format::Json),
+        "application/toml" => Ok(Format::Toml),
+        _ => Err(unsupported(
+            "a document is sent as application/json or application/toml",
+        )),
+    }
+}
+
+async fn read(request: Request) -> Result<String, Problem> {
+    let slow = |_| {
+        Problem::new(
+            StatusCode::REQUEST_TIMEOUT,
+            "the document took too long to arrive",
+        )
+    };
+    let read = collect(request.into_body());
+    let bytes = tokio::time::timeout(BODY_TIMEOUT, read)
+        .await
+        .map_err(slow)??;
+    let foreign = |_| Problem::new(StatusCode::BAD_REQUEST, "the document is not UTF-8");
+    String::from_utf8(bytes).map_err(foreign)
+}
+
+/// The body, when it isn't too large. Of one that is, some more is read and thrown away: most clients look for an
+/// answer only when they have sent everything, and see a broken connection otherwise.
+async fn collect(mut body: Body) -> Result<Vec<u8>, Problem> {
+    let (mut bytes, mut length) = (Vec::new(), 0);
+    while let Some(frame) = body.frame().await {
+        let broken = |_| Problem::new(StatusCode::BAD_REQUEST, "the document did not arrive whole");
+        let Ok(data) = frame.map_err(broken)?.into_data() else {
+            continue;
+        };
+        length += data.len();
+        if length <= MAX_BYTES {
+            bytes.extend_from_slice(&data);
+        } else if length <= DISCARDED_BYTES {
+            bytes = Vec::new();
+        } else {
+            break;
+        }
+    }
+    if length > MAX_BYTES {
+        let detail = format!("a document has at most {MAX_BYTES} bytes");
+        return Err(Problem::new(StatusCode::PAYLOAD_TOO_LARGE, detail));
+    }
+    Ok(bytes)
+}
+
+/// A text that can't be read is a bad request; what can be read and is wrong is for the study's own reader.
+fn well_formed(text: &str, format: Format) -> Result<Value, Problem> {
+    let faults = match parse(text, format) {
+        Ok(value) => return Ok(value),
+        Err(faults) => faults,
+    };
+    let unreadable =
+        |fault: &Fault| fault.pointer.is_empty() && !fault.detail.contains("number out of range");
+    if faults.iter().any(unreadable) {
+        return Err(
+            Problem::new(StatusCode::BAD_REQUEST, "the document can't be read").with_errors(faults),
+        );
+    }
+    Err(Problem::faults(faults))
+}

@@ -1,0 +1,77 @@
+//! Reads addresses and queries, with problem documents for those that can't be read.
+
+// What users send is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use axum::extract::rejection::{PathRejection, QueryRejection};
+use axum::extract::{FromRequestParts, Path, Query};
+use axum::http::StatusCode;
+use axum::http::request::Parts;
+use serde::de::DeserializeOwned;
+use utoipa::IntoParams;
+
+use crate::http::edge::problem_document::Problem;
+
+/// The query of a request.
+pub struct Params<T>(pub T);
+
+impl<T: DeserializeOwned, S: Send + Sync> FromRequestParts<S> for Params<T> {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
+        let refused =
+            |error: QueryRejection| Problem::new(StatusCode::BAD_REQUEST, error.body_text());
+        Query::from_request_parts(parts, state)
+            .await
+            .map(|Query(value)| Self(value))
+            .map_err(refused)
+    }
+}
+
+/// The study's identifier in an address.
+pub struct StudyId(pub String);
+
+/// The sweep's identifier in an address.
+pub struct SweepId(pub String);
+
+impl<S: Send + Sync> FromRequestParts<S> for StudyId {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
+        identifier(parts, state).await.map(Self)
+    }
+}
+
+impl<S: Send + Sync> FromRequestParts<S> for SweepId {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
+        identifier(parts, state).await.map(Self)
+    }
+}
+
+async fn identifier<S: Send + Sync>(parts: &mut Parts, state: &S) -> Result<String, Problem> {
+    let refused = |error: PathRejection| Problem::new(StatusCode::BAD_REQUEST, error.body_text());
+    let found = Path::from_request_parts(parts, state).await;
+    found.map(|Path(id)| id).map_err(refused)
+}
+
+/// How the study's identifier is described.
+#[derive(Debug, IntoParams)]
+#[into_params(parameter_in = Path)]
+#[expect(dead_code, reason = "it describes; StudyId reads")]
+pub struct StudyPath {
+    /// Identifier of the study, as its submission answered
+    #[param(example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b")]
+    id: String,
+}
+
+/// How the sweep's identifier is described.
+#[derive(Debug, IntoParams)]
+#[into_params(parameter_in = Path)]
+#[expect(dead_code, reason = "it describes; SweepId reads")]
+pub struct SweepPath {
+    /// Identifier of the sweep, as its submission answered
+    #[param(example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6c")]
+    id: String,
+}

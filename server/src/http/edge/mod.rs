@@ -1,0 +1,22 @@
+//! What every request passes on its way to a handler and back.
+//!
+//! - [`problem_document`]: what a client is told when a request can't be answered
+//! - [`request_id`]: every request has an identifier
+//! - [`guard`]: who may ask
+//! - [`access`]: the token, where one is asked for
+//! - [`extract`]: reads addresses and queries
+//! - [`document_body`]: reads the body of a submitted study
+//! - [`conditional`]: answers that needn't be sent again
+//! - [`streams`]: places for event streams
+//! - [`listener`], [`reading`]: accepts connections, and drops those that nobody reads from
+
+pub mod access;
+pub mod conditional;
+pub mod document_body;
+pub mod extract;
+pub mod guard;
+pub mod listener;
+pub mod problem_document;
+pub mod reading;
+pub mod request_id;
+pub mod streams;

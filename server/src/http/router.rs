@@ -1,0 +1,46 @@
+//! All routes, guarded, with the dashboard.
+
+use std::any::Any;
+
+use axum::http::StatusCode;
+use axum::middleware::{from_fn, from_fn_with_state};
+use axum::response::{IntoResponse, Response};
+use axum::{Router, body::Body};
+use tower_http::catch_panic::CatchPanicLayer;
+
+use crate::http::app_state::AppState;
+use crate::http::edge::problem_document::Problem;
+use crate::http::edge::{access, guard, request_id};
+use crate::http::routes::{assets, metric_routes, openapi};
+
+/// All routes, guarded: the innermost layer stands first.
+pub fn app(state: AppState, hosts: guard::HostList) -> Router {
+    let (router, _) = openapi::routes().split_for_parts();
+    let (access, counted) = (state.access.clone(), state.metrics.clone());
+    router
+        .method_not_allowed_fallback(wrong_method)
+        .fallback(assets::fallback)
+        .with_state(state)
+        .layer(CatchPanicLayer::custom(panicked))
+        .layer(from_fn_with_state(access, access::authorise))
+        .layer(from_fn_with_state(hosts, guard::admit))
+        .layer(from_fn(guard::harden))
+        .layer(from_fn(request_id::assign))
+        .layer(from_fn_with_state(counted, metric_routes::measure))
+}
+
+async fn wrong_method() -> Problem {
+    Problem::new(
+        StatusCode::METHOD_NOT_ALLOWED,
+        "this address does not take that method; see the Allow header",
+    )
+}
+
+/// The panic itself is in the log already.
+fn panicked(_: Box<dyn Any + Send>) -> Response<Body> {
+    Problem::new(
+        StatusCode::INTERNAL_SERVER_ERROR,
+        "the service has a fault; its log says where",
+    )
+    .into_response()
+}

@@ -1,0 +1,187 @@
+//! The description of the service, OpenAPI 3.1, from the types and routes themselves.
+//!
+//! Each handler carries its operation, and a router takes handler and operation together, so that neither is there without the other.
+
+use std::sync::LazyLock;
+
+use axum::Json;
+use axum::extract::State;
+use axum::response::Html;
+use serde_json::{Value, json};
+use utoipa::OpenApi;
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+use crate::http::app_state::AppState;
+use crate::http::edge::access::Access;
+use crate::http::routes::{
+    comparison_routes, docs, event_routes, export_routes, health, login_routes, metric_routes,
+    preset_routes, result_routes, study_routes, sweep_routes,
+};
+use service::export::{ComparisonFormat, ComparisonTable, FileFormat, Table};
+use service::wire::examples;
+use service::wire::study_wire::ProblemDocument;
+
+#[derive(OpenApi)]
+#[openapi(
+    info(
+        title = "strainsite",
+        description = "Ranks strain-sensor locations in a smart tire. Studies are documents: what is pressed, what varies, what is asked. They are \
+                       queued, solved point by point, and answered with ranked locations and layouts, each number with its error.\n\n\
+                       Units are mm, N, MPa, degrees and seconds; strains are plain numbers. Numbers that don't exist are null, with a reason beside \
+                       them. Every answer has an `x-request-id`.",
+        license(name = "MIT OR Apache-2.0", identifier = "MIT OR Apache-2.0")
+    ),
+    components(schemas(ProblemDocument, ComparisonFormat, ComparisonTable, FileFormat, Table)),
+    tags(
+        (name = "studies", description = "Estimate, submit, follow and cancel"),
+        (name = "answers", description = "What a study found"),
+        (name = "sweeps", description = "One study and many designs, and what differs between them"),
+        (name = "service", description = "The service itself")
+    )
+)]
+struct Description;
+
+static DOCUMENT: LazyLock<Value> = LazyLock::new(|| {
+    let (_, described) = routes().split_for_parts();
+    let mut document = serde_json::to_value(&described).unwrap_or_default();
+    for operation in operations(&mut document) {
+        operation["responses"]["default"] = problem();
+    }
+    document
+});
+
+/// A router that only has what is said of the whole service.
+pub fn described() -> OpenApiRouter<AppState> {
+    OpenApiRouter::with_openapi(Description::openapi())
+}
+
+/// All routes with their operations.
+pub fn routes() -> OpenApiRouter<AppState> {
+    described()
+        .merge(study_routes::router())
+        .merge(sweep_routes::router())
+        .merge(comparison_routes::router())
+        .merge(event_routes::router())
+        .merge(result_routes::router())
+        .merge(export_routes::router())
+        .merge(preset_routes::router())
+        .merge(health::router())
+        .merge(login_routes::router())
+        .merge(metric_routes::router())
+        .merge(router())
+}
+
+/// `/openapi.json` and `/docs`.
+pub fn router() -> OpenApiRouter<AppState> {
+    OpenApiRouter::new()
+        .routes(routes!(description))
+        .routes(routes!(page))
+}
+
+/// Get this description
+///
+/// OpenAPI 3.1, for people's programs and for generators of clients.
+#[utoipa::path(get, path = "/openapi.json", tag = "service",
+    responses((status = 200, description = "The description", body = Object, example = json!({"openapi": "3.1.0", "paths": {}}))))]
+async fn description(State(state): State<AppState>) -> Json<Value> {
+    Json(document(&state.access))
+}
+
+/// Read this description
+///
+/// The same as a page, without scripts and without anything from elsewhere.
+#[utoipa::path(get, path = "/docs", tag = "service",
+    responses((status = 200, description = "The page", content_type = "text/html", body = String, example = json!("<!doctype html>..."))))]
+async fn page(State(state): State<AppState>) -> Html<String> {
+    Html(docs::page(&document(&state.access)))
+}
+
+/// The description, with what lets a client in.
+fn document(access: &Access) -> Value {
+    let mut document = DOCUMENT.clone();
+    access.describe(&mut document);
+    document
+}
+
+/// Every operation of a document.
+fn operations(document: &mut Value) -> impl Iterator<Item = &mut Value> {
+    let paths = document["paths"].as_object_mut().into_iter().flatten();
+    paths.flat_map(|(_, item)| {
+        let methods = item.as_object_mut().into_iter().flatten();
+        methods
+            .filter(|(name, _)| docs::METHODS.contains(&name.as_str()))
+            .map(|(_, operation)| operation)
+    })
+}
+
+/// What any operation may answer instead of its own answers.
+fn problem() -> Value {
+    json!({
+        "description": "A problem: 400 for what can't be read, 401 without the token where one is asked for, 403 for a foreign Host or Origin, 404, 405, 408, \
+                        413, 415, 429, 431, 500, 503 and 507, as their names say; 429, 503 and 507 say in `Retry-After` when to ask again",
+        "content": {"application/problem+json": {
+            "schema": {"$ref": "#/components/schemas/ProblemDocument"},
+            "example": examples::absent(),
+        }},
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use axum::Router;
+
+    use super::*;
+
+    /// The paths of a router, and those that axum adds to every router: it lists them nowhere but in its debugging text.
+    fn paths(router: &Router<AppState>) -> BTreeSet<String> {
+        let text = format!("{router:?}");
+        let quoted = text.split('"').filter(|part| part.starts_with('/'));
+        quoted.map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn the_router_and_the_description_have_the_same_paths() {
+        let (router, described) = routes().split_for_parts();
+        let described: BTreeSet<String> = described.paths.paths.keys().cloned().collect();
+        let own = paths(&Router::new());
+        let routed: BTreeSet<String> = paths(&router).difference(&own).cloned().collect();
+        assert!(!routed.is_empty());
+        assert_eq!(routed, described);
+    }
+
+    #[test]
+    fn every_operation_is_described_with_examples() {
+        let mut document = DOCUMENT.clone();
+        assert_eq!(document["openapi"], "3.1.0");
+        let schemas = document["components"]["schemas"].clone();
+        let mut ids = BTreeSet::new();
+        for operation in operations(&mut document) {
+            let id = operation["operationId"].as_str().expect("an id");
+            assert!(ids.insert(id.to_owned()), "{id} stands twice");
+            for field in ["summary", "description", "tags"] {
+                assert!(!operation[field].is_null(), "{id} has no {field}");
+            }
+            for (status, response) in operation["responses"].as_object().expect("responses") {
+                assert!(response["description"].is_string(), "{id} {status}");
+                for (kind, content) in response["content"].as_object().into_iter().flatten() {
+                    assert!(!content["example"].is_null(), "{id} {status} {kind}");
+                }
+            }
+            for (kind, content) in operation["requestBody"]["content"]
+                .as_object()
+                .into_iter()
+                .flatten()
+            {
+                assert!(!content["example"].is_null(), "{id} {kind}");
+            }
+        }
+        assert!(ids.len() > 10);
+        for reference in document.to_string().split("#/components/schemas/").skip(1) {
+            let name = reference.split('"').next().expect("a name");
+            assert!(schemas[name].is_object(), "{name} is not described");
+        }
+    }
+}

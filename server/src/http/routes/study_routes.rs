@@ -1,0 +1,297 @@
+//! Estimate, submit, list, look at and cancel studies.
+
+// What users send is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use axum::Json;
+use axum::extract::State;
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use placement::result::Estimate;
+use serde::Deserialize;
+use serde_json::Value;
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+use crate::http::app_state::AppState;
+use crate::http::edge::conditional;
+use crate::http::edge::document_body::StudyBody;
+use crate::http::edge::extract::{Params, StudyId, StudyPath};
+use crate::http::edge::problem_document::Problem;
+use service::forecast::{ForecastError, admit, forecast};
+use service::queue::SubmitError;
+use service::wire::examples;
+use service::wire::study_wire::{
+    ProblemDocument, StudyDetail, StudyDocument, StudyPage, StudySummary,
+};
+use store::Store;
+use store::answers::result_rows;
+use store::answers::trades;
+use store::queue::study_rows::{self, Filter, State as StudyState, StudyRow};
+use store::queue::sweep_rows;
+
+/// `/v1/studies` and `/v1/studies/{id}`.
+pub fn router() -> OpenApiRouter<AppState> {
+    OpenApiRouter::new()
+        .routes(routes!(list, submit))
+        .routes(routes!(show, cancel))
+        .routes(routes!(estimate))
+}
+
+/// Submit a study
+///
+/// Takes the document in and answers at once; the study waits for its turn. The same document sent again under the same `Idempotency-Key` finds the same
+/// study. Points that any study solved before are shared, not solved again.
+#[utoipa::path(post, path = "/v1/studies", tag = "studies",
+    params(
+        ("priority" = Option<i64>, Query, description = "Studies of higher priority go first, those of the same in turns; 0 when left out", minimum = -100, maximum = 100, example = 10),
+        ("Idempotency-Key" = Option<String>, Header, description = "1 to 255 visible ASCII characters that stand for this submission", example = "night-run-17")),
+    request_body(description = "A study, as JSON or TOML", content(
+        (StudyDocument = "application/json", example = json!(examples::study())),
+        (String = "application/toml", example = json!(examples::study_toml())))),
+    responses(
+        (status = 202, description = "Taken in; `Location` says where to look", body = StudySummary, headers(("Location" = String, description = "Address of the study"), ("Retry-After" = String, description = "Seconds after which to look")),
+            links(
+                ("study" = (operation_id = "show", parameters(("id" = "$response.body#/id")))),
+                ("cancel" = (operation_id = "cancel", parameters(("id" = "$response.body#/id")))),
+                ("events" = (operation_id = "follow", parameters(("id" = "$response.body#/id")))),
+                ("result" = (operation_id = "whole", parameters(("id" = "$response.body#/id")))),
+                ("evaluations" = (operation_id = "evaluations", parameters(("id" = "$response.body#/id"))))
+            ), example = json!(examples::summary())),
+        (status = 429, description = "Too many studies wait already; `Retry-After` says when to look again", body = ProblemDocument, content_type = "application/problem+json",
+            headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(examples::crowded())),
+        (status = 422, description = "The document has faults: all of them, each with its JSON pointer; or it would take more memory than there is; or the key stands for another document",
+            body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]
+async fn submit(
+    State(state): State<AppState>,
+    Params(query): Params<SubmitQuery>,
+    headers: HeaderMap,
+    body: StudyBody,
+) -> Result<Response, Problem> {
+    let key = idempotency_key(&headers)?;
+    let priority = priority(query.priority.as_deref())?;
+    let engine = &state.engine;
+    let admitted = admit(
+        &engine.solver,
+        engine.threads,
+        state.memory_bytes,
+        &body.study,
+    )
+    .await;
+    admitted.map_err(refused)?;
+    let id = state
+        .queue
+        .submit(&body.study, priority, key)
+        .await
+        .map_err(unsubmitted)?;
+    tracing::info!(study = id, name = ?body.study.name, "study accepted");
+    let study = known(&state.store, &id).await?;
+    Ok(accepted(&study))
+}
+
+/// Why something was not taken in.
+pub(super) fn unsubmitted(error: SubmitError) -> Problem {
+    match error {
+        SubmitError::KeyTaken => Problem::new(
+            StatusCode::UNPROCESSABLE_ENTITY,
+            "this Idempotency-Key was used with another document",
+        ),
+        SubmitError::TooMany { .. } => {
+            Problem::new(StatusCode::TOO_MANY_REQUESTS, error.to_string())
+        }
+        SubmitError::Store(error) => error.into(),
+    }
+}
+
+/// Query of a submission.
+#[derive(Deserialize)]
+pub(super) struct SubmitQuery {
+    pub priority: Option<String>,
+}
+
+pub(super) fn priority(text: Option<&str>) -> Result<i64, Problem> {
+    let number = text.map_or(Some(0), |text| text.parse().ok());
+    let in_range = number.filter(|number| (-100..=100).contains(number));
+    in_range.ok_or_else(|| {
+        let detail = "priority is a whole number from -100 to 100";
+        Problem::new(StatusCode::BAD_REQUEST, detail)
+    })
+}
+
+/// A key is 1 to 255 visible ASCII characters.
+pub(super) fn idempotency_key(headers: &HeaderMap) -> Result<Option<&str>, Problem> {
+    let Some(value) = headers.get("idempotency-key") else {
+        return Ok(None);
+    };
+    let fits = |key: &&str| {
+        (1..=255).contains(&key.len()) && key.chars().all(|c| c.is_ascii_graphic() || c == ' ')
+    };
+    let wrong = || {
+        Problem::new(
+            StatusCode::BAD_REQUEST,
+            "an Idempotency-Key is 1 to 255 visible ASCII characters",
+        )
+    };
+    value.to_str().ok().filter(fits).map(Some).ok_or_else(wrong)
+}
+
+fn accepted(study: &StudyRow) -> Response {
+    let location = format!("/v1/studies/{}", study.id);
+    let headers = [
+        (header::LOCATION, location),
+        (header::RETRY_AFTER, "1".to_owned()),
+    ];
+    (StatusCode::ACCEPTED, headers, Json(StudySummary::of(study))).into_response()
+}
+
+/// Query of a list.
+#[derive(Deserialize)]
+pub(super) struct PageQuery {
+    pub limit: Option<String>,
+    pub cursor: Option<String>,
+    pub state: Option<String>,
+    pub sweep: Option<String>,
+}
+
+const PAGE: u32 = 50;
+const LARGEST_PAGE: u32 = 200;
+
+/// Entries of a page.
+pub(super) fn page_limit(text: Option<&str>) -> Result<u32, Problem> {
+    let limit = text.map_or(Some(PAGE), |text| text.parse().ok());
+    let in_range = limit.filter(|limit| (1..=LARGEST_PAGE).contains(limit));
+    in_range.ok_or_else(|| {
+        let detail = "limit is a whole number from 1 to 200";
+        Problem::new(StatusCode::BAD_REQUEST, detail)
+    })
+}
+
+/// List studies
+///
+/// Newest first, a page at a time.
+#[utoipa::path(get, path = "/v1/studies", tag = "studies",
+    params(
+        ("If-None-Match" = Option<String>, Header, description = "ETag of the page that the client has"),
+        ("limit" = Option<u32>, Query, description = "Studies of a page, 50 when left out", minimum = 1, maximum = 200, example = 20),
+        ("cursor" = Option<String>, Query, description = "`next_cursor` of the page before", example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b"),
+        ("state" = Option<StudyState>, Query, description = "Studies of this state alone"),
+        ("sweep" = Option<String>, Query, description = "Designs of the sweep of this identifier alone; `none`: studies that are no design of any", example = "none")),
+    responses((status = 304, description = "The client has it"),
+              (status = 200, description = "A page", body = StudyPage, example = json!({"studies": [examples::summary()], "next_cursor": null}))))]
+async fn list(
+    State(state): State<AppState>,
+    Params(query): Params<PageQuery>,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let wrong = |detail: &str| Problem::new(StatusCode::BAD_REQUEST, detail);
+    let limit = page_limit(query.limit.as_deref())?;
+    let of_state = match query.state.as_deref() {
+        None => None,
+        Some(name) => Some(
+            StudyState::named(name)
+                .ok_or_else(|| wrong("state is one of queued, running, done, failed, cancelled"))?,
+        ),
+    };
+    let mut connection = state.store.read().await?;
+    let filter = Filter {
+        state: of_state,
+        sweep: query.sweep.as_deref(),
+    };
+    let rows =
+        study_rows::page(&mut connection, filter, query.cursor.as_deref(), limit + 1).await?;
+    let page = rows.get(..limit as usize).unwrap_or(&rows);
+    let next = page
+        .last()
+        .filter(|_| rows.len() > page.len())
+        .map(|row| &row.id);
+    let page = StudyPage {
+        studies: page.iter().map(StudySummary::of).collect(),
+        next_cursor: next.cloned(),
+    };
+    conditional::json(&headers, &page)
+}
+
+/// Look at a study
+///
+/// Its state, its progress, its document, and what it is expected to take.
+#[utoipa::path(get, path = "/v1/studies/{id}", tag = "studies",
+    params(StudyPath, ("If-None-Match" = Option<String>, Header, description = "ETag of the study as the client has it")),
+    responses((status = 304, description = "The client has it"),
+              (status = 200, description = "The study", body = StudyDetail, example = json!(examples::detail())),
+              (status = 404, description = "There is no such study", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
+async fn show(
+    State(state): State<AppState>,
+    StudyId(id): StudyId,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let study = known(&state.store, &id).await?;
+    let estimate = study.estimate.as_deref().map(serde_json::from_str);
+    let mut connection = state.store.read().await?;
+    let detail = StudyDetail {
+        summary: StudySummary::of(&study),
+        document: serde_json::from_str(&study.spec).unwrap_or(Value::Null),
+        estimate: estimate.and_then(Result::ok),
+        result_sha256: result_rows::sha256_of(&mut connection, &id).await?,
+        trade_measured: trades::is_measured(&mut connection, &study.spec_sha256).await?,
+        sweep: sweep_rows::of_study(&mut connection, &id).await?,
+    };
+    conditional::json(&headers, &detail)
+}
+
+/// Estimate a study
+///
+/// What the document would cost, before anything is solved: solves, time, memory, and the accuracy to expect. Nothing is stored. What the database has
+/// already costs nothing, and the times of its solves correct the estimate for this machine.
+#[utoipa::path(post, path = "/v1/studies:estimate", tag = "studies",
+    request_body(description = "A study, as JSON or TOML", content(
+        (StudyDocument = "application/json", example = json!(examples::study())),
+        (String = "application/toml", example = json!(examples::study_toml())))),
+    responses(
+        (status = 200, description = "The estimate", body = Estimate, example = json!(examples::estimate())),
+        (status = 422, description = "The document has faults: all of them, each with its JSON pointer",
+            body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]
+async fn estimate(
+    State(state): State<AppState>,
+    body: StudyBody,
+) -> Result<Json<Estimate>, Problem> {
+    let engine = &state.engine;
+    let estimate = forecast(
+        Some(&state.store),
+        &engine.solver,
+        engine.threads,
+        &body.study,
+    )
+    .await;
+    estimate.map(Json).map_err(refused)
+}
+
+/// A study that can't be planned, or would take too much.
+pub(super) fn refused(error: ForecastError) -> Problem {
+    match error {
+        ForecastError::Plan(_) | ForecastError::Memory { .. } => {
+            Problem::new(StatusCode::UNPROCESSABLE_ENTITY, error.to_string())
+        }
+        ForecastError::Store(error) => error.into(),
+        ForecastError::Broken => Problem::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string()),
+    }
+}
+
+/// Cancel a study
+///
+/// One that runs ends within a Newton iteration; what it has solved is kept. Cancelling what has ended changes nothing and is no error.
+#[utoipa::path(delete, path = "/v1/studies/{id}", tag = "studies", params(StudyPath),
+    responses((status = 202, description = "Cancelled, or ended before", body = StudySummary, headers(("Location" = String, description = "Address of the study"), ("Retry-After" = String, description = "Seconds after which to look")),
+            example = json!(examples::summary())),
+              (status = 404, description = "There is no such study", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
+async fn cancel(State(state): State<AppState>, StudyId(id): StudyId) -> Result<Response, Problem> {
+    known(&state.store, &id).await?;
+    state.queue.cancel(&id).await?;
+    Ok(accepted(&known(&state.store, &id).await?))
+}
+
+/// The study of this identifier, or 404.
+pub async fn known(store: &Store, id: &str) -> Result<StudyRow, Problem> {
+    let mut connection = store.read().await?;
+    let study = study_rows::find(&mut connection, id).await?;
+    study.ok_or_else(|| Problem::not_found(format!("there is no study {id:?}")))
+}

@@ -1,0 +1,246 @@
+//! Estimate, submit, list, look at, extend, resume and cancel sweeps.
+
+// What users send is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use axum::Json;
+use axum::extract::State;
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use placement::sweep::designs_of;
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+use crate::http::app_state::AppState;
+use crate::http::edge::conditional;
+use crate::http::edge::document_body::{Document, SweepBody};
+use crate::http::edge::extract::{Params, SweepId, SweepPath};
+use crate::http::edge::problem_document::Problem;
+use crate::http::routes::study_routes::{
+    PageQuery, SubmitQuery, idempotency_key, page_limit, priority, refused, unsubmitted,
+};
+use service::forecast::{admit, forecast_sweep};
+use service::study_document::stored_text;
+use service::wire::examples::{absent, crowded, faults};
+use service::wire::study_wire::ProblemDocument;
+use service::wire::sweep_examples as examples;
+use service::wire::sweep_wire::{
+    FurtherDesigns, SweepDetail, SweepDocument, SweepEstimate, SweepPage, SweepSummary,
+};
+use store::Store;
+use store::queue::sweep_rows::{self, DesignRow, SweepRow};
+
+/// `/v1/sweeps` and what is below it.
+pub fn router() -> OpenApiRouter<AppState> {
+    OpenApiRouter::new()
+        .routes(routes!(list_sweeps, submit_sweep))
+        .routes(routes!(show_sweep, cancel_sweep))
+        .routes(routes!(extend_sweep))
+        .routes(routes!(resume_sweep))
+        .routes(routes!(estimate_sweep))
+}
+
+/// Submit a sweep
+///
+/// One study and its designs: lists of values by path, or the designs one by one. Each design is a study in the queue; points that designs share are solved
+/// once. The same document sent again under the same `Idempotency-Key` finds the same sweep.
+#[utoipa::path(post, path = "/v1/sweeps", tag = "sweeps",
+    params(
+        ("priority" = Option<i64>, Query, description = "Of all its studies: those of higher priority go first, those of the same in turns; 0 when left out", minimum = -100, maximum = 100, example = 10),
+        ("Idempotency-Key" = Option<String>, Header, description = "1 to 255 visible ASCII characters that stand for this submission", example = "walls-17")),
+    request_body(description = "A sweep, as JSON or TOML", content(
+        (SweepDocument = "application/json", example = json!(examples::document())),
+        (String = "application/toml", example = json!(examples::document_toml())))),
+    responses(
+        (status = 202, description = "Taken in; `Location` says where to look", body = SweepDetail, headers(("Location" = String, description = "Address of the sweep"), ("Retry-After" = String, description = "Seconds after which to look")),
+            links(
+                ("sweep" = (operation_id = "show_sweep", parameters(("id" = "$response.body#/id")))),
+                ("extend" = (operation_id = "extend_sweep", parameters(("id" = "$response.body#/id")))),
+                ("resume" = (operation_id = "resume_sweep", parameters(("id" = "$response.body#/id")))),
+                ("cancel" = (operation_id = "cancel_sweep", parameters(("id" = "$response.body#/id")))),
+                ("comparison" = (operation_id = "compare", parameters(("sweep" = "$response.body#/id"))))
+            ), example = json!(examples::detail())),
+        (status = 429, description = "Too many studies would wait; `Retry-After` says when to look again", body = ProblemDocument, content_type = "application/problem+json",
+            headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(crowded())),
+        (status = 422, description = "The document has faults: all of them, each with its JSON pointer; or a design would take more memory than there is; or the key stands for another document",
+            body = ProblemDocument, content_type = "application/problem+json", example = json!(faults()))))]
+async fn submit_sweep(
+    State(state): State<AppState>,
+    Params(query): Params<SubmitQuery>,
+    headers: HeaderMap,
+    SweepBody { sweep }: SweepBody,
+) -> Result<Response, Problem> {
+    let key = idempotency_key(&headers)?;
+    let priority = priority(query.priority.as_deref())?;
+    admit_all(&state, sweep.designs.iter().map(|design| &design.study)).await?;
+    let submitted = state.queue.submit_sweep(&sweep, priority, key).await;
+    let id = submitted.map_err(unsubmitted)?;
+    tracing::info!(sweep = id, name = ?sweep.name, designs = sweep.designs.len(), "sweep accepted");
+    accepted(&state.store, &id).await
+}
+
+/// Refuses designs that would take more memory than they may.
+async fn admit_all(
+    state: &AppState,
+    studies: impl Iterator<Item = &placement::study::Study>,
+) -> Result<(), Problem> {
+    let engine = &state.engine;
+    for study in studies {
+        let admitted = admit(&engine.solver, engine.threads, state.memory_bytes, study).await;
+        admitted.map_err(refused)?;
+    }
+    Ok(())
+}
+
+/// List sweeps
+///
+/// Newest first, a page at a time.
+#[utoipa::path(get, path = "/v1/sweeps", tag = "sweeps",
+    params(
+        ("If-None-Match" = Option<String>, Header, description = "ETag of the page that the client has"),
+        ("limit" = Option<u32>, Query, description = "Sweeps of a page, 50 when left out", minimum = 1, maximum = 200, example = 20),
+        ("cursor" = Option<String>, Query, description = "`next_cursor` of the page before", example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b")),
+    responses((status = 304, description = "The client has it"),
+              (status = 200, description = "A page", body = SweepPage, example = json!({"sweeps": [examples::summary()], "next_cursor": null}))))]
+async fn list_sweeps(
+    State(state): State<AppState>,
+    Params(query): Params<PageQuery>,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let limit = page_limit(query.limit.as_deref())?;
+    let mut connection = state.store.read().await?;
+    let rows = sweep_rows::page(&mut connection, query.cursor.as_deref(), limit + 1).await?;
+    let page = rows.get(..limit as usize).unwrap_or(&rows);
+    let mut summaries = Vec::new();
+    for row in page {
+        let designs = sweep_rows::designs(&mut connection, &row.id).await?;
+        summaries.push(SweepSummary::of(row, &designs));
+    }
+    let next = page.last().filter(|_| rows.len() > page.len());
+    let page = SweepPage {
+        sweeps: summaries,
+        next_cursor: next.map(|row| row.id.clone()),
+    };
+    conditional::json(&headers, &page)
+}
+
+/// Look at a sweep
+///
+/// Its designs with their studies, and how far they are.
+#[utoipa::path(get, path = "/v1/sweeps/{id}", tag = "sweeps",
+    params(SweepPath, ("If-None-Match" = Option<String>, Header, description = "ETag of the sweep as the client has it")),
+    responses((status = 304, description = "The client has it"),
+              (status = 200, description = "The sweep", body = SweepDetail, example = json!(examples::detail())),
+              (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent()))))]
+async fn show_sweep(
+    State(state): State<AppState>,
+    SweepId(id): SweepId,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let (sweep, designs) = known(&state.store, &id).await?;
+    conditional::json(&headers, &SweepDetail::of(&sweep, &designs))
+}
+
+/// Extend a sweep
+///
+/// Adds designs; those that it has already are left as they are, and nothing that was solved is solved again.
+#[utoipa::path(post, path = "/v1/sweeps/{id}/designs", tag = "sweeps", params(SweepPath),
+    request_body(description = "Further designs, as JSON or TOML", content(
+        (FurtherDesigns = "application/json", example = json!(examples::further())),
+        (String = "application/toml", example = json!("[grid]\n\"geometry.wall_mm\" = [3.5]\n")))),
+    responses((status = 202, description = "Taken in", body = SweepDetail, headers(("Location" = String, description = "Address of the sweep"), ("Retry-After" = String, description = "Seconds after which to look")),
+            example = json!(examples::detail())),
+              (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent())),
+              (status = 422, description = "The document has faults: all of them, each with its JSON pointer", body = ProblemDocument, content_type = "application/problem+json", example = json!(faults())),
+              (status = 429, description = "Too many studies would wait", body = ProblemDocument, content_type = "application/problem+json",
+            headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(crowded()))))]
+async fn extend_sweep(
+    State(state): State<AppState>,
+    SweepId(id): SweepId,
+    document: Document,
+) -> Result<Response, Problem> {
+    let (sweep, _) = known(&state.store, &id).await?;
+    let outdated = |cause| Problem::new(StatusCode::CONFLICT, cause);
+    let base = stored_text(&sweep.spec).map_err(outdated)?;
+    let designs = document
+        .checked(move |value| designs_of(&base, value))
+        .await?;
+    admit_all(&state, designs.iter().map(|design| &design.study)).await?;
+    let extended = state.queue.extend_sweep(&sweep, &designs).await;
+    extended.map_err(unsubmitted)?;
+    accepted(&state.store, &id).await
+}
+
+/// Resume a sweep
+///
+/// Puts designs that were cancelled or failed back into the queue, as new studies. What they had solved is kept; those with a result stay as they are.
+#[utoipa::path(post, path = "/v1/sweeps/{id}/resume", tag = "sweeps", params(SweepPath),
+    responses((status = 202, description = "Taken in", body = SweepDetail, headers(("Location" = String, description = "Address of the sweep"), ("Retry-After" = String, description = "Seconds after which to look")),
+            example = json!(examples::detail())),
+              (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent())),
+              (status = 429, description = "Too many studies would wait", body = ProblemDocument, content_type = "application/problem+json",
+            headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(crowded()))))]
+async fn resume_sweep(
+    State(state): State<AppState>,
+    SweepId(id): SweepId,
+) -> Result<Response, Problem> {
+    let (sweep, _) = known(&state.store, &id).await?;
+    let resumed = state.queue.resume_sweep(&sweep).await;
+    resumed.map_err(unsubmitted)?;
+    accepted(&state.store, &id).await
+}
+
+/// Cancel a sweep
+///
+/// What runs ends within a Newton iteration; what was solved is kept. Designs that have ended stay as they are.
+#[utoipa::path(delete, path = "/v1/sweeps/{id}", tag = "sweeps", params(SweepPath),
+    responses((status = 202, description = "Cancelled, or ended before", body = SweepDetail, headers(("Location" = String, description = "Address of the sweep"), ("Retry-After" = String, description = "Seconds after which to look")),
+            example = json!(examples::detail())),
+              (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent()))))]
+async fn cancel_sweep(
+    State(state): State<AppState>,
+    SweepId(id): SweepId,
+) -> Result<Response, Problem> {
+    known(&state.store, &id).await?;
+    state.queue.cancel_sweep(&id).await?;
+    accepted(&state.store, &id).await
+}
+
+/// Estimate a sweep
+///
+/// What its designs would cost, before anything is solved; a point that several designs share counts once. Nothing is stored.
+#[utoipa::path(post, path = "/v1/sweeps:estimate", tag = "sweeps",
+    request_body(description = "A sweep, as JSON or TOML", content(
+        (SweepDocument = "application/json", example = json!(examples::document())),
+        (String = "application/toml", example = json!(examples::document_toml())))),
+    responses((status = 200, description = "The estimate", body = SweepEstimate, example = json!(examples::estimate())),
+              (status = 422, description = "The document has faults: all of them, each with its JSON pointer", body = ProblemDocument, content_type = "application/problem+json", example = json!(faults()))))]
+async fn estimate_sweep(
+    State(state): State<AppState>,
+    SweepBody { sweep }: SweepBody,
+) -> Result<Json<SweepEstimate>, Problem> {
+    let engine = &state.engine;
+    let store = Some(&*state.store);
+    let estimate = forecast_sweep(store, &engine.solver, engine.threads, &sweep).await;
+    estimate.map(Json).map_err(refused)
+}
+
+/// The sweep of this identifier with its designs, or 404.
+pub async fn known(store: &Store, id: &str) -> Result<(SweepRow, Vec<DesignRow>), Problem> {
+    let mut connection = store.read().await?;
+    let absent = || Problem::not_found(format!("there is no sweep {id:?}"));
+    let sweep = sweep_rows::find(&mut connection, id).await?;
+    let sweep = sweep.ok_or_else(absent)?;
+    let designs = sweep_rows::designs(&mut connection, id).await?;
+    Ok((sweep, designs))
+}
+
+async fn accepted(store: &Store, id: &str) -> Result<Response, Problem> {
+    let (sweep, designs) = known(store, id).await?;
+    let headers = [
+        (header::LOCATION, format!("/v1/sweeps/{id}")),
+        (header::RETRY_AFTER, "1".to_owned()),
+    ];
+    let detail = Json(SweepDetail::of(&sweep, &designs));
+    Ok((StatusCode::ACCEPTED, headers, detail).into_response())
+}

@@ -1,0 +1,220 @@
+//! The running service: database, queue and HTTP together.
+
+use std::net::SocketAddr;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use fem_client::solver::Solver;
+use placement::run::usage::machine_memory_bytes;
+use tokio::sync::watch;
+use tokio::task::JoinHandle;
+
+use crate::http::app_state::AppState;
+use crate::http::edge::access::Access;
+use crate::http::edge::guard::{HostList, HostName};
+use crate::http::edge::listener;
+use crate::http::edge::streams::Streams;
+use crate::http::router::app;
+use crate::token::{Token, TokenError};
+use service::engine::Engine;
+use service::metrics::Metrics;
+use service::queue::{self, Queue};
+use service::shutdown;
+use store::{Store, StoreError};
+
+/// A solver that does not heed its stop flag is not waited for longer.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// What a service is made of.
+pub struct ServiceParts {
+    /// Where it listens; port 0 takes a free one.
+    pub address: SocketAddr,
+    /// The database file.
+    pub database: PathBuf,
+    /// Who solves.
+    pub solver: Arc<dyn Solver>,
+    /// Solves that run at once.
+    pub threads: usize,
+    /// How long a study runs before another one that waits has its turn.
+    pub turn: Duration,
+    /// Whom it answers.
+    pub outside: Outside,
+}
+
+/// Whom a service answers.
+#[derive(Debug, Default)]
+pub struct Outside {
+    /// What a client has to know; without it every program on this machine is let in, and none elsewhere.
+    pub token: Option<Token>,
+    /// Names under which others reach the service.
+    pub hosts: Vec<HostName>,
+    /// How much it takes on.
+    pub limits: Limits,
+}
+
+/// What clients may make grow, and how far.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// Studies that wait in the queue.
+    pub waiting_studies: u32,
+    /// Event streams at once.
+    pub event_streams: usize,
+    /// Memory that a study may take, bytes.
+    pub memory_bytes: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            waiting_studies: 20_000,
+            event_streams: 256,
+            memory_bytes: machine_memory_bytes(),
+        }
+    }
+}
+
+impl Outside {
+    /// Refuses to be reached from other machines by everybody.
+    ///
+    /// # Errors
+    /// [`Exposed`].
+    pub fn check(&self, address: SocketAddr) -> Result<(), Exposed> {
+        if self.token.is_some() || (address.ip().is_loopback() && self.hosts.is_empty()) {
+            return Ok(());
+        }
+        Err(Exposed { address })
+    }
+}
+
+/// A service that other machines could reach, and no token.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "a service at {address} or under names of its own can be reached from other machines: that takes a token (--token); \
+     without one it serves 127.0.0.1 and [::1] under their own names, and a forwarded port is reached as in \
+     ssh -L 8080:localhost:8080"
+)]
+pub struct Exposed {
+    /// Where it would listen.
+    pub address: SocketAddr,
+}
+
+/// A service that runs until it is stopped.
+pub struct Service {
+    address: SocketAddr,
+    login: Option<String>,
+    store: Arc<Store>,
+    shutdown: watch::Sender<bool>,
+    http: JoinHandle<()>,
+    worker: JoinHandle<()>,
+}
+
+/// Why a service did not start.
+#[derive(Debug, thiserror::Error)]
+pub enum StartError {
+    /// The address is taken or not ours.
+    #[error("can't listen on {address}: {cause}")]
+    Listen {
+        /// The address.
+        address: SocketAddr,
+        /// What the system said.
+        cause: std::io::Error,
+    },
+    /// The database can't be used.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// Other machines could reach it, and there is no token.
+    #[error(transparent)]
+    Exposed(#[from] Exposed),
+    /// There is no secret for a browser.
+    #[error(transparent)]
+    Token(#[from] TokenError),
+}
+
+impl Service {
+    /// Starts a service and returns when it answers. What a crash left running goes on.
+    ///
+    /// # Errors
+    /// See [`StartError`].
+    pub async fn start(parts: ServiceParts) -> Result<Self, StartError> {
+        let Outside {
+            token,
+            hosts,
+            limits,
+        } = &parts.outside;
+        parts.outside.check(parts.address)?;
+        let listen_error = |cause| StartError::Listen {
+            address: parts.address,
+            cause,
+        };
+        let store = Arc::new(Store::open(&parts.database).await?);
+        let listener = listener::bind(parts.address).map_err(listen_error)?;
+        let address = listener.local_addr().map_err(listen_error)?;
+        queue::recover(&store).await?;
+        let (shutdown, stopping) = shutdown::channel();
+        let metrics = Metrics::new();
+        let engine = Engine {
+            store: store.clone(),
+            solver: parts.solver,
+            threads: parts.threads,
+            metrics: metrics.clone(),
+        };
+        let queue = Arc::new(Queue::new(
+            engine.clone(),
+            parts.turn,
+            limits.waiting_studies,
+            stopping.clone(),
+        ));
+        let access = Access::of(token.clone(), address.port());
+        let login = access.link()?;
+        let hosts = HostList::of(address, hosts);
+        let state = AppState {
+            store: store.clone(),
+            engine,
+            queue: queue.clone(),
+            shutdown: stopping.clone(),
+            access,
+            metrics,
+            streams: Streams::new(limits.event_streams),
+            memory_bytes: limits.memory_bytes,
+        };
+        let http = tokio::spawn(listener::serve(listener, app(state, hosts), stopping));
+        let worker = tokio::spawn(async move { queue.work().await });
+        Ok(Self {
+            address,
+            login,
+            store,
+            shutdown,
+            http,
+            worker,
+        })
+    }
+
+    /// Where it listens.
+    pub fn address(&self) -> SocketAddr {
+        self.address
+    }
+
+    /// The path that lets one browser in, once; `None` where no token is asked for.
+    pub fn login(&self) -> Option<&str> {
+        self.login.as_deref()
+    }
+
+    /// The database file.
+    pub fn database(&self) -> &Path {
+        self.store.path()
+    }
+
+    /// Stops within a Newton iteration: a study that runs goes back into the queue, requests in flight are answered.
+    pub async fn stop(self) {
+        self.shutdown.send_replace(true);
+        for (what, task) in [("queue", self.worker), ("listener", self.http)] {
+            match tokio::time::timeout(PATIENCE, task).await {
+                Ok(Ok(())) => {}
+                Ok(Err(error)) => tracing::error!(%error, what, "a part of the service broke"),
+                Err(_) => tracing::warn!(what, "a part of the service did not end in time"),
+            }
+        }
+        self.store.close().await;
+    }
+}

@@ -1,0 +1,4 @@
+//! Results with their ranked rows, and measured trades of accuracy for time.
+
+pub mod result_rows;
+pub mod trades;

@@ -1,0 +1,157 @@
+//! An open database.
+
+use std::path::{Path, PathBuf};
+
+use sqlx::pool::PoolConnection;
+use sqlx::{Sqlite, SqlitePool, Transaction};
+use tokio::sync::watch;
+
+use crate::file::{lock, pools};
+use crate::store_error::StoreError;
+
+/// An open database, held by this process alone.
+#[derive(Debug)]
+pub struct Store {
+    path: PathBuf,
+    writer: SqlitePool,
+    readers: SqlitePool,
+    latest_event: watch::Sender<i64>,
+    _lock: lock::DatabaseLock,
+}
+
+impl Store {
+    /// Opens or creates the database and brings its tables up to date.
+    ///
+    /// # Errors
+    /// [`StoreError::InUse`] when another process has it, [`StoreError::Open`] when the file is unusable.
+    pub async fn open(path: &Path) -> Result<Self, StoreError> {
+        let lock = lock::DatabaseLock::take(path)?;
+        pools::bootstrap(path).await?;
+        let (writer, readers) = (pools::writer(path).await?, pools::readers(path).await?);
+        Ok(Self {
+            path: path.to_owned(),
+            writer,
+            readers,
+            latest_event: watch::Sender::new(0),
+            _lock: lock,
+        })
+    }
+
+    /// The database file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Size of the file and its write-ahead log; 0 for what can't be looked at.
+    pub fn bytes(&self) -> u64 {
+        let mut log = self.path.clone().into_os_string();
+        log.push("-wal");
+        let size = |path: &Path| std::fs::metadata(path).map_or(0, |file| file.len());
+        size(&self.path) + size(Path::new(&log))
+    }
+
+    /// A connection that can only read. Return it soon: there are few.
+    ///
+    /// # Errors
+    /// When the database can't be read.
+    pub async fn read(&self) -> Result<PoolConnection<Sqlite>, StoreError> {
+        Ok(self.readers.acquire().await?)
+    }
+
+    /// A transaction on the one connection that writes. It takes the write lock at once, so that what it reads can't
+    /// change before it writes.
+    ///
+    /// # Errors
+    /// When the database can't be written.
+    pub async fn begin(&self) -> Result<Transaction<'static, Sqlite>, StoreError> {
+        Ok(self.writer.begin_with("begin immediate").await?)
+    }
+
+    /// Commits, then wakes whoever waits for an event up to `event`.
+    ///
+    /// # Errors
+    /// When the database can't be written; then nothing of the transaction is stored.
+    pub async fn commit(
+        &self,
+        transaction: Transaction<'static, Sqlite>,
+        event: i64,
+    ) -> Result<(), StoreError> {
+        transaction.commit().await?;
+        self.latest_event.send_if_modified(|latest| {
+            let newer = event > *latest;
+            *latest = event.max(*latest);
+            newer
+        });
+        Ok(())
+    }
+
+    /// Changes whenever an event has been stored.
+    pub fn events_seen(&self) -> watch::Receiver<i64> {
+        self.latest_event.subscribe()
+    }
+
+    /// Closes all connections, which folds the write-ahead log into the database file.
+    pub async fn close(&self) {
+        self.readers.close().await;
+        self.writer.close().await;
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+
+    /// A fresh database in a folder that lives as long as the returned guard.
+    pub(crate) async fn fresh() -> (tempfile::TempDir, Store) {
+        let folder = tempfile::tempdir().expect("temp dir");
+        let store = Store::open(&folder.path().join("test.db"))
+            .await
+            .expect("a fresh database opens");
+        (folder, store)
+    }
+
+    #[tokio::test]
+    async fn a_second_store_on_the_same_database_is_refused_until_the_first_is_gone() {
+        let (folder, store) = fresh().await;
+        let path = folder.path().join("test.db");
+        assert!(matches!(
+            Store::open(&path).await,
+            Err(StoreError::InUse { .. })
+        ));
+        store.close().await;
+        drop(store);
+        Store::open(&path).await.expect("free again");
+    }
+
+    #[tokio::test]
+    async fn a_file_that_is_no_database_is_refused_by_name() {
+        let folder = tempfile::tempdir().expect("temp dir");
+        let path = folder.path().join("letter.db");
+        std::fs::write(
+            &path,
+            "dear reader, this is not a database, as you can see from its first page",
+        )
+        .expect("write");
+        let error = Store::open(&path).await.expect_err("not a database");
+        assert!(error.to_string().contains("letter.db"), "{error}");
+    }
+
+    #[tokio::test]
+    async fn the_reading_connections_cannot_write() {
+        let (_folder, store) = fresh().await;
+        let mut connection = store.read().await.expect("reads");
+        let refused = sqlx::query("delete from studies")
+            .execute(&mut *connection)
+            .await;
+        assert!(refused.is_err());
+    }
+
+    #[test]
+    fn times_are_rfc_3339_in_utc() {
+        let time = crate::clock::now();
+        assert!(
+            time.ends_with('Z') && time.len() == "2026-01-01T00:00:00.000Z".len(),
+            "{time}"
+        );
+    }
+}

@@ -1,0 +1,160 @@
+//! Connections: one that writes, a few that read.
+
+use std::path::Path;
+use std::time::Duration;
+
+use sqlx::migrate::Migrator;
+use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, SqliteSynchronous};
+use sqlx::{Connection, SqliteConnection, SqlitePool};
+
+use crate::store_error::StoreError;
+
+/// Before this version SQLite could corrupt a database when its write-ahead log was reset.
+const SQLITE_OLDEST: [u32; 3] = [3, 51, 3];
+static MIGRATIONS: Migrator = sqlx::migrate!("../../migrations");
+const READERS: u32 = 4;
+const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
+
+/// Opens the file, sets the write-ahead log and brings the tables up to date, on a connection of its own: several
+/// connections that switch a fresh file at once find it locked.
+pub async fn bootstrap(path: &Path) -> Result<(), StoreError> {
+    let failed = |cause: String| StoreError::Open {
+        path: path.to_owned(),
+        cause,
+    };
+    let options = writing(path)
+        .create_if_missing(true)
+        .journal_mode(SqliteJournalMode::Wal);
+    let mut connection = SqliteConnection::connect_with(&options)
+        .await
+        .map_err(|e| failed(e.to_string()))?;
+    let version: String = sqlx::query_scalar("select sqlite_version()")
+        .fetch_one(&mut connection)
+        .await?;
+    if !new_enough(&version) {
+        return Err(failed(format!(
+            "SQLite {version} is older than 3.51.3, which can corrupt databases"
+        )));
+    }
+    let verdict: String = sqlx::query_scalar("pragma quick_check(1)")
+        .fetch_one(&mut connection)
+        .await
+        .map_err(|e| failed(e.to_string()))?;
+    if verdict != "ok" {
+        return Err(failed(format!(
+            "it is corrupt ({verdict}); restore a copy or name another file"
+        )));
+    }
+    MIGRATIONS
+        .run(&mut connection)
+        .await
+        .map_err(|e| failed(e.to_string()))?;
+    connection.close().await.map_err(|e| failed(e.to_string()))
+}
+
+/// Number of the newest change of the tables.
+pub fn newest_migration() -> i64 {
+    let versions = MIGRATIONS.iter().map(|migration| migration.version);
+    versions.max().unwrap_or(0)
+}
+
+/// The one connection that writes.
+pub async fn writer(path: &Path) -> Result<SqlitePool, StoreError> {
+    Ok(SqlitePoolOptions::new()
+        .max_connections(1)
+        .idle_timeout(None)
+        .max_lifetime(None)
+        .after_release(|connection, _| {
+            // After a full disk sqlx believes that the transaction is still open and refuses every later one: such a
+            // connection is thrown away instead of going back to the pool.
+            Box::pin(async move {
+                connection.ping().await?;
+                Ok(!connection.is_in_transaction())
+            })
+        })
+        .connect_with(writing(path))
+        .await?)
+}
+
+/// Connections that can only read.
+pub async fn readers(path: &Path) -> Result<SqlitePool, StoreError> {
+    let options = SqliteConnectOptions::new()
+        .filename(path)
+        .read_only(true)
+        .busy_timeout(BUSY_TIMEOUT);
+    Ok(SqlitePoolOptions::new()
+        .max_connections(READERS)
+        // A file doesn't hang up: the question would cost every reader a round to the connection's thread.
+        .test_before_acquire(false)
+        .connect_with(options)
+        .await?)
+}
+
+fn writing(path: &Path) -> SqliteConnectOptions {
+    SqliteConnectOptions::new()
+        .filename(path)
+        .synchronous(SqliteSynchronous::Full)
+        .foreign_keys(true)
+        .busy_timeout(BUSY_TIMEOUT)
+}
+
+fn new_enough(version: &str) -> bool {
+    let numbers: Vec<u32> = version
+        .split('.')
+        .filter_map(|part| part.parse().ok())
+        .collect();
+    numbers.as_slice() >= SQLITE_OLDEST.as_slice()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn versions_are_compared_by_number() {
+        assert!(new_enough("3.51.3") && new_enough("3.100.0") && new_enough("4.0.0"));
+        assert!(!new_enough("3.51.2") && !new_enough("3.6.20"));
+    }
+
+    /// The first changes of the tables alone, as an earlier version had them.
+    fn first(count: usize) -> Migrator {
+        Migrator {
+            migrations: MIGRATIONS.iter().take(count).cloned().collect(),
+            ..Migrator::DEFAULT
+        }
+    }
+
+    #[tokio::test]
+    async fn every_earlier_schema_is_brought_up_to_date_with_its_rows() {
+        for count in 1..=MIGRATIONS.iter().count() {
+            let folder = tempfile::tempdir().expect("temp dir");
+            let path = folder.path().join("old.db");
+            let options = writing(&path).create_if_missing(true);
+            let mut old = SqliteConnection::connect_with(&options)
+                .await
+                .expect("opens");
+            first(count).run(&mut old).await.expect("migrates");
+            let stored = sqlx::query(
+                "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', 'x', 'queued', 't')",
+            )
+            .execute(&mut old)
+            .await;
+            stored.expect("stores");
+            old.close().await.expect("closes");
+
+            bootstrap(&path).await.expect("brings it up to date");
+            let mut new = SqliteConnection::connect_with(&options)
+                .await
+                .expect("opens");
+            let name: String = sqlx::query_scalar("select name from studies where id = 'a'")
+                .fetch_one(&mut new)
+                .await
+                .expect("the row is there");
+            let version: i64 = sqlx::query_scalar("select max(version) from _sqlx_migrations")
+                .fetch_one(&mut new)
+                .await
+                .expect("reads");
+            assert_eq!((name.as_str(), version), ("old", newest_migration()));
+        }
+    }
+}

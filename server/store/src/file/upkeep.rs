@@ -1,0 +1,208 @@
+//! Looking after the database file: whether it is whole, a copy of it, its free pages given back.
+//!
+//! Checks and copies read a snapshot and may run beside the service.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use placement::result::StudyResult;
+use serde::Serialize;
+use sqlx::sqlite::SqliteConnectOptions;
+use sqlx::{ConnectOptions, Connection, SqliteConnection};
+
+use crate::answers::result_rows;
+use crate::answers::trades;
+use crate::file::lock;
+use crate::file::pools;
+use crate::points::crashes;
+use crate::points::evaluations;
+use crate::store_error::StoreError;
+
+/// What a check found.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+pub struct Inspection {
+    /// Rows that were read, by table.
+    pub rows: BTreeMap<&'static str, usize>,
+    /// What is wrong, a sentence each; none: all is well.
+    pub faults: Vec<String>,
+}
+
+/// A connection that can only read, to a database that another process may hold.
+///
+/// # Errors
+/// [`StoreError::Open`] when there is no such database, or one of another version.
+pub async fn open(path: &Path) -> Result<SqliteConnection, StoreError> {
+    let failed = |cause: String| StoreError::Open {
+        path: path.to_owned(),
+        cause,
+    };
+    let options = options(path).read_only(true);
+    let mut connection = SqliteConnection::connect_with(&options)
+        .await
+        .map_err(|error| failed(error.to_string()))?;
+    let newest: Option<i64> = sqlx::query_scalar("select max(version) from _sqlx_migrations")
+        .fetch_one(&mut connection)
+        .await
+        .map_err(|error| failed(format!("it isn't a database of strainsite: {error}")))?;
+    if newest == Some(pools::newest_migration()) {
+        return Ok(connection);
+    }
+    Err(failed(
+        "its tables are those of another version; serve and run bring older ones up to date"
+            .to_owned(),
+    ))
+}
+
+/// What looks after a whole file takes its time, of which the log needn't warn.
+fn options(path: &Path) -> SqliteConnectOptions {
+    SqliteConnectOptions::new()
+        .filename(path)
+        .disable_statement_logging()
+}
+
+/// Reads everything: SQLite's own structures, every reference, every hash, and that each study has the points it counts. Tells `seen` how
+/// many rows it has read, and of how many.
+///
+/// # Errors
+/// When the database can't be read at all.
+pub async fn inspect(
+    connection: &mut SqliteConnection,
+    seen: &dyn Fn(usize, usize),
+) -> Result<Inspection, StoreError> {
+    let mut found = Inspection::default();
+    let mut tables = Vec::new();
+    for (table, keys) in KEYED {
+        let keys: Vec<String> = sqlx::query_scalar(keys).fetch_all(&mut *connection).await?;
+        found.rows.insert(table, keys.len());
+        tables.push((table, keys));
+    }
+    let (mut done, of) = (0, found.rows.values().sum());
+    seen(done, of);
+    let verdicts: Vec<String> = sqlx::query_scalar("pragma integrity_check(20)")
+        .fetch_all(&mut *connection)
+        .await?;
+    let damages = verdicts.into_iter().filter(|verdict| verdict != "ok");
+    found.faults.extend(damages);
+    found.faults.extend(dangling(connection).await?);
+    for (table, keys) in tables {
+        for key in keys {
+            let read = match table {
+                "evaluations" => evaluations::find(connection, &[key]).await.err(),
+                "start_states" => evaluations::find_start(connection, &key).await.err(),
+                "results" => result_rows::find::<StudyResult>(connection, &key)
+                    .await
+                    .err(),
+                _ => trades::newest(connection, &key).await.err(),
+            };
+            match read {
+                Some(error @ StoreError::Damaged { .. }) => found.faults.push(error.to_string()),
+                Some(error) => return Err(error),
+                None => {}
+            }
+            done += 1;
+            seen(done, of);
+        }
+    }
+    found.faults.extend(short(connection).await?);
+    Ok(found)
+}
+
+/// Tables whose rows have a hash, with their keys.
+const KEYED: [(&str, &str); 4] = [
+    ("evaluations", "select key from evaluations"),
+    ("start_states", "select key from start_states"),
+    ("results", "select study from results"),
+    ("trades", "select distinct spec_sha256 from trades"),
+];
+
+async fn dangling(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {
+    let rows: Vec<(String, Option<i64>, String)> =
+        sqlx::query_as("select \"table\", rowid, parent from pragma_foreign_key_check limit 20")
+            .fetch_all(connection)
+            .await?;
+    let sentence = |(table, _, parent)| {
+        format!("a row of table {table} refers to one of {parent} that isn't there")
+    };
+    Ok(rows.into_iter().map(sentence).collect())
+}
+
+/// Studies that count more points than they have; a point whose solve broke counts and leaves an event alone.
+async fn short(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {
+    let rows: Vec<(String, i64, i64)> = sqlx::query_as(
+        "select id, points_done,
+             (select count(*) from study_points where study = id)
+             + (select count(distinct payload ->> 'ordinal') from events
+                where study = studies.id and kind = 'point-failed' and not exists
+                    (select 1 from study_points where study = events.study and ordinal = events.payload ->> 'ordinal'))
+             as points
+         from studies where points_done > points",
+    )
+    .fetch_all(connection)
+    .await?;
+    let sentence = |(id, done, points)| format!("study {id} counts {done} points and has {points}");
+    Ok(rows.into_iter().map(sentence).collect())
+}
+
+/// Bytes that a copy will have: those of all pages that aren't free.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn used_bytes(connection: &mut SqliteConnection) -> Result<u64, StoreError> {
+    let bytes: i64 = sqlx::query_scalar(
+        "select (page_count - freelist_count) * page_size
+         from pragma_page_count, pragma_freelist_count, pragma_page_size",
+    )
+    .fetch_one(connection)
+    .await?;
+    Ok(u64::try_from(bytes).unwrap_or(0))
+}
+
+/// Writes a copy as it is now, without free pages, to a file that isn't there yet.
+///
+/// # Errors
+/// [`StoreError::Open`] when the file is there; when it can't be written.
+pub async fn copy_to(connection: &mut SqliteConnection, target: &Path) -> Result<(), StoreError> {
+    if target.exists() {
+        return Err(StoreError::Open {
+            path: target.to_owned(),
+            cause: "a copy is only written to a file that isn't there yet".to_owned(),
+        });
+    }
+    sqlx::query("vacuum into ?")
+        .bind(target.to_string_lossy().into_owned())
+        .execute(connection)
+        .await?;
+    Ok(())
+}
+
+/// Gives free pages back to the disk. Nobody else may use the database meanwhile.
+///
+/// # Errors
+/// [`StoreError::InUse`] when somebody does; when the database can't be written.
+pub async fn compact(path: &Path) -> Result<(), StoreError> {
+    let _lock = lock::DatabaseLock::take(path)?;
+    let mut connection = open_to_write(path).await?;
+    sqlx::query("vacuum").execute(&mut connection).await?;
+    sqlx::query("pragma wal_checkpoint(truncate)")
+        .execute(&mut connection)
+        .await?;
+    Ok(connection.close().await?)
+}
+
+/// Lets points be solved again that the program died of, and returns how many there were. Nobody else may use the database
+/// meanwhile.
+///
+/// # Errors
+/// As [`compact`].
+pub async fn release(path: &Path) -> Result<u64, StoreError> {
+    let _lock = lock::DatabaseLock::take(path)?;
+    let mut connection = open_to_write(path).await?;
+    let released = crashes::forget(&mut connection).await?;
+    connection.close().await?;
+    Ok(released)
+}
+
+async fn open_to_write(path: &Path) -> Result<SqliteConnection, StoreError> {
+    open(path).await?.close().await?;
+    Ok(SqliteConnection::connect_with(&options(path)).await?)
+}

@@ -1,0 +1,23 @@
+//! The database: all SQL of the program, one aggregate per file.
+//!
+//! - [`Store`]: an open database
+//! - [`clock`]: the time, as rows have it
+//! - [`content`]: content hashes, and JSON that reads back as what was written
+//! - [`file`]: the database file: its lock, its connections, its upkeep
+//! - [`queue`]: what was asked, whose turn it is, what happened
+//! - [`points`]: solved points
+//! - [`answers`]: results and measured trades
+//!
+//! Functions take a connection, so that the caller owns the transaction. Times are RFC 3339, UTC.
+
+pub mod answers;
+pub mod clock;
+pub mod content;
+mod database;
+pub mod file;
+pub mod points;
+pub mod queue;
+mod store_error;
+
+pub use database::Store;
+pub use store_error::StoreError;

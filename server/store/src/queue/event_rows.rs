@@ -1,0 +1,76 @@
+//! What happened to studies, in order, for replay.
+
+use serde_json::Value;
+use sqlx::{FromRow, SqliteConnection};
+
+use crate::clock::now;
+use crate::store_error::StoreError;
+
+/// One event.
+#[derive(Debug, Clone, PartialEq, FromRow)]
+pub struct EventRow {
+    /// Grows with time, over all studies.
+    pub id: i64,
+    /// What happened: `queued`, `started`, `point-solved`, `point-failed`, `analysing`, `done`, `failed`, `cancelled`.
+    pub kind: String,
+    /// Its particulars, a JSON object.
+    pub payload: String,
+    /// When.
+    pub created: String,
+}
+
+impl EventRow {
+    /// Whether nothing comes after it.
+    pub fn ends_the_study(&self) -> bool {
+        matches!(self.kind.as_str(), "done" | "failed" | "cancelled")
+    }
+}
+
+/// Stores an event and returns its number.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn insert(
+    connection: &mut SqliteConnection,
+    study: &str,
+    kind: &str,
+    payload: &Value,
+) -> Result<i64, StoreError> {
+    let query =
+        "insert into events (study, kind, payload, created) values (?, ?, ?, ?) returning id";
+    Ok(sqlx::query_scalar(query)
+        .bind(study)
+        .bind(kind)
+        .bind(payload.to_string())
+        .bind(now())
+        .fetch_one(connection)
+        .await?)
+}
+
+/// Number of the newest event; 0 before there is one.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn latest(connection: &mut SqliteConnection) -> Result<i64, StoreError> {
+    let query = "select coalesce(max(id), 0) from events";
+    Ok(sqlx::query_scalar(query).fetch_one(connection).await?)
+}
+
+/// Up to `limit` events of a study after the event `after`, in order.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn after(
+    connection: &mut SqliteConnection,
+    study: &str,
+    after: i64,
+    limit: u32,
+) -> Result<Vec<EventRow>, StoreError> {
+    let query = "select id, kind, payload, created from events where study = ? and id > ? order by id limit ?";
+    Ok(sqlx::query_as(query)
+        .bind(study)
+        .bind(after)
+        .bind(limit)
+        .fetch_all(connection)
+        .await?)
+}

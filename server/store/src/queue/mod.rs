@@ -1,0 +1,13 @@
+//! What was asked, whose turn it is, what happened.
+//!
+//! - [`study_rows`]: what was asked, and how far it got
+//! - [`turns`]: whose turn it is
+//! - [`sweep_rows`]: which study_rows are the designs of one sweep
+//! - [`event_rows`]: what happened, in order
+//! - [`idempotency`]: keys of repeated requests
+
+pub mod event_rows;
+pub mod idempotency;
+pub mod study_rows;
+pub mod sweep_rows;
+pub mod turns;

@@ -1,0 +1,361 @@
+//! What was asked, and how far it got.
+//!
+//! A study is `queued`, `running`, then `done`, `failed` or `cancelled`. Every change of state is guarded by the state
+//! that it starts from, so that a late writer never overwrites an end. One process holds the database, so a study
+//! that is `running` when the process starts was left behind by a crash.
+
+use placement::result::Estimate;
+use serde::{Deserialize, Serialize};
+use sqlx::{FromRow, SqliteConnection};
+
+use crate::clock::now;
+use crate::content::encode;
+use crate::store_error::StoreError;
+
+/// Where a study stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum State {
+    /// Waits for its turn, from the start or for what it still lacks.
+    Queued,
+    /// Is being solved.
+    Running,
+    /// Has a result.
+    Done,
+    /// Has none, and `error` says why.
+    Failed,
+    /// Was cancelled.
+    Cancelled,
+}
+
+impl State {
+    /// The name in documents and in the database.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Queued => "queued",
+            Self::Running => "running",
+            Self::Done => "done",
+            Self::Failed => "failed",
+            Self::Cancelled => "cancelled",
+        }
+    }
+
+    /// All of them.
+    pub const ALL: [Self; 5] = [
+        Self::Queued,
+        Self::Running,
+        Self::Done,
+        Self::Failed,
+        Self::Cancelled,
+    ];
+
+    /// The state of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|state| state.as_str() == name)
+    }
+}
+
+/// A study as stored.
+#[derive(Debug, Clone, PartialEq, FromRow)]
+pub struct StudyRow {
+    /// UUID, ordered by time.
+    pub id: String,
+    /// Name from the document.
+    pub name: String,
+    /// Canonical document, JSON.
+    pub spec: String,
+    /// SHA-256 of the canonical document.
+    pub spec_sha256: String,
+    state: String,
+    /// Points of its plan, once known.
+    pub points_total: Option<i64>,
+    /// Points that have a response.
+    pub points_done: i64,
+    /// Why it failed.
+    pub error: Option<String>,
+    /// When it was submitted.
+    pub created: String,
+    /// When it was first started.
+    pub started: Option<String>,
+    /// When it ended.
+    pub finished: Option<String>,
+    /// What it was expected to take when it last started, JSON.
+    pub estimate: Option<String>,
+    /// Those of higher priority go first.
+    pub priority: i64,
+}
+
+impl StudyRow {
+    /// Where it stands.
+    ///
+    /// # Panics
+    /// Never: the table allows no other names.
+    pub fn state(&self) -> State {
+        State::named(&self.state).expect("the table's check allows known states only")
+    }
+
+    /// Whether it has come to an end.
+    pub fn ended(&self) -> bool {
+        matches!(self.state(), State::Done | State::Failed | State::Cancelled)
+    }
+}
+
+/// Stores a new study at the end of the queue and returns its identifier.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn insert(
+    connection: &mut SqliteConnection,
+    name: &str,
+    spec: &str,
+    spec_sha256: &str,
+) -> Result<String, StoreError> {
+    let id = uuid::Uuid::now_v7().to_string();
+    let query = "insert into studies (id, name, spec, spec_sha256, state, created, place)
+                 values (?, ?, ?, ?, 'queued', ?, (select coalesce(max(place), 0) + 1 from studies))";
+    sqlx::query(query)
+        .bind(&id)
+        .bind(name)
+        .bind(spec)
+        .bind(spec_sha256)
+        .bind(now())
+        .execute(connection)
+        .await?;
+    Ok(id)
+}
+
+/// The study of this identifier.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn find(
+    connection: &mut SqliteConnection,
+    id: &str,
+) -> Result<Option<StudyRow>, StoreError> {
+    Ok(sqlx::query_as("select * from studies where id = ?")
+        .bind(id)
+        .fetch_optional(connection)
+        .await?)
+}
+
+/// Which studies are listed: all unless something is said.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Filter<'f> {
+    /// Those of this state.
+    pub state: Option<State>,
+    /// The designs of the sweep of this identifier; for `none`, those that are no design of any.
+    pub sweep: Option<&'f str>,
+}
+
+/// Up to `limit` studies, newest first, older than the study `before`.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn page(
+    connection: &mut SqliteConnection,
+    filter: Filter<'_>,
+    before: Option<&str>,
+    limit: u32,
+) -> Result<Vec<StudyRow>, StoreError> {
+    let query = "select * from studies
+                 where (?1 is null or state = ?1) and (?2 is null or id < ?2)
+                 and (?4 is null or case ?4
+                    when 'none' then not exists (select 1 from sweep_designs where study = studies.id)
+                    else exists (select 1 from sweep_designs where study = studies.id and sweep = ?4) end)
+                 order by id desc limit ?3";
+    Ok(sqlx::query_as(query)
+        .bind(filter.state.map(State::as_str))
+        .bind(before)
+        .bind(limit)
+        .bind(filter.sweep)
+        .fetch_all(connection)
+        .await?)
+}
+
+/// Up to `limit` studies whose identifiers begin so; one that is it exactly is the only one.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn beginning_with(
+    connection: &mut SqliteConnection,
+    beginning: &str,
+    limit: u32,
+) -> Result<Vec<StudyRow>, StoreError> {
+    if let Some(study) = find(connection, beginning).await? {
+        return Ok(vec![study]);
+    }
+    let query = "select * from studies where substr(id, 1, length(?1)) = ?1 order by id limit ?2";
+    Ok(sqlx::query_as(query)
+        .bind(beginning)
+        .bind(limit)
+        .fetch_all(connection)
+        .await?)
+}
+
+/// How many studies are in each state.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn counts(connection: &mut SqliteConnection) -> Result<Vec<(State, i64)>, StoreError> {
+    let query = "select state, count(*) from studies group by state";
+    let rows: Vec<(String, i64)> = sqlx::query_as(query).fetch_all(connection).await?;
+    let count = |state: State| {
+        let row = rows.iter().find(|(name, _)| name == state.as_str());
+        (state, row.map_or(0, |(_, count)| *count))
+    };
+    Ok(State::ALL.into_iter().map(count).collect())
+}
+
+/// The newest queued study of the same document: one that was interrupted, or still waits.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn queued_twin(
+    connection: &mut SqliteConnection,
+    spec_sha256: &str,
+) -> Result<Option<StudyRow>, StoreError> {
+    let query =
+        "select * from studies where spec_sha256 = ? and state = 'queued' order by id desc limit 1";
+    Ok(sqlx::query_as(query)
+        .bind(spec_sha256)
+        .fetch_optional(connection)
+        .await?)
+}
+
+/// The newest other study of the same document that is done and has every one of its points stored: none of them broke.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn answered_twin(
+    connection: &mut SqliteConnection,
+    id: &str,
+    spec_sha256: &str,
+) -> Result<Option<String>, StoreError> {
+    let query = "select id from studies where spec_sha256 = ? and id <> ? and state = 'done'
+                 and points_total = (select count(*) from study_points where study = studies.id) order by id desc limit 1";
+    Ok(sqlx::query_scalar(query)
+        .bind(spec_sha256)
+        .bind(id)
+        .fetch_optional(connection)
+        .await?)
+}
+
+/// Whether a study is running.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn is_running(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
+    let running = find(connection, id).await?.map(|row| row.state());
+    Ok(running == Some(State::Running))
+}
+
+/// Ends a running study; false when it isn't running any more.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn finish(
+    connection: &mut SqliteConnection,
+    id: &str,
+    state: State,
+    error: Option<&str>,
+) -> Result<bool, StoreError> {
+    let query =
+        "update studies set state = ?, error = ?, finished = ? where id = ? and state = 'running'";
+    let done = sqlx::query(query)
+        .bind(state.as_str())
+        .bind(error)
+        .bind(now())
+        .bind(id)
+        .execute(connection)
+        .await?;
+    Ok(done.rows_affected() == 1)
+}
+
+/// Cancels a study that hasn't ended; false when it has.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn cancel(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
+    let query = "update studies set state = 'cancelled', finished = ? where id = ? and state in ('queued', 'running')";
+    Ok(sqlx::query(query)
+        .bind(now())
+        .bind(id)
+        .execute(connection)
+        .await?
+        .rows_affected()
+        == 1)
+}
+
+/// Notes how many points the plan has, and how many of them are known already.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn set_progress(
+    connection: &mut SqliteConnection,
+    id: &str,
+    total: usize,
+    done: usize,
+) -> Result<(), StoreError> {
+    sqlx::query("update studies set points_total = ?, points_done = ? where id = ?")
+        .bind(i64::try_from(total).unwrap_or(i64::MAX))
+        .bind(i64::try_from(done).unwrap_or(i64::MAX))
+        .bind(id)
+        .execute(connection)
+        .await?;
+    Ok(())
+}
+
+/// Notes what a study that starts is expected to take.
+///
+/// # Errors
+/// [`StoreError::NotFinite`] when a number isn't finite; when the database can't be written.
+pub async fn set_estimate(
+    connection: &mut SqliteConnection,
+    id: &str,
+    estimate: &Estimate,
+) -> Result<(), StoreError> {
+    sqlx::query("update studies set estimate = ? where id = ?")
+        .bind(encode("the estimate of a study", estimate)?)
+        .bind(id)
+        .execute(connection)
+        .await?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::database::tests::fresh;
+
+    #[tokio::test]
+    async fn pages_go_from_new_to_old_without_overlap() {
+        let (_folder, store) = fresh().await;
+        let mut tx = store.begin().await.expect("begins");
+        let mut ids = Vec::new();
+        for name in ["a", "b", "c"] {
+            ids.push(insert(&mut tx, name, "{}", "x").await.expect("inserts"));
+        }
+        let first = page(&mut tx, Filter::default(), None, 2)
+            .await
+            .expect("reads");
+        let of = |state: State| Filter {
+            state: Some(state),
+            sweep: None,
+        };
+        let rest = page(&mut tx, of(State::Queued), Some(&first[1].id), 2)
+            .await
+            .expect("reads");
+        let seen: Vec<&str> = first
+            .iter()
+            .chain(&rest)
+            .map(|row| row.id.as_str())
+            .collect();
+        assert_eq!(seen, [&ids[2], &ids[1], &ids[0]]);
+        assert!(
+            page(&mut tx, of(State::Done), None, 2)
+                .await
+                .expect("reads")
+                .is_empty()
+        );
+    }
+}

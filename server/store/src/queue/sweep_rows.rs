@@ -1,0 +1,238 @@
+//! Sweeps: which studies are the designs of one.
+
+use serde_json::{Map, Value};
+use sqlx::{FromRow, SqliteConnection};
+
+use crate::clock::now;
+use crate::content::encode;
+use crate::queue::study_rows::StudyRow;
+use crate::store_error::StoreError;
+
+/// A sweep as stored.
+#[derive(Debug, Clone, PartialEq, FromRow)]
+pub struct SweepRow {
+    /// UUID, ordered by time.
+    pub id: String,
+    /// Free text.
+    pub name: String,
+    /// Canonical document of the study without changes, JSON.
+    pub spec: String,
+    /// Priority of its studies.
+    pub priority: i64,
+    /// When it was submitted.
+    pub created: String,
+}
+
+/// One of its designs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DesignRow {
+    /// Its place in the sweep.
+    pub ordinal: i64,
+    /// What tells it from the others.
+    pub name: String,
+    /// Values by path.
+    pub set: Map<String, Value>,
+    /// The study that answers for it.
+    pub study: StudyRow,
+}
+
+/// Stores a new sweep without designs and returns its identifier.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn insert(
+    connection: &mut SqliteConnection,
+    name: &str,
+    spec: &str,
+    spec_sha256: &str,
+    priority: i64,
+) -> Result<String, StoreError> {
+    let id = uuid::Uuid::now_v7().to_string();
+    sqlx::query("insert into sweeps (id, name, spec, spec_sha256, priority, created) values (?, ?, ?, ?, ?, ?)")
+        .bind(&id)
+        .bind(name)
+        .bind(spec)
+        .bind(spec_sha256)
+        .bind(priority)
+        .bind(now())
+        .execute(connection)
+        .await?;
+    Ok(id)
+}
+
+/// Adds a design behind the others.
+///
+/// # Errors
+/// [`StoreError::NotFinite`] when a value isn't finite; when the database can't be written.
+pub async fn add_design(
+    connection: &mut SqliteConnection,
+    sweep: &str,
+    name: &str,
+    set: &Map<String, Value>,
+    study: &str,
+) -> Result<(), StoreError> {
+    let query = "insert into sweep_designs (sweep, ordinal, name, settings, study)
+                 values (?1, (select coalesce(max(ordinal) + 1, 0) from sweep_designs where sweep = ?1), ?2, ?3, ?4)";
+    sqlx::query(query)
+        .bind(sweep)
+        .bind(name)
+        .bind(encode("the settings of a design", set)?)
+        .bind(study)
+        .execute(connection)
+        .await?;
+    Ok(())
+}
+
+/// Lets another study answer for a design.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn replace_study(
+    connection: &mut SqliteConnection,
+    sweep: &str,
+    ordinal: i64,
+    study: &str,
+) -> Result<(), StoreError> {
+    sqlx::query("update sweep_designs set study = ? where sweep = ? and ordinal = ?")
+        .bind(study)
+        .bind(sweep)
+        .bind(ordinal)
+        .execute(connection)
+        .await?;
+    Ok(())
+}
+
+/// The sweep of this identifier.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn find(
+    connection: &mut SqliteConnection,
+    id: &str,
+) -> Result<Option<SweepRow>, StoreError> {
+    let query = "select id, name, spec, priority, created from sweeps where id = ?";
+    Ok(sqlx::query_as(query)
+        .bind(id)
+        .fetch_optional(connection)
+        .await?)
+}
+
+/// Up to `limit` sweeps whose identifiers begin so.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn beginning_with(
+    connection: &mut SqliteConnection,
+    beginning: &str,
+    limit: u32,
+) -> Result<Vec<SweepRow>, StoreError> {
+    let query = "select id, name, spec, priority, created from sweeps
+                 where substr(id, 1, length(?1)) = ?1 order by id limit ?2";
+    Ok(sqlx::query_as(query)
+        .bind(beginning)
+        .bind(limit)
+        .fetch_all(connection)
+        .await?)
+}
+
+/// Up to `limit` sweeps, newest first, older than the sweep `before`.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn page(
+    connection: &mut SqliteConnection,
+    before: Option<&str>,
+    limit: u32,
+) -> Result<Vec<SweepRow>, StoreError> {
+    let query = "select id, name, spec, priority, created from sweeps
+                 where ?1 is null or id < ?1 order by id desc limit ?2";
+    Ok(sqlx::query_as(query)
+        .bind(before)
+        .bind(limit)
+        .fetch_all(connection)
+        .await?)
+}
+
+#[derive(FromRow)]
+struct Joined {
+    ordinal: i64,
+    design: String,
+    settings: String,
+    #[sqlx(flatten)]
+    study: StudyRow,
+}
+
+/// The designs of a sweep with their studies, in order.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn designs(
+    connection: &mut SqliteConnection,
+    sweep: &str,
+) -> Result<Vec<DesignRow>, StoreError> {
+    let query = "select d.ordinal, d.name as design, d.settings, s.* from sweep_designs d join studies s on s.id = d.study
+                 where d.sweep = ? order by d.ordinal";
+    let rows: Vec<Joined> = sqlx::query_as(query)
+        .bind(sweep)
+        .fetch_all(connection)
+        .await?;
+    let design = |row: Joined| DesignRow {
+        ordinal: row.ordinal,
+        name: row.design,
+        set: serde_json::from_str(&row.settings).unwrap_or_default(),
+        study: row.study,
+    };
+    Ok(rows.into_iter().map(design).collect())
+}
+
+/// The sweep that a study is a design of.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn of_study(
+    connection: &mut SqliteConnection,
+    study: &str,
+) -> Result<Option<String>, StoreError> {
+    Ok(
+        sqlx::query_scalar("select sweep from sweep_designs where study = ?")
+            .bind(study)
+            .fetch_optional(connection)
+            .await?,
+    )
+}
+
+/// The sweep submitted under this key, and the hash of what was submitted.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn under_key(
+    connection: &mut SqliteConnection,
+    key: &str,
+) -> Result<Option<(String, String)>, StoreError> {
+    Ok(
+        sqlx::query_as("select sweep, sha256 from sweep_keys where key = ?")
+            .bind(key)
+            .fetch_optional(connection)
+            .await?,
+    )
+}
+
+/// Notes that this key stands for this sweep.
+///
+/// # Errors
+/// When the key is taken, or the database can't be written.
+pub async fn insert_key(
+    connection: &mut SqliteConnection,
+    key: &str,
+    sweep: &str,
+    sha256: &str,
+) -> Result<(), StoreError> {
+    sqlx::query("insert into sweep_keys (key, sweep, sha256, created) values (?, ?, ?, ?)")
+        .bind(key)
+        .bind(sweep)
+        .bind(sha256)
+        .bind(now())
+        .execute(connection)
+        .await?;
+    Ok(())
+}

@@ -1,0 +1,77 @@
+//! The database file, looked after.
+
+use std::path::Path;
+use std::process::Output;
+
+use serde_json::Value;
+use sqlx::sqlite::SqliteConnectOptions;
+use sqlx::{Connection, SqliteConnection};
+
+use super::draft;
+use crate::program::{spawn, strainsite, text};
+
+fn done(output: &Output) -> &str {
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    text(&output.stdout)
+}
+
+fn refused(output: &Output, because: &str) {
+    assert_eq!(output.status.code(), Some(1));
+    let said = text(&output.stderr);
+    assert!(said.contains(because), "{said}");
+}
+
+async fn damage(database: &Path) {
+    let options = SqliteConnectOptions::new().filename(database);
+    let connected = SqliteConnection::connect_with(&options).await;
+    let changed = sqlx::query(
+        "update evaluations set response = replace(response, 'reaction_n\":1', 'reaction_n\":2')",
+    )
+    .execute(&mut connected.expect("opens"))
+    .await;
+    assert!(changed.expect("changes").rows_affected() > 0);
+}
+
+#[tokio::test]
+async fn a_database_is_checked_copied_and_compacted() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let run = |arguments: &[&str]| strainsite(folder.path(), arguments);
+    refused(&run(&["db", "check"]), "strainsite.db can't be opened");
+    let study = draft(folder.path());
+    done(&run(&["run", study]));
+
+    let found = run(&["db", "check", "--json", "-"]);
+    let found: Value = serde_json::from_str(done(&found)).expect("one JSON document");
+    assert_eq!(found["rows"]["evaluations"], 26);
+    assert_eq!(found["rows"]["results"], 1);
+    assert_eq!(found["faults"], Value::Array(vec![]));
+
+    done(&run(&["db", "backup", "copy.db"]));
+    refused(&run(&["db", "backup", "copy.db"]), "isn't there yet");
+    done(&run(&["db", "check", "--db", "copy.db"]));
+    let again = run(&["run", study, "--db", "copy.db"]);
+    assert!(done(&again).contains("26 of them known before"));
+    assert!(done(&run(&["db", "vacuum"])).contains("bytes"));
+    done(&run(&["db", "check"]));
+
+    damage(&folder.path().join("copy.db")).await;
+    let damaged = run(&["db", "check", "--db", "copy.db"]);
+    refused(&damaged, "faults");
+    let said = text(&damaged.stdout);
+    assert!(said.contains("of table evaluations is damaged"), "{said}");
+}
+
+#[test]
+fn a_database_in_use_is_checked_and_copied_but_not_compacted() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let run = |arguments: &[&str]| strainsite(folder.path(), arguments);
+    let mut service = spawn(folder.path(), &["serve", "--addr", "127.0.0.1:0"]);
+    let mut line = String::new();
+    let stdout = service.stdout.take().expect("a pipe");
+    std::io::BufRead::read_line(&mut std::io::BufReader::new(stdout), &mut line).expect("a line");
+    done(&run(&["db", "check"]));
+    done(&run(&["db", "backup", "copy.db"]));
+    refused(&run(&["db", "vacuum"]), "another strainsite process");
+    service.kill().expect("ends");
+    service.wait().expect("ended");
+}

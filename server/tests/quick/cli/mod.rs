@@ -1,0 +1,307 @@
+//! The real program on the command line.
+
+mod access;
+mod accuracy;
+mod db;
+mod exports;
+mod library;
+mod logs;
+mod served;
+mod settings;
+#[cfg(unix)]
+mod signals;
+mod sweep;
+mod terminal;
+mod verification;
+
+use std::path::Path;
+use std::process::Command;
+
+use crate::program::{strainsite, text};
+use serde_json::Value;
+
+const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
+/// The shipped study on the coarsest mesh, as a file in the folder.
+fn draft(folder: &Path) -> &'static str {
+    let study = std::fs::read_to_string(format!("{REPOSITORY}/studies/foot-tire.toml"))
+        .expect("the study ships");
+    let study = study.replace("preset = \"standard\"", "preset = \"draft\"");
+    std::fs::write(folder.join("draft.toml"), study).expect("writes");
+    "draft.toml"
+}
+
+#[test]
+fn a_study_runs_and_leaves_its_result_in_every_form_that_was_asked_for() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let study = draft(folder.path());
+    let first = strainsite(
+        folder.path(),
+        &["run", study, "--out", "answer", "--json", "-"],
+    );
+    assert_eq!(first.status.code(), Some(0), "{}", text(&first.stderr));
+    let result: Value =
+        serde_json::from_slice(&first.stdout).expect("one JSON document and nothing else");
+    assert_eq!(
+        result["locations"][0]["name"], "P3",
+        "the deformation centre ranks first"
+    );
+    assert!(
+        text(&first.stderr).contains("rank  location"),
+        "the table goes to standard error"
+    );
+
+    let file =
+        std::fs::read_to_string(folder.path().join("answer/result.json")).expect("the result");
+    assert_eq!(serde_json::from_str::<Value>(&file).expect("JSON"), result);
+    let csv =
+        std::fs::read_to_string(folder.path().join("answer/locations.csv")).expect("the locations");
+    assert_eq!(csv.lines().count(), 6);
+    assert!(
+        csv.lines()
+            .nth(1)
+            .is_some_and(|line| line.starts_with("1,P3,")),
+        "{csv}"
+    );
+
+    // What it was expected to take stands beside what it took.
+    assert_eq!(result["estimate"]["solves"]["left"]["expected"], 26);
+    assert!(text(&first.stderr).contains("estimated before: 26 solves"));
+
+    let dry = strainsite(folder.path(), &["run", study, "--dry-run", "--json", "-"]);
+    assert_eq!(dry.status.code(), Some(0), "{}", text(&dry.stderr));
+    let estimate: Value = serde_json::from_slice(&dry.stdout).expect("JSON");
+    assert_eq!(estimate["solves"]["known"], 26);
+    assert_eq!(estimate["solves"]["left"]["most"], 0);
+
+    // The same study again takes every point from the database.
+    let again = strainsite(folder.path(), &["run", study]);
+    assert_eq!(again.status.code(), Some(0));
+    let table = text(&again.stdout);
+    assert!(
+        table.contains("29.97") && table.contains("26 solves, 26 of them known before"),
+        "{table}"
+    );
+}
+
+#[test]
+fn a_dry_run_solves_nothing_and_makes_no_database() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let study = format!("{REPOSITORY}/studies/foot-tire.toml");
+    let dry = strainsite(folder.path(), &["run", &study, "--dry-run"]);
+    assert_eq!(dry.status.code(), Some(0), "{}", text(&dry.stderr));
+    let told = text(&dry.stdout);
+    assert!(
+        told.contains(
+            "solves     55: 26 points, 26 on coarser meshes, 3 for what is left out; 0 known"
+        ),
+        "{told}"
+    );
+    assert!(told.contains("accuracy   standard mdrm 5"), "{told}");
+    assert!(!folder.path().join("strainsite.db").exists());
+}
+
+#[test]
+fn calculix_answers_where_it_is_installed_and_says_so_where_it_cannot() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let scene = "[geometry]\nouter_radius_mm = 70\nsection_radius_mm = 20\nwall_mm = 8\n[pressure]\ninternal_mpa = 0.04\n\
+                 [model]\nlevel = \"draft\"\n";
+    std::fs::write(folder.path().join("plain.toml"), scene).expect("writes");
+    let calculix = ["solve", "plain.toml", "--solver", "calculix", "--json", "-"];
+
+    let lacking = strainsite(
+        folder.path(),
+        &[&calculix[..], &["--ccx", "./ccx"]].concat(),
+    );
+    assert_eq!(lacking.status.code(), Some(1));
+    assert!(text(&lacking.stderr).contains("apt-get install calculix-ccx"));
+
+    if let Err(error) = Command::new("ccx").arg("-v").output() {
+        println!("skipped: ccx: {error}");
+        return;
+    }
+    let solved = strainsite(folder.path(), &calculix);
+    assert_eq!(solved.status.code(), Some(0), "{}", text(&solved.stderr));
+    let answer: Value = serde_json::from_slice(&solved.stdout).expect("JSON");
+    assert_eq!(answer["status"], "converged");
+    assert!(answer["reaction_n"].as_f64() > Some(0.0));
+    let changes = answer["model"]["left_out"].to_string();
+    assert!(changes.contains("incompressibility"), "{changes}");
+
+    let scene = format!("{scene}[carcass]\n");
+    std::fs::write(folder.path().join("plain.toml"), scene).expect("writes");
+    let refused = strainsite(folder.path(), &calculix);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).starts_with("/carcass: "));
+}
+
+#[test]
+fn one_equilibrium_is_solved_and_changed_by_its_keys() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let scene = format!("{REPOSITORY}/scenes/foot-tire.toml");
+    let solve = |depth: &str| {
+        let depths = format!("ground.depths_mm={depth}");
+        let output = strainsite(
+            folder.path(),
+            &[
+                "solve",
+                &scene,
+                "--set",
+                "model.level=draft",
+                "--set",
+                &depths,
+                "--json",
+                "-",
+            ],
+        );
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let answer: Value =
+            serde_json::from_slice(&output.stdout).expect("one JSON document and nothing else");
+        assert_eq!(answer["status"], "converged");
+        answer["reaction_n"].as_f64().expect("a force")
+    };
+    let (shallow, deep) = (solve("[0.5,0.5,0.5,0.5,0.5]"), solve("[1,1,1,1,1]"));
+    assert!(
+        0.0 < shallow && shallow < deep,
+        "{shallow} N at 0.5 mm, {deep} N at 1 mm"
+    );
+}
+
+#[test]
+fn every_fault_of_the_changes_to_a_scene_is_told_at_once() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let scene = format!("{REPOSITORY}/scenes/foot-tire.toml");
+    let sets = ["pressure", "geometry.wall_mm=2", "geometry.wall_mm=3"];
+    let sets = sets.iter().flat_map(|set| ["--set", set]);
+    let arguments: Vec<&str> = ["solve", &scene].into_iter().chain(sets).collect();
+    let output = strainsite(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(2));
+    let lines: Vec<&str> = text(&output.stderr).lines().collect();
+    assert_eq!(lines.len(), 2, "{lines:?}");
+    assert!(lines[0].contains("\"pressure\": it has no ="), "{lines:?}");
+    assert!(lines[1].contains("its key stands twice"), "{lines:?}");
+}
+
+#[test]
+fn wrong_input_ends_with_2_and_every_fault_on_a_line_of_its_own() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    std::fs::write(
+        folder.path().join("scene.toml"),
+        "[pressure]\ninternal_mpa = -1\n[carcass]\nposition = 2\n",
+    )
+    .expect("writes");
+    for command in ["validate", "solve"] {
+        let output = strainsite(folder.path(), &[command, "scene.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{command}");
+        let lines: Vec<&str> = text(&output.stderr).lines().collect();
+        assert_eq!(lines.len(), 2, "{lines:?}");
+        assert!(
+            lines
+                .iter()
+                .any(|line| line.starts_with("/pressure/internal_mpa: ")),
+            "{lines:?}"
+        );
+        assert!(
+            lines
+                .iter()
+                .any(|line| line.starts_with("/carcass/position: ")),
+            "{lines:?}"
+        );
+        assert!(output.stdout.is_empty());
+    }
+    for arguments in [
+        vec!["validate", "absent.toml"],
+        vec!["run", "absent.toml"],
+        vec!["run", "scene.toml"],
+        vec!["solve", "scene.toml", "--set", "pressure"],
+        vec!["serve", "--addr", "0.0.0.0:8080"],
+        vec!["fly"],
+    ] {
+        let output = strainsite(folder.path(), &arguments);
+        assert_eq!(
+            output.status.code(),
+            Some(2),
+            "{arguments:?}: {}",
+            text(&output.stderr)
+        );
+        assert!(!output.stderr.is_empty());
+    }
+    assert!(
+        !folder.path().join("strainsite.db").exists(),
+        "a refused study makes no database"
+    );
+}
+
+#[test]
+fn shipped_documents_are_valid() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    for kind in ["studies", "scenes"] {
+        for file in std::fs::read_dir(format!("{REPOSITORY}/{kind}")).expect("the folder ships") {
+            let path = file.expect("an entry").path();
+            let output = strainsite(folder.path(), &["validate", &path.to_string_lossy()]);
+            assert_eq!(
+                output.status.code(),
+                Some(0),
+                "{}: {}",
+                path.display(),
+                text(&output.stderr)
+            );
+        }
+    }
+}
+
+#[test]
+fn an_unusable_database_is_a_clear_failure() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let study = draft(folder.path());
+    std::fs::write(
+        folder.path().join("letter.db"),
+        "dear reader, this is not a database".repeat(100),
+    )
+    .expect("writes");
+    let output = strainsite(
+        folder.path(),
+        &["run", study, "--db", "letter.db", "--json", "-"],
+    );
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        text(&output.stderr).contains("letter.db"),
+        "{}",
+        text(&output.stderr)
+    );
+    let document: Value =
+        serde_json::from_slice(&output.stdout).expect("one JSON document and nothing else");
+    assert_eq!(document["status"], "failed");
+}
+
+#[test]
+fn a_load_that_the_tire_can_not_hold_ends_with_3_and_how_far_it_got() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    // Without its carcass the reference tire loses its stability below 0.2 MPa.
+    let scene = "[pressure]\ninternal_mpa = 0.2\n[model]\nlevel = \"draft\"\n";
+    std::fs::write(folder.path().join("bare.toml"), scene).expect("writes");
+    let output = strainsite(folder.path(), &["solve", "bare.toml", "--json", "-"]);
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+    let answer: Value =
+        serde_json::from_slice(&output.stdout).expect("one JSON document and nothing else");
+    assert_eq!(answer["status"], "limit-point");
+    assert!(answer["detail"].is_string());
+    let reached = answer["reached"]["pressure_mpa"]
+        .as_f64()
+        .expect("a pressure");
+    assert!(0.0 < reached && reached < 0.2, "{reached} MPa");
+}
+
+#[test]
+fn a_tire_pressed_onto_itself_ends_with_3_and_the_depth_it_got_to() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let scene = "[carcass]\n[ground]\ndepths_mm = [12.5, 12.5, 12.5, 12.5, 12.5]\n[model]\nlevel = \"draft\"\n";
+    std::fs::write(folder.path().join("deep.toml"), scene).expect("writes");
+    let output = strainsite(folder.path(), &["solve", "deep.toml", "--json", "-"]);
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+    let answer: Value =
+        serde_json::from_slice(&output.stdout).expect("one JSON document and nothing else");
+    assert_eq!(answer["status"], "self-contact");
+    let reached = answer["reached"]["depths_mm"][2].as_f64().expect("a depth");
+    assert!(12.0 < reached && reached < 12.5, "{reached} mm");
+}

@@ -1,0 +1,8 @@
+//! The program from outside: its command line, and the service over HTTP with the closed-form solver behind it.
+
+mod api;
+mod app;
+mod cli;
+mod interrupted;
+mod own_models;
+mod program;

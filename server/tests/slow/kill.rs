@@ -1,0 +1,107 @@
+//! SIGKILL against the real program: what was stored survives, nothing is solved twice, the result is the same.
+
+use std::path::Path;
+use std::time::Duration;
+
+use crate::program::service::{Program, draft, integrity, sql};
+use serde_json::{Value, json};
+
+/// Kills of one study after the first; each comes a different while after a start.
+const KILLS: u32 = 20;
+/// Names how many kills there are to be in all; 20 when it isn't set.
+const MORE: &str = "STRAINSITE_KILLS";
+
+/// Row number, key and time of every evaluation, in the order in which they were stored.
+async fn evaluations(database: &Path) -> Vec<(i64, String, String)> {
+    sqlx::query_as("select rowid, key, created from evaluations order by rowid")
+        .fetch_all(&mut sql(database).await)
+        .await
+        .expect("rows")
+}
+
+/// Takes the blame from the points that were in flight, as `db release` does: it was this test that killed the program. On a slow
+/// machine the same point might be there three times.
+async fn release(database: &Path) {
+    for table in ["delete from crashes", "delete from solves_in_flight"] {
+        let released = sqlx::query(table).execute(&mut sql(database).await).await;
+        released.expect("deletes");
+    }
+}
+
+/// The draft study with so many points that it isn't over before the last kill.
+fn long() -> Value {
+    let mut document = draft();
+    document["method"]["check_points"] = json!(150);
+    document
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_study_killed_again_and_again_loses_nothing_and_gives_the_same_result() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let undisturbed = Program::start(&folder.path().join("undisturbed.db"));
+    let id = undisturbed.submit(&long()).await;
+    let expected = undisturbed.result_hash(&id).await;
+    let kills = std::env::var(MORE).map_or(KILLS, |text| text.parse().expect("a whole number"));
+    for round in 0..kills.div_ceil(KILLS) {
+        let database = folder.path().join(format!("killed-{round}.db"));
+        killed_again_and_again(&database, round, &expected).await;
+    }
+}
+
+async fn killed_again_and_again(database: &Path, round: u32, expected: &str) {
+    let program = Program::start(database);
+    let id = program.submit(&long()).await;
+    program
+        .wait(&id, |study| study["points_done"].as_i64() >= Some(3))
+        .await;
+    program.kill();
+    let mut stored = evaluations(database).await;
+    assert!(stored.len() >= 3, "{} points", stored.len());
+
+    let mut in_the_middle = 0;
+    for kill in 0..KILLS {
+        let program = Program::start(database);
+        // From 0 to 95 ms in an order without a pattern: 7 has no factor in common with 20. Other rounds fall in between.
+        let wait = kill * 7 % 20 * 5 + round % 5;
+        tokio::time::sleep(Duration::from_millis(u64::from(wait))).await;
+        program.kill();
+        release(database).await;
+        let now = evaluations(database).await;
+        assert_eq!(
+            now[..stored.len()],
+            stored,
+            "after kill {kill}: no stored point is lost or written again"
+        );
+        stored = now;
+        in_the_middle += u32::from(!has_ended(database).await);
+    }
+    assert!(
+        in_the_middle > KILLS / 2,
+        "{in_the_middle} kills came before the study's end"
+    );
+
+    let program = Program::start(database);
+    assert_eq!(program.result_hash(&id).await, expected);
+    let points = program.json(&format!("/v1/studies/{id}")).await["points_total"].clone();
+    program.kill();
+    let end = evaluations(database).await;
+    assert_eq!(Some(end.len() as u64), points.as_u64());
+    assert_eq!(end[..stored.len()], stored);
+    let twice: Vec<(i64, i64)> = sqlx::query_as(
+        "select payload ->> 'ordinal', count(*) from events where kind = 'point-solved' group by 1 having count(*) > 1",
+    )
+    .fetch_all(&mut sql(database).await)
+    .await
+    .expect("rows");
+    assert_eq!(twice, [], "no point is reported solved twice");
+    assert_eq!(integrity(database).await, "ok");
+}
+
+async fn has_ended(database: &Path) -> bool {
+    let ended = "select count(*) from studies where finished is not null";
+    let ended: i64 = sqlx::query_scalar(ended)
+        .fetch_one(&mut sql(database).await)
+        .await
+        .expect("a count");
+    ended > 0
+}

@@ -1,0 +1,23 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { mergePages, type Page } from "./pages.ts";
+
+interface Entry {
+  id: string;
+  state: string;
+}
+
+const page = (entries: [string, string][], next_cursor: string | null): Page<Entry> => ({
+  entries: entries.map(([id, state]) => ({ id, state })),
+  next_cursor,
+});
+
+test("newer entries replace those that are known, and older ones stay with their cursor", () => {
+  const merged = mergePages(page([["b", "running"], ["a", "done"]], "before a"), page([["c", "queued"], ["b", "done"]], "before b"));
+  assert.deepEqual(merged, page([["c", "queued"], ["b", "done"], ["a", "done"]], "before a"));
+});
+
+test("a page that holds all of the older one has the say about what follows", () => {
+  const newer = page([["b", "done"], ["a", "done"]], null);
+  assert.deepEqual(mergePages(page([["a", "queued"]], "before a"), newer), newer);
+});

@@ -1,0 +1,63 @@
+import { fixed, microstrain, significant } from "../../lib/format.ts";
+import type { RankedLayout } from "../../wire.ts";
+import { ScrollTable } from "../shared/scroll-table.tsx";
+
+/** Layouts around the whole wheel, best first. */
+export function LayoutsPanel({ layouts }: { layouts: RankedLayout[] }) {
+  const first = layouts[0];
+  if (first === undefined) return null;
+  const rows = [...layouts].sort((a, b) => a.rank - b.rank);
+  return (
+    <section class="panel" aria-labelledby="layouts-title">
+      <h2 id="layouts-title">Layouts around the wheel</h2>
+      <ScrollTable name="Ranked layouts">
+        <thead>
+          <tr>
+            <th scope="col">Rank</th>
+            <th scope="col">Spacing °</th>
+            <th scope="col">Units</th>
+            <th scope="col" class="words">
+              Position
+            </th>
+            <th scope="col">Films</th>
+            <th scope="col">Angle error, worst °</th>
+            <th scope="col">Angle error, rms °</th>
+            <th scope="col">Depth error, worst mm</th>
+            <th scope="col">Weakest signal µε</th>
+            <th scope="col" class="words">
+              Remark
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map((layout) => (
+            <Row key={layout.rank} layout={layout} />
+          ))}
+        </tbody>
+      </ScrollTable>
+      <p class="quiet">
+        Errors are Cramér–Rao bounds over all angles at which the wheel can touch down, for{" "}
+        {microstrain(first.score.noise_strain)} µε of noise on each film. Weakest signal: the film that sees most, at the
+        angle where that is least, in microstrain (µε, 10⁻⁶).
+      </p>
+    </section>
+  );
+}
+
+function Row({ layout }: { layout: RankedLayout }) {
+  const { score } = layout;
+  return (
+    <tr>
+      <td class="rank">{layout.rank}</td>
+      <td>{fixed(layout.spacing_deg, Number.isInteger(layout.spacing_deg) ? 0 : 1)}</td>
+      <td>{layout.units}</td>
+      <td class="words">{layout.position}</td>
+      <td>{layout.films.join(", ")}</td>
+      <td>{significant(score.worst_angle_error_deg)}</td>
+      <td>{significant(score.rms_angle_error_deg)}</td>
+      <td>{significant(score.worst_depth_error_mm)}</td>
+      <td>{microstrain(score.weakest_signal)}</td>
+      <td class="words">{score.reason ?? ""}</td>
+    </tr>
+  );
+}

@@ -1,0 +1,56 @@
+import { byRank, centreName } from "../../../lib/study/result-picks.ts";
+import type { StudyResult } from "../../../wire.ts";
+import { BarKey, Bars } from "./bars.tsx";
+import { ProductFormNotice } from "./product-form.tsx";
+import { RankingTable } from "./ranking-table.tsx";
+
+/** Where to glue first: the ranking, its bars, and what its order means. */
+export function RankingPanel({ result }: { result: StudyResult }) {
+  if (result.locations.length === 0) return <p class="quiet">The study ranked no location.</p>;
+  return (
+    <section class="panel" aria-labelledby="ranking-title">
+      <h2 id="ranking-title">Ranking</h2>
+      <Headline result={result} />
+      <ProductFormNotice result={result} direction="x" />
+      <ProductFormNotice result={result} direction="y" />
+      <div class="bars">
+        <Bars result={result} direction="x" />
+        <Bars result={result} direction="y" />
+      </div>
+      <BarKey />
+      <RankingTable result={result} />
+      <p class="quiet">
+        GSI: first-order index of each location's own contact depth for the strain at {centreName(result)}, percent of
+        its variance; ± is the estimated absolute error in percentage points. Certain: whether the errors leave no doubt
+        about the rank.
+      </p>
+      <Meaning centre={centreName(result) ?? "the centre"} />
+    </section>
+  );
+}
+
+function Headline({ result }: { result: StudyResult }) {
+  const first = byRank(result)[0];
+  if (first === undefined) return null;
+  return (
+    <p class="headline">
+      <strong>{first.name}</strong> ranks first
+      {first.rank_certain ? "; the errors leave no doubt about it." : ", but the errors leave doubt about it."}
+    </p>
+  );
+}
+
+function Meaning({ centre }: { centre: string }) {
+  return (
+    <div class="meaning">
+      <h3>What this order means</h3>
+      <p>
+        Each location is scored by how much of the variation of the strain at {centre}, the deformation centre, comes
+        from the contact depth at that location alone: 100 times its first-order Sobol index, as in the paper's Table 2.
+        The rank goes by the sum of the figures for x and y. It is one choice among several, and <strong>other averages rank otherwise</strong>: <em>mean</em> averages the
+        index over the strains at all locations, <em>own</em> takes the strain at the location itself. The largest figure
+        of each column is set in bold; where the bold moves, the order depends on the question.
+      </p>
+    </div>
+  );
+}

@@ -1,0 +1,99 @@
+import { duration, fixed, integer, significant } from "../../lib/format.ts";
+import { elapsedSeconds, isOver, newtonIterations, secondsLeft, share, type PointFailure, type Progress } from "../../lib/study/point-progress.ts";
+import type { Link, OpenStudy } from "../../state/app-state.ts";
+import { Facts } from "../shared/facts.tsx";
+import { ProblemBox } from "../shared/problem-box.tsx";
+
+interface Props {
+  open: OpenStudy;
+  progress: Progress;
+  now_ms: number;
+  onCancel: () => void;
+}
+
+/** How far a study is, or where it ended. */
+export function StudyProgress({ open, progress, now_ms, onCancel }: Props) {
+  const over = isOver(progress.state);
+  return (
+    <section class="panel" aria-label="Progress">
+      <Outcome progress={progress} />
+      <progress class="wide" max={1} value={share(progress)} aria-label="Points solved">
+        {progress.done} of {progress.total ?? "?"}
+      </progress>
+      <Standing progress={progress} now_ms={now_ms} />
+      <Failures failures={progress.failures} />
+      {open.problem !== null && <ProblemBox problem={open.problem} />}
+      {!over && (
+        <div class="actions">
+          <button type="button" onClick={onCancel}>
+            Cancel study
+          </button>
+          <p class="quiet">
+            Points solved so far stay stored. <LinkText link={open.link} />
+          </p>
+        </div>
+      )}
+    </section>
+  );
+}
+
+function Outcome({ progress }: { progress: Progress }) {
+  switch (progress.state) {
+    case "queued":
+      return <p role="status">Waiting for a free solver.</p>;
+    case "running":
+      return <p role="status">{progress.analysing ? "Computing the indices." : "Solving the design points."}</p>;
+    case "cancelled":
+      return <p role="status">Cancelled. Run the same document again and it goes on from the points solved here.</p>;
+    case "done":
+      return <p role="status">Done.</p>;
+    case "failed":
+      return (
+        <div class="problem" role="alert">
+          <p>{progress.error ?? "The study failed, and no reason was given."}</p>
+        </div>
+      );
+  }
+}
+
+function Standing({ progress, now_ms }: { progress: Progress; now_ms: number }) {
+  const solved = progress.newton.size;
+  const iterations = newtonIterations(progress);
+  const facts: [string, string][] = [
+    ["Points", `${integer(progress.done)} of ${progress.total === null ? "?" : integer(progress.total)}`],
+  ];
+  if (progress.reused !== null) facts.push(["Reused", integer(progress.reused)]);
+  facts.push(["Elapsed", duration(elapsedSeconds(progress, now_ms))]);
+  if (progress.state === "running") facts.push(["Time left", duration(secondsLeft(progress, now_ms))]);
+  if (solved > 0) facts.push(["Newton iterations", `${integer(iterations)}, ${fixed(iterations / solved, 1)} a point`]);
+  return <Facts facts={facts} />;
+}
+
+function Failures({ failures }: { failures: readonly PointFailure[] }) {
+  if (failures.length === 0) return null;
+  return (
+    <div class="problem">
+      <p>Points without an answer:</p>
+      <ul>
+        {failures.map((failure) => (
+          <li key={failure.ordinal}>
+            point {failure.ordinal}
+            {failure.values.length > 0 && ` at (${failure.values.map((value) => significant(value, 4)).join(", ")})`}:{" "}
+            {failure.cause}
+          </li>
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+function LinkText({ link }: { link: Link }) {
+  switch (link) {
+    case "live":
+      return <>Following live.</>;
+    case "polling":
+      return <>The live connection broke; asking every two seconds instead.</>;
+    default:
+      return null;
+  }
+}

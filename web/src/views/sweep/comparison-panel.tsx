@@ -1,0 +1,118 @@
+import { useMemo } from "preact/hooks";
+import { directionName, DIRECTIONS } from "../../lib/direction.ts";
+import type { Route, Shown, SweepRoute } from "../../lib/route.ts";
+import { designAxis, matrixOf, realDifferences, type Matrix } from "../../lib/sweep/comparison-matrix.ts";
+import type { Comparison, DesignView } from "../../wire.ts";
+import { Notes } from "../shared/notes-panel.tsx";
+import { RadioChoice, type Option } from "../shared/radio-choice.tsx";
+import { ComparisonChart, MarkKey } from "./comparison-chart.tsx";
+import { DifferenceTable, RankTable } from "./comparison-tables.tsx";
+
+const SHOWN: readonly Option<Shown>[] = [
+  { value: "index", label: "Index" },
+  { value: "difference", label: "Difference" },
+];
+
+interface Props {
+  comparison: Comparison;
+  designs: DesignView[];
+  route: SweepRoute;
+  onAdjust: (route: Route) => void;
+}
+
+/** What differs between the designs, and which differences are real. */
+export function ComparisonPanel({ comparison, designs, route, onAdjust }: Props) {
+  // The page's clock ticks every second, thousands of marks and cells needn't.
+  const matrix = useMemo(() => matrixOf(comparison), [comparison]);
+  const axis = useMemo(() => designAxis(designs), [designs]);
+  const charts = useMemo(
+    () => DIRECTIONS.map((direction) => <ComparisonChart key={direction} matrix={matrix} axis={axis} direction={direction} shown={route.shown} />),
+    [matrix, axis, route.shown],
+  );
+  const tables = useMemo(() => <Tables matrix={matrix} />, [matrix]);
+  return (
+    <>
+      <Notes notes={comparison.notes} />
+      {matrix.rows.length > 0 && (
+        <section class="panel comparison" aria-labelledby="comparison-title">
+          <h2 id="comparison-title">What differs</h2>
+          <div class="controls">
+            <BaselineChoice matrix={matrix} onChoose={(baseline) => onAdjust({ ...route, baseline })} />
+            <RadioChoice
+              name="shown"
+              legend="Charts show"
+              isLegendHidden
+              options={SHOWN}
+              chosen={route.shown}
+              onChoose={(shown) => onAdjust({ ...route, shown })}
+            />
+          </div>
+          <Summary matrix={matrix} />
+          <div class="charts">{charts}</div>
+          <MarkKey shown={route.shown} />
+          {tables}
+        </section>
+      )}
+    </>
+  );
+}
+
+function BaselineChoice({ matrix, onChoose }: { matrix: Matrix; onChoose: (study: string) => void }) {
+  return (
+    <label class="inline">
+      Differences from{" "}
+      <select value={matrix.baseline ?? ""} onChange={(event) => onChoose(event.currentTarget.value)}>
+        {matrix.baseline === null && (
+          <option value="" disabled>
+            a design that has no result
+          </option>
+        )}
+        {matrix.rows.map(({ study, number }) => (
+          <option key={study.id} value={study.id}>
+            {number}: {study.name}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+function Summary({ matrix }: { matrix: Matrix }) {
+  return (
+    <p class="headline">
+      {DIRECTIONS.map((direction, index) => {
+        const { real, of } = realDifferences(matrix, direction);
+        return (
+          <span key={direction}>
+            {index > 0 && "; "}
+            {direction}: <strong>{real}</strong> of {of} differences are real
+          </span>
+        );
+      })}
+      .
+    </p>
+  );
+}
+
+function Tables({ matrix }: { matrix: Matrix }) {
+  return (
+    <>
+      {DIRECTIONS.map((direction) => (
+        <div key={direction}>
+          <h3>Index and difference, strain {directionName(direction)}</h3>
+          <DifferenceTable matrix={matrix} direction={direction} />
+        </div>
+      ))}
+      <p class="quiet">
+        Index: first-order index of each location's own contact depth for the strain at the centre, percent. Below it, the difference from the baseline in
+        percentage points. ± is the estimated absolute error. A difference has an error of its own: the meshes of two designs err alike, so that a difference
+        may be real although the errors of the two indices overlap. ★ marks what is real, beyond its error; grey is noise, within it; ± ? isn't known.
+      </p>
+      <h3>Ranking</h3>
+      <RankTable matrix={matrix} />
+      <p class="quiet">
+        1 is best; ↑ and ↓ are places gained and lost since the baseline. ★: the change is real, because the errors leave no doubt about either rank.
+      </p>
+    </>
+  );
+}

@@ -1,0 +1,115 @@
+import type { ComponentChildren } from "preact";
+import { directionName, type Direction } from "../../lib/direction.ts";
+import { fixed, MISSING, signed } from "../../lib/format.ts";
+import { formatRoute, studyRoute } from "../../lib/route.ts";
+import type { DesignRow, Matrix } from "../../lib/sweep/comparison-matrix.ts";
+import type { ComparedIndex, ComparedLocation, Verdict } from "../../wire.ts";
+import { ScrollTable } from "../shared/scroll-table.tsx";
+
+/** Designs by locations: the index, and below it its difference from the baseline. */
+export function DifferenceTable({ matrix, direction }: { matrix: Matrix; direction: Direction }) {
+  const cell = (location: ComparedLocation): ComponentChildren => <IndexCell index={location[direction]} />;
+  return <ByLocation matrix={matrix} name={`Index and difference, strain ${directionName(direction)}`} cell={cell} />;
+}
+
+/** Designs by locations: the rank, and what it was in the baseline. */
+export function RankTable({ matrix }: { matrix: Matrix }) {
+  return <ByLocation matrix={matrix} name="Ranks" cell={(location) => <RankCell location={location} />} />;
+}
+
+function ByLocation(props: { matrix: Matrix; name: string; cell: (location: ComparedLocation) => ComponentChildren }) {
+  const { matrix, name, cell } = props;
+  return (
+    <ScrollTable name={name} kind="designs" isTall>
+      <thead>
+        <tr>
+          <th scope="col">#</th>
+          <th scope="col" class="words">
+            Design
+          </th>
+          {matrix.locations.map((location) => (
+            <th key={location} scope="col">
+              {location}
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {matrix.rows.map((row) => (
+          <Row key={row.study.id} row={row} isBaseline={row.study.id === matrix.baseline} cell={cell} />
+        ))}
+      </tbody>
+    </ScrollTable>
+  );
+}
+
+function Row(props: { row: DesignRow; isBaseline: boolean; cell: (location: ComparedLocation) => ComponentChildren }) {
+  const { row, isBaseline, cell } = props;
+  return (
+    <tr class={isBaseline ? "baseline" : undefined}>
+      <td>{row.number}</td>
+      <th scope="row" class="words">
+        <a href={formatRoute(studyRoute(row.study.id))}>{row.study.name}</a>
+        {isBaseline && <span class="error"> baseline</span>}
+      </th>
+      {row.cells.map((location, column) => (
+        <td key={column}>{location === null ? MISSING : cell(location)}</td>
+      ))}
+    </tr>
+  );
+}
+
+function IndexCell({ index }: { index: ComparedIndex }) {
+  return (
+    <>
+      {fixed(index.gsi_percent, 2)} <span class="error">± {errorText(index.error_percent)}</span>
+      {index.difference_percent != null && (
+        <span class={`difference ${index.verdict ?? ""}`}>
+          <Star verdict={index.verdict} />
+          {signed(index.difference_percent, 2)} ± {errorText(index.difference_error_percent)}
+          <Word verdict={index.verdict} />
+        </span>
+      )}
+    </>
+  );
+}
+
+function errorText(error: number | null | undefined): string {
+  return error == null ? "?" : fixed(error, 2);
+}
+
+interface VerdictProps {
+  verdict: Verdict | null | undefined;
+}
+
+/** A mark for the eye; a word for the ear stands behind the figures. */
+function Star({ verdict }: VerdictProps) {
+  if (verdict !== "real") return null;
+  return (
+    <span class="star" aria-hidden="true">
+      ★
+    </span>
+  );
+}
+
+function Word({ verdict }: VerdictProps) {
+  return verdict == null ? null : <span class="hidden"> {verdict}</span>;
+}
+
+function RankCell({ location }: { location: ComparedLocation }) {
+  const { rank, rank_certain, rank_change, rank_verdict } = location;
+  return (
+    <>
+      <strong>{rank}</strong> <span class="error">{rank_certain ? "certain" : "uncertain"}</span>
+      {rank_change != null && rank_change !== 0 && (
+        <span class={`difference ${rank_verdict ?? ""}`}>
+          <Star verdict={rank_verdict} />
+          {rank_change > 0 ? "↓" : "↑"}
+          {Math.abs(rank_change)}
+          <span class="hidden">{rank_change > 0 ? " places lost," : " places gained,"}</span>
+          <Word verdict={rank_verdict} />
+        </span>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,1240 @@
+// Made from openapi.json by `npm run wire`; not edited by hand.
+
+export type paths = Record<string, never>;
+export type webhooks = Record<string, never>;
+export interface components {
+    schemas: {
+        /** @description What is asked of the answer: one of the three. */
+        AccuracyDocument: {
+            /** @description Level of the mesh: draft, coarse, standard or reference. */
+            preset?: string;
+            /**
+             * Format: double
+             * @description Largest error of any first-order index, absolute.
+             */
+            tolerance?: number;
+            /**
+             * Format: double
+             * @description Wall-clock time, s.
+             */
+            budget_s?: number;
+        };
+        /** @description Where films may go. */
+        CandidatesDocument: {
+            /** @description `P1-P5` */
+            points?: string;
+            /** @description `["x"]`, `["y"]` or both. */
+            directions?: string[];
+            /** @description `circumferential` and `meridional` numbers of points of the dense map, and `half_width_deg`. */
+            grid: Record<string, unknown>;
+        };
+        /** @description One modelling choice with its reason. */
+        Choice: {
+            /** @description The part. */
+            what: string;
+            /** @description The reason. */
+            why: string;
+            /**
+             * Format: double
+             * @description What leaving it out does: the largest change of a strain at P1, P2, ... at the means when it is modelled, over the largest strain
+             *     of that direction there. 0 where leaving it out is exact; absent where the part is modelled, or the effect isn't known.
+             */
+            effect?: number | null;
+        };
+        /** @description The way from a draft to the accuracy asked for. */
+        Climb: {
+            /**
+             * Format: double
+             * @description Largest error of an index that was asked for.
+             */
+            tolerance?: number | null;
+            /**
+             * Format: double
+             * @description Wall-clock time that was allowed, s.
+             */
+            budget_s?: number | null;
+            /** @description Whether the claimed error is within the tolerance, or the budget gave an answer. */
+            met: boolean;
+            /** @description What was tried, in order; the answer is the last one's. */
+            rungs: components["schemas"]["ClimbRung"][];
+        };
+        /** @description One step of the way. */
+        ClimbRung: {
+            /** @description In a few words. */
+            label: string;
+            /** @description Mesh and method. */
+            fidelity: components["schemas"]["FidelityReport"];
+            /** @description Solves, those on the coarser mesh included. */
+            solves: number;
+            /**
+             * Format: double
+             * @description Largest claimed error of an index at P1, P2, ..., absolute.
+             */
+            error_claimed?: number | null;
+            /**
+             * Format: double
+             * @description The mesh's part of it.
+             */
+            error_of_mesh?: number | null;
+        };
+        /** @description Indices of the same points on a coarser mesh: the witness of the mesh's error, and of how much of it two studies share. */
+        CoarserIndices: {
+            /** @description First-order index of each input. */
+            first_order: number[];
+            /**
+             * Format: double
+             * @description What the finer mesh may be off, over its difference from the coarser one.
+             */
+            factor: number;
+        };
+        /** @description An index beside the baseline's. */
+        ComparedIndex: {
+            /**
+             * Format: double
+             * @description The index, percent.
+             */
+            gsi_percent?: number | null;
+            /**
+             * Format: double
+             * @description Its error, percentage points.
+             */
+            error_percent?: number | null;
+            /**
+             * Format: double
+             * @description The index minus the baseline's, percentage points; null in the baseline.
+             */
+            difference_percent?: number | null;
+            /**
+             * Format: double
+             * @description Error of the difference, percentage points: less than both errors together, where both meshes err alike.
+             */
+            difference_error_percent?: number | null;
+            verdict?: components["schemas"]["Verdict"] | null;
+        };
+        /** @description A location in one of the studies. */
+        ComparedLocation: {
+            /** @description The study. */
+            study: string;
+            /** @description P1, P2, ... */
+            location: string;
+            /** @description 1 is best. */
+            rank: number;
+            /** @description Whether the errors leave no doubt about this rank. */
+            rank_certain: boolean;
+            /**
+             * Format: int64
+             * @description Places lost since the baseline, negative when gained; null there, and where it hasn't the location.
+             */
+            rank_change?: number | null;
+            rank_verdict?: components["schemas"]["Verdict"] | null;
+            /** @description First-order index of the location's own depth for the x strain at the contact centre. */
+            x: components["schemas"]["ComparedIndex"];
+            /** @description The same for the y strain. */
+            y: components["schemas"]["ComparedIndex"];
+        };
+        /** @description One of the studies. */
+        ComparedStudy: {
+            /** @description Its identifier. */
+            id: string;
+            /** @description Its name, or that of the design. */
+            name: string;
+            /** @description What the design sets, by path; null for a study that belongs to no sweep. */
+            set?: Record<string, unknown> | null;
+            /** @description `queued`, `running`, `done`, `failed` or `cancelled`. */
+            state: string;
+            /** @description Why there is no result. */
+            reason?: string | null;
+            /** @description SHA-256 of its document. */
+            spec_sha256?: string | null;
+            /** @description Versions of the program and the solver. */
+            version?: string | null;
+            /** @description Mesh level. */
+            level?: string | null;
+            /**
+             * Format: double
+             * @description Vertical force at the means, N.
+             */
+            reaction_n?: number | null;
+            /**
+             * Format: double
+             * @description Standard deviation of the x strain at the contact centre: the signal of a film there.
+             */
+            std_strain_x?: number | null;
+            /**
+             * Format: double
+             * @description The same for y.
+             */
+            std_strain_y?: number | null;
+            /** @description First of the ranking. */
+            best?: string | null;
+            /** @description Whether its errors leave no doubt about that. */
+            best_certain?: boolean | null;
+            /**
+             * Format: double
+             * @description Angle between the units of the best layout, degrees.
+             */
+            layout_spacing_deg?: number | null;
+            /** @description Where they lie. */
+            layout_position?: string | null;
+            cost?: components["schemas"]["StudyCost"] | null;
+        };
+        /** @description The table. */
+        Comparison: {
+            /** @description The study that differences are taken from; null when none of them has a result. */
+            baseline?: string | null;
+            /** @description The studies in the order asked for. */
+            studies: components["schemas"]["ComparedStudy"][];
+            /** @description Every location of every study that has a result, best first. */
+            rows: components["schemas"]["ComparedLocation"][];
+            /** @description What the reader must know before believing the differences, whole sentences. */
+            notes: string[];
+        };
+        /**
+         * @description How a comparison is written.
+         * @enum {string}
+         */
+        ComparisonFormat: "csv" | "json" | "parquet";
+        /**
+         * @description What is wanted of a comparison.
+         * @enum {string}
+         */
+        ComparisonTable: "locations" | "designs";
+        /** @description A number of solves with its range. */
+        CountForecast: {
+            /** @description At least. */
+            least: number;
+            /** @description As far as can be told. */
+            expected: number;
+            /** @description At most. */
+            most: number;
+        };
+        /** @description The response at the means. */
+        CutPoint: {
+            /** @description Input values. */
+            values: number[];
+            /**
+             * Format: double
+             * @description Vertical force, N.
+             */
+            reaction_n: number;
+            /**
+             * Format: double
+             * @description Outer radius after inflation, mm.
+             */
+            inflated_outer_radius_mm: number;
+            /** @description Strains at P1, P2, ... */
+            locations: components["schemas"]["LocationStrain"][];
+            /** @description Newton residuals of its load steps. */
+            residual_history: number[][];
+        };
+        /** @description Designs by where they stand. */
+        DesignCounts: {
+            /** @description Wait for their turn. */
+            queued: number;
+            /** @description Are being solved. */
+            running: number;
+            /** @description Have a result. */
+            done: number;
+            /** @description Have none, and their study says why. */
+            failed: number;
+            /** @description Were cancelled. */
+            cancelled: number;
+        };
+        /** @description One design. */
+        DesignDocument: {
+            /** @description What it sets when left out, as `wall_mm = 2.5`. */
+            name?: string;
+            /** @description Values by path: `geometry.wall_mm` for the scene's fields, `method.nodes` for the study's own. */
+            set: Record<string, unknown>;
+        };
+        /** @description What a design would cost. */
+        DesignEstimate: {
+            /** @description What tells it from the others. */
+            name: string;
+            /** @description Its estimate. */
+            estimate: components["schemas"]["Estimate"];
+        };
+        /** @description One of the designs. */
+        DesignView: {
+            /**
+             * Format: int64
+             * @description Its place.
+             */
+            ordinal: number;
+            /** @description What tells it from the others. */
+            name: string;
+            /** @description Values by path. */
+            set: Record<string, unknown>;
+            /** @description The study that answers for it. */
+            study: components["schemas"]["StudySummary"];
+        };
+        /** @description What a study is expected to cost, and to be worth. */
+        Estimate: {
+            /** @description Equilibria to solve. */
+            solves: components["schemas"]["SolveForecast"];
+            wall_s?: components["schemas"]["Forecast"] | null;
+            /**
+             * Format: int64
+             * @description Largest resident memory of the process, bytes.
+             */
+            peak_memory_bytes: number;
+            /** @description What the answer is expected to be worth. */
+            accuracy: components["schemas"]["ExpectedAccuracy"];
+            /** @description Solves at once. */
+            threads: number;
+            /** @description Solves of this database by which the times were corrected for this machine; 0: the times are those of another machine. */
+            measured_solves: number;
+            /** @description Why figures are ranges or null, whole sentences. */
+            reasons: string[];
+        };
+        /** @description One point that has an outcome. */
+        EvaluationView: {
+            /** @description Its place. */
+            ordinal: number;
+            /** @description Hash of all that determines its outcome. */
+            key: string;
+            /** @description Mesh level. */
+            level?: string | null;
+            /** @description The inputs' values; null when its scene hasn't one of them. */
+            values?: number[] | null;
+            /**
+             * Format: double
+             * @description Vertical force, N; null without an equilibrium.
+             */
+            reaction_n?: number | null;
+            /** @description Strains at P1, P2, ...; null without an equilibrium. */
+            locations?: components["schemas"]["LocationStrain"][] | null;
+            /** @description Newton iterations; null without an equilibrium. */
+            newton_iterations?: number | null;
+            /**
+             * Format: double
+             * @description Wall-clock time of the solve, s.
+             */
+            wall_s: number;
+            /** @description Why there is no equilibrium. */
+            reason?: string | null;
+            reached?: components["schemas"]["Reached"] | null;
+        };
+        /** @description Solved points. */
+        Evaluations: {
+            /** @description In the order of the plan; those after it are the same on a coarser mesh, or on the next rung of a climb. */
+            evaluations: components["schemas"]["EvaluationView"][];
+        };
+        /** @description What studies of this kind were worth where that was measured: the largest error of the ten indices that the paper's study ranks by, absolute. */
+        ExpectedAccuracy: {
+            /** @description Mesh and method of the answer, in a few words. */
+            fidelity: string;
+            /**
+             * Format: double
+             * @description Difference from the finest reference.
+             */
+            error_true?: number | null;
+            /**
+             * Format: double
+             * @description What the answer claimed itself.
+             */
+            error_claimed?: number | null;
+            /** @description Why there are no figures. */
+            reason?: string | null;
+        };
+        /** @description A point without a response. */
+        FailedPoint: {
+            /** @description Ordinal in the plan. */
+            ordinal: number;
+            /** @description Input values. */
+            values: number[];
+            /** @description What happened. */
+            cause: string;
+        };
+        /** @description One fault of a document: where it is, and what would be right. */
+        Fault: {
+            /** @description JSON pointer (RFC 6901) to the faulty value; empty for the document itself. */
+            pointer: string;
+            /** @description What is wrong and what would be right, one sentence. */
+            detail: string;
+        };
+        /** @description A fidelity as it stands in documents. */
+        FidelityReport: {
+            /** @description Mesh level. */
+            level: string;
+            /** @description Method. */
+            method: string;
+            /** @description Gauss nodes for each input, at the start where the method adds some. */
+            nodes: number;
+            /** @description Points off the lines, at the start where the method adds some. */
+            check_points: number;
+        };
+        /**
+         * @description How a file is written.
+         * @enum {string}
+         */
+        FileFormat: "csv" | "json" | "parquet" | "vtu";
+        /** @description A figure with its range. */
+        Forecast: {
+            /**
+             * Format: double
+             * @description At least.
+             */
+            least: number;
+            /**
+             * Format: double
+             * @description As far as can be told.
+             */
+            expected: number;
+            /**
+             * Format: double
+             * @description At most.
+             */
+            most: number;
+        };
+        /** @description What a form misses at the check points: the witness of the method's error, and of how much of it two studies share. */
+        FormMisses: {
+            /** @description Which node of its input's rule each coordinate of each check point is, point after point. */
+            nodes: number[];
+            /** @description Strain minus the form's at each check point, over the standard deviation. */
+            residuals: number[];
+            /** @description What each of them adds to the error of a first-order index, input after input. */
+            contributions: number[];
+            /**
+             * Format: double
+             * @description Probability of the interactions, which the residuals stand for.
+             */
+            weight: number;
+            /** @description How many numbers of the form were fitted to the check points. */
+            fitted: number;
+        };
+        /** @description Further designs of a sweep: `grid` or `designs`. */
+        FurtherDesigns: {
+            /** @description Lists of values by path. */
+            grid: Record<string, unknown>;
+            /** @description The designs one by one. */
+            designs?: components["schemas"]["DesignDocument"][];
+        };
+        /** @description The service answers. */
+        Health: {
+            /** @description `ok` */
+            status: string;
+            /** @description Version of the program. */
+            version: string;
+        };
+        /** @description What one location is ranked by. */
+        Index: {
+            /** @description Name of the location. */
+            location: string;
+            /** @description Its rank. */
+            rank: number;
+            /** @description First-order indices for the x and the y strain, percent. */
+            gsi_percent: (number | null)[];
+            /** @description Their claimed errors, percentage points. */
+            error_percent: (number | null)[];
+        };
+        /** @description Parts of the error of an index, absolute. */
+        IndexError: {
+            /**
+             * Format: double
+             * @description From the mesh.
+             */
+            mesh?: number | null;
+            /**
+             * Format: double
+             * @description From the quadrature rule.
+             */
+            quadrature?: number | null;
+            /**
+             * Format: double
+             * @description From the decomposition.
+             */
+            decomposition?: number | null;
+            /**
+             * Format: double
+             * @description Sum of the parts, the largest over the inputs; null where the mesh's part isn't known.
+             */
+            total?: number | null;
+            /** @description Why a part is null. */
+            reason?: string | null;
+        };
+        /** @description First-order indices over the dense grid. */
+        IndexMap: {
+            /** @description Angles of the columns from the contact centre, degrees. */
+            theta_deg: number[];
+            /** @description Angles of the rows from the crown, degrees. */
+            phi_deg: number[];
+            /** @description One layer per direction. */
+            layers: components["schemas"]["MapLayer"][];
+            shape?: components["schemas"]["MapShape"] | null;
+        };
+        /** @description One uncertain field of the scene. */
+        InputDocument: {
+            /** @description Unique. */
+            name: string;
+            /** @description Path of a number of the scene, as `ground.depths_mm[0]`. */
+            vary: string;
+            /**
+             * @description `kind` is uniform, normal, lognormal, exponential, gamma, weibull, beta, gumbel or triangular, beside it its parameters; any takes
+             *     `truncate: [low, high]`.
+             */
+            distribution: Record<string, unknown>;
+        };
+        /** @description One input as it was understood. */
+        InputReport: {
+            /** @description Its name. */
+            name: string;
+            /** @description Path of the scene's field. */
+            vary: string;
+            /** @description Its distribution as in the document. */
+            distribution: Record<string, unknown>;
+        };
+        /** @description How well a layout sees the contact, over all angles at which it can touch down. */
+        LayoutScore: {
+            /**
+             * Format: double
+             * @description Strain of the film that sees most, at the contact angle where that is least.
+             */
+            weakest_signal?: number | null;
+            /**
+             * Format: double
+             * @description Cramer-Rao bound of the contact angle, worst angle, degrees.
+             */
+            worst_angle_error_deg?: number | null;
+            /**
+             * Format: double
+             * @description Cramer-Rao bound of the contact angle, root mean square over the angles, degrees.
+             */
+            rms_angle_error_deg?: number | null;
+            /**
+             * Format: double
+             * @description Cramer-Rao bound of a uniform depth, worst angle, mm.
+             */
+            worst_depth_error_mm?: number | null;
+            /**
+             * Format: double
+             * @description Noise of each film assumed for the bounds, strain.
+             */
+            noise_strain: number;
+            /** @description Why numbers are null. */
+            reason?: string | null;
+        };
+        /** @description Ranked layouts. */
+        Layouts: {
+            /** @description Best first. */
+            layouts: components["schemas"]["RankedLayout"][];
+        };
+        /** @description Layouts to score. */
+        LayoutsDocument: {
+            /** @description Angles between neighbouring units, degrees; each divides 360. */
+            spacings_deg?: number[];
+            /** @description crown, shoulder, sidewall */
+            positions?: string[];
+        };
+        /** @description Estimated discretisation errors at a location, absolute: see [`crate::gauge::GaugeError`]. */
+        LocationError: {
+            /**
+             * Format: double
+             * @description Of the circumferential strain.
+             */
+            strain_x: number;
+            /**
+             * Format: double
+             * @description Of the meridional strain.
+             */
+            strain_y: number;
+            /**
+             * Format: double
+             * @description Of the von Mises stress, MPa.
+             */
+            von_mises_mpa: number;
+        };
+        /** @description Strain at a named location. */
+        LocationStrain: {
+            /** @description P1, P2, ... */
+            name: string;
+            /**
+             * Format: double
+             * @description Angle from the contact centre, degrees, positive in the rolling direction.
+             */
+            theta_deg: number;
+            /**
+             * Format: double
+             * @description Circumferential strain.
+             */
+            strain_x: number;
+            /**
+             * Format: double
+             * @description Meridional strain.
+             */
+            strain_y: number;
+            /**
+             * Format: double
+             * @description Von Mises stress of the rubber at the inner surface, MPa.
+             */
+            von_mises_mpa: number;
+            error?: components["schemas"]["LocationError"] | null;
+        };
+        /** @description Ranked locations. */
+        Locations: {
+            /** @description Best first. */
+            locations: components["schemas"]["RankedLocation"][];
+        };
+        /** @description An address that lets a browser in. */
+        LoginLink: {
+            /** @description To be opened once, after the service's own address. */
+            path: string;
+        };
+        /** @description One direction of the map; all lists are rows x columns. */
+        MapLayer: {
+            /** @description `x` or `y`. */
+            direction: string;
+            /** @description Strain at the cut point. */
+            strain: number[];
+            /** @description Standard deviation of the strain. */
+            std: (number | null)[];
+            /** @description First-order index per input, in the order of the inputs, each rows x columns. */
+            first_order: (number | null)[][];
+            /** @description Estimated error of the first-order indices, rows x columns. */
+            error: (number | null)[];
+            /** @description `ok`, `constant` or `product-form-broken`. */
+            status: string[];
+        };
+        /** @description Where the points of a map lie: x in the rolling direction, y along the axle, z upward, from the wheel's centre. */
+        MapShape: {
+            /** @description Positions in the inflated state before contact, mm, rows x columns. */
+            inflated_mm: number[][];
+            /** @description Displacements from there to the equilibrium, mm, rows x columns. */
+            displacement_mm: number[][];
+        };
+        /** @description One layer of the map; lists are rows x columns, all angles of the first row first. */
+        MapView: {
+            /** @description x circumferential, y meridional. */
+            direction: string;
+            /** @description Name of the input. */
+            input: string;
+            /** @description Angles of the columns from the contact centre, degrees. */
+            theta_deg: number[];
+            /** @description Angles of the rows from the crown, degrees. */
+            phi_deg: number[];
+            /** @description First-order index of the input. */
+            first_order?: (number | null)[] | null;
+            /** @description Standard deviation of the strain. */
+            std: (number | null)[];
+            /** @description Strain at the means. */
+            strain: number[];
+            /** @description Error of the first-order index, absolute. */
+            error: (number | null)[];
+            /** @description `ok`, `constant`, `product-form-broken` or `unusable`. */
+            status: string[];
+        };
+        /** @description How indices are computed. */
+        MethodDocument: {
+            /** @description mdrm, bivariate, tensor, pce, saltelli or auto. */
+            kind?: string;
+            /**
+             * Format: int32
+             * @description Gauss nodes of each input.
+             */
+            nodes?: number;
+            /**
+             * Format: int32
+             * @description Points off the lines, for the error.
+             */
+            check_points?: number;
+            /**
+             * Format: int32
+             * @description Points of pce, base points of saltelli.
+             */
+            samples?: number;
+            /**
+             * Format: int64
+             * @description Of what is random.
+             */
+            seed?: number;
+            /**
+             * Format: double
+             * @description Largest error of an index at which auto stops.
+             */
+            tolerance?: number;
+            /**
+             * Format: int32
+             * @description Most runs of auto.
+             */
+            most_runs?: number;
+        };
+        /** @description What was modelled and what was left out. */
+        ModelSummary: {
+            /** @description `3d`, `3d-half` or `3d-quarter`. */
+            dimension: string;
+            /** @description Mesh level. */
+            level: string;
+            /** @description Number of solid elements. */
+            elements: number;
+            /** @description Free displacement unknowns. */
+            dofs: number;
+            /** @description Parts of the scene in the model. */
+            modelled: components["schemas"]["Choice"][];
+            /** @description Parts of the scene left out. */
+            left_out: components["schemas"]["Choice"][];
+        };
+        /** @description Indices of one strain. */
+        Output: {
+            /** @description P1, P2, ... */
+            location: string;
+            /** @description `x` circumferential, `y` meridional. */
+            direction: string;
+            /**
+             * Format: double
+             * @description Mean strain.
+             */
+            mean?: number | null;
+            /**
+             * Format: double
+             * @description Standard deviation of the strain.
+             */
+            std?: number | null;
+            /** @description First-order index of each input. */
+            first_order?: number[] | null;
+            /** @description Total index of each input. */
+            total?: number[] | null;
+            /** @description Method that gave `first_order` and `total`: `mdrm` or `additive`. */
+            method: string;
+            /** @description `ok`, `constant` or `product-form-broken`. */
+            status: string;
+            /** @description Why the status is not `ok`. */
+            reason?: string | null;
+            /** @description What M-DRM said, when its product form is broken. */
+            mdrm_first_order?: number[] | null;
+            /** @description Error of the first-order indices, absolute. */
+            error: components["schemas"]["IndexError"];
+            coarser?: components["schemas"]["CoarserIndices"] | null;
+            misses?: components["schemas"]["FormMisses"] | null;
+        };
+        /** @description A document to start from. */
+        Preset: {
+            /** @description What `scene = { preset = ... }` calls it. */
+            name: string;
+            /** @description Its title. */
+            title: string;
+            /** @description The document. */
+            document: Record<string, unknown>;
+            /** @description What it is for. */
+            comment: string;
+        };
+        /** @description The documents that ship. */
+        Presets: {
+            /** @description Whole studies. */
+            studies: components["schemas"]["Preset"][];
+            /** @description Scenes alone. */
+            scenes: components["schemas"]["Preset"][];
+        };
+        /** @description What a client is told when a request can't be answered: RFC 9457. */
+        ProblemDocument: {
+            /** @description `about:blank`: the status says what kind of problem it is. */
+            type: string;
+            /** @description The status in words. */
+            title: string;
+            /**
+             * Format: int32
+             * @description The HTTP status.
+             */
+            status: number;
+            /** @description A sentence for people. */
+            detail: string;
+            /** @description Every fault of the document, with its JSON pointer. */
+            errors?: components["schemas"]["Fault"][];
+            /** @description The request's identifier, as in the header `x-request-id` and in the log. */
+            request_id?: string | null;
+        };
+        /** @description One layout in the ranking. */
+        RankedLayout: {
+            /** @description 1 is best. */
+            rank: number;
+            /**
+             * Format: double
+             * @description Angle between neighbouring units, degrees.
+             */
+            spacing_deg: number;
+            /** @description Number of units. */
+            units: number;
+            /** @description Meridional position. */
+            position: string;
+            /** @description Films of each unit. */
+            films: string[];
+            /** @description Its scores. */
+            score: components["schemas"]["LayoutScore"];
+        };
+        /** @description One candidate location in the ranking. */
+        RankedLocation: {
+            /** @description P1, P2, ... */
+            name: string;
+            /** @description The input that is this location's own: the depth of the station below it. */
+            input?: string | null;
+            /** @description 1 is best. */
+            rank: number;
+            /**
+             * Format: double
+             * @description 100 times the first-order index of this location's own depth for the x strain at the centre.
+             */
+            gsi_x_percent?: number | null;
+            /**
+             * Format: double
+             * @description The same for the y strain.
+             */
+            gsi_y_percent?: number | null;
+            /**
+             * Format: double
+             * @description Error of `gsi_x_percent`, percentage points.
+             */
+            gsi_x_error_percent?: number | null;
+            /**
+             * Format: double
+             * @description The same for y.
+             */
+            gsi_y_error_percent?: number | null;
+            /**
+             * Format: double
+             * @description Mean over the x strains at all locations.
+             */
+            mean_gsi_x_percent?: number | null;
+            /**
+             * Format: double
+             * @description Mean over the y strains at all locations.
+             */
+            mean_gsi_y_percent?: number | null;
+            /**
+             * Format: double
+             * @description For the x strain at this location itself.
+             */
+            own_gsi_x_percent?: number | null;
+            /**
+             * Format: double
+             * @description For the y strain at this location itself.
+             */
+            own_gsi_y_percent?: number | null;
+            /**
+             * Format: double
+             * @description What M-DRM said for `gsi_x_percent`, valid or not: the paper's Table 2 as the paper computed it.
+             */
+            mdrm_gsi_x_percent?: number | null;
+            /**
+             * Format: double
+             * @description The same for y.
+             */
+            mdrm_gsi_y_percent?: number | null;
+            /** @description Rank by the x strain alone. */
+            rank_x?: number | null;
+            /** @description Rank by the y strain alone. */
+            rank_y?: number | null;
+            /** @description Whether the errors leave no doubt about this rank. */
+            rank_certain: boolean;
+        };
+        /** @description How far a failed solve got. */
+        Reached: {
+            /**
+             * Format: double
+             * @description Internal pressure of the last equilibrium, MPa.
+             */
+            pressure_mpa: number;
+            /** @description Station depths of the last equilibrium, mm. */
+            depths_mm?: number[];
+        };
+        /** @description The service can work. */
+        Readiness: {
+            /** @description `ready` */
+            status: string;
+        };
+        /** @description One way to answer the study, and what it gave. */
+        Rung: {
+            /** @description In a few words. */
+            label: string;
+            /** @description Mesh and method. */
+            fidelity: components["schemas"]["FidelityReport"];
+            /**
+             * Format: double
+             * @description Wall-clock time, s.
+             */
+            wall_s: number;
+            /**
+             * Format: double
+             * @description Processor time, s.
+             */
+            cpu_s: number;
+            /** @description Solves, those on the coarser mesh included. */
+            solves: number;
+            /**
+             * Format: double
+             * @description Largest error of an index that the ranking goes by, absolute; null where an index is missing.
+             */
+            error_true?: number | null;
+            /**
+             * Format: double
+             * @description The largest that the rung claims.
+             */
+            error_claimed?: number | null;
+            /**
+             * Format: double
+             * @description Share of the indices whose claimed error covers the true one; null where nothing is claimed.
+             */
+            covered?: number | null;
+            /** @description Whether the locations rank as by the reference, where that one's own errors leave no doubt which of two is better. */
+            ranking_agrees: boolean;
+            /** @description Whether no other rung is both faster and nearer to the reference. */
+            pareto: boolean;
+            /** @description Indices of the locations, in the order of their names. */
+            indices: components["schemas"]["Index"][];
+        };
+        /** @description Equilibria that are expected to be solved. */
+        SolveForecast: {
+            /** @description Points on the meshes of the answer and of the rungs before it. */
+            own: number;
+            /** @description The same points on coarser meshes, for the error of the mesh. */
+            coarser: number;
+            /** @description Solves that show what the model leaves out. */
+            effects: number;
+            /** @description How many of these the database has already: they cost nothing. */
+            known: number;
+            /** @description How many are left to solve. */
+            left: components["schemas"]["CountForecast"];
+        };
+        /**
+         * @description Where a study stands.
+         * @enum {string}
+         */
+        State: "queued" | "running" | "done" | "failed" | "cancelled";
+        /** @description One of the events that a stream consists of. */
+        StreamEvent: {
+            /** @description Its number, for `Last-Event-ID`. */
+            id: string;
+            /** @description What happened. */
+            event: string;
+            /** @description A JSON object with `kind`, `time` and what else belongs to it. */
+            data: string;
+        };
+        /** @description What a study took. */
+        StudyCost: {
+            /** @description Points of the plan. */
+            solves: number;
+            /** @description Points of the plan solved once more on a coarser mesh, for the error of the mesh. */
+            coarser_solves?: number;
+            /** @description Solves that show what the model leaves out. */
+            effect_solves?: number;
+            /** @description Wall-clock time of each rung of the climb, s. */
+            rungs_wall_s?: number[];
+            /** @description Points taken from the archive instead of being solved. */
+            reused: number;
+            /** @description Newton iterations of all solves. */
+            newton_iterations: number;
+            /** @description Factorisations of all solves, without the tangent that the solves from one equilibrium share. */
+            factorisations?: number;
+            /**
+             * Format: double
+             * @description Wall-clock time of this run, s.
+             */
+            wall_s: number;
+            /**
+             * Format: double
+             * @description Processor time of this run's own threads, s; 0 where the system doesn't tell it.
+             */
+            cpu_s: number;
+            /**
+             * Format: int64
+             * @description Peak memory of the process, bytes.
+             */
+            peak_memory_bytes: number;
+            /**
+             * Format: double
+             * @description Share of the solves' time in numeric factorisation.
+             */
+            factorisation_share: number;
+            /**
+             * Format: double
+             * @description Share in substitutions with the factor, and in the contact solved between them.
+             */
+            substitution_share?: number;
+            /**
+             * Format: double
+             * @description Share in assembly.
+             */
+            assembly_share: number;
+            /**
+             * Format: double
+             * @description Share in all the rest, and in solves that found no equilibrium.
+             */
+            other_share: number;
+        };
+        /** @description A study with its document and what was expected of it. */
+        StudyDetail: components["schemas"]["StudySummary"] & {
+            /** @description The canonical document: every default filled in, the scene inline. */
+            document: Record<string, unknown>;
+            estimate?: components["schemas"]["Estimate"] | null;
+            /** @description Hash of the result's content; null before there is one. The result's ETag. */
+            result_sha256?: string | null;
+            /** @description Whether what accuracy costs was measured for this document. */
+            trade_measured: boolean;
+            /** @description Identifier of the sweep that it is a design of; null for any other study. */
+            sweep?: string | null;
+        };
+        /** @description What varies, and what is asked. Ranges and defaults of single fields are in the faults of a refused document, which names every one of them. */
+        StudyDocument: {
+            /** @description Free text, not empty. */
+            name: string;
+            /** @description The scene's tables inline, or a preset's name with whatever differs from it: `{"preset": "foot-tire", ...}`. */
+            scene: Record<string, unknown>;
+            /** @description What varies. */
+            inputs: components["schemas"]["InputDocument"][];
+            /** @description Where films may go. */
+            candidates?: components["schemas"]["CandidatesDocument"];
+            /** @description Layouts to score. */
+            layouts?: components["schemas"]["LayoutsDocument"];
+            /** @description How indices are computed. */
+            method?: components["schemas"]["MethodDocument"];
+            /** @description Exactly one of `preset`, `tolerance` and `budget_s`. */
+            accuracy?: components["schemas"]["AccuracyDocument"];
+        };
+        /** @description Which study, which document, which program. */
+        StudyIdentity: {
+            /** @description Identifier in the database. */
+            id: string;
+            /** @description Name from the document. */
+            name: string;
+            /** @description SHA-256 of the canonical document. */
+            spec_sha256: string;
+            /** @description Version of strainsite and its solver. */
+            version: string;
+        };
+        /** @description One page of studies, newest first. */
+        StudyPage: {
+            /** @description The studies. */
+            studies: components["schemas"]["StudySummary"][];
+            /** @description Where the next page begins; null on the last one. */
+            next_cursor?: string | null;
+        };
+        /** @description The whole answer. */
+        StudyResult: {
+            /** @description Which study. */
+            study: components["schemas"]["StudyIdentity"];
+            /** @description What was modelled. */
+            model: components["schemas"]["ModelSummary"];
+            /** @description What varied. */
+            inputs: components["schemas"]["InputReport"][];
+            /** @description Every location and direction with its indices. */
+            outputs: components["schemas"]["Output"][];
+            /** @description Ranked locations. */
+            locations: components["schemas"]["RankedLocation"][];
+            /** @description Ranked layouts. */
+            layouts: components["schemas"]["RankedLayout"][];
+            map?: components["schemas"]["IndexMap"] | null;
+            /** @description What the user must know before believing the numbers, whole sentences. */
+            notes: string[];
+            /** @description Points that have no equilibrium, with their causes; the indices are taken from the others. */
+            failed_points: components["schemas"]["FailedPoint"][];
+            /** @description The cut point's own response in short: reaction and strains at the means. */
+            cut_point: components["schemas"]["CutPoint"];
+            climb?: components["schemas"]["Climb"] | null;
+            /** @description What it took. Not part of the result's hash. */
+            cost: components["schemas"]["StudyCost"];
+            estimate?: components["schemas"]["Estimate"] | null;
+        };
+        /** @description A study in the queue, at work, or at its end. Times are RFC 3339, UTC. */
+        StudySummary: {
+            /** @description UUID, ordered by time. */
+            id: string;
+            /** @description Name from the document. */
+            name: string;
+            /** @description Where it stands. */
+            state: components["schemas"]["State"];
+            /** @description SHA-256 of the canonical document. */
+            spec_sha256: string;
+            /**
+             * Format: int64
+             * @description Points of its plan, as far as that is known.
+             */
+            points_total?: number | null;
+            /**
+             * Format: int64
+             * @description Points that have an outcome.
+             */
+            points_done: number;
+            /** @description Why it failed, a sentence. */
+            error?: string | null;
+            /**
+             * Format: int64
+             * @description Those of higher priority go first, those of the same in turns.
+             */
+            priority: number;
+            /** @description When it was submitted. */
+            created: string;
+            /** @description When it was first started. */
+            started?: string | null;
+            /** @description When it ended. */
+            finished?: string | null;
+        };
+        /** @description A sweep with its designs. */
+        SweepDetail: components["schemas"]["SweepSummary"] & {
+            /** @description The canonical document of the study without changes. */
+            document: Record<string, unknown>;
+            /** @description The designs in order. */
+            designs: components["schemas"]["DesignView"][];
+        };
+        /** @description A study, and what its designs set otherwise: `grid` or `designs`. */
+        SweepDocument: {
+            /** @description Free text; the study's name when left out. */
+            name?: string;
+            /** @description The study without changes. */
+            study: components["schemas"]["StudyDocument"];
+            /** @description Lists of values by path, as `{"geometry.wall_mm": [2.5, 3]}`: every combination is a design, the last path varying fastest. */
+            grid: Record<string, unknown>;
+            /** @description The designs one by one. */
+            designs?: components["schemas"]["DesignDocument"][];
+        };
+        /** @description What a sweep would cost. */
+        SweepEstimate: {
+            /** @description Each design; what an earlier one solves is known to it. */
+            designs: components["schemas"]["DesignEstimate"][];
+            /** @description Solves left of all designs. */
+            left: components["schemas"]["CountForecast"];
+            wall_s?: components["schemas"]["Forecast"] | null;
+            /**
+             * Format: int64
+             * @description Largest memory of any design, bytes.
+             */
+            peak_memory_bytes: number;
+        };
+        /** @description One page of sweeps, newest first. */
+        SweepPage: {
+            /** @description The sweeps. */
+            sweeps: components["schemas"]["SweepSummary"][];
+            /** @description Where the next page begins; null on the last one. */
+            next_cursor?: string | null;
+        };
+        /** @description A sweep as far as it is. Times are RFC 3339, UTC. */
+        SweepSummary: {
+            /** @description UUID, ordered by time. */
+            id: string;
+            /** @description Its name. */
+            name: string;
+            /** @description `queued` before any design is begun, `running` while some aren't ended, `cancelled` when any was, `done` when any has a result. */
+            state: components["schemas"]["State"];
+            /** @description Designs by where they stand. */
+            counts: components["schemas"]["DesignCounts"];
+            /**
+             * Format: int64
+             * @description Points of all designs, once all of their plans are known.
+             */
+            points_total?: number | null;
+            /**
+             * Format: int64
+             * @description Points that have an outcome.
+             */
+            points_done: number;
+            /**
+             * Format: int64
+             * @description Priority of its studies.
+             */
+            priority: number;
+            /** @description When it was submitted. */
+            created: string;
+            /** @description When its last design ended. */
+            finished?: string | null;
+        };
+        /**
+         * @description What is wanted of a study.
+         * @enum {string}
+         */
+        Table: "indices" | "locations" | "layouts" | "points";
+        /** @description The measured trade of a study. */
+        Trade: {
+            /** @description Name of the study. */
+            study: string;
+            /** @description SHA-256 of its canonical document. */
+            spec_sha256: string;
+            /** @description What the rungs are compared with. */
+            reference: components["schemas"]["Rung"];
+            /** @description The rungs, in the order of the ladder. */
+            rungs: components["schemas"]["Rung"][];
+        };
+        /**
+         * @description What a difference is worth.
+         * @enum {string}
+         */
+        Verdict: "real" | "noise" | "unknown";
+    };
+    responses: never;
+    parameters: never;
+    requestBodies: never;
+    headers: never;
+    pathItems: never;
+}
+export type AccuracyDocument = components['schemas']['AccuracyDocument'];
+export type CandidatesDocument = components['schemas']['CandidatesDocument'];
+export type Choice = components['schemas']['Choice'];
+export type Climb = components['schemas']['Climb'];
+export type ClimbRung = components['schemas']['ClimbRung'];
+export type CoarserIndices = components['schemas']['CoarserIndices'];
+export type ComparedIndex = components['schemas']['ComparedIndex'];
+export type ComparedLocation = components['schemas']['ComparedLocation'];
+export type ComparedStudy = components['schemas']['ComparedStudy'];
+export type Comparison = components['schemas']['Comparison'];
+export type ComparisonFormat = components['schemas']['ComparisonFormat'];
+export type ComparisonTable = components['schemas']['ComparisonTable'];
+export type CountForecast = components['schemas']['CountForecast'];
+export type CutPoint = components['schemas']['CutPoint'];
+export type DesignCounts = components['schemas']['DesignCounts'];
+export type DesignDocument = components['schemas']['DesignDocument'];
+export type DesignEstimate = components['schemas']['DesignEstimate'];
+export type DesignView = components['schemas']['DesignView'];
+export type Estimate = components['schemas']['Estimate'];
+export type EvaluationView = components['schemas']['EvaluationView'];
+export type Evaluations = components['schemas']['Evaluations'];
+export type ExpectedAccuracy = components['schemas']['ExpectedAccuracy'];
+export type FailedPoint = components['schemas']['FailedPoint'];
+export type Fault = components['schemas']['Fault'];
+export type FidelityReport = components['schemas']['FidelityReport'];
+export type FileFormat = components['schemas']['FileFormat'];
+export type Forecast = components['schemas']['Forecast'];
+export type FormMisses = components['schemas']['FormMisses'];
+export type FurtherDesigns = components['schemas']['FurtherDesigns'];
+export type Health = components['schemas']['Health'];
+export type Index = components['schemas']['Index'];
+export type IndexError = components['schemas']['IndexError'];
+export type IndexMap = components['schemas']['IndexMap'];
+export type InputDocument = components['schemas']['InputDocument'];
+export type InputReport = components['schemas']['InputReport'];
+export type LayoutScore = components['schemas']['LayoutScore'];
+export type Layouts = components['schemas']['Layouts'];
+export type LayoutsDocument = components['schemas']['LayoutsDocument'];
+export type LocationError = components['schemas']['LocationError'];
+export type LocationStrain = components['schemas']['LocationStrain'];
+export type Locations = components['schemas']['Locations'];
+export type LoginLink = components['schemas']['LoginLink'];
+export type MapLayer = components['schemas']['MapLayer'];
+export type MapShape = components['schemas']['MapShape'];
+export type MapView = components['schemas']['MapView'];
+export type MethodDocument = components['schemas']['MethodDocument'];
+export type ModelSummary = components['schemas']['ModelSummary'];
+export type Output = components['schemas']['Output'];
+export type Preset = components['schemas']['Preset'];
+export type Presets = components['schemas']['Presets'];
+export type ProblemDocument = components['schemas']['ProblemDocument'];
+export type RankedLayout = components['schemas']['RankedLayout'];
+export type RankedLocation = components['schemas']['RankedLocation'];
+export type Reached = components['schemas']['Reached'];
+export type Readiness = components['schemas']['Readiness'];
+export type Rung = components['schemas']['Rung'];
+export type SolveForecast = components['schemas']['SolveForecast'];
+export type State = components['schemas']['State'];
+export type StreamEvent = components['schemas']['StreamEvent'];
+export type StudyCost = components['schemas']['StudyCost'];
+export type StudyDetail = components['schemas']['StudyDetail'];
+export type StudyDocument = components['schemas']['StudyDocument'];
+export type StudyIdentity = components['schemas']['StudyIdentity'];
+export type StudyPage = components['schemas']['StudyPage'];
+export type StudyResult = components['schemas']['StudyResult'];
+export type StudySummary = components['schemas']['StudySummary'];
+export type SweepDetail = components['schemas']['SweepDetail'];
+export type SweepDocument = components['schemas']['SweepDocument'];
+export type SweepEstimate = components['schemas']['SweepEstimate'];
+export type SweepPage = components['schemas']['SweepPage'];
+export type SweepSummary = components['schemas']['SweepSummary'];
+export type Table = components['schemas']['Table'];
+export type Trade = components['schemas']['Trade'];
+export type Verdict = components['schemas']['Verdict'];
+export type $defs = Record<string, never>;
+export type operations = Record<string, never>;
