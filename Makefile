@@ -69,7 +69,7 @@ doc: setup-build
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc $(ALL) --no-deps --quiet
 
 house:
-	python3 lab/house.py --self-test
+	python3 lab/house_test.py
 	python3 lab/house.py
 
 test-unit: setup-build

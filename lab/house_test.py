@@ -1,6 +1,7 @@
 """Small repositories, each with one breach of the rules, and one without any."""
 
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
@@ -86,3 +87,7 @@ def passes(name, files, expected):
     if not right:
         print(f"{name}:\n  expected {expected}\n  observed {breaches}")
     return right
+
+
+if __name__ == "__main__":
+    sys.exit(run())
