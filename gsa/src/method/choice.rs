@@ -8,7 +8,7 @@ use crate::method::lines::Lines;
 use crate::method::pce::Pce;
 use crate::method::procedure::Procedure;
 use crate::method::saltelli::Saltelli;
-use crate::method::whole_grid::Tensor;
+use crate::method::tensor_grid::Tensor;
 use crate::method::{Kind, Method};
 
 /// A procedure with its first points planned.

@@ -6,7 +6,7 @@
 //! - [`analysis`]: what any of them finds out; `verdict`: which form speaks for an output
 //! - [`lines`]: `mdrm`, lines through the cut point
 //! - `bivariate`: lines and the grids of all pairs
-//! - `whole_grid`: the whole grid
+//! - `tensor_grid`: the whole grid
 //! - `auto`: lines, and whatever more it takes to meet a tolerance; `correction`: what check points mend
 //! - `pce`, [`saltelli`]: polynomial chaos, and pairs of samples; `scattered`: what these have in common
 
@@ -20,8 +20,8 @@ mod pce;
 pub(crate) mod procedure;
 pub mod saltelli;
 mod scattered;
+mod tensor_grid;
 mod verdict;
-mod whole_grid;
 
 /// Ways to sensitivity indices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
