@@ -1,74 +1,136 @@
-# The two commands: `make run` and `make test`. Both do all their set-up themselves.
+# `make run` and `make test` do all their set-up themselves; `make help` lists the rest.
 
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
-.PHONY: run build test lint test-rust test-web test-browser test-conformance test-exports test-python verify setup-build setup-calculix setup-faketime setup-test setup-conformance help
+.PHONY: help run build check test prove \
+	test-cargo test-program format clippy doc house test-unit test-rust verify test-conformance test-exports test-python test-browser test-web \
+	setup-build setup-rust setup-npm setup-browser setup-python setup-test
 
-STRAINSITE := $(or $(CARGO_TARGET_DIR),target)/release/strainsite
+TARGET := $(or $(CARGO_TARGET_DIR),target)
+STRAINSITE := $(TARGET)/release/strainsite
 export STRAINSITE_BIN := $(abspath $(STRAINSITE))
-# Debian packages are installed as root, or by sudo where there is one.
-APT_GET := $(if $(filter 0,$(shell id -u)),,sudo )apt-get
+# Cargo has both cores for itself: it doesn't share the jobs of this file.
+CARGO := MAKEFLAGS= cargo
+# What all that Cargo does agrees on, so that nothing is compiled twice.
+ALL := --release --workspace --locked
+# What a suite that drives the program needs. `make test` has built it before: asking Cargo again would wait for what Cargo is doing.
+PROGRAM := $(if $(BUILT),,build)
+# nextest where it is installed: it runs the tests of several crates at a time. It doesn't know those of documentation.
+ifneq ($(shell cargo nextest --version 2>/dev/null),)
+    UNIT_TESTS := $(CARGO) nextest run $(ALL) --lib --bins --no-tests=pass --status-level=fail
+else
+    UNIT_TESTS := $(CARGO) test $(ALL) --lib --bins --quiet
+endif
 
 help:
-	@echo "make run    build, run the paper's study on the default database, serve the dashboard"
-	@echo "make test   every check and test"
+	@echo "make run     build, run the paper's study on the default database, serve the dashboard"
+	@echo "make build   the program alone, $(STRAINSITE)"
+	@echo "make check   format, lints, rules of the house and unit tests: what one runs every few minutes"
+	@echo "make test    every check and test; a suite alone: test-rust test-web test-browser test-conformance test-exports test-python verify"
+	@echo "make prove   what takes hours: 200 kills, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs or values)"
 
 run: build
 	$(STRAINSITE) run studies/foot-tire.toml
 	$(STRAINSITE) serve
 
 build: setup-build
-	cargo build --release --locked --bin strainsite
+	$(CARGO) build --release --locked --bin strainsite
 
-test: lint test-rust test-web test-browser test-conformance test-exports test-python verify
+check: format house clippy test-unit
 
-# In release mode like the tests, so that what both need is built once.
-lint: setup-build
+# The suites that drive the program wait more than they work: they run beside Cargo's lints and tests, and are told at the end, in one piece.
+test:
+	@$(MAKE) --no-print-directory -j2 build setup-test
+	@log=$(TARGET)/test-program.log; program=passed; cargo=passed; \
+	$(MAKE) --no-print-directory --keep-going BUILT=yes test-program >$$log 2>&1 & beside=$$!; \
+	nice $(MAKE) --no-print-directory BUILT=yes test-cargo || cargo=FAILED; \
+	wait $$beside || program=FAILED; \
+	cat $$log; \
+	echo "lints, Rust tests and verify: $$cargo; suites that drive the program: $$program"; \
+	[ $$cargo$$program = passedpassed ]
+
+test-cargo: format house clippy doc test-rust verify
+
+test-program: test-conformance test-exports test-python test-browser test-web
+
+# The rigs of lab print the tables of docs/.
+RIGS := $(filter-out random_scenes,$(basename $(notdir $(wildcard lab/examples/*.rs))))
+
+prove: setup-rust
+	STRAINSITE_KILLS=200 $(CARGO) test $(ALL) --test slow kill
+	$(CARGO) build $(ALL) --examples
+	$(TARGET)/release/examples/random_scenes 10000 1
+	for rig in $(RIGS); do echo "== $$rig"; $(TARGET)/release/examples/$$rig; done
+	tests/fuzz/run --seconds 600 $(or $(READER),scene)
+
+format: setup-build
 	cargo fmt --all --check
-	cargo clippy --release --workspace --all-targets --locked -- -D warnings
-	RUSTDOCFLAGS="-D warnings" cargo doc --release --workspace --no-deps --locked --quiet
 
-test-rust: setup-build setup-calculix setup-faketime
-	cargo test --release --workspace --locked
+# In release mode like the tests, so that macros and build scripts are built once.
+clippy: setup-build
+	$(CARGO) clippy $(ALL) --all-targets -- -D warnings
 
-test-web: setup-test
-	cd web && npm ci && npm test && npm run check-dist
+doc: setup-build
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc $(ALL) --no-deps --quiet
 
-# The binary that the Rust tests drive: building it apart from them would build its dependencies once more.
-test-browser: setup-test test-rust
-	cd tests/browser && npm ci && npm test
+house:
+	python3 lab/house.py --self-test
+	python3 lab/house.py
+
+test-unit: setup-build
+	$(UNIT_TESTS)
+
+test-rust: setup-rust
+	$(CARGO) test $(ALL)
+
+# Every case whose answer is known; the Rust tests ran the extremes.
+verify: $(PROGRAM)
+	$(STRAINSITE) verify
 
 # The running service against its own description, for a minute.
-test-conformance: setup-conformance test-rust
+test-conformance: $(PROGRAM) setup-python
 	tests/conformance/run
 
-# The Python client against the running service.
-test-python: setup-conformance test-rust
-	python/check
-
 # Exported files, read by pandas, pyarrow and meshio.
-test-exports: setup-conformance test-rust
+test-exports: $(PROGRAM) setup-python
 	tests/exports/run
 
-# Every case whose answer is known, on the binary that the Rust tests drove; these ran the extremes.
-verify: test-rust
-	$(STRAINSITE) verify
+# The Python client against the running service.
+test-python: $(PROGRAM) setup-python
+	python/check
+
+# The real program in a real browser.
+test-browser: $(PROGRAM) setup-browser tests/browser/node_modules/.package-lock.json
+	cd tests/browser && npm test
+
+test-web: setup-npm web/node_modules/.package-lock.json
+	cd web && npm test && npm run check-dist
+
+# npm writes this file last.
+%/node_modules/.package-lock.json: %/package-lock.json | setup-npm
+	cd $* && npm ci --no-audit --no-fund
+
+# Set-up, on Debian: packages are installed as root, or by sudo where there is one, and by one target at a time.
+SUDO := $(if $(filter 0,$(shell id -u)),,sudo)
+INSTALL := mkdir -p $(TARGET) && flock $(TARGET)/apt.lock $(SUDO) sh -c 'apt-get update -q && apt-get install -y -q --no-install-recommends "$$@"' sh
 
 setup-build:
 	@command -v cargo >/dev/null || { echo "Rust is missing: install rustup's stable toolchain (1.95 or newer)"; exit 1; }
-	@command -v cc >/dev/null || { $(APT_GET) update -q && $(APT_GET) install -y -q gcc libc6-dev; }
+	@command -v cc >/dev/null || { $(INSTALL) gcc libc6-dev; }
 
-# The second opinion of --solver calculix; its tests are skipped without it.
-setup-calculix:
-	@command -v ccx >/dev/null || { $(APT_GET) update -q && $(APT_GET) install -y -q --no-install-recommends calculix-ccx; }
+# The second opinion of --solver calculix, and a clock that jumps: their tests are skipped without them.
+setup-rust: setup-build
+	@command -v ccx >/dev/null || { $(INSTALL) calculix-ccx; }
+	@command -v faketime >/dev/null || { $(INSTALL) faketime; }
 
-# Makes the clock jump in a test, which is skipped without it.
-setup-faketime:
-	@command -v faketime >/dev/null || { $(APT_GET) update -q && $(APT_GET) install -y -q --no-install-recommends faketime; }
-
-setup-test: setup-calculix
+setup-npm:
 	@command -v npm >/dev/null || { echo "Node.js is missing: install version 20.19 or newer with npm"; exit 1; }
-	@test -x /usr/bin/chromium || { $(APT_GET) update -q && $(APT_GET) install -y -q --no-install-recommends chromium; }
 
-setup-conformance:
-	@python3 -c 'import ensurepip, venv' 2>/dev/null || { $(APT_GET) update -q && $(APT_GET) install -y -q --no-install-recommends python3-venv; }
+setup-browser: setup-rust setup-npm
+	@test -x /usr/bin/chromium || { $(INSTALL) chromium; }
+
+setup-python:
+	@python3 -c 'import ensurepip, venv' 2>/dev/null || { $(INSTALL) python3-venv; }
+	@python/environment >/dev/null
+
+setup-test: setup-rust setup-browser setup-python web/node_modules/.package-lock.json tests/browser/node_modules/.package-lock.json
