@@ -27,7 +27,7 @@ help:
 	@echo "make build   the program alone, $(STRAINSITE)"
 	@echo "make check   format, lints, rules of the house and unit tests: what one runs every few minutes"
 	@echo "make test    every check and test; a suite alone: test-rust test-web test-browser test-conformance test-exports test-python verify"
-	@echo "make prove   what takes an hour: 200 kills, 10 000 random scenes, ten minutes of fuzzing (READER=scene, study, sweep, inputs or values)"
+	@echo "make prove   what takes hours: 200 kills, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs or values)"
 
 run: build
 	$(STRAINSITE) run studies/foot-tire.toml
@@ -53,9 +53,14 @@ test-cargo: format house clippy doc test-rust verify
 
 test-program: test-conformance test-exports test-python test-browser test-web
 
-prove: build setup-rust setup-python
+# The rigs of lab print the tables of docs/.
+RIGS := $(filter-out random_scenes,$(basename $(notdir $(wildcard lab/examples/*.rs))))
+
+prove: setup-rust
 	STRAINSITE_KILLS=200 $(CARGO) test $(ALL) --test slow kill
-	$(CARGO) run --release --locked -p lab --example random_scenes -- 10000 1
+	$(CARGO) build $(ALL) --examples
+	$(TARGET)/release/examples/random_scenes 10000 1
+	for rig in $(RIGS); do echo "== $$rig"; $(TARGET)/release/examples/$$rig; done
 	tests/fuzz/run --seconds 600 $(or $(READER),scene)
 
 format: setup-build
@@ -69,7 +74,7 @@ doc: setup-build
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc $(ALL) --no-deps --quiet
 
 house:
-	python3 lab/house_test.py
+	python3 lab/house.py --self-test
 	python3 lab/house.py
 
 test-unit: setup-build
