@@ -119,3 +119,35 @@ mod schema {
 
     impl ToSchema for RankedLocation {}
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scores_stand_flat_in_documents_and_earlier_ones_had_fewer() {
+        let scores = LocationScores::of(|score, direction| Figure {
+            value: (direction == Direction::X).then_some(score.name.len() as f64),
+            error: score.has_error.then_some(0.1 + 0.2),
+        });
+        let location = RankedLocation {
+            name: "P3".to_owned(),
+            input: None,
+            rank: 1,
+            scores,
+            ranks: [Some(1), None].into(),
+            rank_certain: true,
+        };
+        let text = serde_json::to_string(&location).expect("finite numbers");
+        let first = r#"{"name":"P3","input":null,"rank":1,"gsi_x_percent":3.0,"gsi_y_percent":null,"gsi_x_error_percent":0.30000000000000004,"gsi_y_error_percent":0.30000000000000004,"mean_gsi_x_percent":8.0,"mean_gsi_y_percent":null,"#;
+        assert!(text.starts_with(first), "{text}");
+        let last = r#","rank_x":1,"rank_y":null,"rank_certain":true}"#;
+        assert!(text.ends_with(last), "{text}");
+        let back: RankedLocation = serde_json::from_str(&text).expect("reads back");
+        assert_eq!(back, location);
+        let earlier = r#"{"name":"P3","rank":1,"gsi_x_percent":3.0,"rank_certain":true}"#;
+        let earlier: RankedLocation = serde_json::from_str(earlier).expect("reads");
+        assert_eq!(earlier.value(GSI, Direction::X), Some(3.0));
+        assert!(!earlier.knows_error() && earlier.ranks == PerDirection::default());
+    }
+}

@@ -39,10 +39,7 @@ pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
     let mut locations: Vec<RankedLocation> = own
         .iter()
         .enumerate()
-        .map(|(i, input)| RankedLocation {
-            input: input.map(|input| study.inputs[input].name.clone()),
-            ..unranked(scores, i, *input)
-        })
+        .map(|(i, input)| unranked(study, scores, i, *input))
         .collect();
     for direction in Direction::ALL {
         let gsi = |location: &RankedLocation| location.value(GSI, direction);
@@ -64,7 +61,12 @@ pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
 }
 
 /// A location with its scores: what each output says of its own input.
-fn unranked(scores: &Scores, location: usize, input: Option<usize>) -> RankedLocation {
+fn unranked(
+    study: &Study,
+    scores: &Scores,
+    location: usize,
+    input: Option<usize>,
+) -> RankedLocation {
     let percent = |indices: &Option<Vec<f64>>| Some(100.0 * indices.as_ref()?[input?]);
     let own_index = |scored: &Scored| OwnIndex {
         index: percent(&scored.output.first_order),
@@ -77,7 +79,7 @@ fn unranked(scores: &Scores, location: usize, input: Option<usize>) -> RankedLoc
     });
     RankedLocation {
         name: scores.at_locations[location].x.output.location.clone(),
-        input: None,
+        input: input.map(|input| study.inputs[input].name.clone()),
         rank: 0,
         scores: LocationScores::of(|score, direction| {
             (score.compute)(&OwnIndices {

@@ -4,7 +4,7 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use fem_client::closed_form::ClosedFormSolver;
-use fem_client::solver::{SolveError, SolveRequest, Solver};
+use fem_client::solver::{NoEquilibrium, SolveError, SolveRequest, Solver};
 use gsa::method::{Kind, Method};
 use placement::run::{Event, Means, RunError, run};
 use placement::study::Study;
@@ -46,7 +46,12 @@ fn points_without_equilibrium_are_named_and_cost_accuracy() {
     for point in &result.failed_points {
         assert_eq!(&point.values, &plan.values()[point.ordinal]);
         let cause = "not-converged: no equilibrium beyond a depth of 1.26 mm";
-        assert!(point.cause.starts_with(cause), "{}", point.cause);
+        assert!(
+            point.cause.to_string().starts_with(cause),
+            "{}",
+            point.cause
+        );
+        assert_eq!(point.cause.status, Some(NoEquilibrium::NotConverged));
     }
     let note = &result.notes[0];
     let count = format!("{} of 26 points without an equilibrium", ordinals.len());
@@ -262,7 +267,7 @@ fn a_panic_costs_its_point_alone() {
     let failed = result.unwrap().failed_points;
     assert_eq!((failed.len(), failed[0].ordinal), (1, 7));
     assert_eq!(
-        failed[0].cause,
+        failed[0].cause.to_string(),
         "solver-failed: panic: element 12 is inside out"
     );
     let told = |event: &&Event| matches!(event, Event::PointFailed { ordinal: 7, .. });
@@ -319,6 +324,7 @@ fn a_response_that_is_not_finite_is_never_stored() {
     assert!(
         failed[0]
             .cause
+            .to_string()
             .contains("a strain of a ring isn't a finite number")
     );
     assert_eq!(archive.points.lock().unwrap().len(), 1);

@@ -5,8 +5,7 @@ use placement::study::{Study, presets};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
-use crate::valid;
-
+use super::valid;
 use crate::support::shipped;
 
 /// A leaf of a document, or what could stand in its place.
