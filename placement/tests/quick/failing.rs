@@ -4,7 +4,7 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use fem_client::closed_form::ClosedFormSolver;
-use fem_client::solver::{SolveError, SolveRequest, Solver};
+use fem_client::solver::{NoEquilibrium, SolveError, SolveRequest, Solver};
 use gsa::method::{Kind, Method};
 use placement::run::{Event, Means, RunError, run};
 use placement::study::Study;
@@ -46,8 +46,12 @@ fn points_without_equilibrium_are_named_and_cost_accuracy() {
     for point in &result.failed_points {
         assert_eq!(&point.values, &plan.values()[point.ordinal]);
         let cause = "not-converged: no equilibrium beyond a depth of 1.26 mm";
-        let told = point.cause.to_string();
-        assert!(told.starts_with(cause), "{told}");
+        assert!(
+            point.cause.to_string().starts_with(cause),
+            "{}",
+            point.cause
+        );
+        assert_eq!(point.cause.status, Some(NoEquilibrium::NotConverged));
     }
     let note = &result.notes[0];
     let count = format!("{} of 26 points without an equilibrium", ordinals.len());

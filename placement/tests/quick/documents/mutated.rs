@@ -6,7 +6,6 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 
 use super::valid;
-
 use crate::support::shipped;
 
 /// A leaf of a document, or what could stand in its place.
