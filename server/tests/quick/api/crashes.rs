@@ -98,7 +98,7 @@ async fn a_point_that_kills_the_program_is_left_alone_after_three_times() {
     let survives = || {
         let program = std::env::current_exe().expect("a path");
         let child = Command::new(program)
-            .args(["--exact", "crashes::service_that_dies", "--ignored"])
+            .args(["--exact", "api::crashes::service_that_dies", "--ignored"])
             .env(DATABASE, home.database())
             .output();
         child.expect("starts").status.success()
