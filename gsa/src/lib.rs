@@ -26,7 +26,7 @@
 //! - [`law`]: the laws of the inputs and their Gauss rules
 //! - [`design`]: the runs to make
 //! - [`judge`]: errors of indices, and whether a place in a ranking is certain
-//! - [`form`]: surrogates of an output on its lines
+//! - `form`: surrogates of an output on its lines
 //! - [`method`]: the ways from runs to indices
 //! - [`campaign`]: the way in
 //!

@@ -8,7 +8,7 @@
 //!
 //! The other strain costs nothing and stays in the answer, as good as the same points make it. No question is left to a model in two
 //! dimensions: for the x strain alone that was tried (`docs/ring.md`). The scene decides how much of the tire is meshed:
-//! [`tire::model`].
+//! `tire::model`.
 
 use fem_client::solver::direction::{Direction, PerDirection};
 

@@ -3,7 +3,7 @@
 //! - [`Store`]: an open database
 //! - [`clock`]: the time, as rows have it
 //! - [`content`]: content hashes, and JSON that reads back as what was written
-//! - [`file`]: the database file: its lock, its connections, its upkeep
+//! - [`mod@file`]: the database file: its lock, its connections, its upkeep
 //! - [`queue`]: what was asked, whose turn it is, what happened
 //! - [`points`]: solved points
 //! - [`answers`]: results and measured trades
