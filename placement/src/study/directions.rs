@@ -7,7 +7,7 @@
 //! | `["y"]` | the y strain's index | the y strains | y | three-dimensional |
 //!
 //! The other strain costs nothing and stays in the answer, as good as the same points make it. No question is left to a model in two
-//! dimensions: for the x strain alone that was tried (`docs/ring.md`). The scene decides how much of the tire is meshed:
+//! dimensions: for the x strain alone that was tried (`docs/decisions/tire/ring.md`). The scene decides how much of the tire is meshed:
 //! `tire::model`.
 
 use fem_client::solver::direction::{Direction, PerDirection};
