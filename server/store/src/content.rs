@@ -5,7 +5,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 
-use super::StoreError;
+use crate::store_error::StoreError;
 
 /// SHA-256 of the parts in order, each with its length so that no two lists of parts hash alike; lower-case hex.
 pub fn sha256(parts: &[&[u8]]) -> String {

@@ -12,6 +12,7 @@
 
 pub mod answers;
 pub mod clock;
+mod column;
 pub mod content;
 mod database;
 pub mod file;

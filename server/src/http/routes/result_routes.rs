@@ -24,6 +24,7 @@ use crate::http::routes::study_routes::known;
 use service::point_views;
 use service::wire::examples;
 use service::wire::study_wire::{Evaluations, Layouts, Locations, MapView, ProblemDocument};
+use store::answers::ranked_rows::{self, Ranked};
 use store::answers::result_rows;
 use store::answers::trades;
 use store::{Store, StoreError};
@@ -70,7 +71,8 @@ async fn locations(
     State(state): State<AppState>,
     StudyId(id): StudyId,
 ) -> Result<Json<Locations>, Problem> {
-    part(&state.store, &id).await.map(Json)
+    let Ranked { locations, .. } = ranked(&state.store, &id).await?;
+    Ok(Json(Locations { locations }))
 }
 
 /// Get the ranked layouts
@@ -83,7 +85,16 @@ async fn layouts(
     State(state): State<AppState>,
     StudyId(id): StudyId,
 ) -> Result<Json<Layouts>, Problem> {
-    part(&state.store, &id).await.map(Json)
+    let Ranked { layouts, .. } = ranked(&state.store, &id).await?;
+    Ok(Json(Layouts { layouts }))
+}
+
+/// What a study ranks, or 404 with what became of it.
+async fn ranked(store: &Store, id: &str) -> Result<Ranked, Problem> {
+    let found = ready(store, id, async |connection| {
+        ranked_rows::find(connection, id).await
+    });
+    found.await
 }
 
 /// Get the solved points

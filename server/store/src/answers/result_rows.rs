@@ -1,11 +1,10 @@
 //! Results with their ranked rows.
 
-use fem_client::solver::direction::Direction;
-use placement::result::{RankedLayout, RankedLocation, StudyCost, StudyResult};
-use placement::score::location_scores::{GSI, MDRM_GSI, MEAN_GSI, OWN_GSI};
+use placement::result::{StudyCost, StudyResult};
 use serde::de::DeserializeOwned;
 use sqlx::SqliteConnection;
 
+use crate::answers::ranked_rows::{self, Ranked};
 use crate::clock::now;
 use crate::content::{encode, sha256};
 use crate::store_error::StoreError;
@@ -22,7 +21,7 @@ pub async fn insert(
     result: &StudyResult,
 ) -> Result<(), StoreError> {
     let document = encode(RESULT, result)?;
-    sqlx::query(
+    let inserted = sqlx::query(
         "insert into results (study, document, document_sha256, content_sha256, created) values (?, ?, ?, ?, ?)
          on conflict do nothing",
     )
@@ -33,13 +32,10 @@ pub async fn insert(
     .bind(now())
     .execute(&mut *connection)
     .await?;
-    for location in &result.locations {
-        insert_location(connection, study, location).await?;
+    if inserted.rows_affected() == 0 {
+        return Ok(());
     }
-    for layout in &result.layouts {
-        insert_layout(connection, study, layout).await?;
-    }
-    Ok(())
+    ranked_rows::insert(connection, study, &result.locations, &result.layouts).await
 }
 
 /// SHA-256 of what a result says: without what it cost, what it was expected to cost, and without the identifier of its study, so that equal
@@ -52,6 +48,27 @@ fn content_sha256(result: &StudyResult) -> Result<String, StoreError> {
     let text =
         serde_json::to_string(&content).map_err(|_| StoreError::NotFinite { what: RESULT })?;
     Ok(sha256(&[text.as_bytes()]))
+}
+
+/// Writes the ranked rows of results that have none, which earlier versions stored otherwise. A damaged result stays without.
+///
+/// # Errors
+/// When the database can't be written.
+pub(crate) async fn complete_rankings(connection: &mut SqliteConnection) -> Result<(), StoreError> {
+    let query = "select study from results where study not in (select study from rankings)";
+    let lacking: Vec<String> = sqlx::query_scalar(query)
+        .fetch_all(&mut *connection)
+        .await?;
+    for study in lacking {
+        match find::<Ranked>(connection, &study).await {
+            Ok(Some((ranked, _))) => {
+                ranked_rows::insert(connection, &study, &ranked.locations, &ranked.layouts).await?;
+            }
+            Ok(None) | Err(StoreError::Damaged { .. }) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(())
 }
 
 /// The result of a study as its JSON text, and the hash of its content.
@@ -112,65 +129,4 @@ pub async fn sha256_of(
             .fetch_optional(connection)
             .await?,
     )
-}
-
-async fn insert_location(
-    connection: &mut SqliteConnection,
-    study: &str,
-    location: &RankedLocation,
-) -> Result<(), StoreError> {
-    sqlx::query(
-        "insert into locations (study, name, rank, gsi_x_percent, gsi_y_percent, mean_gsi_x_percent,
-             mean_gsi_y_percent, own_gsi_x_percent, own_gsi_y_percent, mdrm_gsi_x_percent, mdrm_gsi_y_percent,
-             rank_x, rank_y, rank_certain)
-         values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) on conflict do nothing",
-    )
-    .bind(study)
-    .bind(&location.name)
-    .bind(whole(location.rank))
-    .bind(location.value(GSI, Direction::X))
-    .bind(location.value(GSI, Direction::Y))
-    .bind(location.value(MEAN_GSI, Direction::X))
-    .bind(location.value(MEAN_GSI, Direction::Y))
-    .bind(location.value(OWN_GSI, Direction::X))
-    .bind(location.value(OWN_GSI, Direction::Y))
-    .bind(location.value(MDRM_GSI, Direction::X))
-    .bind(location.value(MDRM_GSI, Direction::Y))
-    .bind(location.ranks.x.map(whole))
-    .bind(location.ranks.y.map(whole))
-    .bind(location.rank_certain)
-    .execute(connection)
-    .await?;
-    Ok(())
-}
-
-async fn insert_layout(
-    connection: &mut SqliteConnection,
-    study: &str,
-    layout: &RankedLayout,
-) -> Result<(), StoreError> {
-    sqlx::query(
-        "insert into layouts (study, rank, spacing_deg, units, position, films, weakest_signal,
-             worst_angle_error_deg, rms_angle_error_deg, worst_depth_error_mm, noise_strain, reason)
-         values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) on conflict do nothing",
-    )
-    .bind(study)
-    .bind(whole(layout.rank))
-    .bind(layout.spacing_deg)
-    .bind(whole(layout.units))
-    .bind(&layout.position)
-    .bind(encode("the films of a layout", &layout.films)?)
-    .bind(layout.score.weakest_signal)
-    .bind(layout.score.worst_angle_error_deg)
-    .bind(layout.score.rms_angle_error_deg)
-    .bind(layout.score.worst_depth_error_mm)
-    .bind(layout.score.noise_strain)
-    .bind(layout.score.reason.as_deref())
-    .execute(connection)
-    .await?;
-    Ok(())
-}
-
-fn whole(number: usize) -> i64 {
-    i64::try_from(number).unwrap_or(i64::MAX)
 }

@@ -7,6 +7,7 @@ use sqlx::migrate::Migrator;
 use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, SqliteSynchronous};
 use sqlx::{Connection, SqliteConnection, SqlitePool};
 
+use crate::answers::result_rows;
 use crate::store_error::StoreError;
 
 /// Before this version SQLite could corrupt a database when its write-ahead log was reset.
@@ -49,6 +50,9 @@ pub async fn bootstrap(path: &Path) -> Result<(), StoreError> {
         .run(&mut connection)
         .await
         .map_err(|e| failed(e.to_string()))?;
+    let mut transaction = connection.begin().await?;
+    result_rows::complete_rankings(&mut transaction).await?;
+    transaction.commit().await?;
     connection.close().await.map_err(|e| failed(e.to_string()))
 }
 

@@ -10,6 +10,7 @@ use serde::Serialize;
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{ConnectOptions, Connection, SqliteConnection};
 
+use crate::answers::ranked_rows;
 use crate::answers::result_rows;
 use crate::answers::trades;
 use crate::file::lock;
@@ -92,6 +93,7 @@ pub async fn inspect(
                 "results" => result_rows::find::<StudyResult>(connection, &key)
                     .await
                     .err(),
+                "rankings" => ranked_rows::find(connection, &key).await.err(),
                 _ => trades::newest(connection, &key).await.err(),
             };
             match read {
@@ -108,10 +110,12 @@ pub async fn inspect(
 }
 
 /// Tables whose rows have a hash, with their keys.
-const KEYED: [(&str, &str); 4] = [
+const KEYED: [(&str, &str); 5] = [
     ("evaluations", "select key from evaluations"),
     ("start_states", "select key from start_states"),
     ("results", "select study from results"),
+    // Every result has one.
+    ("rankings", "select study from results"),
     ("trades", "select distinct spec_sha256 from trades"),
 ];
 

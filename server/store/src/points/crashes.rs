@@ -3,6 +3,7 @@
 use sqlx::SqliteConnection;
 
 use crate::clock::now;
+use crate::column::counted;
 use crate::store_error::StoreError;
 
 /// Notes that a solve begins.
@@ -56,9 +57,7 @@ pub async fn of(connection: &mut SqliteConnection, key: &str) -> Result<usize, S
         .bind(key)
         .fetch_optional(connection)
         .await?;
-    Ok(count
-        .and_then(|count| usize::try_from(count).ok())
-        .unwrap_or(0))
+    Ok(count.and_then(counted).unwrap_or(0))
 }
 
 /// Forgets all crashes, and returns how many points had any.

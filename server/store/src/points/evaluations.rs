@@ -11,6 +11,7 @@ use serde::de::DeserializeOwned;
 use sqlx::{FromRow, SqliteConnection};
 
 use crate::clock::now;
+use crate::column::{counted, whole};
 use crate::content::{encode, sha256};
 use crate::points::strain_fields;
 use crate::store_error::StoreError;
@@ -209,11 +210,7 @@ pub async fn share(
         .bind(to)
         .fetch_one(connection)
         .await?;
-    Ok(usize::try_from(count).unwrap_or(0))
-}
-
-fn whole(ordinal: usize) -> i64 {
-    i64::try_from(ordinal).unwrap_or(i64::MAX)
+    Ok(counted(count).unwrap_or(0))
 }
 
 async fn insert_start(
@@ -251,7 +248,7 @@ pub async fn find(
             .fetch_all(&mut *connection)
             .await?;
         for row in rows {
-            let place = usize::try_from(row.place).ok();
+            let place = counted(row.place);
             if let Some(place) = place.and_then(|place| places.get_mut(place)) {
                 *place = Some(row.read()?);
             }
@@ -281,7 +278,7 @@ pub async fn parts_of<R: DeserializeOwned>(
         .await?;
     let part = |PointRow { ordinal, row }| {
         let key = row.key.clone();
-        Ok((usize::try_from(ordinal).unwrap_or(0), key, row.read()?))
+        Ok((counted(ordinal).unwrap_or(0), key, row.read()?))
     };
     rows.into_iter().map(part).collect()
 }

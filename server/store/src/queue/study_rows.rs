@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use sqlx::{FromRow, SqliteConnection};
 
 use crate::clock::now;
+use crate::column::whole;
 use crate::content::encode;
 use crate::store_error::StoreError;
 
@@ -297,8 +298,8 @@ pub async fn set_progress(
     done: usize,
 ) -> Result<(), StoreError> {
     sqlx::query("update studies set points_total = ?, points_done = ? where id = ?")
-        .bind(i64::try_from(total).unwrap_or(i64::MAX))
-        .bind(i64::try_from(done).unwrap_or(i64::MAX))
+        .bind(whole(total))
+        .bind(whole(done))
         .bind(id)
         .execute(connection)
         .await?;

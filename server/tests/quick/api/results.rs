@@ -115,23 +115,25 @@ async fn ranked_rows_can_be_queried_in_sql() {
     app.wait_for(&id, "done").await;
     let result = app.json(&format!("/v1/studies/{id}/result")).await;
     let mut sql = home.sql().await;
-    let rows: Vec<(String, i64, f64)> = sqlx::query_as(
-        "select name, rank, gsi_x_percent from locations where study = ? order by rank",
+    let rows: Vec<(String, i64, f64, f64)> = sqlx::query_as(
+        "select name, rank, value, error from locations join location_scores using (study, rank)
+         where study = ? and score = 'gsi' and direction = 'x' order by rank",
     )
     .bind(&id)
     .fetch_all(&mut sql)
     .await
     .expect("rows");
-    let expected: Vec<(String, i64, f64)> = result["locations"]
+    let expected: Vec<(String, i64, f64, f64)> = result["locations"]
         .as_array()
         .expect("a list")
         .iter()
         .map(|l| {
-            let name = l["name"].as_str().expect("a name").to_owned();
+            let number = |field: &str| l[field].as_f64().expect("a number");
             (
-                name,
+                l["name"].as_str().expect("a name").to_owned(),
                 l["rank"].as_i64().expect("a rank"),
-                l["gsi_x_percent"].as_f64().expect("an index"),
+                number("gsi_x_percent"),
+                number("gsi_x_error_percent"),
             )
         })
         .collect();
@@ -144,6 +146,38 @@ async fn ranked_rows_can_be_queried_in_sql() {
         Some(layouts as usize),
         result["layouts"].as_array().map(Vec::len)
     );
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn ranked_rows_are_served_as_they_are_stored_and_never_when_damaged() {
+    for damage in [
+        "update location_scores set error = error / 2 where score = 'gsi' and rank = 2",
+        "delete from layouts where rank = 1",
+        "delete from rankings",
+    ] {
+        let home = Home::new();
+        let app = home.start(ClosedFormSolver::new()).await;
+        let id = app.submit(&study()).await;
+        app.wait_for(&id, "done").await;
+        let result = app.json(&format!("/v1/studies/{id}/result")).await;
+        for part in ["locations", "layouts"] {
+            let ranked = app.json(&format!("/v1/studies/{id}/{part}")).await;
+            assert_eq!(ranked, json!({ part: result[part] }));
+        }
+
+        let mut sql = home.sql().await;
+        let damaged = sqlx::query(damage).execute(&mut sql).await;
+        assert!(damaged.expect("damages").rows_affected() > 0, "{damage}");
+        for part in ["locations", "layouts"] {
+            let refused = app.get(&format!("/v1/studies/{id}/{part}")).await;
+            let body = problem(refused, StatusCode::INTERNAL_SERVER_ERROR).await;
+            let detail = body["detail"].as_str().expect("a sentence");
+            assert!(
+                detail.contains("rankings") && detail.contains(&id),
+                "{body}"
+            );
+        }
+    }
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -294,4 +328,25 @@ async fn a_measured_trade_is_shown_with_every_study_of_its_document() {
     assert_eq!(app.json(&address).await, trade);
     let after = app.json(&format!("/v1/studies/{id}")).await;
     assert_eq!(after["trade_measured"], true);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn results_without_ranked_rows_get_them_when_the_database_is_opened() {
+    let home = Home::new();
+    let app = home.start(ClosedFormSolver::new()).await;
+    let id = app.submit(&study()).await;
+    app.wait_for(&id, "done").await;
+    let parts = ["locations", "layouts"].map(|part| format!("/v1/studies/{id}/{part}"));
+    let (locations, layouts) = (app.json(&parts[0]).await, app.json(&parts[1]).await);
+    app.service.stop().await;
+    let mut sql = home.sql().await;
+    let emptied = sqlx::raw_sql(
+        "delete from rankings; delete from location_scores; delete from locations; delete from layouts",
+    );
+    emptied.execute(&mut sql).await.expect("empties");
+    drop(sql);
+
+    let app = home.start(ClosedFormSolver::new()).await;
+    assert_eq!(app.json(&parts[0]).await, locations);
+    assert_eq!(app.json(&parts[1]).await, layouts);
 }
