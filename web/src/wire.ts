@@ -129,7 +129,7 @@ export interface components {
             rank_verdict?: components["schemas"]["Verdict"] | null;
             /** @description First-order index of the location's own depth for the x strain at the contact centre. */
             x: components["schemas"]["ComparedIndex"];
-            /** @description The same for the y strain. */
+            /** @description First-order index of the location's own depth for the y strain at the contact centre. */
             y: components["schemas"]["ComparedIndex"];
         };
         /** @description One of the studies. */
@@ -162,7 +162,7 @@ export interface components {
             std_strain_x?: number | null;
             /**
              * Format: double
-             * @description The same for y.
+             * @description Standard deviation of the y strain there.
              */
             std_strain_y?: number | null;
             /** @description First of the ranking. */
@@ -592,7 +592,7 @@ export interface components {
             first_order: (number | null)[][];
             /** @description Estimated error of the first-order indices, rows x columns. */
             error: (number | null)[];
-            /** @description `ok`, `constant` or `product-form-broken`. */
+            /** @description `ok`, `constant`, `product-form-broken` or `unusable`, rows x columns. */
             status: string[];
         };
         /** @description Where the points of a map lie: x in the rolling direction, y along the axle, z upward, from the wheel's centre. */
@@ -693,9 +693,9 @@ export interface components {
             first_order?: number[] | null;
             /** @description Total index of each input. */
             total?: number[] | null;
-            /** @description Method that gave `first_order` and `total`: `mdrm` or `additive`. */
+            /** @description Form that gave `first_order` and `total`: `mdrm`, `additive`, `shifted`, `corrected`, `bivariate`, `tensor`, `pce` or `saltelli`. */
             method: string;
-            /** @description `ok`, `constant` or `product-form-broken`. */
+            /** @description `ok`, `constant`, `product-form-broken` or `unusable`. */
             status: string;
             /** @description Why the status is not `ok`. */
             reason?: string | null;
@@ -775,7 +775,7 @@ export interface components {
             gsi_x_percent?: number | null;
             /**
              * Format: double
-             * @description The same for the y strain.
+             * @description 100 times the first-order index of this location's own depth for the y strain at the centre.
              */
             gsi_y_percent?: number | null;
             /**
@@ -785,7 +785,7 @@ export interface components {
             gsi_x_error_percent?: number | null;
             /**
              * Format: double
-             * @description The same for y.
+             * @description Error of `gsi_y_percent`, percentage points.
              */
             gsi_y_error_percent?: number | null;
             /**
@@ -815,7 +815,7 @@ export interface components {
             mdrm_gsi_x_percent?: number | null;
             /**
              * Format: double
-             * @description The same for y.
+             * @description What M-DRM said for `gsi_y_percent`, valid or not: the paper's Table 2 as the paper computed it.
              */
             mdrm_gsi_y_percent?: number | null;
             /** @description Rank by the x strain alone. */

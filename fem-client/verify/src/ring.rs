@@ -20,10 +20,10 @@ const BULK_RATIO: f64 = 1000.0;
 const SOURCE: &str = "independent code; tolerance: difference of its two finest meshes, and the reach of its contact";
 
 /// Force of a plate per length, height of the lowest inner point, and half width, at a depth of each plate.
-type Answer = [f64; 3];
+type PlateReading = [f64; 3];
 
 /// The other code's answers on 3 x 32 and 4 x 64 elements of the same order.
-const PUBLISHED: [(f64, Answer, Answer); 5] = [
+const PUBLISHED: [(f64, PlateReading, PlateReading); 5] = [
     (
         1.0,
         [0.02656982796423571, -8.515683236418598, 13.293739465708596],
@@ -64,7 +64,7 @@ fn quarter() -> Problem {
 }
 
 /// What the ring answers. A plate touches both halves, so its force is twice the quarter's.
-fn answer(problem: &Problem, pressing: &Pressing<'_>) -> Answer {
+fn answer(problem: &Problem, pressing: &Pressing<'_>) -> PlateReading {
     let place = |x: [f64; 3]| {
         let node = problem.mesh.nodes.iter().position(|node| *node == x);
         let position = |node| pressing.state.position(&problem.mesh, node as u32);

@@ -106,7 +106,7 @@ impl Procedure for Auto {
 enum Step {
     /// Finer lines: inputs, with their nodes.
     Refine(Vec<(usize, usize)>),
-    /// So many check points.
+    /// Further check points, by number.
     Check(usize),
 }
 

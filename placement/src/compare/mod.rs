@@ -73,7 +73,7 @@ pub struct ComparedStudy {
     pub reaction_n: Option<f64>,
     /// Standard deviation of the x strain at the contact centre: the signal of a film there.
     pub std_strain_x: Option<f64>,
-    /// The same for y.
+    /// Standard deviation of the y strain there.
     pub std_strain_y: Option<f64>,
     /// First of the ranking.
     pub best: Option<String>,
@@ -105,7 +105,7 @@ pub struct ComparedLocation {
     pub rank_verdict: Option<Verdict>,
     /// First-order index of the location's own depth for the x strain at the contact centre.
     pub x: ComparedIndex,
-    /// The same for the y strain.
+    /// First-order index of the location's own depth for the y strain at the contact centre.
     pub y: ComparedIndex,
 }
 

@@ -37,7 +37,7 @@ pub struct MapLayer {
     pub first_order: Vec<Vec<Option<f64>>>,
     /// Estimated error of the first-order indices, rows x columns.
     pub error: Vec<Option<f64>>,
-    /// `ok`, `constant` or `product-form-broken`.
+    /// `ok`, `constant`, `product-form-broken` or `unusable`, rows x columns.
     #[serde(with = "named::list")]
     #[cfg_attr(feature = "openapi", schema(value_type = Vec<String>))]
     pub status: Vec<Status>,

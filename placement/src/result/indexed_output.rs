@@ -24,11 +24,11 @@ pub struct Output {
     pub first_order: Option<Vec<f64>>,
     /// Total index of each input.
     pub total: Option<Vec<f64>>,
-    /// Method that gave `first_order` and `total`: `mdrm` or `additive`.
+    /// Form that gave `first_order` and `total`: `mdrm`, `additive`, `shifted`, `corrected`, `bivariate`, `tensor`, `pce` or `saltelli`.
     #[serde(with = "named")]
     #[cfg_attr(feature = "openapi", schema(value_type = String))]
     pub method: Form,
-    /// `ok`, `constant` or `product-form-broken`.
+    /// `ok`, `constant`, `product-form-broken` or `unusable`.
     #[serde(with = "named")]
     #[cfg_attr(feature = "openapi", schema(value_type = String))]
     pub status: Status,

@@ -30,7 +30,7 @@ pub const GSI: &Score = &Score {
     unit: "percent",
     what: PerDirection {
         x: "100 times the first-order index of this location's own depth for the x strain at the centre.",
-        y: "The same for the y strain.",
+        y: "100 times the first-order index of this location's own depth for the y strain at the centre.",
     },
     has_error: true,
     other_order: None,
@@ -76,7 +76,7 @@ pub const MDRM_GSI: &Score = &Score {
     unit: "percent",
     what: PerDirection {
         x: "What M-DRM said for `gsi_x_percent`, valid or not: the paper's Table 2 as the paper computed it.",
-        y: "The same for y.",
+        y: "What M-DRM said for `gsi_y_percent`, valid or not: the paper's Table 2 as the paper computed it.",
     },
     has_error: false,
     other_order: None,
@@ -97,10 +97,7 @@ impl Score {
 
     /// What its error is, as documents describe it.
     pub fn what_of_error(&self, direction: Direction) -> String {
-        match direction {
-            Direction::X => format!("Error of `{}`, percentage points.", self.field(direction)),
-            Direction::Y => "The same for y.".to_owned(),
-        }
+        format!("Error of `{}`, percentage points.", self.field(direction))
     }
 }
 

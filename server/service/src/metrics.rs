@@ -178,7 +178,7 @@ impl Metrics {
         self.points.get_or_create_owned(&Point { outcome })
     }
 
-    /// So many points have come to this.
+    /// Counts points that ended in this way.
     pub fn points(&self, outcome: PointOutcome, count: u64) {
         self.points_of(outcome).inc_by(count);
     }

@@ -199,7 +199,7 @@ pub fn on_grid(
     on_grid_of(family, inputs, &nodes, model)
 }
 
-/// The same with as many nodes along each input as given for it.
+/// A known model on a grid with as many nodes along each input as given for it.
 pub fn on_grid_of(
     family: &'static str,
     inputs: Vec<Distribution>,

@@ -27,9 +27,9 @@ pub struct Watched {
     grace: Duration,
 }
 
-type Answer = Result<Solved, SolveError>;
-/// An answer and the processor time of its thread, s.
-type Timed = (Answer, f64);
+type SolveResult = Result<Solved, SolveError>;
+/// What a solve gave and the processor time of its thread, s.
+type Timed = (SolveResult, f64);
 
 impl Watched {
     /// Gives each solve of `solver` the time `limit`, and `grace` to heed its stop flag then.
@@ -48,7 +48,7 @@ impl Watched {
         thread: JoinHandle<()>,
         asked: &AtomicBool,
         told: &AtomicBool,
-    ) -> Answer {
+    ) -> SolveResult {
         let begun = Instant::now();
         let mut stopping: Option<Instant> = None;
         loop {
@@ -115,7 +115,7 @@ impl Solver for Watched {
         self.solver.has_time_law()
     }
 
-    fn solve(&self, request: &SolveRequest<'_>) -> Answer {
+    fn solve(&self, request: &SolveRequest<'_>) -> SolveResult {
         let (tell, answers) = sync_channel(1);
         let told = Arc::new(AtomicBool::new(request.stop.load(Ordering::Relaxed)));
         let (solver, stop) = (self.solver.clone(), told.clone());
@@ -163,7 +163,7 @@ mod tests {
             "stuck".to_owned()
         }
 
-        fn solve(&self, request: &SolveRequest<'_>) -> Answer {
+        fn solve(&self, request: &SolveRequest<'_>) -> SolveResult {
             match self {
                 Self::Panicking => panic!("element 3 is inside out"),
                 Self::Deaf => loop {
@@ -183,7 +183,7 @@ mod tests {
         Watched::new(Arc::new(solver), limit, Duration::from_millis(200))
     }
 
-    fn ask(solver: &dyn Solver, stop: &AtomicBool) -> Answer {
+    fn ask(solver: &dyn Solver, stop: &AtomicBool) -> SolveResult {
         solver.solve(&SolveRequest {
             scene: &Scene::default(),
             readout: &Readout::default(),

@@ -14,7 +14,7 @@ pub fn study_toml() -> &'static str {
      [method]\nkind = \"mdrm\"\nnodes = 3\n[accuracy]\npreset = \"draft\"\n"
 }
 
-/// The same as JSON.
+/// The example's study as JSON.
 pub fn study() -> Value {
     parse(study_toml(), Format::Toml).unwrap_or_default()
 }
@@ -27,7 +27,7 @@ pub fn summary() -> Value {
     })
 }
 
-/// The same with its document.
+/// A study at work with its document.
 pub fn detail() -> Value {
     let mut detail = summary();
     detail["document"] = study();

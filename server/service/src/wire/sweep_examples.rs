@@ -13,7 +13,7 @@ pub fn document() -> Value {
     json!({"name": "two walls", "study": study(), "grid": {"geometry.wall_mm": [2.5, 3]}})
 }
 
-/// The same as TOML.
+/// A study with two walls, as TOML.
 pub fn document_toml() -> String {
     let study = study_toml()
         .replace("[[inputs]]", "[[study.inputs]]")
@@ -35,7 +35,7 @@ pub fn summary() -> Value {
     })
 }
 
-/// The same with its designs.
+/// A sweep with its designs.
 pub fn detail() -> Value {
     let mut detail = summary();
     detail["document"] = study();

@@ -25,7 +25,7 @@ pub fn painted(style: Style, text: impl Display) -> String {
     format!("{style}{text}{style:#}")
 }
 
-/// The same at the left of a column.
+/// The text in this style, at the left of a column.
 pub fn left(style: Style, text: &str, width: usize) -> String {
     format!(
         "{}{:rest$}",

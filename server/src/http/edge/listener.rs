@@ -23,7 +23,7 @@ const HEADER_TIMEOUT: Duration = Duration::from_secs(5);
 const READ_TIMEOUT: Duration = Duration::from_secs(30);
 /// What a connection holds of a request's head, or of an answer that isn't sent yet, bytes.
 const BUFFER: usize = 64 << 10;
-/// The same in the kernel, which would let it grow to megabytes for every client that doesn't read.
+/// What the kernel holds of an answer, bytes: it would let that grow to megabytes for every client that doesn't read.
 const SEND_BUFFER: u32 = 128 << 10;
 /// Connections that may wait to be accepted.
 const BACKLOG: u32 = 1024;

@@ -90,7 +90,7 @@ async fn description(State(state): State<AppState>) -> Json<Value> {
 
 /// Read this description
 ///
-/// The same as a page, without scripts and without anything from elsewhere.
+/// The OpenAPI description as a page, without scripts and without anything from elsewhere.
 #[utoipa::path(get, path = "/docs", tag = "service",
     responses((status = 200, description = "The page", content_type = "text/html", body = String, example = json!("<!doctype html>..."))))]
 async fn page(State(state): State<AppState>) -> Html<String> {
