@@ -17,9 +17,9 @@ ALL := --release --workspace --locked
 PROGRAM := $(if $(BUILT),,build)
 # nextest where it is installed: it runs the tests of several crates at a time. It doesn't know those of documentation.
 ifneq ($(shell cargo nextest --version 2>/dev/null),)
-    UNIT_TESTS := $(CARGO) nextest run $(ALL) --lib --bins --no-tests=pass --status-level=fail
+    UNIT_TESTS := $(CARGO) nextest run $(ALL) --lib --no-tests=pass --status-level=fail
 else
-    UNIT_TESTS := $(CARGO) test $(ALL) --lib --bins --quiet
+    UNIT_TESTS := $(CARGO) test $(ALL) --lib --quiet
 endif
 
 help:

@@ -11,7 +11,7 @@ use fem_client::solver::direction::PerDirection;
 use placement::compare::{ComparedIndex, ComparedLocation, Comparison, Entry, Verdict, compare};
 use placement::ladder::climb::answer;
 use placement::result::StudyResult;
-use placement::run::Means;
+use placement::run::RunContext;
 use placement::run::memory::MemoryArchive;
 use placement::score::location_scores::{Figure, LocationScores};
 use placement::study::plan::Plan;
@@ -121,7 +121,7 @@ fn entry(design: &Design) -> Result<Entry, Box<dyn std::error::Error>> {
 }
 
 fn solved(study: &Study) -> Result<StudyResult, Box<dyn std::error::Error>> {
-    let means = Means {
+    let context = RunContext {
         solver: &EmbeddedSolver::default(),
         archive: &MemoryArchive::default(),
         threads: std::thread::available_parallelism().map_or(1, usize::from),
@@ -129,7 +129,7 @@ fn solved(study: &Study) -> Result<StudyResult, Box<dyn std::error::Error>> {
         pause: None,
         observer: &|_| (),
     };
-    Ok(answer(study, &Plan::new(study)?, means)?)
+    Ok(answer(study, &Plan::new(study)?, context)?)
 }
 
 /// Each index beside the same one of another table.

@@ -10,7 +10,7 @@ use fem_client::scene::{Level, Scene};
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use placement::result::StudyResult;
 use placement::run::memory::MemoryArchive;
-use placement::run::{Means, RunError, run};
+use placement::run::{RunContext, RunError, run};
 use placement::study::Study;
 use placement::study::plan::Plan;
 use serde_json::{Value, json};
@@ -107,7 +107,7 @@ fn answered(study: &Study, plan: fn(&Scene) -> MeshPlan) -> Result<StudyResult, 
         plan,
     };
     let stop = AtomicBool::new(false);
-    let means = Means {
+    let context = RunContext {
         solver: &solver,
         archive: &MemoryArchive::default(),
         threads: std::thread::available_parallelism().map_or(1, usize::from),
@@ -115,7 +115,7 @@ fn answered(study: &Study, plan: fn(&Scene) -> MeshPlan) -> Result<StudyResult, 
         pause: None,
         observer: &|_| (),
     };
-    run(study, &Plan::new(study)?, means)
+    run(study, &Plan::new(study)?, context)
 }
 
 /// First-order indices of all outputs, one after the other.

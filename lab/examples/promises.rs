@@ -14,7 +14,7 @@ use placement::ladder::fidelity::Fidelity;
 use placement::ladder::trade;
 use placement::result::StudyResult;
 use placement::run::memory::MemoryArchive;
-use placement::run::{Means, RunError};
+use placement::run::{RunContext, RunError};
 use placement::study::Study;
 use placement::study::plan::Plan;
 use serde_json::{Value, json};
@@ -122,7 +122,7 @@ fn truth(study: &Study) -> Result<StudyResult, RunError> {
 
 fn answered(study: &Study) -> Result<StudyResult, RunError> {
     let stop = AtomicBool::new(false);
-    let means = Means {
+    let context = RunContext {
         solver: &EmbeddedSolver::default(),
         archive: &MemoryArchive::default(),
         threads: threads(),
@@ -130,7 +130,7 @@ fn answered(study: &Study) -> Result<StudyResult, RunError> {
         pause: None,
         observer: &|_| (),
     };
-    climb::answer(study, &Plan::new(study)?, means)
+    climb::answer(study, &Plan::new(study)?, context)
 }
 
 fn threads() -> usize {

@@ -166,14 +166,14 @@ fn solve_near(
         pressed.state.clone()
     };
     let key = near.inflated_key.clone();
-    let answer = Answer {
+    let found = Found {
         inflated_key: key,
         inflated: near.inflated.clone(),
         equilibrium: state,
         report: &pressed.report,
         iterations: pressed.iterations,
     };
-    Ok(session.answer(request, begin, answer, &target))
+    Ok(session.answer(request, begin, found, &target))
 }
 
 fn press_near(
@@ -214,14 +214,14 @@ fn solve_afresh(
     let near = near_equilibrium.as_ref().zip(near_loads.as_ref());
     let near = near.filter(|_| request.scene.contact.friction == 0.0);
     let pressed = session.press(&inflated, &target, near)?;
-    let answer = Answer {
+    let found = Found {
         inflated_key: inflated_key(request.scene, plan),
         inflated,
         equilibrium: pressed.state,
         report: &pressed.report,
         iterations: session.newton.effort.iterations,
     };
-    Ok(session.answer(request, begin, answer, &target))
+    Ok(session.answer(request, begin, found, &target))
 }
 
 /// The scene's ground below the undeformed tire, raised a little: inflation moves wall and ground alike.
@@ -255,7 +255,7 @@ fn start_loads(start: &StartState, target: &Loads) -> Loads {
 }
 
 /// What a solve found.
-struct Answer<'a> {
+struct Found<'a> {
     inflated_key: String,
     inflated: State,
     equilibrium: State,
@@ -268,23 +268,23 @@ impl Session<'_> {
         mut self,
         request: &SolveRequest<'_>,
         begin: Instant,
-        answer: Answer<'_>,
+        found: Found<'_>,
         loads: &Loads,
     ) -> Solved {
         let scene = request.scene;
-        let (inflated, equilibrium) = (&answer.inflated, &answer.equilibrium);
+        let (inflated, equilibrium) = (&found.inflated, &found.equilibrium);
         let reader = Reader::new(scene, self.model, inflated, equilibrium, loads);
-        let steps = answer.report.steps.iter();
+        let steps = found.report.steps.iter();
         let diagnostics = Diagnostics {
             max_volume_change: self.newton.max_volume_change(equilibrium),
-            newton_iterations: answer.iterations,
+            newton_iterations: found.iterations,
             residual_history: steps
                 .map(|step| step.iter().map(|r| r.worst()).collect())
                 .collect(),
             model: self.model.summary(scene, self.newton.unknowns()),
         };
         let state = StartState {
-            inflated_key: answer.inflated_key,
+            inflated_key: found.inflated_key,
             inflated: inflated.to_flat(),
             pressure_mpa: scene.pressure.internal_mpa,
             depths_mm: scene.ground.depths_mm.clone(),

@@ -232,6 +232,7 @@ mod tests {
     use tire::embedded::EmbeddedSolver;
 
     use super::*;
+    use crate::study::plan::PlannedStudy;
     use crate::study::{Study, presets};
 
     fn study(changes: &[(&str, &str)]) -> Study {
@@ -244,7 +245,8 @@ mod tests {
     }
 
     fn work(study: &Study) -> Workload {
-        Workload::of(study, &EmbeddedSolver::default()).unwrap()
+        let planned = PlannedStudy::new(study.clone()).unwrap();
+        Workload::of(&planned, &EmbeddedSolver::default())
     }
 
     fn of(study: &Study) -> Estimate {

@@ -12,7 +12,7 @@ use super::law::{How, Task, mirror_class, tire};
 use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
 use crate::run::keys;
-use crate::study::plan::{Plan, PlanError};
+use crate::study::plan::{Plan, PlannedStudy};
 use crate::study::{Accuracy, Study};
 
 /// Times as many points as it starts with that the adaptive method is expected to ask for: it took 3.9 and 4.5 times as many in the
@@ -62,21 +62,15 @@ pub(crate) struct Point {
 
 impl Workload {
     /// What a study asks of a solver.
-    ///
-    /// # Errors
-    /// When the first stage has no plan; that of a study that [`Study::from_document`] returned has one.
-    pub fn of(study: &Study, solver: &dyn Solver) -> Result<Self, PlanError> {
-        let readout = study.readout();
-        Self::with_keys(study, solver, &|scenes| keys(scenes, solver, &readout))
+    pub fn of(planned: &PlannedStudy, solver: &dyn Solver) -> Self {
+        let readout = planned.study.readout();
+        Self::with_keys(planned, solver, &|scenes| keys(scenes, solver, &readout))
     }
 
-    /// The same without looking which of its solves are alike, which takes half of the time: for an estimate of its memory.
-    ///
-    /// # Errors
-    /// As for [`Workload::of`].
-    pub fn without_keys(study: &Study, solver: &dyn Solver) -> Result<Self, PlanError> {
+    /// What a study asks of a solver, for an estimate of its memory: without looking which solves are alike, which takes half of the time.
+    pub fn without_keys(planned: &PlannedStudy, solver: &dyn Solver) -> Self {
         let next = Cell::new(0_usize);
-        Self::with_keys(study, solver, &|scenes| {
+        Self::with_keys(planned, solver, &|scenes| {
             let first = next.get();
             next.set(first + scenes.len());
             (first..next.get()).map(|key| key.to_string()).collect()
@@ -84,10 +78,11 @@ impl Workload {
     }
 
     fn with_keys(
-        study: &Study,
+        planned: &PlannedStudy,
         solver: &dyn Solver,
         keys: &dyn Fn(&[Scene]) -> Vec<String>,
-    ) -> Result<Self, PlanError> {
+    ) -> Self {
+        let study = &planned.study;
         let path = match study.accuracy {
             Accuracy::Preset => vec![Fidelity::of(study)],
             Accuracy::Tolerance(_) | Accuracy::Budget(_) => path(Fidelity::of(study)),
@@ -96,11 +91,9 @@ impl Workload {
         let mut effects_due = true;
         for fidelity in path {
             let raised = fidelity.raise(study);
-            let plan = match Plan::new(&raised) {
-                Ok(plan) => plan,
-                Err(error) if stages.is_empty() => return Err(error),
-                // A climb that gets there ends there.
-                Err(_) => break,
+            // A climb that gets to a method that can't be planned ends there.
+            let Ok(plan) = planned.plan.raised(study, &raised) else {
+                break;
             };
             let mut fresh = |scenes: &[Scene]| -> Vec<Point> {
                 let mut points = points(scenes, solver, keys);
@@ -129,12 +122,12 @@ impl Workload {
                 extra,
             });
         }
-        Ok(Self {
+        Self {
             stages,
             accuracy: study.accuracy,
             law_holds: solver.has_time_law(),
             readings: readings(study),
-        })
+        }
     }
 
     /// The content keys of all its points.

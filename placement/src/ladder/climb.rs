@@ -14,7 +14,7 @@ use crate::ladder::effects;
 use crate::ladder::fidelity::Fidelity;
 use crate::result::{Climb, ClimbRung, Output, StudyResult};
 use crate::run::usage::cpu_s;
-use crate::run::{Means, RunError, run_from};
+use crate::run::{RunContext, RunError, run_from};
 use crate::study::directions::Directions;
 use crate::study::plan::Plan;
 use crate::study::{Accuracy, Study};
@@ -41,15 +41,19 @@ const LOOK: Duration = Duration::from_millis(10);
 ///
 /// # Errors
 /// See [`RunError`].
-pub fn answer(study: &Study, plan: &Plan, means: Means<'_>) -> Result<StudyResult, RunError> {
+pub fn answer(
+    study: &Study,
+    plan: &Plan,
+    context: RunContext<'_>,
+) -> Result<StudyResult, RunError> {
     match study.accuracy {
         Accuracy::Preset => {
-            let (mut result, points) = run_from(0, study, plan, means)?;
-            with_effects(points, study, plan, &mut result, means)?;
+            let (mut result, points) = run_from(0, study, plan, context)?;
+            with_effects(points, study, plan, &mut result, context)?;
             Ok(result)
         }
-        Accuracy::Tolerance(_) => Climber::new(study, plan, means).climb(),
-        Accuracy::Budget(seconds) => within(seconds, study, plan, means),
+        Accuracy::Tolerance(_) => Climber::new(study, plan, context).climb(),
+        Accuracy::Budget(seconds) => within(seconds, study, plan, context),
     }
 }
 
@@ -59,10 +63,10 @@ fn with_effects(
     study: &Study,
     plan: &Plan,
     result: &mut StudyResult,
-    means: Means<'_>,
+    context: RunContext<'_>,
 ) -> Result<(), RunError> {
     let (begun, cpu_before) = (Instant::now(), cpu_s());
-    effects::measure(first, study, plan, result, means)?;
+    effects::measure(first, study, plan, result, context)?;
     result.cost.wall_s += begun.elapsed().as_secs_f64();
     result.cost.cpu_s += (cpu_s() - cpu_before).max(0.0);
     Ok(())
@@ -73,24 +77,24 @@ fn within(
     seconds: f64,
     study: &Study,
     plan: &Plan,
-    means: Means<'_>,
+    context: RunContext<'_>,
 ) -> Result<StudyResult, RunError> {
     let deadline = Instant::now() + Duration::from_secs_f64(seconds);
     let (stop, ended) = (AtomicBool::new(false), AtomicBool::new(false));
     std::thread::scope(|scope| {
         scope.spawn(|| {
             while !ended.load(Ordering::Relaxed) {
-                if Instant::now() >= deadline || means.stop.load(Ordering::Relaxed) {
+                if Instant::now() >= deadline || context.stop.load(Ordering::Relaxed) {
                     stop.store(true, Ordering::Relaxed);
                     return;
                 }
                 std::thread::sleep(LOOK);
             }
         });
-        let inner = Means {
+        let inner = RunContext {
             stop: &stop,
             pause: None,
-            ..means
+            ..context
         };
         let climbed = Climber {
             deadline: Some(deadline),
@@ -99,7 +103,7 @@ fn within(
         .climb();
         ended.store(true, Ordering::Relaxed);
         match climbed {
-            Err(RunError::Stopped) if !means.stop.load(Ordering::Relaxed) => {
+            Err(RunError::Stopped) if !context.stop.load(Ordering::Relaxed) => {
                 Err(RunError::Budget { seconds })
             }
             other => other,
@@ -110,7 +114,7 @@ fn within(
 struct Climber<'c> {
     study: &'c Study,
     plan: &'c Plan,
-    means: Means<'c>,
+    context: RunContext<'c>,
     deadline: Option<Instant>,
     rungs: Vec<ClimbRung>,
     walls_s: Vec<f64>,
@@ -121,11 +125,11 @@ struct Climber<'c> {
 }
 
 impl<'c> Climber<'c> {
-    fn new(study: &'c Study, plan: &'c Plan, means: Means<'c>) -> Self {
+    fn new(study: &'c Study, plan: &'c Plan, context: RunContext<'c>) -> Self {
         Self {
             study,
             plan,
-            means,
+            context,
             deadline: None,
             rungs: Vec::new(),
             walls_s: Vec::new(),
@@ -150,7 +154,7 @@ impl<'c> Climber<'c> {
                 Err(error) => return Err(error),
             }
         }
-        match with_effects(self.points, self.study, self.plan, &mut best, self.means) {
+        match with_effects(self.points, self.study, self.plan, &mut best, self.context) {
             // They are worth knowing, not worth the answer.
             Err(RunError::Stopped) if self.is_late() => {}
             other => other?,
@@ -170,9 +174,11 @@ impl<'c> Climber<'c> {
 
     fn rung(&mut self, fidelity: Fidelity) -> Result<StudyResult, RunError> {
         let mut study = fidelity.raise(self.study);
-        study.method.tolerance = study.method.tolerance.min(self.of_method);
-        let plan = Plan::new(&study)?;
-        let (result, points) = run_from(self.points, &study, &plan, self.means)?;
+        if fidelity.kind.is_adaptive() {
+            study.method.tolerance = study.method.tolerance.min(self.of_method);
+        }
+        let plan = self.plan.raised(self.study, &study)?;
+        let (result, points) = run_from(self.points, &study, &plan, self.context)?;
         self.points += points;
         self.walls_s.push(result.cost.wall_s);
         self.rungs.push(ClimbRung {
@@ -226,7 +232,7 @@ impl<'c> Climber<'c> {
         let mut scene = self.study.scene.clone();
         let mut cells = |level| {
             scene.model.level = level;
-            self.means.solver.cells(&scene) as f64
+            self.context.solver.cells(&scene) as f64
         };
         let size = (cells(to.level) / cells(from.level)).powf(GROWTH);
         let adapting = if from.kind == to.kind {

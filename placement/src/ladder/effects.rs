@@ -10,7 +10,7 @@ use fem_client::solver::{Choice, Omission, Response};
 
 use crate::result::StudyResult;
 use crate::run::archive::Outcome;
-use crate::run::{Means, RunError, outcomes_of};
+use crate::run::{RunContext, RunError, outcomes_of};
 use crate::score::quantity::at_locations;
 use crate::study::Study;
 use crate::study::plan::Plan;
@@ -24,14 +24,14 @@ pub(crate) fn measure(
     study: &Study,
     plan: &Plan,
     result: &mut StudyResult,
-    means: Means<'_>,
+    context: RunContext<'_>,
 ) -> Result<(), RunError> {
     if result.model.level == Level::Draft.as_str() {
         return Ok(());
     }
     let mut plain = plan.points[0].clone();
     plain.model.level = Level::Coarse;
-    let richer: Vec<(Omission, Scene)> = means
+    let richer: Vec<(Omission, Scene)> = context
         .solver
         .omissions(&plain)
         .into_iter()
@@ -47,7 +47,7 @@ pub(crate) fn measure(
         .chain(richer.iter().map(|(_, scene)| scene.clone()))
         .collect();
     let values = vec![plan.values()[0].clone(); scenes.len()];
-    let outcomes = match outcomes_of(&scenes, &values, &study.readout(), first, means) {
+    let outcomes = match outcomes_of(&scenes, &values, &study.readout(), first, context) {
         Ok(outcomes) => outcomes,
         // Without the coarse mesh there is nothing to compare with: that costs the effects, not the study.
         Err(RunError::PointsFailed { .. } | RunError::Refused { .. }) => return Ok(()),

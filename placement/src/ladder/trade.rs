@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use crate::ladder::fidelity::{Fidelity, FidelityReport};
 use crate::result::{RankedLocation, StudyResult};
 use crate::run::memory::MemoryArchive;
-use crate::run::{Means, Observer, RunError, run};
+use crate::run::{Observer, RunContext, RunError, run};
 use crate::score::location_scores::GSI;
 use crate::study::Study;
 use crate::study::directions::Directions;
@@ -94,7 +94,7 @@ pub fn answer(
     let study = fidelity.apply(study);
     let plan = Plan::new(&study)?;
     let archive = MemoryArchive::default();
-    let means = Means {
+    let context = RunContext {
         solver,
         archive: &archive,
         threads,
@@ -102,7 +102,7 @@ pub fn answer(
         pause: None,
         observer,
     };
-    run(&study, &plan, means)
+    run(&study, &plan, context)
 }
 
 /// Compares the answers of all rungs with the reference's.

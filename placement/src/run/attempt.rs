@@ -12,11 +12,11 @@ use super::finite::not_finite;
 use crate::run::archive::{Outcome, Unsolved};
 
 /// What a solve found and what it took.
-pub(super) type Answer = (Outcome, Cost);
+pub(super) type Costed = (Outcome, Cost);
 
 /// An answer, with the state from which others may start if there is one.
 pub(super) struct Found {
-    pub answer: Answer,
+    pub answer: Costed,
     pub state: Option<StartState>,
     /// True of the request, whoever asks and whenever: worth keeping. What a broken solver left isn't.
     pub lasting: bool,

@@ -40,13 +40,13 @@ use crate::study::plan::Plan;
 ///
 /// # Errors
 /// See [`RunError`].
-pub fn run(study: &Study, plan: &Plan, means: Means<'_>) -> Result<StudyResult, RunError> {
-    run_from(0, study, plan, means).map(|(result, _)| result)
+pub fn run(study: &Study, plan: &Plan, context: RunContext<'_>) -> Result<StudyResult, RunError> {
+    run_from(0, study, plan, context).map(|(result, _)| result)
 }
 
 /// What a study is run with.
 #[derive(Clone, Copy)]
-pub struct Means<'r> {
+pub struct RunContext<'r> {
     /// Who solves.
     pub solver: &'r dyn Solver,
     /// Where solved points are kept.
@@ -62,23 +62,24 @@ pub struct Means<'r> {
     pub observer: Observer<'r>,
 }
 
-/// The same where the points have ordinals from `first` on; also says how many there were.
+/// Runs a study whose points have ordinals from `first` on; also says how many there were.
 pub(crate) fn run_from(
     first: usize,
     study: &Study,
     plan: &Plan,
-    means: Means<'_>,
+    context: RunContext<'_>,
 ) -> Result<(StudyResult, usize), RunError> {
-    let Means {
+    let RunContext {
         solver, observer, ..
-    } = means;
+    } = context;
     let (begun, cpu_before) = (Instant::now(), cpu_s());
     let mut plan = plan.clone();
     let coarser = solver.coarser(&study.scene);
     let meshes = 1 + usize::from(coarser.is_some());
     let readout = study.readout();
-    let answers =
-        |plan: &Plan, place: Place| answers_of(&plan.points, plan.values(), &readout, place, means);
+    let answers = |plan: &Plan, place: Place| {
+        answers_of(&plan.points, plan.values(), &readout, place, context)
+    };
     let mut solved = 0;
     let (outcomes, costs) = loop {
         let place = Place {
@@ -128,21 +129,21 @@ fn answers_of(
     values: &[Vec<f64>],
     readout: &Readout,
     place: Place,
-    means: Means<'_>,
+    context: RunContext<'_>,
 ) -> Result<Answers, RunError> {
     let points = Points {
         scenes,
         values,
         readout,
-        solver: means.solver,
-        archive: means.archive,
-        stop: means.stop,
-        pause: means.pause,
-        observer: means.observer,
-        keys: keys(scenes, means.solver, readout),
+        solver: context.solver,
+        archive: context.archive,
+        stop: context.stop,
+        pause: context.pause,
+        observer: context.observer,
+        keys: keys(scenes, context.solver, readout),
         place,
     };
-    points.answers(means.threads)
+    points.answers(context.threads)
 }
 
 /// What further scenes answer that are no points of the plan: they have ordinals from `first` on.
@@ -151,13 +152,13 @@ pub(crate) fn outcomes_of(
     values: &[Vec<f64>],
     readout: &Readout,
     first: usize,
-    means: Means<'_>,
+    context: RunContext<'_>,
 ) -> Result<Vec<Outcome>, RunError> {
     let place = Place {
         first,
         of: first + scenes.len(),
     };
-    let answers = answers_of(scenes, values, readout, place, means)?;
+    let answers = answers_of(scenes, values, readout, place, context)?;
     Ok(answers
         .points
         .into_iter()

@@ -13,7 +13,7 @@ use fem_client::solver::{
     Cost, NoEquilibrium, Reached, Readout, SolveError, SolveRequest, Solver, StartState,
 };
 
-use super::attempt::{Answer, Found, ask};
+use super::attempt::{Costed, Found, ask};
 use super::run_error::{RunError, refusals};
 use super::run_event::{Event, Observer};
 use crate::result::{Cause, FailedPoint};
@@ -53,7 +53,7 @@ type Numbered<T> = (usize, T);
 
 /// Answers in the order of the plan, and how many of them were there already.
 pub(crate) struct Answers {
-    pub points: Vec<Answer>,
+    pub points: Vec<Costed>,
     pub reused: usize,
 }
 
@@ -91,11 +91,11 @@ const QUARANTINE: usize = 3;
 struct Suspicion {
     clean: Vec<usize>,
     suspect: Vec<usize>,
-    quarantined: Vec<Numbered<Answer>>,
+    quarantined: Vec<Numbered<Costed>>,
 }
 
 /// What is said of a point that isn't solved any more.
-fn quarantined(crashes: usize) -> Answer {
+fn quarantined(crashes: usize) -> Costed {
     let unsolved = Unsolved {
         status: NoEquilibrium::Quarantined,
         detail: format!(
@@ -172,7 +172,7 @@ impl Points<'_> {
     /// The equilibrium at the means, from the archive or solved now.
     fn cut_point(
         &self,
-        found: &mut Option<Answer>,
+        found: &mut Option<Costed>,
         done: &Mutex<usize>,
     ) -> Result<StartState, RunError> {
         if found.is_none() {
@@ -227,7 +227,7 @@ impl Points<'_> {
         start: &StartState,
         threads: usize,
         done: &Mutex<usize>,
-    ) -> Result<Vec<Numbered<Answer>>, RunError> {
+    ) -> Result<Vec<Numbered<Costed>>, RunError> {
         let next = AtomicUsize::new(0);
         let over = AtomicBool::new(false);
         let outcomes = Mutex::new(Vec::with_capacity(ordinals.len()));
@@ -277,7 +277,7 @@ impl Points<'_> {
         ordinal: usize,
         start: &StartState,
         done: &Mutex<usize>,
-    ) -> Result<Answer, Lack> {
+    ) -> Result<Costed, Lack> {
         match self.solved(ordinal, Some(start)) {
             Ok(Found {
                 answer, lasting, ..
@@ -300,8 +300,8 @@ impl Points<'_> {
     /// An archive's failure comes before a stop, a stop before refused points.
     fn sorted_out(
         &self,
-        outcomes: Vec<Numbered<Result<Answer, Lack>>>,
-    ) -> Result<Vec<Numbered<Answer>>, RunError> {
+        outcomes: Vec<Numbered<Result<Costed, Lack>>>,
+    ) -> Result<Vec<Numbered<Costed>>, RunError> {
         let (mut answers, mut failed) = (Vec::new(), Vec::new());
         let (mut stopped, mut archive) = (false, None);
         for (ordinal, outcome) in outcomes {
@@ -345,7 +345,7 @@ impl Points<'_> {
     fn save(
         &self,
         ordinal: usize,
-        (outcome, cost): &Answer,
+        (outcome, cost): &Costed,
         start: Option<&StartState>,
     ) -> Result<(), ArchiveError> {
         self.archive.save(&PointRecord {
@@ -359,7 +359,7 @@ impl Points<'_> {
     }
 
     /// Counts and reports under one lock, so that the counts arrive in order.
-    fn report(&self, ordinal: usize, (outcome, cost): &Answer, done: &Mutex<usize>) {
+    fn report(&self, ordinal: usize, (outcome, cost): &Costed, done: &Mutex<usize>) {
         let mut done = lock(done);
         *done += 1;
         let (ordinal, of) = (self.place.first + ordinal, self.place.of);

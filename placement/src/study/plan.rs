@@ -22,6 +22,26 @@ pub struct Plan {
     campaign: Campaign,
 }
 
+/// A study with its plan, which a large design takes a second to make.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlannedStudy {
+    /// The study.
+    pub study: Study,
+    /// Its points.
+    pub plan: Plan,
+}
+
+impl PlannedStudy {
+    /// Plans a study.
+    ///
+    /// # Errors
+    /// As for [`Plan::new`].
+    pub fn new(study: Study) -> Result<Self, PlanError> {
+        let plan = Plan::new(&study)?;
+        Ok(Self { study, plan })
+    }
+}
+
 /// A study that can't be planned.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PlanError {
@@ -99,6 +119,18 @@ impl Plan {
             self.points.push(scene);
         }
         Ok(())
+    }
+
+    /// The plan of a study that differs from this plan's own in mesh and method alone; another mesh has the same points.
+    ///
+    /// # Errors
+    /// As for [`Plan::new`].
+    pub(crate) fn raised(&self, own: &Study, raised: &Study) -> Result<Self, PlanError> {
+        if raised.method == own.method {
+            Ok(self.on_level(raised.level))
+        } else {
+            Self::new(raised)
+        }
     }
 
     /// The same points on another level of the mesh.

@@ -13,7 +13,7 @@ use serde_json::Value;
 use crate::study::candidate_reader::{candidates, layouts};
 use crate::study::input_reader::{read_inputs, read_name};
 use crate::study::method_reader::{Limits, read_method};
-use crate::study::plan::{Plan, PlanError};
+use crate::study::plan::{PlanError, PlannedStudy};
 use crate::study::{Accuracy, Study};
 
 /// Gives the text of a scene file, or says why it can't be had.
@@ -55,12 +55,47 @@ impl Study {
     /// # Errors
     /// Every fault of the document.
     pub fn from_value(value: &Value, resolve: Resolve<'_>) -> Result<Self, Vec<Fault>> {
+        PlannedStudy::from_value(value, resolve).map(|planned| planned.study)
+    }
+
+    /// Reads a study from its canonical text, whose plan was checked before the text was kept.
+    ///
+    /// # Errors
+    /// Every fault of the document, in this version.
+    pub fn from_canonical(text: &str) -> Result<Self, Vec<Fault>> {
+        let value = parse(text, Format::Json)?;
+        let no_files = |path: &str| Err(format!("a stored study names the file {path:?}"));
         let mut faults = Vec::new();
-        let study = read(value, resolve, &mut faults);
-        match study {
-            Some(study) if faults.is_empty() => Ok(study),
-            _ => Err(faults),
-        }
+        let study = read(&value, &no_files, &mut faults);
+        study.filter(|_| faults.is_empty()).ok_or(faults)
+    }
+}
+
+impl PlannedStudy {
+    /// Reads a study from text, as [`Study::from_document`] does, with the plan that it was checked by.
+    ///
+    /// # Errors
+    /// Every fault of the document.
+    pub fn from_document(
+        text: &str,
+        format: Format,
+        resolve: Resolve<'_>,
+    ) -> Result<Self, Vec<Fault>> {
+        let value = parse(text, format)?;
+        Self::from_value(&value, resolve)
+    }
+
+    /// Reads a study from a parsed document, with the plan that it was checked by.
+    ///
+    /// # Errors
+    /// Every fault of the document.
+    pub fn from_value(value: &Value, resolve: Resolve<'_>) -> Result<Self, Vec<Fault>> {
+        let mut faults = Vec::new();
+        // Ends of single inputs are checked with the inputs; their combinations only by the plan.
+        let planned = read(value, resolve, &mut faults)
+            .filter(|study| faults.is_empty() && are_few_enough(study, &mut faults))
+            .and_then(|study| planned(study, &mut faults));
+        planned.filter(|_| faults.is_empty()).ok_or(faults)
     }
 }
 
@@ -88,7 +123,7 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
     let (mut scene, (accuracy, level)) = (scene?, accuracy?);
     scene.model.level = level;
     let (directions, grid) = candidates?;
-    let study = Study {
+    Some(Study {
         name: name?,
         scene,
         inputs: inputs?,
@@ -98,12 +133,7 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         method: method?,
         level,
         accuracy,
-    };
-    // Ends of single inputs are checked with the inputs; their combinations only here.
-    if faults.is_empty() && are_few_enough(&study, faults) {
-        check_plan(&study, faults);
-    }
-    Some(study)
+    })
 }
 
 /// Whether the plan is small enough to be made at all. The other methods bound their designs by themselves.
@@ -121,15 +151,19 @@ fn are_few_enough(study: &Study, faults: &mut Vec<Fault>) -> bool {
     false
 }
 
-fn check_plan(study: &Study, faults: &mut Vec<Fault>) {
-    match Plan::new(study) {
-        Ok(plan) => check_map(study, plan.points.len(), faults),
-        Err(PlanError::Design(error)) => Fault::add(faults, "/inputs", error.to_string()),
-        Err(error @ PlanError::Point { .. }) => {
-            let detail = format!("the inputs together leave the ranges of the scene: {error}");
-            Fault::add(faults, "/inputs", detail);
+fn planned(study: Study, faults: &mut Vec<Fault>) -> Option<PlannedStudy> {
+    let detail = match PlannedStudy::new(study) {
+        Ok(planned) => {
+            check_map(&planned.study, planned.plan.points.len(), faults);
+            return Some(planned);
         }
-    }
+        Err(PlanError::Design(error)) => error.to_string(),
+        Err(error @ PlanError::Point { .. }) => {
+            format!("the inputs together leave the ranges of the scene: {error}")
+        }
+    };
+    Fault::add(faults, "/inputs", detail);
+    None
 }
 
 fn check_map(study: &Study, points: usize, faults: &mut Vec<Fault>) {

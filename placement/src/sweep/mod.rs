@@ -22,6 +22,7 @@ pub use wish::MOST_DESIGNS;
 use wish::{Wish, field_of, name, names, of_grid, of_list};
 
 use crate::study::Study;
+use crate::study::plan::PlannedStudy;
 use crate::study::study_reader::{LONGEST_NAME, Resolve};
 
 /// Most solves that all designs of a document ask for at first: each is planned before anything is stored.
@@ -133,19 +134,19 @@ pub fn designs_of(base: &Study, value: &Value) -> Result<Vec<Design>, Vec<Fault>
 ///
 /// # Errors
 /// Every fault of the values, at `/set/` and their path.
-pub fn changed(base: Study, set: Map<String, Value>) -> Result<Study, Vec<Fault>> {
+pub fn changed(base: PlannedStudy, set: Map<String, Value>) -> Result<PlannedStudy, Vec<Fault>> {
     if set.is_empty() {
         return Ok(base);
     }
-    let mut faults = Vec::new();
+    let (base, mut faults) = (base.study, Vec::new());
     let list = json!([{"name": base.name, "set": set}]);
     let wish = of_list(&list, "", &mut faults).and_then(|mut wishes| wishes.pop());
-    let study = wish.and_then(|wish| study_of(&base, &wish, &base.name, &mut faults));
-    match study {
-        Some(study) if faults.is_empty() => Ok(Study {
-            name: base.name,
-            ..study
-        }),
+    let planned = wish.and_then(|wish| study_of(&base, &wish, &base.name, &mut faults));
+    match planned {
+        Some(mut planned) if faults.is_empty() => {
+            planned.study.name = base.name;
+            Ok(planned)
+        }
         _ => Err(faults.into_iter().map(of_setting).collect()),
     }
 }
@@ -174,7 +175,8 @@ fn read_designs(base: &Study, fields: &Fields<'_>, faults: &mut Vec<Fault>) -> O
     let mut seen: HashMap<String, String> = HashMap::new();
     let (mut designs, mut solves) = (Vec::new(), 0_usize);
     for (wish, name) in wishes.into_iter().zip(names) {
-        let Some(study) = study_of(base, &wish, &name, faults) else {
+        // Its plan is let go: those of all designs together would be large.
+        let Some(PlannedStudy { study, .. }) = study_of(base, &wish, &name, faults) else {
             continue;
         };
         solves = solves.saturating_add(study.method.first_points(study.inputs.len()));
@@ -206,7 +208,12 @@ pub fn nameless(study: &Study) -> String {
 }
 
 /// The study of a design; its faults stand where the values do.
-fn study_of(base: &Study, wish: &Wish, name: &str, faults: &mut Vec<Fault>) -> Option<Study> {
+fn study_of(
+    base: &Study,
+    wish: &Wish,
+    name: &str,
+    faults: &mut Vec<Fault>,
+) -> Option<PlannedStudy> {
     let (of_study, of_scene): (Vec<_>, Vec<_>) = wish
         .set
         .iter()
@@ -237,14 +244,14 @@ fn study_of(base: &Study, wish: &Wish, name: &str, faults: &mut Vec<Fault>) -> O
         }
         put_in(&mut document, path, value.clone(), &mut found);
     }
-    let study = if found.is_empty() {
+    let planned = if found.is_empty() {
         let no_files = |path: &str| Err(format!("a design names the file {path:?}"));
-        Study::from_value(&document, &no_files)
+        PlannedStudy::from_value(&document, &no_files)
     } else {
         Err(found)
     };
-    match study {
-        Ok(study) => Some(study),
+    match planned {
+        Ok(planned) => Some(planned),
         Err(found) => {
             found
                 .iter()

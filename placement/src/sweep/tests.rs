@@ -1,6 +1,7 @@
 use serde_json::json;
 
 use super::*;
+use crate::study::plan::Plan;
 use crate::study::presets;
 use fem_client::document::{Format, parse};
 
@@ -182,9 +183,12 @@ fn a_study_is_changed_as_a_design_is_and_keeps_its_name() {
     let base = read(json!({"grid": {"geometry.wall_mm": [2]}}))
         .unwrap()
         .base;
-    let set = |value: Value| changed(base.clone(), value.as_object().unwrap().clone());
-    assert_eq!(set(json!({})).unwrap(), base);
-    let study = set(json!({"geometry.wall_mm": 2.5, "method.nodes": 3})).unwrap();
+    let planned = PlannedStudy::new(base.clone()).unwrap();
+    let set = |value: Value| changed(planned.clone(), value.as_object().unwrap().clone());
+    assert_eq!(set(json!({})).unwrap(), planned);
+    let changed = set(json!({"geometry.wall_mm": 2.5, "method.nodes": 3})).unwrap();
+    let study = changed.study;
+    assert_eq!(changed.plan, Plan::new(&study).unwrap());
     assert_eq!((&study.name, study.method.nodes), (&base.name, 3));
     let mut scene = base.scene.clone();
     scene.set("geometry.wall_mm", &json!(2.5)).unwrap();

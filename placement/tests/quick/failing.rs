@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{NoEquilibrium, SolveError, SolveRequest, Solver};
 use gsa::method::{Kind, Method};
-use placement::run::{Event, Means, RunError, run};
+use placement::run::{Event, RunContext, RunError, run};
 use placement::study::Study;
 use placement::study::plan::Plan;
 
@@ -100,7 +100,7 @@ fn a_point_without_equilibrium_is_solved_once_and_the_result_is_the_same_to_the_
             stop.store(true, Ordering::Relaxed);
         }
     };
-    let means = Means {
+    let context = RunContext {
         solver: &solver,
         archive: &archive,
         threads: 1,
@@ -108,7 +108,7 @@ fn a_point_without_equilibrium_is_solved_once_and_the_result_is_the_same_to_the_
         pause: None,
         observer: &stop_at_the_second_failure,
     };
-    let stopped = run(&study, &plan, means);
+    let stopped = run(&study, &plan, context);
     assert_eq!(stopped, Err(RunError::Stopped));
     let resumed = observed(&study, &solver, &archive, 3).0.unwrap();
     assert_eq!(text(&resumed), undisturbed);
@@ -131,7 +131,7 @@ fn what_a_solve_says_while_it_is_stopped_is_not_kept() {
         Some(error)
     });
     let stop = AtomicBool::new(false);
-    let means = Means {
+    let context = RunContext {
         solver: &solver,
         archive: &archive,
         threads: 1,
@@ -139,7 +139,7 @@ fn what_a_solve_says_while_it_is_stopped_is_not_kept() {
         pause: None,
         observer: &|_| {},
     };
-    let stopped = run(&study, &plan, means);
+    let stopped = run(&study, &plan, context);
     assert_eq!(stopped, Err(RunError::Stopped));
     let stored = archive.points.lock().unwrap();
     assert!(!stored.is_empty());

@@ -7,7 +7,7 @@ use std::time::Duration;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{SolveError, SolveRequest};
 use placement::run::usage::cpu_s;
-use placement::run::{Event, Means, RunError, run};
+use placement::run::{Event, RunContext, RunError, run};
 use placement::study::plan::Plan;
 
 use crate::support::{MemoryArchive, Twisted, observed, shipped, text};
@@ -44,7 +44,7 @@ fn a_stopped_run_goes_on_where_it_ended_and_gives_the_same_bits() {
             stop.store(true, Ordering::Relaxed);
         }
     };
-    let means = Means {
+    let context = RunContext {
         solver: &solver,
         archive: &archive,
         threads: 2,
@@ -52,7 +52,7 @@ fn a_stopped_run_goes_on_where_it_ended_and_gives_the_same_bits() {
         pause: None,
         observer: &stop_at_nine,
     };
-    let stopped = run(&study, &plan, means);
+    let stopped = run(&study, &plan, context);
     assert_eq!(stopped, Err(RunError::Stopped));
     // The other thread may have been in the middle of one more solve.
     let stored = archive.points.lock().unwrap().len();
@@ -88,7 +88,7 @@ fn a_run_that_is_paused_again_and_again_comes_to_its_end() {
     let solver = Twisted::new(|_: &SolveRequest<'_>| None);
     let archive = MemoryArchive::default();
     let (stop, pause) = (AtomicBool::new(false), AtomicBool::new(true));
-    let means = Means {
+    let context = RunContext {
         solver: &solver,
         archive: &archive,
         threads: 2,
@@ -98,7 +98,7 @@ fn a_run_that_is_paused_again_and_again_comes_to_its_end() {
     };
     let mut stored = Vec::new();
     let result = loop {
-        match run(&study, &plan, means) {
+        match run(&study, &plan, context) {
             Err(RunError::Paused) => stored.push(archive.points.lock().unwrap().len()),
             other => break other.unwrap(),
         }

@@ -10,7 +10,7 @@ use fem_client::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartSt
 use placement::ladder::climb::answer;
 use placement::result::{StudyCost, StudyResult};
 use placement::run::archive::{Archive, ArchiveError, Outcome, PointRecord};
-use placement::run::{Event, Means, RunError};
+use placement::run::{Event, RunContext, RunError};
 use placement::study::plan::Plan;
 use placement::study::{Study, presets};
 
@@ -117,7 +117,7 @@ pub fn observed(
     let stop = AtomicBool::new(false);
     let plan = Plan::new(study).unwrap();
     let observer = |event| events.lock().unwrap().push(event);
-    let means = Means {
+    let context = RunContext {
         solver,
         archive,
         threads,
@@ -125,7 +125,7 @@ pub fn observed(
         pause: None,
         observer: &observer,
     };
-    let result = answer(study, &plan, means);
+    let result = answer(study, &plan, context);
     (result, events.into_inner().unwrap())
 }
 

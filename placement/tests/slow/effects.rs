@@ -7,7 +7,7 @@ use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, Response, SolveRequest, Solver};
 use placement::ladder::climb;
 use placement::ladder::effects::effect;
-use placement::run::Means;
+use placement::run::RunContext;
 use placement::run::memory::MemoryArchive;
 use placement::study::Study;
 use placement::study::plan::Plan;
@@ -43,7 +43,7 @@ fn stated_and_true(study: &Study) -> Vec<(String, f64, f64)> {
     let solver = EmbeddedSolver::default();
     let stop = AtomicBool::new(false);
     let plan = Plan::new(study).expect("a plan");
-    let means = Means {
+    let context = RunContext {
         solver: &solver,
         archive: &MemoryArchive::default(),
         threads: 2,
@@ -51,7 +51,7 @@ fn stated_and_true(study: &Study) -> Vec<(String, f64, f64)> {
         pause: None,
         observer: &|_| (),
     };
-    let result = climb::answer(study, &plan, means).expect("an answer");
+    let result = climb::answer(study, &plan, context).expect("an answer");
     let mut cut = plan.points[0].clone();
     cut.model.level = Level::Standard;
     let plain = solved(&cut);

@@ -11,9 +11,10 @@ use fem_client::solver::Solver;
 use placement::ladder::climb;
 use placement::result::{Estimate, FailedPoint, StudyResult};
 use placement::run::usage::{cpu_s, peak_memory_bytes};
-use placement::run::{Event, Means, RunError};
+use placement::run::{Event, RunContext, RunError};
 use placement::score::assemble::version;
 use placement::study::Study;
+use placement::study::plan::PlannedStudy;
 use serde_json::{Value, json};
 use tokio::runtime::Handle;
 
@@ -97,8 +98,8 @@ impl Engine {
         // Of the highest level, so that no filter takes the study's name from a line that it lets through.
         let span = tracing::error_span!("study", study = row.id);
         let _entered = span.enter();
-        let (study, plan) = match stored_plan(row) {
-            Ok(read) => read,
+        let planned = match stored_plan(row) {
+            Ok(planned) => Arc::new(planned),
             Err(error) => return End::failed(error),
         };
         let archive = StoreArchive::new(
@@ -116,7 +117,7 @@ impl Engine {
             progress(&event);
         };
         let solver = Traced::new(self.solver.clone(), span.clone());
-        let means = Means {
+        let context = RunContext {
             solver: &solver,
             archive: &archive,
             threads: self.threads,
@@ -125,9 +126,9 @@ impl Engine {
             observer: &observer,
         };
         let begun = (Instant::now(), cpu_s());
-        let estimate = runtime.block_on(self.estimated(row, &study));
-        if let Some(Answered { mut result, points }) = runtime.block_on(self.answered(row, &study))
-        {
+        let PlannedStudy { study, plan } = &*planned;
+        let estimate = runtime.block_on(self.estimated(row, &planned));
+        if let Some(Answered { mut result, points }) = runtime.block_on(self.answered(row, study)) {
             observer(Event::Started {
                 points,
                 reused: points,
@@ -138,7 +139,7 @@ impl Engine {
             result.cost.peak_memory_bytes = peak_memory_bytes();
             return End::Done(Box::new(result));
         }
-        match climb::answer(&study, &plan, means) {
+        match climb::answer(study, plan, context) {
             Ok(mut result) => {
                 result.estimate = estimate;
                 result.study.id.clone_from(&row.id);
@@ -168,8 +169,9 @@ impl Engine {
     }
 
     /// What the study is expected to take, stored with it. Not worth a study: without it the study runs too.
-    async fn estimated(&self, row: &StudyRow, study: &Study) -> Option<Estimate> {
-        let estimate = match forecast(Some(&self.store), &self.solver, self.threads, study).await {
+    async fn estimated(&self, row: &StudyRow, planned: &Arc<PlannedStudy>) -> Option<Estimate> {
+        let store = Some(&*self.store);
+        let estimate = match forecast(store, &self.solver, self.threads, planned).await {
             Ok(estimate) => estimate,
             Err(error) => {
                 tracing::warn!(%error, "the study's cost could not be estimated");

@@ -8,7 +8,7 @@ use fem_client::solver::Solver;
 use placement::estimate::{Machine, Workload, estimate};
 use placement::result::Estimate;
 use placement::study::Study;
-use placement::study::plan::PlanError;
+use placement::study::plan::{PlanError, PlannedStudy};
 use placement::sweep::Sweep;
 
 use crate::wire::sweep_wire::{DesignEstimate, SweepEstimate};
@@ -49,9 +49,9 @@ pub async fn forecast(
     store: Option<&Store>,
     solver: &Arc<dyn Solver>,
     threads: usize,
-    study: &Study,
+    planned: &Arc<PlannedStudy>,
 ) -> Result<Estimate, ForecastError> {
-    let work = planned(solver, study, Workload::of).await?;
+    let work = workload(solver, planned, Workload::of).await?;
     let (mut known, mut samples) = (HashSet::new(), Vec::new());
     if let Some(store) = store {
         let keys: Vec<&str> = work.keys().collect();
@@ -68,15 +68,25 @@ fn solves_at_once(threads: usize) -> usize {
     threads.min(cores)
 }
 
-/// A large design takes a second to plan, which the runtime's threads haven't.
-async fn planned(
+/// Plans a study. A large design takes a second, which the runtime's threads haven't.
+///
+/// # Errors
+/// [`ForecastError::Plan`]; when planning panics.
+pub async fn plan_study(study: &Study) -> Result<Arc<PlannedStudy>, ForecastError> {
+    let study = study.clone();
+    let planned = tokio::task::spawn_blocking(move || PlannedStudy::new(study));
+    Ok(Arc::new(planned.await.map_err(|_| ForecastError::Broken)??))
+}
+
+/// What a planned study asks of a solver, which takes as long again.
+async fn workload(
     solver: &Arc<dyn Solver>,
-    study: &Study,
-    plan: fn(&Study, &dyn Solver) -> Result<Workload, PlanError>,
+    planned: &Arc<PlannedStudy>,
+    of: fn(&PlannedStudy, &dyn Solver) -> Workload,
 ) -> Result<Workload, ForecastError> {
-    let (solver, study) = (solver.clone(), study.clone());
-    let planned = tokio::task::spawn_blocking(move || plan(&study, solver.as_ref()));
-    Ok(planned.await.map_err(|_| ForecastError::Broken)??)
+    let (solver, planned) = (solver.clone(), planned.clone());
+    let work = tokio::task::spawn_blocking(move || of(&planned, solver.as_ref()));
+    work.await.map_err(|_| ForecastError::Broken)
 }
 
 /// What the designs of a sweep would cost, one after the other: what one of them solves is known to those after it.
@@ -91,7 +101,7 @@ pub async fn forecast_sweep(
 ) -> Result<SweepEstimate, ForecastError> {
     let (mut known, mut samples, mut designs) = (HashSet::new(), None, Vec::new());
     for design in &sweep.designs {
-        let work = planned(solver, &design.study, Workload::of).await?;
+        let work = workload(solver, &plan_study(&design.study).await?, Workload::of).await?;
         if let Some(store) = store {
             let keys: Vec<&str> = work.keys().collect();
             let mut connection = store.read().await?;
@@ -112,15 +122,7 @@ pub async fn forecast_sweep(
 }
 
 /// What a study takes of memory with so many solves at once, bytes.
-///
-/// # Errors
-/// When it can't be planned.
-pub fn memory_bytes(study: &Study, solver: &dyn Solver, threads: usize) -> Result<u64, PlanError> {
-    let work = Workload::without_keys(study, solver)?;
-    Ok(memory_of(&work, threads))
-}
-
-fn memory_of(work: &Workload, threads: usize) -> u64 {
+pub fn memory_bytes(work: &Workload, threads: usize) -> u64 {
     let machine = Machine::new(solves_at_once(threads));
     estimate(work, &HashSet::new(), &machine).peak_memory_bytes
 }
@@ -128,15 +130,15 @@ fn memory_of(work: &Workload, threads: usize) -> u64 {
 /// Refuses a study that would take more memory than it may, before anything of it is allocated.
 ///
 /// # Errors
-/// [`ForecastError::Memory`]; when the study can't be planned.
+/// [`ForecastError::Memory`]; when planning panics.
 pub async fn admit(
     solver: &Arc<dyn Solver>,
     threads: usize,
     there_bytes: u64,
-    study: &Study,
+    planned: &Arc<PlannedStudy>,
 ) -> Result<(), ForecastError> {
-    let work = planned(solver, study, Workload::without_keys).await?;
-    let needed_bytes = memory_of(&work, threads);
+    let work = workload(solver, planned, Workload::without_keys).await?;
+    let needed_bytes = memory_bytes(&work, threads);
     if needed_bytes > there_bytes {
         return Err(ForecastError::Memory {
             needed_bytes,

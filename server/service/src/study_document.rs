@@ -8,7 +8,7 @@ use std::path::Path;
 use fem_client::document::Format;
 use fem_client::document::fault::Fault;
 use placement::study::Study;
-use placement::study::plan::Plan;
+use placement::study::plan::PlannedStudy;
 use placement::sweep::{changed, typed_settings};
 
 use store::queue::study_rows::StudyRow;
@@ -26,21 +26,18 @@ pub fn stored_study(row: &StudyRow) -> Result<Study, String> {
 /// # Errors
 /// As for [`stored_study`].
 pub fn stored_text(spec: &str) -> Result<Study, String> {
-    let refuse = |path: &str| Err(format!("a stored study names the file {path:?}"));
-    Study::from_document(spec, Format::Json, &refuse).map_err(|faults| {
+    Study::from_canonical(spec).map_err(|faults| {
         let first = faults.first().map(Fault::to_string).unwrap_or_default();
         format!("this version refuses the stored document: {first}")
     })
 }
 
-/// The same with its plan, which a large design takes a second to make.
+/// The study that a row of the database asks for, with its plan.
 ///
 /// # Errors
 /// As for [`stored_study`]; when it can't be planned.
-pub fn stored_plan(row: &StudyRow) -> Result<(Study, Plan), String> {
-    let study = stored_study(row)?;
-    let plan = Plan::new(&study).map_err(|error| error.to_string())?;
-    Ok((study, plan))
+pub fn stored_plan(row: &StudyRow) -> Result<PlannedStudy, String> {
+    PlannedStudy::new(stored_study(row)?).map_err(|error| error.to_string())
 }
 
 /// Reads a text file, or says in a fault why it can't be read.
@@ -61,7 +58,7 @@ pub fn read_file(path: &Path) -> Result<String, Vec<Fault>> {
 ///
 /// # Errors
 /// Every fault of the document.
-pub fn read_study(text: &str, path: &Path) -> Result<Study, Vec<Fault>> {
+pub fn read_study(text: &str, path: &Path) -> Result<PlannedStudy, Vec<Fault>> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let scene_file = |name: &str| {
         let beside = folder.join(name);
@@ -73,14 +70,14 @@ pub fn read_study(text: &str, path: &Path) -> Result<Study, Vec<Fault>> {
         std::fs::read_to_string(&file)
             .map_err(|error| format!("{} can't be read: {error}", file.display()))
     };
-    Study::from_document(text, format_of(path), &scene_file)
+    PlannedStudy::from_document(text, format_of(path), &scene_file)
 }
 
 /// Reads a study file, with the fields that are set by texts of the form `KEY=VALUE`.
 ///
 /// # Errors
 /// Every fault of the file, or else of what is set.
-pub fn read_changed(path: &Path, set: &[String]) -> Result<Study, Vec<Fault>> {
+pub fn read_changed(path: &Path, set: &[String]) -> Result<PlannedStudy, Vec<Fault>> {
     let study = read_study(&read_file(path)?, path)?;
     changed(study, typed_settings(set)?)
 }

@@ -22,7 +22,7 @@ use tire::embedded::EmbeddedSolver;
 
 use placement::result::{Output, StudyResult};
 use placement::run::memory::MemoryArchive;
-use placement::run::{Means, run};
+use placement::run::{RunContext, run};
 use placement::study::directions::Directions;
 use placement::study::plan::Plan;
 use placement::study::{Accuracy, Input, Layouts, Study};
@@ -103,7 +103,7 @@ fn answer(
     stop: &AtomicBool,
 ) -> Result<StudyResult, Unsolved> {
     let plan = Plan::new(study).map_err(|fault| Unsolved::Other(fault.to_string()))?;
-    let means = Means {
+    let context = RunContext {
         solver: &OneMesh(solver),
         archive: &MemoryArchive::default(),
         threads: 1,
@@ -111,7 +111,7 @@ fn answer(
         pause: None,
         observer: &|_| {},
     };
-    run(study, &plan, means).map_err(|fault| Unsolved::Other(fault.to_string()))
+    run(study, &plan, context).map_err(|fault| Unsolved::Other(fault.to_string()))
 }
 
 /// Largest difference of two lists of indices.

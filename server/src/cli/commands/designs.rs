@@ -18,7 +18,7 @@ use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::progress::say_failed;
 use service::engine::{End, Engine};
 use service::forecast::memory_bytes;
-use service::study_document::stored_study;
+use service::study_document::stored_plan;
 use store::StoreError;
 use store::queue::sweep_rows::DesignRow;
 use store::queue::turns;
@@ -38,8 +38,10 @@ impl Crew<'_> {
     /// Runs those of the designs that have not ended, each to its end, whatever that is; false when the user asked to stop.
     pub fn run(&self, designs: &[DesignRow], bar: &ProgressBar) -> Result<bool, Failure> {
         let open: Vec<&DesignRow> = designs.iter().filter(|d| !d.study.ended()).collect();
-        let groups = groups(&open, self.engine.solver.as_ref());
-        let at_once = self.at_once(&open, groups.len());
+        let solver = self.engine.solver.as_ref();
+        let works: Vec<Option<Workload>> = open.iter().map(|d| workload(d, solver)).collect();
+        let groups = grouped(works.iter().map(keys));
+        let at_once = self.at_once(&works, groups.len());
         let progress = Progress::new(bar, designs.len(), open.len());
         let (next, failed) = (AtomicUsize::new(0), Mutex::new(None));
         let work = |threads: usize| {
@@ -82,12 +84,8 @@ impl Crew<'_> {
     }
 
     /// Designs that fit beside each other.
-    fn at_once(&self, designs: &[&DesignRow], groups: usize) -> usize {
-        let solver = self.engine.solver.as_ref();
-        let needed = designs.iter().filter_map(|design| {
-            let study = stored_study(&design.study).ok()?;
-            memory_bytes(&study, solver, 1).ok()
-        });
+    fn at_once(&self, works: &[Option<Workload>], groups: usize) -> usize {
+        let needed = works.iter().flatten().map(|work| memory_bytes(work, 1));
         let largest = needed.max().unwrap_or(1).max(1);
         let fit = usize::try_from(self.memory_bytes / largest).unwrap_or(usize::MAX);
         self.engine.threads.min(groups).min(fit).max(1)
@@ -118,20 +116,19 @@ impl Crew<'_> {
     }
 }
 
-/// Designs by their places, those that share a point in one group.
-fn groups(designs: &[&DesignRow], solver: &dyn Solver) -> Vec<Vec<usize>> {
-    let keys = designs.iter().map(|design| {
-        // What can't be planned fails by itself.
-        let study = stored_study(&design.study).ok();
-        let work = study.and_then(|study| Workload::of(&study, solver).ok());
-        let keys = work
-            .as_ref()
-            .map(|work| work.keys().map(str::to_owned).collect());
-        keys.unwrap_or_default()
-    });
-    grouped(keys)
+/// What a design asks of a solver; what can't be planned fails by itself.
+fn workload(design: &DesignRow, solver: &dyn Solver) -> Option<Workload> {
+    let planned = stored_plan(&design.study).ok()?;
+    Some(Workload::of(&planned, solver))
 }
 
+fn keys(work: &Option<Workload>) -> Vec<String> {
+    let keys = work.iter().flat_map(Workload::keys);
+    keys.map(str::to_owned).collect()
+}
+
+/// Designs by their places, those that share a key in one group.
+///
 /// A forest, in which each design points to an earlier one of its group, and the first of a group to itself.
 fn grouped(designs: impl Iterator<Item = Vec<String>>) -> Vec<Vec<usize>> {
     let mut earlier: Vec<usize> = Vec::new();

@@ -7,6 +7,7 @@ use clap::Args;
 use fem_client::solver::NoEquilibrium;
 use placement::result::{FailedPoint, StudyResult};
 use placement::study::Study;
+use placement::study::plan::PlannedStudy;
 use serde_json::json;
 use tokio::runtime::Runtime;
 
@@ -54,15 +55,16 @@ pub struct Run {
 impl Run {
     /// Runs the study and prints its answer.
     pub fn execute(&self) -> Result<(), Failure> {
-        let study = read_changed(&self.study, &self.set).map_err(Failure::Input)?;
+        let planned = read_changed(&self.study, &self.set).map_err(Failure::Input)?;
+        let planned = Arc::new(planned);
         let runtime = Runtime::new().map_err(Failure::other)?;
         if self.dry_run {
-            return self.estimate(&runtime, &study);
+            return self.estimate(&runtime, &planned);
         }
         let solver = self.solver.solver().map_err(Failure::other)?;
         let (threads, memory_bytes) = (self.config.threads(), self.config.memory_bytes());
         runtime
-            .block_on(admit(&solver, threads, memory_bytes, &study))
+            .block_on(admit(&solver, threads, memory_bytes, &planned))
             .map_err(|error| Failure::input(error.to_string()))?;
         let store = runtime
             .block_on(Store::open(&self.config.db))
@@ -73,21 +75,21 @@ impl Run {
             threads,
             metrics: Metrics::new(),
         };
-        let end = self.solve(&runtime, &engine, &study);
+        let end = self.solve(&runtime, &engine, &planned.study);
         runtime.block_on(engine.store.close());
         self.answer(end?)
     }
 
-    fn estimate(&self, runtime: &Runtime, study: &Study) -> Result<(), Failure> {
+    fn estimate(&self, runtime: &Runtime, planned: &Arc<PlannedStudy>) -> Result<(), Failure> {
         let solver = self.solver.solver().map_err(Failure::other)?;
         let threads = self.config.threads();
         let estimate = estimated(runtime, &self.config.db, async |store| {
-            forecast(store, &solver, threads, study).await
+            forecast(store, &solver, threads, planned).await
         })?;
         if let Some(target) = &self.json {
             target.write(&estimate)?;
         }
-        tell(&dry_run(&study.name, &estimate), self.json.as_ref())
+        tell(&dry_run(&planned.study.name, &estimate), self.json.as_ref())
     }
 
     fn solve(&self, runtime: &Runtime, engine: &Engine, study: &Study) -> Result<End, Failure> {

@@ -22,7 +22,7 @@ use crate::cli::terminal::signals::stop_flag;
 use crate::config::Config;
 use service::comparison::of_designs;
 use service::engine::Engine;
-use service::forecast::{admit, forecast_sweep};
+use service::forecast::{admit, forecast_sweep, plan_study};
 use service::metrics::Metrics;
 use service::queue::recover;
 use service::study_document::{read_changed, stored_text};
@@ -101,7 +101,7 @@ impl Sweep {
     }
 
     fn plan(&self, path: &std::path::Path) -> Result<Plan, Failure> {
-        let base = read_changed(path, &self.set).map_err(Failure::Input)?;
+        let base = read_changed(path, &self.set).map_err(Failure::Input)?.study;
         let grid = typed_grid(&self.grid).map_err(Failure::Input)?;
         sweep_of(base, self.name.as_deref(), &grid).map_err(Failure::Input)
     }
@@ -174,7 +174,10 @@ impl Sweep {
         let admit_all = |designs: &[Design]| {
             let there = self.config.memory_bytes();
             designs.iter().try_for_each(|design| {
-                let admitted = admit(&engine.solver, engine.threads, there, &design.study);
+                let admitted = async {
+                    let planned = plan_study(&design.study).await?;
+                    admit(&engine.solver, engine.threads, there, &planned).await
+                };
                 runtime
                     .block_on(admitted)
                     .map_err(|error| Failure::input(format!("{}: {error}", design.name)))

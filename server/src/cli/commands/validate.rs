@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use fem_client::document::parse;
 use fem_client::scene::Scene;
-use placement::study::plan::Plan;
+use placement::study::plan::PlannedStudy;
 use serde_json::Value;
 
 use crate::cli::terminal::exit::Failure;
@@ -33,8 +33,7 @@ impl Validate {
     }
 
     fn study(&self, text: &str) -> Result<String, Failure> {
-        let study = read_study(text, &self.file).map_err(Failure::Input)?;
-        let plan = Plan::new(&study).map_err(|error| Failure::input(error.to_string()))?;
+        let PlannedStudy { study, plan } = read_study(text, &self.file).map_err(Failure::Input)?;
         let (inputs, points) = (study.inputs.len(), plan.points.len());
         Ok(format!(
             "{}: study {:?}, {inputs} inputs, {points} solves\n",

@@ -3,6 +3,7 @@
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use axum::body::Body;
@@ -11,7 +12,7 @@ use axum::http::{HeaderMap, StatusCode, header};
 use fem_client::document::fault::Fault;
 use fem_client::document::{Format, MAX_BYTES, parse};
 use http_body_util::BodyExt;
-use placement::study::Study;
+use placement::study::plan::PlannedStudy;
 use placement::sweep::Sweep;
 use serde_json::Value;
 use tokio::sync::Semaphore;
@@ -70,8 +71,8 @@ impl Document {
 
 /// A checked study from a request's body.
 pub struct StudyBody {
-    /// The study.
-    pub study: Study,
+    /// The study with its plan.
+    pub planned: Arc<PlannedStudy>,
 }
 
 impl<S: Send + Sync> FromRequest<S> for StudyBody {
@@ -79,8 +80,10 @@ impl<S: Send + Sync> FromRequest<S> for StudyBody {
 
     async fn from_request(request: Request, state: &S) -> Result<Self, Problem> {
         let document = Document::from_request(request, state).await?;
-        let study = document.checked(|value| Study::from_value(value, &no_files));
-        study.await.map(|study| Self { study })
+        let planned = document.checked(|value| PlannedStudy::from_value(value, &no_files));
+        planned.await.map(|planned| Self {
+            planned: Arc::new(planned),
+        })
     }
 }
 

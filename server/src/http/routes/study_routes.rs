@@ -75,16 +75,16 @@ async fn submit(
         &engine.solver,
         engine.threads,
         state.memory_bytes,
-        &body.study,
+        &body.planned,
     )
     .await;
     admitted.map_err(refused)?;
     let id = state
         .queue
-        .submit(&body.study, priority, key)
+        .submit(&body.planned.study, priority, key)
         .await
         .map_err(unsubmitted)?;
-    tracing::info!(study = id, name = ?body.study.name, "study accepted");
+    tracing::info!(study = id, name = ?body.planned.study.name, "study accepted");
     let study = known(&state.store, &id).await?;
     Ok(accepted(&study))
 }
@@ -259,7 +259,7 @@ async fn estimate(
         Some(&state.store),
         &engine.solver,
         engine.threads,
-        &body.study,
+        &body.planned,
     )
     .await;
     estimate.map(Json).map_err(refused)

@@ -19,7 +19,7 @@ use crate::http::edge::problem_document::Problem;
 use crate::http::routes::study_routes::{
     PageQuery, SubmitQuery, idempotency_key, page_limit, priority, refused, unsubmitted,
 };
-use service::forecast::{admit, forecast_sweep};
+use service::forecast::{admit, forecast_sweep, plan_study};
 use service::study_document::stored_text;
 use service::wire::examples::{absent, crowded, faults};
 use service::wire::study_wire::ProblemDocument;
@@ -86,7 +86,8 @@ async fn admit_all(
 ) -> Result<(), Problem> {
     let engine = &state.engine;
     for study in studies {
-        let admitted = admit(&engine.solver, engine.threads, state.memory_bytes, study).await;
+        let planned = plan_study(study).await.map_err(refused)?;
+        let admitted = admit(&engine.solver, engine.threads, state.memory_bytes, &planned).await;
         admitted.map_err(refused)?;
     }
     Ok(())

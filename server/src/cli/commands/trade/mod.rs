@@ -66,7 +66,9 @@ const REFERENCE_NODES: usize = 5;
 impl Trade {
     /// Runs the ladder and its reference, and prints what they took and how far off they are.
     pub fn execute(&self) -> Result<(), Failure> {
-        let study = read_changed(&self.study, &self.set).map_err(Failure::Input)?;
+        let study = read_changed(&self.study, &self.set)
+            .map_err(Failure::Input)?
+            .study;
         let runtime = Runtime::new().map_err(Failure::other)?;
         let stop = stop_flag(&runtime)?;
         // Opened before the work, so that a database that is in use is said at once.
