@@ -8,7 +8,7 @@ use placement::study::{Accuracy, Study};
 use sqlx::SqliteConnection;
 
 use store::answers::result_rows;
-use store::points::evaluations;
+use store::points::study_points;
 use store::queue::study_rows::{self, StudyRow};
 use store::{Store, StoreError};
 
@@ -42,7 +42,7 @@ pub async fn answered(
         return Ok(None);
     };
     let mut transaction = store.begin().await?;
-    let points = evaluations::share(&mut transaction, &twin, &row.id).await?;
+    let points = study_points::share(&mut transaction, &twin, &row.id).await?;
     store.commit(transaction, 0).await?;
     result.study.id.clone_from(&row.id);
     result.cost = StudyCost {
@@ -62,7 +62,7 @@ async fn result_of_twin(
         return Ok(None);
     };
     match result_rows::find::<StudyResult>(connection, &twin).await {
-        Ok(Some((result, _))) if result.study.version == version => Ok(Some((twin, result))),
+        Ok(Some((result, _))) if is_of(&result, row, version) => Ok(Some((twin, result))),
         Ok(_) => Ok(None),
         Err(error @ StoreError::Damaged { .. }) => {
             tracing::warn!(%error, "the study is computed again from its points");
@@ -70,4 +70,9 @@ async fn result_of_twin(
         }
         Err(error) => Err(error),
     }
+}
+
+/// Whether a result was made from the document of a study by this version.
+fn is_of(result: &StudyResult, row: &StudyRow, version: &str) -> bool {
+    result.study.spec_sha256 == row.spec_sha256 && result.study.version == version
 }

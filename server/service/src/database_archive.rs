@@ -12,6 +12,7 @@ use tracing::{Instrument, Span};
 use crate::metrics::{Metrics, PointOutcome};
 use store::points::crashes;
 use store::points::evaluations::{self, Evaluation};
+use store::points::study_points;
 use store::{Store, StoreError};
 
 /// Keeps the points of one study. Used from solving threads, which may wait; never from a task of the runtime.
@@ -73,7 +74,7 @@ impl Archive for StoreArchive {
     ) -> Result<Vec<Option<(Outcome, Cost)>>, ArchiveError> {
         let mut reused = 0;
         self.write(async |connection| {
-            reused = evaluations::link_known(connection, &self.study, first, keys).await?;
+            reused = study_points::link(connection, &self.study, first, keys).await?;
             Ok(())
         })?;
         self.metrics.points(PointOutcome::Reused, reused);

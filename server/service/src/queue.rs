@@ -325,8 +325,7 @@ pub async fn enqueue(
     study: &Study,
     priority: i64,
 ) -> Result<String, StoreError> {
-    let (spec, sha256) = (study.canonical(), study.spec_sha256());
-    let id = study_rows::insert(connection, &study.name, &spec, &sha256).await?;
+    let id = study_rows::insert(connection, &study.name, &study.canonical()).await?;
     turns::set_priority(connection, &id, priority).await?;
     event_rows::insert(connection, &id, "queued", &json!({"resumed": false})).await?;
     Ok(id)

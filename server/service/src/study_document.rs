@@ -11,22 +11,29 @@ use placement::study::Study;
 use placement::study::plan::PlannedStudy;
 use placement::sweep::{changed, typed_settings};
 
+use store::StoreError;
 use store::queue::study_rows::StudyRow;
+use store::queue::sweep_rows::SweepRow;
 
 /// The study that a row of the database asks for.
 ///
 /// # Errors
-/// A sentence, when this version refuses what an earlier one stored.
+/// A sentence, when the row is damaged, or this version refuses what an earlier one stored.
 pub fn stored_study(row: &StudyRow) -> Result<Study, String> {
-    stored_text(&row.spec)
+    read_stored(row.document())
 }
 
-/// The study of a canonical document in the database.
+/// The study of whose designs a row of the database is the sweep.
 ///
 /// # Errors
 /// As for [`stored_study`].
-pub fn stored_text(spec: &str) -> Result<Study, String> {
-    Study::from_canonical(spec).map_err(|faults| {
+pub fn stored_base(row: &SweepRow) -> Result<Study, String> {
+    read_stored(row.document())
+}
+
+fn read_stored(document: Result<&str, StoreError>) -> Result<Study, String> {
+    let document = document.map_err(|error| error.to_string())?;
+    Study::from_canonical(document).map_err(|faults| {
         let first = faults.first().map(Fault::to_string).unwrap_or_default();
         format!("this version refuses the stored document: {first}")
     })

@@ -10,7 +10,7 @@ use placement::sweep::{Design, Sweep, nameless};
 use sqlx::SqliteConnection;
 
 use crate::queue::{Queue, SubmitError, enqueue};
-use crate::study_document::stored_text;
+use crate::study_document::stored_study;
 use store::content::sha256;
 use store::queue::study_rows::State;
 use store::queue::sweep_rows::{self, DesignRow, SweepRow};
@@ -103,9 +103,8 @@ pub async fn store(
     sweep: &Sweep,
     priority: i64,
 ) -> Result<String, StoreError> {
-    let base = &sweep.base;
-    let (spec, hash) = (base.canonical(), base.spec_sha256());
-    let id = sweep_rows::insert(connection, &sweep.name, &spec, &hash, priority).await?;
+    let document = sweep.base.canonical();
+    let id = sweep_rows::insert(connection, &sweep.name, &document, priority).await?;
     add_all(connection, &id, priority, &sweep.designs).await?;
     Ok(id)
 }
@@ -146,7 +145,7 @@ async fn not_there<'d>(
     // What this version can't read any more is no design that it could make.
     let there: HashSet<String> = there
         .iter()
-        .filter_map(|row| stored_text(&row.study.spec).ok())
+        .filter_map(|row| stored_study(&row.study).ok())
         .map(|study| nameless(&study))
         .collect();
     let is_new = |design: &&Design| !there.contains(&nameless(&design.study));
@@ -171,7 +170,7 @@ async fn without_result(
     let over = designs
         .iter()
         .filter(|design| matches!(design.study.state(), State::Failed | State::Cancelled));
-    let study = |design: &DesignRow| Some((design.ordinal, stored_text(&design.study.spec).ok()?));
+    let study = |design: &DesignRow| Some((design.ordinal, stored_study(&design.study).ok()?));
     Ok(over.filter_map(study).collect())
 }
 

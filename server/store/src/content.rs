@@ -17,6 +17,29 @@ pub fn sha256(parts: &[&[u8]]) -> String {
     hexadecimal(&hasher.finalize())
 }
 
+/// SHA-256 of a document as it stands in documents, lower-case hex.
+pub(crate) fn document_sha256(text: &str) -> String {
+    hexadecimal(&Sha256::digest(text))
+}
+
+/// A row's document, which has this hash.
+///
+/// # Errors
+/// [`StoreError::Damaged`] when it hasn't.
+pub(crate) fn intact<'d>(
+    (table, row): (&'static str, &str),
+    document: &'d str,
+    sha256: &str,
+) -> Result<&'d str, StoreError> {
+    if document_sha256(document) == sha256 {
+        return Ok(document);
+    }
+    Err(StoreError::Damaged {
+        table,
+        row: row.to_owned(),
+    })
+}
+
 /// JSON text of a value, refused unless it reads back as the same value.
 ///
 /// `serde_json` writes NaN and infinities as null without a word; reading back finds both, and any other loss.

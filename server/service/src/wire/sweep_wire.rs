@@ -7,6 +7,7 @@ use utoipa::ToSchema;
 
 use crate::wire::study_wire::{StudyDocument, StudySummary};
 use crate::wire::sweep_state::state_of;
+use store::StoreError;
 use store::queue::study_rows::State;
 use store::queue::sweep_rows::{DesignRow, SweepRow};
 
@@ -176,18 +177,21 @@ impl SweepSummary {
 
 impl SweepDetail {
     /// What the rows of the database say.
-    pub fn of(sweep: &SweepRow, designs: &[DesignRow]) -> Self {
+    ///
+    /// # Errors
+    /// When the document in them is damaged.
+    pub fn of(sweep: &SweepRow, designs: &[DesignRow]) -> Result<Self, StoreError> {
         let view = |design: &DesignRow| DesignView {
             ordinal: design.ordinal,
             name: design.name.clone(),
             set: Value::Object(design.set.clone()),
             study: StudySummary::of(&design.study),
         };
-        Self {
+        Ok(Self {
             summary: SweepSummary::of(sweep, designs),
-            document: serde_json::from_str(&sweep.spec).unwrap_or(Value::Null),
+            document: serde_json::from_str(sweep.document()?).unwrap_or(Value::Null),
             designs: designs.iter().map(view).collect(),
-        }
+        })
     }
 }
 

@@ -223,7 +223,8 @@ impl Show {
         })?;
         let found: Option<StudyResult> = found.map(|(result, _)| result);
         if let Some(target) = &self.json {
-            let document: Value = serde_json::from_str(&row.spec).map_err(Failure::other)?;
+            let document = row.document().map_err(Failure::other)?;
+            let document: Value = serde_json::from_str(document).map_err(Failure::other)?;
             let study = StudySummary::of(&row);
             target.write(&json!({"study": study, "document": document, "result": found}))?;
         }

@@ -25,7 +25,7 @@ use service::engine::Engine;
 use service::forecast::{admit, forecast_sweep, plan_study};
 use service::metrics::Metrics;
 use service::queue::recover;
-use service::study_document::{read_changed, stored_text};
+use service::study_document::{read_changed, stored_base};
 use service::sweeps::{extend, resume, store};
 use service::wire::sweep_wire::SweepDetail;
 use store::queue::sweep_rows::{self, DesignRow, SweepRow};
@@ -161,7 +161,8 @@ impl Sweep {
             of_designs(&mut connection, &ended).await
         });
         let comparison = compare(&entries.map_err(Failure::other)?, None);
-        Ok((SweepDetail::of(&sweep, &ended), comparison))
+        let detail = SweepDetail::of(&sweep, &ended).map_err(Failure::other)?;
+        Ok((detail, comparison))
     }
 
     /// The sweep, new or gone on with, in the database.
@@ -186,7 +187,7 @@ impl Sweep {
         let Some(plan) = plan else {
             let wanted = self.resume.as_deref().unwrap_or_default();
             let sweep = runtime.block_on(sweep_named(&engine.store, wanted))?;
-            let base = stored_text(&sweep.spec).map_err(Failure::Other)?;
+            let base = stored_base(&sweep).map_err(Failure::Other)?;
             let further = self.further(&base)?;
             admit_all(&further)?;
             runtime

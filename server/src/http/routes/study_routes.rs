@@ -229,7 +229,7 @@ async fn show(
     let mut connection = state.store.read().await?;
     let detail = StudyDetail {
         summary: StudySummary::of(&study),
-        document: serde_json::from_str(&study.spec).unwrap_or(Value::Null),
+        document: serde_json::from_str(study.document()?).unwrap_or(Value::Null),
         estimate: estimate.and_then(Result::ok),
         result_sha256: result_rows::sha256_of(&mut connection, &id).await?,
         trade_measured: trades::is_measured(&mut connection, &study.spec_sha256).await?,

@@ -20,7 +20,7 @@ use crate::http::routes::study_routes::{
     PageQuery, SubmitQuery, idempotency_key, page_limit, priority, refused, unsubmitted,
 };
 use service::forecast::{admit, forecast_sweep, plan_study};
-use service::study_document::stored_text;
+use service::study_document::stored_base;
 use service::wire::examples::{absent, crowded, faults};
 use service::wire::study_wire::ProblemDocument;
 use service::wire::sweep_examples as examples;
@@ -139,7 +139,7 @@ async fn show_sweep(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let (sweep, designs) = known(&state.store, &id).await?;
-    conditional::json(&headers, &SweepDetail::of(&sweep, &designs))
+    conditional::json(&headers, &SweepDetail::of(&sweep, &designs)?)
 }
 
 /// Extend a sweep
@@ -162,7 +162,7 @@ async fn extend_sweep(
 ) -> Result<Response, Problem> {
     let (sweep, _) = known(&state.store, &id).await?;
     let outdated = |cause| Problem::new(StatusCode::CONFLICT, cause);
-    let base = stored_text(&sweep.spec).map_err(outdated)?;
+    let base = stored_base(&sweep).map_err(outdated)?;
     let designs = document
         .checked(move |value| designs_of(&base, value))
         .await?;
@@ -242,6 +242,6 @@ async fn accepted(store: &Store, id: &str) -> Result<Response, Problem> {
         (header::LOCATION, format!("/v1/sweeps/{id}")),
         (header::RETRY_AFTER, "1".to_owned()),
     ];
-    let detail = Json(SweepDetail::of(&sweep, &designs));
+    let detail = Json(SweepDetail::of(&sweep, &designs)?);
     Ok((StatusCode::ACCEPTED, headers, detail).into_response())
 }

@@ -8,6 +8,7 @@ use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, S
 use sqlx::{Connection, SqliteConnection, SqlitePool};
 
 use crate::answers::result_rows;
+use crate::points::study_points;
 use crate::store_error::StoreError;
 
 /// Before this version SQLite could corrupt a database when its write-ahead log was reset.
@@ -52,6 +53,7 @@ pub async fn bootstrap(path: &Path) -> Result<(), StoreError> {
         .map_err(|e| failed(e.to_string()))?;
     let mut transaction = connection.begin().await?;
     result_rows::complete_rankings(&mut transaction).await?;
+    study_points::complete_hashes(&mut transaction).await?;
     transaction.commit().await?;
     connection.close().await.map_err(|e| failed(e.to_string()))
 }

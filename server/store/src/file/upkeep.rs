@@ -17,6 +17,9 @@ use crate::file::lock;
 use crate::file::pools;
 use crate::points::crashes;
 use crate::points::evaluations;
+use crate::points::study_points;
+use crate::queue::study_rows;
+use crate::queue::sweep_rows;
 use crate::store_error::StoreError;
 
 /// What a check found.
@@ -94,6 +97,8 @@ pub async fn inspect(
                     .await
                     .err(),
                 "rankings" => ranked_rows::find(connection, &key).await.err(),
+                "studies" => check_study(connection, &key).await.err(),
+                "sweeps" => check_sweep(connection, &key).await.err(),
                 _ => trades::newest(connection, &key).await.err(),
             };
             match read {
@@ -110,14 +115,31 @@ pub async fn inspect(
 }
 
 /// Tables whose rows have a hash, with their keys.
-const KEYED: [(&str, &str); 5] = [
+const KEYED: [(&str, &str); 7] = [
     ("evaluations", "select key from evaluations"),
     ("start_states", "select key from start_states"),
     ("results", "select study from results"),
     // Every result has one.
     ("rankings", "select study from results"),
+    ("studies", "select id from studies"),
+    ("sweeps", "select id from sweeps"),
     ("trades", "select distinct spec_sha256 from trades"),
 ];
+
+/// Its document, and which evaluations are its points.
+async fn check_study(connection: &mut SqliteConnection, id: &str) -> Result<(), StoreError> {
+    if let Some(study) = study_rows::find(connection, id).await? {
+        study.document()?;
+    }
+    study_points::of(connection, id).await.map(|_| ())
+}
+
+async fn check_sweep(connection: &mut SqliteConnection, id: &str) -> Result<(), StoreError> {
+    if let Some(sweep) = sweep_rows::find(connection, id).await? {
+        sweep.document()?;
+    }
+    Ok(())
+}
 
 async fn dangling(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {
     let rows: Vec<(String, Option<i64>, String)> =

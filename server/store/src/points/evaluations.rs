@@ -11,9 +11,9 @@ use serde::de::DeserializeOwned;
 use sqlx::{FromRow, SqliteConnection};
 
 use crate::clock::now;
-use crate::column::{counted, whole};
+use crate::column::counted;
 use crate::content::{encode, sha256};
-use crate::points::strain_fields;
+use crate::points::{strain_fields, study_points};
 use crate::store_error::StoreError;
 
 /// A point as it was stored; of its response all, or the part `R`.
@@ -62,6 +62,7 @@ impl WholeRow {
 #[derive(FromRow)]
 struct PointRow {
     ordinal: i64,
+    link_sha256: Option<String>,
     #[sqlx(flatten)]
     row: EvaluationRow,
 }
@@ -149,68 +150,8 @@ pub async fn insert(
     if let Some(start) = point.start {
         insert_start(connection, point.key, start).await?;
     }
-    link(connection, study, point.ordinal, point.key).await
-}
-
-async fn link(
-    connection: &mut SqliteConnection,
-    study: &str,
-    ordinal: usize,
-    key: &str,
-) -> Result<(), StoreError> {
-    sqlx::query("insert into study_points (study, ordinal, evaluation) values (?, ?, ?) on conflict do nothing")
-        .bind(study)
-        .bind(whole(ordinal))
-        .bind(key)
-        .execute(connection)
-        .await?;
+    study_points::link(connection, study, point.ordinal, &[point.key.to_owned()]).await?;
     Ok(())
-}
-
-/// Notes that those of these keys that have an evaluation answer for a study's ordinals from `first` on; returns for how many
-/// of them that wasn't known.
-///
-/// # Errors
-/// When the database can't be written.
-pub async fn link_known(
-    connection: &mut SqliteConnection,
-    study: &str,
-    first: usize,
-    keys: &[String],
-) -> Result<u64, StoreError> {
-    let query = "insert into study_points (study, ordinal, evaluation)
-                 select ?1, ?2 + wanted.key, e.key from json_each(?3) wanted join evaluations e on e.key = wanted.value
-                 where true on conflict do nothing";
-    let linked = sqlx::query(query)
-        .bind(study)
-        .bind(whole(first))
-        .bind(serde_json::json!(keys).to_string())
-        .execute(connection)
-        .await?;
-    Ok(linked.rows_affected())
-}
-
-/// Lets a study share all points of another one; returns how many those are.
-///
-/// # Errors
-/// When the database can't be written.
-pub async fn share(
-    connection: &mut SqliteConnection,
-    from: &str,
-    to: &str,
-) -> Result<usize, StoreError> {
-    let query = "insert into study_points (study, ordinal, evaluation)
-                 select ?2, ordinal, evaluation from study_points where study = ?1 on conflict do nothing";
-    sqlx::query(query)
-        .bind(from)
-        .bind(to)
-        .execute(&mut *connection)
-        .await?;
-    let count: i64 = sqlx::query_scalar("select count(*) from study_points where study = ?")
-        .bind(to)
-        .fetch_one(connection)
-        .await?;
-    Ok(counted(count).unwrap_or(0))
 }
 
 async fn insert_start(
@@ -269,16 +210,18 @@ pub async fn parts_of<R: DeserializeOwned>(
     connection: &mut SqliteConnection,
     study: &str,
 ) -> Result<Vec<(usize, String, Evaluation<R>)>, StoreError> {
-    let query = "select p.ordinal, e.key, e.scene, e.response, e.failure, e.cost, e.sha256
+    let query = "select p.ordinal, p.sha256 as link_sha256, e.key, e.scene, e.response, e.failure, e.cost, e.sha256
                  from study_points p join evaluations e on e.key = p.evaluation
                  where p.study = ? order by p.ordinal";
     let rows: Vec<PointRow> = sqlx::query_as(query)
         .bind(study)
         .fetch_all(connection)
         .await?;
-    let part = |PointRow { ordinal, row }| {
-        let key = row.key.clone();
-        Ok((counted(ordinal).unwrap_or(0), key, row.read()?))
+    let part = |point: PointRow| {
+        let key = point.row.key.clone();
+        let stored = point.link_sha256.as_deref();
+        let ordinal = study_points::checked(study, point.ordinal, &key, stored)?;
+        Ok((ordinal, key, point.row.read()?))
     };
     rows.into_iter().map(part).collect()
 }

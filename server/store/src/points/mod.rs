@@ -1,9 +1,11 @@
 //! Solved points.
 //!
 //! - [`evaluations`]: solved points and start states
+//! - [`study_points`]: which of them answer for the points of a study
 //! - `strain_fields`: their long lists of strains
 //! - [`crashes`]: solves that the program died of
 
 pub mod crashes;
 pub mod evaluations;
 pub(crate) mod strain_fields;
+pub mod study_points;

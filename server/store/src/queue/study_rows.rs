@@ -10,7 +10,7 @@ use sqlx::{FromRow, SqliteConnection};
 
 use crate::clock::now;
 use crate::column::whole;
-use crate::content::encode;
+use crate::content::{document_sha256, encode, intact};
 use crate::store_error::StoreError;
 
 /// Where a study stands.
@@ -63,8 +63,7 @@ pub struct StudyRow {
     pub id: String,
     /// Name from the document.
     pub name: String,
-    /// Canonical document, JSON.
-    pub spec: String,
+    spec: String,
     /// SHA-256 of the canonical document.
     pub spec_sha256: String,
     state: String,
@@ -95,6 +94,14 @@ impl StudyRow {
         State::named(&self.state).expect("the table's check allows known states only")
     }
 
+    /// The canonical document, JSON.
+    ///
+    /// # Errors
+    /// [`StoreError::Damaged`] when it doesn't match its hash.
+    pub fn document(&self) -> Result<&str, StoreError> {
+        intact(("studies", &self.id), &self.spec, &self.spec_sha256)
+    }
+
     /// Whether it has come to an end.
     pub fn ended(&self) -> bool {
         matches!(self.state(), State::Done | State::Failed | State::Cancelled)
@@ -108,8 +115,7 @@ impl StudyRow {
 pub async fn insert(
     connection: &mut SqliteConnection,
     name: &str,
-    spec: &str,
-    spec_sha256: &str,
+    document: &str,
 ) -> Result<String, StoreError> {
     let id = uuid::Uuid::now_v7().to_string();
     let query = "insert into studies (id, name, spec, spec_sha256, state, created, place)
@@ -117,8 +123,8 @@ pub async fn insert(
     sqlx::query(query)
         .bind(&id)
         .bind(name)
-        .bind(spec)
-        .bind(spec_sha256)
+        .bind(document)
+        .bind(document_sha256(document))
         .bind(now())
         .execute(connection)
         .await?;
@@ -207,7 +213,7 @@ pub async fn counts(connection: &mut SqliteConnection) -> Result<Vec<(State, i64
     Ok(State::ALL.into_iter().map(count).collect())
 }
 
-/// The newest queued study of the same document: one that was interrupted, or still waits.
+/// The newest queued study of the same document, unless that was damaged: one that was interrupted, or still waits.
 ///
 /// # Errors
 /// When the database can't be read.
@@ -217,10 +223,11 @@ pub async fn queued_twin(
 ) -> Result<Option<StudyRow>, StoreError> {
     let query =
         "select * from studies where spec_sha256 = ? and state = 'queued' order by id desc limit 1";
-    Ok(sqlx::query_as(query)
+    let twin: Option<StudyRow> = sqlx::query_as(query)
         .bind(spec_sha256)
         .fetch_optional(connection)
-        .await?)
+        .await?;
+    Ok(twin.filter(|twin| twin.document().is_ok()))
 }
 
 /// The newest other study of the same document that is done and has every one of its points stored: none of them broke.
@@ -334,7 +341,7 @@ mod tests {
         let mut tx = store.begin().await.expect("begins");
         let mut ids = Vec::new();
         for name in ["a", "b", "c"] {
-            ids.push(insert(&mut tx, name, "{}", "x").await.expect("inserts"));
+            ids.push(insert(&mut tx, name, "{}").await.expect("inserts"));
         }
         let first = page(&mut tx, Filter::default(), None, 2)
             .await

@@ -4,7 +4,7 @@ use serde_json::{Map, Value};
 use sqlx::{FromRow, SqliteConnection};
 
 use crate::clock::now;
-use crate::content::encode;
+use crate::content::{document_sha256, encode, intact};
 use crate::queue::study_rows::StudyRow;
 use crate::store_error::StoreError;
 
@@ -15,12 +15,22 @@ pub struct SweepRow {
     pub id: String,
     /// Free text.
     pub name: String,
-    /// Canonical document of the study without changes, JSON.
-    pub spec: String,
+    spec: String,
+    spec_sha256: String,
     /// Priority of its studies.
     pub priority: i64,
     /// When it was submitted.
     pub created: String,
+}
+
+impl SweepRow {
+    /// The canonical document of the study without changes, JSON.
+    ///
+    /// # Errors
+    /// [`StoreError::Damaged`] when it doesn't match its hash.
+    pub fn document(&self) -> Result<&str, StoreError> {
+        intact(("sweeps", &self.id), &self.spec, &self.spec_sha256)
+    }
 }
 
 /// One of its designs.
@@ -43,16 +53,15 @@ pub struct DesignRow {
 pub async fn insert(
     connection: &mut SqliteConnection,
     name: &str,
-    spec: &str,
-    spec_sha256: &str,
+    document: &str,
     priority: i64,
 ) -> Result<String, StoreError> {
     let id = uuid::Uuid::now_v7().to_string();
     sqlx::query("insert into sweeps (id, name, spec, spec_sha256, priority, created) values (?, ?, ?, ?, ?, ?)")
         .bind(&id)
         .bind(name)
-        .bind(spec)
-        .bind(spec_sha256)
+        .bind(document)
+        .bind(document_sha256(document))
         .bind(priority)
         .bind(now())
         .execute(connection)
@@ -110,7 +119,7 @@ pub async fn find(
     connection: &mut SqliteConnection,
     id: &str,
 ) -> Result<Option<SweepRow>, StoreError> {
-    let query = "select id, name, spec, priority, created from sweeps where id = ?";
+    let query = "select id, name, spec, spec_sha256, priority, created from sweeps where id = ?";
     Ok(sqlx::query_as(query)
         .bind(id)
         .fetch_optional(connection)
@@ -126,7 +135,7 @@ pub async fn beginning_with(
     beginning: &str,
     limit: u32,
 ) -> Result<Vec<SweepRow>, StoreError> {
-    let query = "select id, name, spec, priority, created from sweeps
+    let query = "select id, name, spec, spec_sha256, priority, created from sweeps
                  where substr(id, 1, length(?1)) = ?1 order by id limit ?2";
     Ok(sqlx::query_as(query)
         .bind(beginning)
@@ -144,7 +153,7 @@ pub async fn page(
     before: Option<&str>,
     limit: u32,
 ) -> Result<Vec<SweepRow>, StoreError> {
-    let query = "select id, name, spec, priority, created from sweeps
+    let query = "select id, name, spec, spec_sha256, priority, created from sweeps
                  where ?1 is null or id < ?1 order by id desc limit ?2";
     Ok(sqlx::query_as(query)
         .bind(before)

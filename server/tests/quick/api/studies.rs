@@ -348,3 +348,62 @@ async fn a_damaged_answer_is_not_taken_over_but_computed_from_the_points() {
     );
     assert_eq!(app.json(&path).await["locations"][0]["name"], "P3");
 }
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_damaged_document_is_never_run_and_never_answers_an_intact_one() {
+    let home = Home::new();
+    let app = home.start(ClosedFormSolver::new()).await;
+    let id = app.submit(&study()).await;
+    let intact = app.wait_for(&id, "done").await;
+    app.service.stop().await;
+    let damage =
+        "update studies set state = 'queued', finished = null, spec = replace(spec, '0.7', '0.2')";
+    let mut sql = home.sql().await;
+    let damaged = sqlx::query(damage).execute(&mut sql).await;
+    assert_eq!(damaged.expect("damages").rows_affected(), 1);
+    drop(sql);
+
+    let app = home.start(ClosedFormSolver::new()).await;
+    let listed = |page: &Value| page["studies"][0]["state"] == "failed";
+    while !listed(&app.json("/v1/studies").await) {
+        tokio::time::sleep(std::time::Duration::from_millis(10)).await;
+    }
+    let refused = app.get(&format!("/v1/studies/{id}")).await;
+    let body = problem(refused, StatusCode::INTERNAL_SERVER_ERROR).await;
+    let detail = body["detail"].as_str().expect("a sentence");
+    assert!(detail.contains("studies") && detail.contains(&id), "{body}");
+    let again = app.submit(&study()).await;
+    let again = app.wait_for(&again, "done").await;
+    assert_eq!(again["result_sha256"], intact["result_sha256"]);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn exchanged_points_are_never_served_and_never_taken_over() {
+    let home = Home::new();
+    let app = home.start(ClosedFormSolver::new()).await;
+    let id = app.submit(&study()).await;
+    let intact = app.wait_for(&id, "done").await;
+    let exchange = "update study_points set evaluation = (select evaluation from study_points other
+                        where other.study = study_points.study and other.ordinal = 3 - study_points.ordinal)
+                    where ordinal in (1, 2)";
+    let exchanged = sqlx::query(exchange).execute(&mut home.sql().await).await;
+    assert_eq!(exchanged.expect("exchanges").rows_affected(), 2);
+
+    let refused = app.get(&format!("/v1/studies/{id}/evaluations")).await;
+    let body = problem(refused, StatusCode::INTERNAL_SERVER_ERROR).await;
+    let detail = body["detail"].as_str().expect("a sentence");
+    assert!(
+        detail.contains("study_points") && detail.contains(&id),
+        "{body}"
+    );
+    let again = app.submit(&study()).await;
+    let again = app.wait_for(&again, "done").await;
+    assert_eq!(again["result_sha256"], intact["result_sha256"]);
+    let points = app
+        .json(&format!(
+            "/v1/studies/{}/evaluations",
+            again["id"].as_str().expect("an id")
+        ))
+        .await;
+    assert_eq!(points["evaluations"][1]["ordinal"], 1);
+}

@@ -64,7 +64,7 @@ fn record((outcome, cost, state): &(Outcome, Cost, StartState)) -> PointRecord<'
 async fn a_point_reads_back_bit_for_bit_and_is_written_once() {
     let (_folder, store) = fresh().await;
     let mut tx = store.begin().await.expect("begins");
-    let study = study_rows::insert(&mut tx, "a", "{}", "x")
+    let study = study_rows::insert(&mut tx, "a", "{}")
         .await
         .expect("inserts");
     let first = solved();
@@ -93,7 +93,7 @@ async fn a_point_reads_back_bit_for_bit_and_is_written_once() {
     // The third is known, the fourth is not, the fifth has no evaluation.
     let keys = ["k", "k", "absent"].map(str::to_owned);
     for new in [1, 0] {
-        let linked = link_known(&mut tx, &study, 3, &keys).await;
+        let linked = study_points::link(&mut tx, &study, 3, &keys).await;
         assert_eq!(linked.expect("links"), new);
     }
     let absent = find(&mut tx, &["absent".to_owned(), "k".to_owned()]).await;
@@ -104,7 +104,7 @@ async fn a_point_reads_back_bit_for_bit_and_is_written_once() {
 async fn a_point_without_equilibrium_is_an_answer_like_any_other() {
     let (_folder, store) = fresh().await;
     let mut tx = store.begin().await.expect("begins");
-    let study = study_rows::insert(&mut tx, "a", "{}", "x")
+    let study = study_rows::insert(&mut tx, "a", "{}")
         .await
         .expect("inserts");
     let unsolved = Unsolved {
@@ -137,7 +137,7 @@ async fn a_point_without_equilibrium_is_an_answer_like_any_other() {
 async fn a_number_that_is_not_finite_is_not_stored() {
     let (_folder, store) = fresh().await;
     let mut tx = store.begin().await.expect("begins");
-    let study = study_rows::insert(&mut tx, "a", "{}", "x")
+    let study = study_rows::insert(&mut tx, "a", "{}")
         .await
         .expect("inserts");
     let mut wrong = solved();
@@ -155,7 +155,7 @@ async fn a_number_that_is_not_finite_is_not_stored() {
 async fn strain_fields_that_are_lost_changed_or_too_short_are_found() {
     let (_folder, store) = fresh().await;
     let mut tx = store.begin().await.expect("begins");
-    let study = study_rows::insert(&mut tx, "a", "{}", "x")
+    let study = study_rows::insert(&mut tx, "a", "{}")
         .await
         .expect("inserts");
     insert(&mut tx, &study, &record(&solved()))
@@ -213,7 +213,7 @@ async fn a_response_stored_with_its_strain_fields_inside_is_read_as_ever() {
 async fn a_lost_or_changed_byte_is_found() {
     let (_folder, store) = fresh().await;
     let mut tx = store.begin().await.expect("begins");
-    let study = study_rows::insert(&mut tx, "a", "{}", "x")
+    let study = study_rows::insert(&mut tx, "a", "{}")
         .await
         .expect("inserts");
     let solved = solved();

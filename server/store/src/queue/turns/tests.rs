@@ -84,9 +84,7 @@ async fn both(tx: &mut SqliteConnection, model: &mut Model, step: Step) {
     const RUNNING: [State; 1] = [State::Running];
     match step {
         Step::Submit { priority } => {
-            let id = study_rows::insert(tx, "a", "{}", "x")
-                .await
-                .expect("inserts");
+            let id = study_rows::insert(tx, "a", "{}").await.expect("inserts");
             set_priority(tx, &id, priority).await.expect("writes");
             let place = model.end_of_line();
             let state = State::Queued;
@@ -211,7 +209,7 @@ async fn nobody_has_a_second_turn_before_all_have_had_one() {
     let mut tx = store.begin().await.expect("begins");
     let mut ids = Vec::new();
     for name in ["a", "b", "c"] {
-        let id = study_rows::insert(&mut tx, name, "{}", "x").await;
+        let id = study_rows::insert(&mut tx, name, "{}").await;
         ids.push(id.expect("inserts"));
     }
     let mut turns = Vec::new();
@@ -228,7 +226,7 @@ async fn nobody_has_a_second_turn_before_all_have_had_one() {
 async fn an_end_is_never_overwritten() {
     let (_folder, store) = fresh().await;
     let mut tx = store.begin().await.expect("begins");
-    let id = study_rows::insert(&mut tx, "a", "{}", "x").await;
+    let id = study_rows::insert(&mut tx, "a", "{}").await;
     let id = id.expect("inserts");
     claim(&mut tx, &id).await.expect("claims");
     for cancelled in [true, false] {
