@@ -6,8 +6,10 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from .answers.estimate import Estimate
 from .answers.maps import StrainMap
+from .answers.points import Evaluation
+from .answers.ranked import Layout, Location
 from .answers.reading import read, records
-from .answers.result import Evaluation, Layout, Location, Result
+from .answers.result import Result
 from .answers.summary import StudySummary
 from .connection.download import download
 from .connection.follow import ENDED, Follower

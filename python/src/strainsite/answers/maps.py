@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from .result import LocationStrain
+    from .points import LocationStrain
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     import pandas as pd
     from _typeshed import DataclassInstance
 
-    from strainsite.answers.result import Evaluation, Result
+    from strainsite.answers.points import Evaluation
+    from strainsite.answers.result import Result
 
 _LAYOUT_COLUMNS = [
     "rank",

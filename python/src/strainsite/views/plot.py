@@ -16,9 +16,12 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from strainsite.answers.comparison import ComparedIndex, ComparedLocation, ComparedStudy, Comparison
+    from strainsite.answers.compared import ComparedIndex, ComparedLocation, ComparedStudy
+    from strainsite.answers.comparison import Comparison
     from strainsite.answers.maps import StrainMap
-    from strainsite.answers.result import Location, LocationStrain, Result
+    from strainsite.answers.points import LocationStrain
+    from strainsite.answers.ranked import Location
+    from strainsite.answers.result import Result
 
 _DIRECTIONS = {"x": "circumferential", "y": "meridional"}
 # Okabe and Ito's, which the colour-blind can tell apart.
