@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Literal
 
+from .answers import rows
 from .answers.estimate import Estimate
 from .answers.maps import StrainMap
 from .answers.points import Evaluation
@@ -136,7 +137,7 @@ class Study:
     def evaluations_frame(self) -> pd.DataFrame:
         """The solved points as a pandas frame: inputs, force, strains at the locations; see `evaluations`."""
         names = [entry["name"] for entry in self.document["inputs"]]
-        return frames.evaluations(self.evaluations(), names)
+        return frames.frame(rows.evaluations(self.evaluations(), names))
 
     def map(self, direction: str = "x", input: str | None = None) -> StrainMap:
         """One layer of the map over the inner surface: direction `x` or `y`, and an input (the first when left out)."""

@@ -167,7 +167,7 @@ class Sweep:
             }
             for design in self.designs
         ]
-        return frames.plain(rows)
+        return frames.frame(rows)
 
     def __repr__(self) -> str:
         """Name, state as last seen, identifier."""

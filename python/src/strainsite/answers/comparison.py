@@ -9,11 +9,13 @@ from strainsite.views import frames, html, plot
 
 from .compared import ComparedLocation, ComparedStudy  # noqa: TC001 - fields are read by their types
 from .reading import read
+from .rows import record
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
+    from .rows import Row
 
 ComparisonTable = Literal["locations", "designs"]
 
@@ -48,9 +50,9 @@ class Comparison:
             of_row = ("location", "rank", "rank_certain", "rank_change", "rank_verdict")
             line |= {name: getattr(row, name) for name in of_row}
             for direction, index in (("x", row.x), ("y", row.y)):
-                line |= {f"{name}_{direction}": value for name, value in frames.as_record(index).items()}
+                line |= {f"{name}_{direction}": value for name, value in record(index).items()}
             rows.append(self._ended(line, studies[row.study]))
-        return frames.plain(rows)
+        return frames.frame(rows)
 
     def studies_frame(self) -> pd.DataFrame:
         """A row for each study: what differs, its state, why it has no result, force, signal, best layout, cost."""
@@ -58,18 +60,18 @@ class Comparison:
         for study in self.studies:
             line = self._begun(study)
             left = {"id", "name", "set", "cost", "spec_sha256", "version"}
-            line |= {name: value for name, value in frames.as_record(study).items() if name not in left}
+            line |= {name: value for name, value in record(study).items() if name not in left}
             line |= {name: getattr(study.cost, name) if study.cost else None for name in _COSTS}
             rows.append(self._ended(line, study))
-        return frames.plain(rows)
+        return frames.frame(rows)
 
-    def _begun(self, study: ComparedStudy) -> dict[str, Any]:
+    def _begun(self, study: ComparedStudy) -> Row:
         """What rows begin with: the study, and every field that any design sets."""
         paths = sorted({path for other in self.studies for path in other.set or {}})
         settings = study.set or {}
         return {"study": study.id, "name": study.name} | {path: settings.get(path) for path in paths}
 
-    def _ended(self, line: dict[str, Any], study: ComparedStudy) -> dict[str, Any]:
+    def _ended(self, line: Row, study: ComparedStudy) -> Row:
         """With where the row is from."""
         origin = {"spec_sha256": study.spec_sha256, "version": study.version, "baseline": self.baseline}
         return line | origin

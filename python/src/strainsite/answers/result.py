@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from strainsite.errors import StrainsiteError
 from strainsite.views import frames, html, plot
 
+from . import rows
 from .estimate import Estimate  # noqa: TC001 - fields are read by their types
 from .indices import Output  # noqa: TC001 - fields are read by their types
 from .maps import StrainMap
@@ -17,6 +18,8 @@ from .ranked import Layout, Location  # noqa: TC001 - fields are read by their t
 from .reading import read
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import pandas as pd
     from matplotlib.figure import Figure
 
@@ -64,15 +67,18 @@ class Result:
 
     def locations_frame(self) -> pd.DataFrame:
         """The ranked locations as a pandas frame, columns as in the exported table."""
-        return frames.locations(self)
+        return self._frame([rows.record(location) for location in self.locations])
 
     def indices_frame(self) -> pd.DataFrame:
         """The indices as a pandas frame: a row for each location, direction and input."""
-        return frames.indices(self)
+        return self._frame(rows.indices(self.outputs, self.inputs))
 
     def layouts_frame(self) -> pd.DataFrame:
         """The ranked layouts as a pandas frame, columns as in the exported table."""
-        return frames.layouts(self)
+        return self._frame(rows.layouts(self.layouts))
+
+    def _frame(self, table: Sequence[rows.Row]) -> pd.DataFrame:
+        return frames.frame(table, origin=rows.record(self.study))
 
     def plot_ranking(self, figure: Figure | None = None) -> Figure:
         """Indices of the ranked locations with their errors, both directions side by side."""
