@@ -179,7 +179,11 @@ class Study:
         return f"Study({self.name!r}, {self.summary.state}, {self.id})"
 
     def _repr_html_(self) -> str:
-        return html.study(self.summary)
+        summary = self.summary
+        head = ("study", "state", "points", "id")
+        points = f"{summary.points_done} of {summary.points_total or '?'}"
+        row = (summary.name, summary.state, points, summary.id)
+        return html.table(head, [row]) + html.paragraph(summary.error)
 
 
 def id_of(study: Study | str) -> str:

@@ -174,4 +174,6 @@ class Sweep:
         return f"Sweep({self.name!r}, {self.summary.state}, {self.id})"
 
     def _repr_html_(self) -> str:
-        return html.sweep(self)
+        rows = [(design.ordinal, design.name, design.study.state, design.study.error or "") for design in self.designs]
+        caption = f"{self.name}: {self.summary.state}"
+        return html.table(("", "design", "state", ""), rows, caption=caption)

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
+    from .compared import ComparedIndex
     from .rows import Row
 
 ComparisonTable = Literal["locations", "designs"]
@@ -86,4 +87,24 @@ class Comparison:
         return f"Comparison({len(self.studies)} studies, {locations} locations)"
 
     def _repr_html_(self) -> str:
-        return html.comparison(self)
+        """A row for each location of each study with a result, and why the others have none."""
+        names = {study.id: study.name for study in self.studies}
+        head = ("study", "location", "rank", "x, %", "difference", "", "y, %", "difference", "")
+        rows = [
+            (names.get(row.study, row.study), row.location, row.rank, *_cells(row.x), *_cells(row.y))
+            for row in self.rows
+        ]
+        without = [
+            f"{study.name}: {study.state}{f', {study.reason}' if study.reason else ''}"
+            for study in self.studies
+            if study.state != "done"
+        ]
+        caption = "against " + names.get(self.baseline or "", "nothing")
+        return html.table(head, rows, caption=caption) + html.bullets(without)
+
+
+def _cells(index: ComparedIndex) -> tuple[str, str, str]:
+    """An index, its difference from the baseline's, and the verdict."""
+    shown = html.with_error(index.gsi_percent, index.error_percent)
+    difference = html.difference(index.difference_percent, index.difference_error_percent)
+    return shown, difference, index.verdict or ""

@@ -101,4 +101,17 @@ class Result:
         return f"Result({self.study.name!r}: {ranking})"
 
     def _repr_html_(self) -> str:
-        return html.result(self)
+        """The ranking with its errors, and what to know before believing it."""
+        ranking = [
+            (
+                location.rank,
+                location.name,
+                html.with_error(location.gsi_x_percent, location.gsi_x_error_percent),
+                html.with_error(location.gsi_y_percent, location.gsi_y_error_percent),
+                "certain" if location.rank_certain else "not certain",
+            )
+            for location in self.locations
+        ]
+        head = ("rank", "location", "index x, %", "index y, %", "rank is")
+        caption = f"{self.study.name}: {self.cost.solves} solves, {self.cost.wall_s:.2f} s"
+        return html.table(head, ranking, caption=caption) + html.bullets(self.notes)
