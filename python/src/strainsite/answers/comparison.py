@@ -5,18 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
-from strainsite.views import frames, html, plot
+from strainsite.views import designs, frames, html
 
-from .compared import ComparedLocation, ComparedStudy  # noqa: TC001 - fields are read by their types
+from .compared import ComparedIndex, ComparedLocation, ComparedStudy  # noqa: TC001 - fields are read by their types
 from .reading import read
-from .rows import record
+from .rows import Row, record
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
-
-    from .compared import ComparedIndex
-    from .rows import Row
 
 ComparisonTable = Literal["locations", "designs"]
 
@@ -79,7 +76,27 @@ class Comparison:
 
     def plot(self, figure: Figure | None = None) -> Figure:
         """Each location's index over the designs, with error bars, both directions."""
-        return plot.comparison(self, figure)
+        labels = [self._label(study) for study in self.studies]
+        return designs.lines(labels, {direction: self._indices(direction) for direction in ("x", "y")}, figure)
+
+    def _label(self, study: ComparedStudy) -> str:
+        """A study's name as it stands below its axis: each thing that it sets on a line."""
+        text = study.name.replace(", ", "\n")
+        if study.id == self.baseline:
+            text += "\n(baseline)"
+        return text if study.state == "done" else f"{text}\n({study.state})"
+
+    def _indices(self, direction: str) -> dict[str, list[designs.DesignIndex]]:
+        """The indices that there are, by location; all locations are named."""
+        places = {study.id: k for k, study in enumerate(self.studies)}
+        found: dict[str, list[designs.DesignIndex]] = {row.location: [] for row in self.rows}
+        for row in self.rows:
+            index = row.x if direction == "x" else row.y
+            if row.study in places and index.gsi_percent is not None:
+                within = index.verdict in ("noise", "unknown")
+                point = designs.DesignIndex(places[row.study], index.gsi_percent, index.error_percent, within)
+                found[row.location].append(point)
+        return found
 
     def __repr__(self) -> str:
         """How many studies and locations."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from strainsite.errors import StrainsiteError
-from strainsite.views import frames, html, plot
+from strainsite.views import drawing, frames, html, ranking
 
 from . import rows
 from .estimate import Estimate  # noqa: TC001 - fields are read by their types
@@ -82,7 +82,16 @@ class Result:
 
     def plot_ranking(self, figure: Figure | None = None) -> Figure:
         """Indices of the ranked locations with their errors, both directions side by side."""
-        return plot.ranking(self, figure)
+        bars = [
+            ranking.RankedLocation(
+                location.name,
+                location.rank_certain,
+                x=ranking.Index(location.gsi_x_percent, location.gsi_x_error_percent),
+                y=ranking.Index(location.gsi_y_percent, location.gsi_y_error_percent),
+            )
+            for location in self.locations
+        ]
+        return ranking.bars(bars, figure)
 
     def plot_map(self, direction: str = "x", input: str | None = None, value: str = "first_order") -> Figure:
         """One layer of the map on the unrolled inner surface, with the locations marked.
@@ -93,16 +102,19 @@ class Result:
             value: `first_order`, `std`, `strain` or `error`.
 
         """
-        return plot.map_figure(self.map(direction, input), value, self.cut_point.locations)
+        layer = self.map(direction, input)
+        figure = drawing.empty_figure(7.5, 3.6)
+        layer.plot(value, locations=self.cut_point.locations, ax=figure.subplots())
+        return figure
 
     def __repr__(self) -> str:
         """The ranking on one line."""
-        ranking = ", ".join(f"{location.rank} {location.name}" for location in self.locations)
-        return f"Result({self.study.name!r}: {ranking})"
+        ranked = ", ".join(f"{location.rank} {location.name}" for location in self.locations)
+        return f"Result({self.study.name!r}: {ranked})"
 
     def _repr_html_(self) -> str:
         """The ranking with its errors, and what to know before believing it."""
-        ranking = [
+        ranked = [
             (
                 location.rank,
                 location.name,
@@ -114,4 +126,4 @@ class Result:
         ]
         head = ("rank", "location", "index x, %", "index y, %", "rank is")
         caption = f"{self.study.name}: {self.cost.solves} solves, {self.cost.wall_s:.2f} s"
-        return html.table(head, ranking, caption=caption) + html.bullets(self.notes)
+        return html.table(head, ranked, caption=caption) + html.bullets(self.notes)

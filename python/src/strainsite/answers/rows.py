@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from .points import Evaluation
     from .ranked import Layout
 
-    Row = dict[str, object]
+Row = dict[str, object]
 
 _LAYOUT_COLUMNS = [
     "rank",
