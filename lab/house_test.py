@@ -55,7 +55,7 @@ CASES = {
     "Python package": ({"p/src/q/__init__.py": "from .a import A\n", "p/src/q/a.py": "from q import B\n"}, "p/src/q/__init__.py:1: imports p/src/q/a.py"),
     "Python's types": (
         {"p/a.py": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from .b import B\n", "p/b.py": "from .a import A\n"},
-        None,
+        "p/a.py:3: imports p/b.py",
     ),
     "full folder": ({f"docs/page{i}/x.md": "" for i in range(15)}, None),
     "crowded folder": ({f"docs/page{i}/x.md": "" for i in range(16)}, "docs: 16 entries, more than 15"),
