@@ -1,5 +1,4 @@
-"""Imports between Python files. Those below `if TYPE_CHECKING` are for the type checker alone and don't count: Python knows no other way to name a type of a
-file that is imported later."""
+"""Imports between Python files. Those below `if TYPE_CHECKING` count like all others: who reads one file has to read the other, whatever runs."""
 
 import ast
 
@@ -27,8 +26,6 @@ def names(file):
 
 def statements(tree):
     for node in ast.iter_child_nodes(tree):
-        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.dump(node.test):
-            continue
         if isinstance(node, ast.Import | ast.ImportFrom):
             yield node
         yield from statements(node)

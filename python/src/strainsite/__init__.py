@@ -7,7 +7,8 @@ with strainsite.local() as client:
     print(result.locations_frame())
 """
 
-from .answers.comparison import ComparedIndex, ComparedLocation, ComparedStudy, Comparison
+from .answers.compared import ComparedIndex, ComparedLocation, ComparedStudy
+from .answers.comparison import Comparison
 from .answers.estimate import (
     CountForecast,
     DesignEstimate,
@@ -17,27 +18,13 @@ from .answers.estimate import (
     SolveForecast,
     SweepEstimate,
 )
+from .answers.indices import CoarserIndices, ErrorParts, FormMisses, Output
 from .answers.maps import StrainMap
+from .answers.model import Choice, Input, Model, StudyIdentity
+from .answers.points import Cost, CutPoint, Evaluation, FailedPoint, LocationStrain
 from .answers.preset import Preset, Presets
-from .answers.result import (
-    Choice,
-    CoarserIndices,
-    Cost,
-    CutPoint,
-    ErrorParts,
-    Evaluation,
-    FailedPoint,
-    FormMisses,
-    Input,
-    Layout,
-    LayoutScore,
-    Location,
-    LocationStrain,
-    Model,
-    Output,
-    Result,
-    StudyIdentity,
-)
+from .answers.ranked import Layout, LayoutScore, Location
+from .answers.result import Result
 from .answers.summary import Design, DesignCounts, StudySummary, SweepSummary
 from .client import Client
 from .errors import (

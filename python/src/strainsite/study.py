@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Literal
 
+from .answers import rows
 from .answers.estimate import Estimate
 from .answers.maps import StrainMap
+from .answers.points import Evaluation
+from .answers.ranked import Layout, Location
 from .answers.reading import read, records
-from .answers.result import Evaluation, Layout, Location, Result
+from .answers.result import Result
 from .answers.summary import StudySummary
 from .connection.download import download
 from .connection.follow import ENDED, Follower
@@ -134,7 +137,7 @@ class Study:
     def evaluations_frame(self) -> pd.DataFrame:
         """The solved points as a pandas frame: inputs, force, strains at the locations; see `evaluations`."""
         names = [entry["name"] for entry in self.document["inputs"]]
-        return frames.evaluations(self.evaluations(), names)
+        return frames.frame(rows.evaluations(self.evaluations(), names))
 
     def map(self, direction: str = "x", input: str | None = None) -> StrainMap:
         """One layer of the map over the inner surface: direction `x` or `y`, and an input (the first when left out)."""
@@ -176,7 +179,11 @@ class Study:
         return f"Study({self.name!r}, {self.summary.state}, {self.id})"
 
     def _repr_html_(self) -> str:
-        return html.study(self.summary)
+        summary = self.summary
+        head = ("study", "state", "points", "id")
+        points = f"{summary.points_done} of {summary.points_total or '?'}"
+        row = (summary.name, summary.state, points, summary.id)
+        return html.table(head, [row]) + html.paragraph(summary.error)
 
 
 def id_of(study: Study | str) -> str:

@@ -167,11 +167,13 @@ class Sweep:
             }
             for design in self.designs
         ]
-        return frames.plain(rows)
+        return frames.frame(rows)
 
     def __repr__(self) -> str:
         """Name, state as last seen, identifier."""
         return f"Sweep({self.name!r}, {self.summary.state}, {self.id})"
 
     def _repr_html_(self) -> str:
-        return html.sweep(self)
+        rows = [(design.ordinal, design.name, design.study.state, design.study.error or "") for design in self.designs]
+        caption = f"{self.name}: {self.summary.state}"
+        return html.table(("", "design", "state", ""), rows, caption=caption)

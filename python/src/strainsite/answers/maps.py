@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from strainsite.errors import AnswerError, StrainsiteError
-from strainsite.views import plot
+from strainsite.views import surface
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from .result import LocationStrain
+    from .points import LocationStrain
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -104,7 +104,10 @@ class StrainMap:
         ax: Axes | None = None,
     ) -> Axes:
         """Draws it on the unrolled surface: `first_order`, `std`, `strain` or `error`."""
-        return plot.unrolled_map(self, value, locations=locations, ax=ax)
+        quantities = {"first_order": self.first_order, "std": self.std, "strain": self.strain, "error": self.error}
+        layer = surface.Layer(self.direction, self.input, self.theta_deg, self.phi_deg, quantities)
+        marks = [(location.name, location.theta_deg) for location in locations]
+        return surface.unrolled_map(layer, value, marks=marks, ax=ax)
 
     def __repr__(self) -> str:
         """What it is of, and how large."""

@@ -1,1 +1,1 @@
-"""Answers as pandas frames, figures and what notebooks show."""
+"""Pandas frames, figures and what notebooks show, made of plain values: nothing here knows an answer."""

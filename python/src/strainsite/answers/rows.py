@@ -1,0 +1,97 @@
+"""Answers as rows of tables, with the columns of the exported ones."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from _typeshed import DataclassInstance
+
+    from .indices import Output
+    from .model import Input
+    from .points import Evaluation
+    from .ranked import Layout
+
+Row = dict[str, object]
+
+_LAYOUT_COLUMNS = [
+    "rank",
+    "spacing_deg",
+    "units",
+    "position",
+    "films",
+    "weakest_signal_strain",
+    "worst_angle_error_deg",
+    "rms_angle_error_deg",
+    "worst_depth_error_mm",
+    "noise_strain",
+    "reason",
+]
+
+
+def record(value: DataclassInstance) -> Row:
+    """The fields of a dataclass by name, not deeper."""
+    return {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
+
+
+def indices(outputs: Sequence[Output], inputs: Sequence[Input]) -> list[Row]:
+    """A row for each location, direction and input."""
+    return [
+        {
+            "location": output.location,
+            "direction": output.direction,
+            "input": varied.name,
+            "first_order": _at(output.first_order, k),
+            "total": _at(output.total, k),
+            "error_mesh": output.error.mesh,
+            "error_quadrature": output.error.quadrature,
+            "error_decomposition": output.error.decomposition,
+            "error_total": output.error.total,
+            "mean_strain": output.mean,
+            "std_strain": output.std,
+            "method": output.method,
+            "status": output.status,
+            "mdrm_first_order": _at(output.mdrm_first_order, k),
+        }
+        for output in outputs
+        for k, varied in enumerate(inputs)
+    ]
+
+
+def layouts(layouts: Sequence[Layout]) -> list[Row]:
+    """A row for each layout, best first; films as in `x+y`."""
+    rows = []
+    for layout in layouts:
+        row = record(layout) | record(layout.score)
+        row["films"] = "+".join(layout.films)
+        row["weakest_signal_strain"] = layout.score.weakest_signal
+        rows.append({name: row[name] for name in _LAYOUT_COLUMNS})
+    return rows
+
+
+def evaluations(points: Sequence[Evaluation], inputs: Sequence[str]) -> list[Row]:
+    """A row for each solved point: inputs, force, strains at the locations, why there is no equilibrium."""
+    seen = next((point.locations for point in points if point.locations), ())
+    rows = []
+    for point in points:
+        row: Row = {"ordinal": point.ordinal, "level": point.level}
+        row |= {name: _at(point.values, k) for k, name in enumerate(inputs)}
+        row["reaction_n"] = point.reaction_n
+        strains = {location.name: location for location in point.locations or ()}
+        for location in seen:
+            here = strains.get(location.name)
+            row[f"{location.name}_strain_x"] = here.strain_x if here else None
+            row[f"{location.name}_strain_y"] = here.strain_y if here else None
+        row["newton_iterations"] = point.newton_iterations
+        row["wall_s"] = point.wall_s
+        row["reason"] = point.reason
+        row["key"] = point.key
+        rows.append(row)
+    return rows
+
+
+def _at(values: Sequence[float] | None, k: int) -> float | None:
+    return None if values is None or k >= len(values) else values[k]
