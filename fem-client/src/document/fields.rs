@@ -144,6 +144,9 @@ pub fn alternatives<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     }
 }
 
+/// A number of a table: its name, its range, and its place, which holds the default until it is read.
+pub type Number<'n> = (&'static str, Range, &'n mut f64);
+
 /// The fields of a table, with the pointer under which they are reported.
 #[derive(Debug, Clone)]
 pub struct Fields<'v> {
@@ -176,6 +179,20 @@ impl<'v> Fields<'v> {
             object,
             pointer: pointer.to_owned(),
         })
+    }
+
+    /// Opens a table of numbers and reads them; `others` are the names of fields beside them. None after a fault.
+    pub fn of_numbers<const N: usize>(
+        value: &'v Value,
+        pointer: &str,
+        others: &[&str],
+        numbers: [Number<'_>; N],
+        faults: &mut Vec<Fault>,
+    ) -> Option<Self> {
+        let names = numbers.each_ref().map(|number| number.0);
+        let fields = Self::open(value, pointer, &[others, &names].concat(), faults)?;
+        fields.numbers(numbers, faults)?;
+        Some(fields)
     }
 
     /// The value of a field, with its pointer.
@@ -213,6 +230,22 @@ impl<'v> Fields<'v> {
         self.get(name).map_or(Some(default), |(value, pointer)| {
             number(value, &pointer, range, faults)
         })
+    }
+
+    /// Reads numbers into their places, which keep what they hold where a field is absent. None after a fault.
+    pub fn numbers<'n>(
+        &self,
+        numbers: impl IntoIterator<Item = Number<'n>>,
+        faults: &mut Vec<Fault>,
+    ) -> Option<()> {
+        let mut read = Some(());
+        for (name, range, place) in numbers {
+            match self.number(name, range, *place, faults) {
+                Some(number) => *place = number,
+                None => read = None,
+            }
+        }
+        read
     }
 
     /// A whole number in a range, or its default when absent. None after a fault.

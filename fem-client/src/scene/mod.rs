@@ -300,6 +300,7 @@ mod tests {
     #[test]
     fn the_canonical_text_reads_back_as_the_same_scene() {
         let mut scene = Scene::preset("foot-tire").unwrap();
+        scene.film = Some(Film::default());
         scene.ground.depths_mm[3] = 0.1 + 0.2;
         scene.contact.penalty_n_per_mm3 = Some(1.0 / 3.0);
         let text = scene.canonical_json();

@@ -123,42 +123,26 @@ fn optional<T>(
 }
 
 fn carcass(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Carcass> {
-    let known = [
-        "angle_deg",
-        "stiffness_n_per_mm",
-        "position",
-        "compression_ratio",
+    let mut cords = Carcass::default();
+    let numbers = [
+        ("angle_deg", FIBRE_ANGLE, &mut cords.angle_deg),
+        (
+            "stiffness_n_per_mm",
+            FIBRE_STIFFNESS,
+            &mut cords.stiffness_n_per_mm,
+        ),
+        ("position", SHARE, &mut cords.position),
+        ("compression_ratio", SHARE, &mut cords.compression_ratio),
     ];
-    let fields = Fields::open(value, pointer, &known, faults)?;
-    let default = Carcass::default();
-    let angle = fields.number("angle_deg", FIBRE_ANGLE, default.angle_deg, faults);
-    let stiffness = fields.number(
-        "stiffness_n_per_mm",
-        FIBRE_STIFFNESS,
-        default.stiffness_n_per_mm,
-        faults,
-    );
-    let position = fields.number("position", SHARE, default.position, faults);
-    let compression = fields.number(
-        "compression_ratio",
-        SHARE,
-        default.compression_ratio,
-        faults,
-    );
-    Some(Carcass {
-        angle_deg: angle?,
-        stiffness_n_per_mm: stiffness?,
-        position: position?,
-        compression_ratio: compression?,
-    })
+    Fields::of_numbers(value, pointer, &[], numbers, faults)?;
+    Some(cords)
 }
 
 fn pressure(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Pressure> {
-    let fields = Fields::open(value, pointer, &["internal_mpa"], faults)?;
-    let default = Scene::default().pressure.internal_mpa;
-    Some(Pressure {
-        internal_mpa: fields.number("internal_mpa", PRESSURE, default, faults)?,
-    })
+    let mut pressure = Scene::default().pressure;
+    let numbers = [("internal_mpa", PRESSURE, &mut pressure.internal_mpa)];
+    Fields::of_numbers(value, pointer, &[], numbers, faults)?;
+    Some(pressure)
 }
 
 fn contact(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Contact> {

@@ -12,27 +12,16 @@ const POISSON: Range = Range::new(0.0, 0.5, "");
 const THICKEST: f64 = 0.1;
 
 pub(super) fn film(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Film> {
-    let known = [
-        "modulus_mpa",
-        "poisson_ratio",
-        "thickness_mm",
-        "length_mm",
-        "width_mm",
+    let mut film = Film::default();
+    let numbers = [
+        ("modulus_mpa", MODULUS, &mut film.modulus_mpa),
+        ("poisson_ratio", POISSON, &mut film.poisson_ratio),
+        ("thickness_mm", LENGTH, &mut film.thickness_mm),
+        ("length_mm", LENGTH, &mut film.length_mm),
+        ("width_mm", LENGTH, &mut film.width_mm),
     ];
-    let fields = Fields::open(value, pointer, &known, faults)?;
-    let default = Film::default();
-    let modulus = fields.number("modulus_mpa", MODULUS, default.modulus_mpa, faults);
-    let poisson = fields.number("poisson_ratio", POISSON, default.poisson_ratio, faults);
-    let thickness = fields.number("thickness_mm", LENGTH, default.thickness_mm, faults);
-    let length = fields.number("length_mm", LENGTH, default.length_mm, faults);
-    let width = fields.number("width_mm", LENGTH, default.width_mm, faults);
-    Some(Film {
-        modulus_mpa: modulus?,
-        poisson_ratio: poisson?,
-        thickness_mm: thickness?,
-        length_mm: length?,
-        width_mm: width?,
-    })
+    Fields::of_numbers(value, pointer, &[], numbers, faults)?;
+    Some(film)
 }
 
 /// The film is thin, and it ends within the inner surface.

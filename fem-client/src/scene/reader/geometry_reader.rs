@@ -5,7 +5,7 @@ use serde_json::Value;
 use super::shared_ranges::LENGTH;
 use crate::document::fault::{Fault, member};
 use crate::document::fields::{Fields, Range, plain, shown};
-use crate::scene::{Geometry, GeometryKind};
+use crate::scene::Geometry;
 
 const BEAD_ANGLE: Range = Range::new(60.0, 150.0, "degrees");
 /// Thinnest wall, in section radii: below it the solid elements degenerate.
@@ -15,33 +15,16 @@ const SMALLEST_BEAD_RADIUS: f64 = 0.01;
 
 pub(super) fn geometry(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Geometry> {
     check_kind(value, pointer, faults)?;
-    let known = [
-        "kind",
-        "outer_radius_mm",
-        "section_radius_mm",
-        "wall_mm",
-        "bead_angle_deg",
+    let mut shape = Geometry::default();
+    let numbers = [
+        ("outer_radius_mm", LENGTH, &mut shape.outer_radius_mm),
+        ("section_radius_mm", LENGTH, &mut shape.section_radius_mm),
+        ("wall_mm", LENGTH, &mut shape.wall_mm),
+        ("bead_angle_deg", BEAD_ANGLE, &mut shape.bead_angle_deg),
     ];
-    let fields = Fields::open(value, pointer, &known, faults)?;
-    let default = Geometry::default();
-    let outer = fields.number("outer_radius_mm", LENGTH, default.outer_radius_mm, faults);
-    let section = fields.number(
-        "section_radius_mm",
-        LENGTH,
-        default.section_radius_mm,
-        faults,
-    );
-    let wall = fields.number("wall_mm", LENGTH, default.wall_mm, faults);
-    let bead = fields.number("bead_angle_deg", BEAD_ANGLE, default.bead_angle_deg, faults);
-    let geometry = Geometry {
-        kind: GeometryKind::Tire,
-        outer_radius_mm: outer?,
-        section_radius_mm: section?,
-        wall_mm: wall?,
-        bead_angle_deg: bead?,
-    };
-    check_shape(&geometry, &fields, faults);
-    Some(geometry)
+    let fields = Fields::of_numbers(value, pointer, &["kind"], numbers, faults)?;
+    check_shape(&shape, &fields, faults);
+    Some(shape)
 }
 
 /// Only the tire is modelled: another kind is one fault, whatever its fields are.

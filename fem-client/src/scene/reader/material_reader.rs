@@ -72,38 +72,31 @@ fn unknown_model(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Optio
 }
 
 /// Reads the parameters of a law, whose own ones are the defaults.
-fn parameters(fields: &Fields<'_>, default: Law, faults: &mut Vec<Fault>) -> Option<Law> {
-    Some(match default {
-        Law::NeoHookean { c10_mpa } => Law::NeoHookean {
-            c10_mpa: fields.number("c10_mpa", MODULUS, c10_mpa, faults)?,
-        },
-        Law::MooneyRivlin { c10_mpa, c01_mpa } => {
-            let c10 = fields.number("c10_mpa", MODULUS, c10_mpa, faults);
-            let c01 = fields.number("c01_mpa", MODULUS_OR_ZERO, c01_mpa, faults);
-            Law::MooneyRivlin {
-                c10_mpa: c10?,
-                c01_mpa: c01?,
-            }
-        }
+fn parameters(fields: &Fields<'_>, mut law: Law, faults: &mut Vec<Fault>) -> Option<Law> {
+    let numbers = match &mut law {
+        Law::NeoHookean { c10_mpa } => vec![("c10_mpa", MODULUS, c10_mpa)],
+        Law::MooneyRivlin { c10_mpa, c01_mpa } => vec![
+            ("c10_mpa", MODULUS, c10_mpa),
+            ("c01_mpa", MODULUS_OR_ZERO, c01_mpa),
+        ],
         Law::Yeoh {
             c10_mpa,
             c20_mpa,
             c30_mpa,
-        } => {
-            let c10 = fields.number("c10_mpa", MODULUS, c10_mpa, faults);
-            let c20 = fields.number("c20_mpa", WEIGHT, c20_mpa, faults);
-            let c30 = fields.number("c30_mpa", WEIGHT, c30_mpa, faults);
-            Law::Yeoh {
-                c10_mpa: c10?,
-                c20_mpa: c20?,
-                c30_mpa: c30?,
-            }
+        } => vec![
+            ("c10_mpa", MODULUS, c10_mpa),
+            ("c20_mpa", WEIGHT, c20_mpa),
+            ("c30_mpa", WEIGHT, c30_mpa),
+        ],
+        Law::Ogden { .. } => {
+            return match fields.get("terms") {
+                None => Some(law),
+                Some((value, pointer)) => ogden(value, &pointer, faults),
+            };
         }
-        Law::Ogden { terms } => match fields.get("terms") {
-            None => Law::Ogden { terms },
-            Some((value, pointer)) => ogden(value, &pointer, faults)?,
-        },
-    })
+    };
+    fields.numbers(numbers, faults)?;
+    Some(law)
 }
 
 fn ogden(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Law> {
