@@ -136,7 +136,8 @@ impl Campaign {
     }
 
     /// As [`Campaign::analyse`], for outputs by the thousand that the campaign wasn't asked to serve. The adaptive method then gives
-    /// the best form on its lines, in milliseconds: its check points show that form's error, and aren't used to correct it.
+    /// the best form on its lines, in milliseconds: its check points show that form's error, and aren't used to correct it. Polynomial
+    /// chaos fits the same few terms to all of them.
     ///
     /// # Errors
     /// As [`Campaign::analyse`].

@@ -18,6 +18,8 @@ const MOST_UNKNOWNS: f64 = 0.5;
 const SPENT: f64 = 1e-10;
 /// Steps without a better leave-one-out misfit before the search ends.
 const PATIENCE: usize = 4;
+/// A point that decides its own value alone has no residual: it counts as if this share of it were left.
+const LEAST_FREEDOM: f64 = 1e-6;
 /// Groups of cross validation.
 const FOLDS: usize = 8;
 
@@ -159,9 +161,58 @@ pub(crate) fn fit(candidates: &Candidates, values: &[f64], kept: &[f64], noise: 
     }
     let mut steps = search.steps;
     steps.truncate(best);
+    let coefficients = steps.iter().map(|step| step.coefficient).collect();
     Fit {
-        terms: solve(&steps),
+        terms: solve(&steps, coefficients),
         triangles: steps.into_iter().map(|step| step.triangle).collect(),
+    }
+}
+
+/// All columns in their order, but those that are combinations of earlier ones, made ready to fit many lists of values.
+pub(crate) struct Basis {
+    steps: Vec<Step>,
+    leverage: Vec<f64>,
+}
+
+impl Basis {
+    pub(crate) fn of(candidates: &Candidates) -> Self {
+        let rows = candidates.columns.first().map_or(0, Vec::len);
+        let kept = vec![1.0; rows];
+        let mut search = Search::new(candidates, vec![0.0; rows], &kept);
+        for column in 0..candidates.columns.len() {
+            if search.left[column] > SPENT * search.norms[column] {
+                search.take(column, &kept);
+            }
+        }
+        let mut leverage = vec![0.0; rows];
+        for step in &search.steps {
+            for (l, q) in leverage.iter_mut().zip(&step.unit) {
+                *l += q * q;
+            }
+        }
+        Self {
+            steps: search.steps,
+            leverage,
+        }
+    }
+
+    /// The least squares fit of values, and what a fit without point k is off by there.
+    pub(crate) fn fit(&self, values: &[f64]) -> (Fit, Vec<f64>) {
+        let mut residual = values.to_vec();
+        let mut coefficients = Vec::with_capacity(self.steps.len());
+        for step in &self.steps {
+            let coefficient = dot(&residual, &step.unit);
+            subtract(&mut residual, &step.unit, coefficient);
+            coefficients.push(coefficient);
+        }
+        let triangles = self.steps.iter().map(|step| step.triangle.clone());
+        let fit = Fit {
+            terms: solve(&self.steps, coefficients),
+            triangles: triangles.collect(),
+        };
+        let without = |(r, l): (&f64, &f64)| r / (1.0 - l).max(LEAST_FREEDOM);
+        let unseen = residual.iter().zip(&self.leverage).map(without).collect();
+        (fit, unseen)
     }
 }
 
@@ -171,14 +222,13 @@ fn left_out(residual: &[f64], leverage: &[f64], count: f64) -> f64 {
     let unknowns: f64 = leverage.iter().sum();
     let squares = residual.iter().zip(leverage);
     let sum: f64 = squares
-        .map(|(r, l)| (r / (1.0 - l).max(1e-6)).powi(2))
+        .map(|(r, l)| (r / (1.0 - l).max(LEAST_FREEDOM)).powi(2))
         .sum();
     sum * count / (count - unknowns)
 }
 
-/// Coefficients of the columns as given, by back substitution.
-fn solve(steps: &[Step]) -> Vec<(usize, f64)> {
-    let mut coefficients: Vec<f64> = steps.iter().map(|step| step.coefficient).collect();
+/// Coefficients of the columns as given from those of the unit vectors, by back substitution.
+fn solve(steps: &[Step], mut coefficients: Vec<f64>) -> Vec<(usize, f64)> {
     for p in (0..steps.len()).rev() {
         coefficients[p] /= steps[p].triangle[p];
         for q in 0..p {
@@ -278,6 +328,28 @@ mod tests {
         assert_eq!(found.len(), 3);
         for ((i, c), (j, expected)) in found.iter().zip(terms) {
             assert!(*i == j && (c - expected).abs() < 1e-13, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn a_basis_says_what_fits_without_each_point_in_turn_say() {
+        let candidates = candidates_of(6, 20);
+        let values = candidates_of(7, 20).columns[6].clone();
+        let (found, unseen) = Basis::of(&candidates).fit(&values);
+        assert_eq!(found.terms.len(), 6);
+        for k in 0..values.len() {
+            let without = |list: &Vec<f64>| -> Vec<f64> {
+                let others = list.iter().enumerate().filter(|(row, _)| *row != k);
+                others.map(|(_, x)| *x).collect()
+            };
+            let others = Candidates {
+                columns: candidates.columns.iter().map(without).collect(),
+                preference: vec![1.0; 6],
+            };
+            let (fit, _) = Basis::of(&others).fit(&without(&values));
+            let terms = fit.terms.iter();
+            let predicted: f64 = terms.map(|(i, c)| c * candidates.columns[*i][k]).sum();
+            assert!((values[k] - predicted - unseen[k]).abs() < 1e-12, "{k}");
         }
     }
 

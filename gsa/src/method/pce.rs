@@ -28,6 +28,7 @@ use ndarray::ArrayView2;
 use crate::design::sobol::Sobol;
 use crate::design::{DesignError, MAX_CHECK_POINTS};
 use crate::law::distribution::Distribution;
+use crate::law::rule::RuleError;
 use crate::method::Method;
 use crate::method::analysis::{Analysis, Form, each_output};
 use crate::method::procedure::{Procedure, Runs};
@@ -44,8 +45,12 @@ pub(crate) struct Pce {
 impl Pce {
     /// The expansion at these points.
     fn chaos(inputs: &[Distribution], points: &[Vec<f64>]) -> Result<Chaos, DesignError> {
-        Chaos::new(inputs, points).map_err(|(input, source)| DesignError::Rule { input, source })
+        Chaos::new(inputs, points).map_err(no_rule)
     }
+}
+
+fn no_rule((input, source): (usize, RuleError)) -> DesignError {
+    DesignError::Rule { input, source }
 }
 
 impl Procedure for Pce {
@@ -74,6 +79,15 @@ impl Procedure for Pce {
         let chaos = Self::chaos(&self.inputs, &self.points)?;
         Ok(each_output(values, |values| {
             scattered::answer(chaos.analyse(values), values, Form::Pce).of_one_input()
+        }))
+    }
+
+    /// By the same few terms for all outputs, at the points where all of them have a number.
+    fn survey(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
+        let chaos = Chaos::small(&self.inputs, &self.points).map_err(no_rule)?;
+        let survey = chaos.survey(|k| values.row(k).iter().all(|y| y.is_finite()));
+        Ok(each_output(values, |values| {
+            scattered::answer(survey.analyse(values), values, Form::Pce).of_one_input()
         }))
     }
 }

@@ -1,7 +1,7 @@
 //! The expansion of an output, fitted to its values, and the indices that follow from the coefficients.
 
 use crate::form::composite::pair;
-use crate::form::regression::{self, Candidates, Fit};
+use crate::form::regression::{self, Basis, Candidates, Fit};
 use crate::form::scale::{exponent, times_power_of_two};
 use crate::judge::index_error::{self, ByInput, ErrorParts};
 use crate::law::distribution::Distribution;
@@ -41,11 +41,30 @@ impl Chaos {
         inputs: &[Distribution],
         points: &[Vec<f64>],
     ) -> Result<Self, (usize, RuleError)> {
-        let degree = (1..=HIGHEST)
-            .rev()
-            .find(|&degree| multi_indices(inputs.len(), degree).is_some());
-        let degree = degree.unwrap_or(1);
-        let indices = multi_indices(inputs.len(), degree).unwrap_or_default();
+        Self::within(inputs, points, |_| true)
+    }
+
+    /// Of no more terms than a quarter of the points.
+    ///
+    /// # Errors
+    /// As for [`Chaos::new`].
+    pub(super) fn small(
+        inputs: &[Distribution],
+        points: &[Vec<f64>],
+    ) -> Result<Self, (usize, RuleError)> {
+        Self::within(inputs, points, |terms| 4 * terms <= points.len())
+    }
+
+    /// Of the highest degree whose number of terms serves, the first where none does.
+    fn within(
+        inputs: &[Distribution],
+        points: &[Vec<f64>],
+        serves: impl Fn(usize) -> bool,
+    ) -> Result<Self, (usize, RuleError)> {
+        let of_degree = |degree| multi_indices(inputs.len(), degree);
+        let fits = |degree: &usize| of_degree(*degree).is_some_and(|terms| serves(terms.len()));
+        let degree = (1..=HIGHEST).rev().find(fits).unwrap_or(1);
+        let indices = of_degree(degree).unwrap_or_default();
         let of_input = |(input, law): (usize, &Distribution)| {
             let rule = law.gauss_rule(degree + 1).map_err(|error| (input, error))?;
             let polynomials = Polynomials::new(law, &rule);
@@ -69,41 +88,77 @@ impl Chaos {
     }
 }
 
+/// The terms at the points that gave a number.
+struct Terms {
+    rows: Vec<usize>,
+    candidates: Candidates,
+}
+
+/// All terms fitted together, for outputs by the thousand: which of them an output needs isn't asked.
+pub(super) struct Survey<'c> {
+    chaos: &'c Chaos,
+    terms: Terms,
+    basis: Basis,
+}
+
 impl Chaos {
     /// Analyses one output; `None` if it doesn't vary or too few runs gave a number.
     pub(super) fn analyse(&self, values: &[f64]) -> Option<Scattered> {
-        let rows: Vec<usize> = (0..values.len())
-            .filter(|&k| values[k].is_finite())
-            .collect();
+        let terms = self.terms(|k| values[k].is_finite());
+        self.found(&terms, values, |candidates, values| {
+            let all = vec![1.0; values.len()];
+            let noise = NOISE_IN_EPS * f64::EPSILON;
+            let fit = regression::fit(candidates, values, &all, noise);
+            (fit, regression::cross_validate(candidates, values, noise))
+        })
+    }
+
+    /// For outputs that have a number at the points that `gave_one`.
+    pub(super) fn survey(&self, gave_one: impl Fn(usize) -> bool) -> Survey<'_> {
+        let terms = self.terms(gave_one);
+        Survey {
+            basis: Basis::of(&terms.candidates),
+            chaos: self,
+            terms,
+        }
+    }
+
+    fn terms(&self, gave_one: impl Fn(usize) -> bool) -> Terms {
+        let points = self.columns.first().map_or(0, Vec::len);
+        let rows: Vec<usize> = (0..points).filter(|k| gave_one(*k)).collect();
+        let of_rows = |column: &Vec<f64>| rows.iter().map(|&k| column[k]).collect();
+        Terms {
+            candidates: Candidates {
+                columns: self.columns.iter().map(of_rows).collect(),
+                preference: self.indices.iter().map(|index| preference(index)).collect(),
+            },
+            rows,
+        }
+    }
+
+    /// What follows from a fit and its residuals, in the output's units.
+    fn found(
+        &self,
+        terms: &Terms,
+        values: &[f64],
+        fit: impl FnOnce(&Candidates, &[f64]) -> (Fit, Vec<f64>),
+    ) -> Option<Scattered> {
+        let Terms { rows, candidates } = terms;
         if rows.len() < LEAST_POINTS {
             return None;
         }
         let largest = rows.iter().fold(0.0f64, |max, &k| max.max(values[k].abs()));
         let power = exponent(largest);
-        let values: Vec<f64> = rows
-            .iter()
-            .map(|&k| times_power_of_two(values[k], -power))
-            .collect();
-        let candidates = Candidates {
-            columns: self
-                .columns
-                .iter()
-                .map(|column| rows.iter().map(|&k| column[k]).collect())
-                .collect(),
-            preference: self.indices.iter().map(|index| preference(index)).collect(),
-        };
-        let all = vec![1.0; rows.len()];
-        let noise = NOISE_IN_EPS * f64::EPSILON;
-        let fit = regression::fit(&candidates, &values, &all, noise);
-        let unseen = regression::cross_validate(&candidates, &values, noise);
-        self.indices_of(&fit, &candidates, &values, &unseen)
-            .map(|mut found| {
-                found.mean = times_power_of_two(found.mean, power);
-                found.variance = times_power_of_two(found.variance, 2 * power);
-                let total = self.columns.first().map_or(0, Vec::len);
-                found.lost = (0..total).filter(|k| !rows.contains(k)).collect();
-                found
-            })
+        let scaled = |k: &usize| times_power_of_two(values[*k], -power);
+        let scaled: Vec<f64> = rows.iter().map(scaled).collect();
+        let (fit, unseen) = fit(candidates, &scaled);
+        let found = self.indices_of(&fit, candidates, &scaled, &unseen)?;
+        Some(Scattered {
+            mean: times_power_of_two(found.mean, power),
+            variance: times_power_of_two(found.variance, 2 * power),
+            lost: (0..values.len()).filter(|k| !rows.contains(k)).collect(),
+            ..found
+        })
     }
 
     fn indices_of(
@@ -166,6 +221,14 @@ impl Chaos {
             lost: Vec::new(),
             first_order,
         })
+    }
+}
+
+impl Survey<'_> {
+    /// Analyses one output; `None` if it doesn't vary or too few runs gave a number.
+    pub(super) fn analyse(&self, values: &[f64]) -> Option<Scattered> {
+        let fit = |_: &Candidates, values: &[f64]| self.basis.fit(values);
+        self.chaos.found(&self.terms, values, fit)
     }
 }
 

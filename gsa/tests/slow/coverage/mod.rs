@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use gsa::campaign::Campaign;
 use gsa::method::analysis::Analysis;
 use gsa::method::{Kind, Method};
+use ndarray::Array2;
 
 use crate::asking::until_enough;
 use crate::known::{Known, quantile};
@@ -55,7 +56,17 @@ fn print(table: &BTreeMap<&str, Vec<Outcome>>) -> Vec<Outcome> {
 fn coverage(
     title: &str,
     seeds: std::ops::Range<u64>,
+    method: impl FnMut(&Known, u64) -> Option<Method>,
+) -> (f64, f64) {
+    coverage_of(title, seeds, method, run)
+}
+
+/// As [`coverage`], of what `run` says.
+fn coverage_of(
+    title: &str,
+    seeds: std::ops::Range<u64>,
     mut method: impl FnMut(&Known, u64) -> Option<Method>,
+    run: impl Fn(&Known, Method) -> (Analysis, usize),
 ) -> (f64, f64) {
     let mut table: BTreeMap<&str, Vec<Outcome>> = BTreeMap::new();
     let mut runs = Vec::new();
@@ -92,6 +103,15 @@ fn coverage(
 fn run(known: &Known, method: Method) -> (Analysis, usize) {
     let campaign = Campaign::new(&known.inputs, method).expect("a valid campaign");
     until_enough(campaign, &known.model)
+}
+
+/// What a method says of an output among thousands.
+fn surveyed(known: &Known, method: Method) -> (Analysis, usize) {
+    let campaign = Campaign::new(&known.inputs, method).expect("a valid campaign");
+    let values: Vec<f64> = campaign.points().iter().map(|x| (known.model)(x)).collect();
+    let values = Array2::from_shape_vec((values.len(), 1), values).expect("a column");
+    let found = campaign.survey(&values.view()).expect("rules exist");
+    (found.into_iter().next().expect("an output"), values.len())
 }
 
 fn seeded(kind: Kind, seed: u64) -> Method {
@@ -150,4 +170,16 @@ fn claimed_errors_of_the_other_methods() {
             "{kind:?}: {share} {median}"
         );
     }
+}
+
+#[test]
+fn claimed_errors_of_a_survey_by_polynomials() {
+    let method = |_: &Known, seed| {
+        Some(Method {
+            samples: 200,
+            ..seeded(Kind::Pce, seed)
+        })
+    };
+    let (share, median) = coverage_of("pce, survey", 20..28, method, surveyed);
+    assert!(share >= 95.0 && median <= 10.0, "{share} {median}");
 }
