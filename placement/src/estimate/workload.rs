@@ -6,18 +6,21 @@ use std::collections::HashSet;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::Solver;
 use fem_client::solver::direction::Direction;
-use gsa::method::Kind;
+use gsa::method::{Kind, Method};
 
 use super::law::{How, Task, mirror_class, tire};
 use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
 use crate::run::keys;
-use crate::study::plan::{Plan, PlannedStudy};
+use crate::study::plan::{Plan, PlanError, PlannedStudy};
 use crate::study::{Accuracy, Study};
 
 /// Times as many points as it starts with that the adaptive method is expected to ask for: it took 3.9 and 4.5 times as many in the
 /// measured trades of `docs/trade.md`.
 const OF_ADAPTING: usize = 4;
+
+/// Nodes for each input of the lines that stand for a larger design: a mean point, and one on each side.
+const LINE_NODES: usize = 3;
 
 /// What a study will, or may, have solved, in the order in which it goes.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +32,8 @@ pub struct Workload {
     pub(crate) law_holds: bool,
     /// Numbers read off each point.
     pub(crate) readings: usize,
+    /// Whether its points were counted, not planned.
+    pub(crate) is_counted: bool,
 }
 
 /// The study on one mesh with one method.
@@ -64,23 +69,55 @@ impl Workload {
     /// What a study asks of a solver.
     pub fn of(planned: &PlannedStudy, solver: &dyn Solver) -> Self {
         let readout = planned.study.readout();
-        Self::with_keys(planned, solver, &|scenes| keys(scenes, solver, &readout))
+        let keys = |scenes: &[Scene]| keys(scenes, solver, &readout);
+        Self::with_keys(planned, solver, &keys, &|points| points)
+    }
+
+    /// What a large design asks of a solver: as many points as it has, each as dear as one of the few on its lines. Its keys are none
+    /// of the archive.
+    ///
+    /// # Errors
+    /// When the points on the lines have no plan.
+    pub fn counted(study: &Study, solver: &dyn Solver) -> Result<Self, PlanError> {
+        let mut on_lines = study.clone();
+        on_lines.method = Method {
+            nodes: LINE_NODES,
+            seed: study.method.seed,
+            ..Method::of(Kind::Mdrm)
+        };
+        let planned = PlannedStudy {
+            plan: Plan::new(&on_lines)?,
+            study: study.clone(),
+        };
+        let count = study.method.first_points(study.inputs.len());
+        let stretched = |sample: Vec<Point>| {
+            let Some((cut, others)) = sample.split_first() else {
+                return sample;
+            };
+            let rest = others.iter().cycle().take(count.saturating_sub(1));
+            let all = std::iter::once(cut).chain(rest).enumerate();
+            let numbered = |(ordinal, point): (usize, &Point)| Point {
+                key: format!("{} {ordinal}", cut.key),
+                ..point.clone()
+            };
+            all.map(numbered).collect()
+        };
+        Ok(Self {
+            is_counted: true,
+            ..Self::with_keys(&planned, solver, &numbers(), &stretched)
+        })
     }
 
     /// What a study asks of a solver, for an estimate of its memory: without looking which solves are alike, which takes half of the time.
     pub fn without_keys(planned: &PlannedStudy, solver: &dyn Solver) -> Self {
-        let next = Cell::new(0_usize);
-        Self::with_keys(planned, solver, &|scenes| {
-            let first = next.get();
-            next.set(first + scenes.len());
-            (first..next.get()).map(|key| key.to_string()).collect()
-        })
+        Self::with_keys(planned, solver, &numbers(), &|points| points)
     }
 
     fn with_keys(
         planned: &PlannedStudy,
         solver: &dyn Solver,
         keys: &dyn Fn(&[Scene]) -> Vec<String>,
+        of_own_method: &dyn Fn(Vec<Point>) -> Vec<Point>,
     ) -> Self {
         let study = &planned.study;
         let path = match study.accuracy {
@@ -95,14 +132,22 @@ impl Workload {
             let Ok(plan) = planned.plan.raised(study, &raised) else {
                 break;
             };
+            let is_own_method = raised.method == study.method;
             let mut fresh = |scenes: &[Scene]| -> Vec<Point> {
                 let mut points = points(scenes, solver, keys);
                 points.retain(|point| known.insert(point.key.clone()));
                 points
             };
-            let own = fresh(&plan.points);
+            let sized = |points| {
+                if is_own_method {
+                    of_own_method(points)
+                } else {
+                    points
+                }
+            };
+            let own = sized(fresh(&plan.points));
             let coarser_level = solver.coarser(&raised.scene).map(|coarser| coarser.level);
-            let coarser = coarser_level.map(|level| fresh(&plan.on_level(level).points));
+            let coarser = coarser_level.map(|level| sized(fresh(&plan.on_level(level).points)));
             let mut effects = Vec::new();
             if effects_due && fidelity.level != Level::Draft {
                 effects_due = false;
@@ -127,6 +172,7 @@ impl Workload {
             accuracy: study.accuracy,
             law_holds: solver.has_time_law(),
             readings: readings(study),
+            is_counted: false,
         }
     }
 
@@ -136,6 +182,16 @@ impl Workload {
             let series = [&stage.own, &stage.coarser, &stage.effects];
             series.into_iter().flatten().map(|point| point.key.as_str())
         })
+    }
+}
+
+/// Different keys for all points that they are asked for.
+fn numbers() -> impl Fn(&[Scene]) -> Vec<String> {
+    let next = Cell::new(0_usize);
+    move |scenes| {
+        let first = next.get();
+        next.set(first + scenes.len());
+        (first..next.get()).map(|key| key.to_string()).collect()
     }
 }
 

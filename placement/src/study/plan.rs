@@ -42,6 +42,18 @@ impl PlannedStudy {
     }
 }
 
+/// Most points that are planned for an estimate: each takes a tenth of a millisecond.
+pub(crate) const MOST_PLANNED: usize = 1000;
+
+/// A study of which only the cost is asked.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Estimable {
+    /// With its plan.
+    Planned(PlannedStudy),
+    /// Of a design so large that its points are only counted.
+    Counted(Study),
+}
+
 /// A study that can't be planned.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PlanError {

@@ -13,7 +13,7 @@ use serde_json::Value;
 use crate::study::candidate_reader::{candidates, layouts};
 use crate::study::input_reader::{read_inputs, read_name};
 use crate::study::method_reader::{Limits, read_method};
-use crate::study::plan::{PlanError, PlannedStudy};
+use crate::study::plan::{Estimable, MOST_PLANNED, PlanError, PlannedStudy};
 use crate::study::{Accuracy, Study};
 
 /// Gives the text of a scene file, or says why it can't be had.
@@ -90,13 +90,36 @@ impl PlannedStudy {
     /// # Errors
     /// Every fault of the document.
     pub fn from_value(value: &Value, resolve: Resolve<'_>) -> Result<Self, Vec<Fault>> {
-        let mut faults = Vec::new();
         // Ends of single inputs are checked with the inputs; their combinations only by the plan.
-        let planned = read(value, resolve, &mut faults)
-            .filter(|study| faults.is_empty() && are_few_enough(study, &mut faults))
-            .and_then(|study| planned(study, &mut faults));
+        let study = unplanned(value, resolve)?;
+        let mut faults = Vec::new();
+        let planned = planned(study, &mut faults);
         planned.filter(|_| faults.is_empty()).ok_or(faults)
     }
+}
+
+impl Estimable {
+    /// Reads a study from a parsed document, and plans it unless that takes long.
+    ///
+    /// # Errors
+    /// Every fault of the document; of a large design not those of single points.
+    pub fn from_value(value: &Value, resolve: Resolve<'_>) -> Result<Self, Vec<Fault>> {
+        let study = unplanned(value, resolve)?;
+        if study.method.first_points(study.inputs.len()) > MOST_PLANNED {
+            return Ok(Self::Counted(study));
+        }
+        let mut faults = Vec::new();
+        let planned = planned(study, &mut faults).filter(|_| faults.is_empty());
+        planned.map(Self::Planned).ok_or(faults)
+    }
+}
+
+/// A study whose plan is not too large to be made.
+fn unplanned(value: &Value, resolve: Resolve<'_>) -> Result<Study, Vec<Fault>> {
+    let mut faults = Vec::new();
+    let study = read(value, resolve, &mut faults)
+        .filter(|study| faults.is_empty() && are_few_enough(study, &mut faults));
+    study.ok_or(faults)
 }
 
 fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<Study> {

@@ -8,11 +8,12 @@ use fem_client::solver::Solver;
 use placement::estimate::{Machine, Workload, estimate};
 use placement::result::Estimate;
 use placement::study::Study;
-use placement::study::plan::{PlanError, PlannedStudy};
+use placement::study::plan::{Estimable, PlanError, PlannedStudy};
 use placement::sweep::Sweep;
 
 use crate::wire::sweep_wire::{DesignEstimate, SweepEstimate};
 use store::points::evaluations;
+use store::queue::study_rows;
 use store::{Store, StoreError};
 
 /// Why there is no estimate.
@@ -59,6 +60,31 @@ pub async fn forecast(
         known = evaluations::known(&mut connection, &keys).await?;
         samples = evaluations::samples(&mut connection).await?;
     }
+    let machine = Machine::measured(solves_at_once(threads), &samples, solver.as_ref());
+    Ok(estimate(&work, &known, &machine))
+}
+
+/// What a study would cost that need not be planned for that.
+///
+/// # Errors
+/// See [`ForecastError`].
+pub async fn forecast_of(
+    store: &Store,
+    solver: &Arc<dyn Solver>,
+    threads: usize,
+    study: Estimable,
+) -> Result<Estimate, ForecastError> {
+    let study = match study {
+        Estimable::Planned(planned) => {
+            return forecast(Some(store), solver, threads, &Arc::new(planned)).await;
+        }
+        Estimable::Counted(study) => study,
+    };
+    let work = Workload::counted(&study, solver.as_ref())?;
+    let mut connection = store.read().await?;
+    let solved = study_rows::points_of_twins(&mut connection, &study.spec_sha256()).await?;
+    let known = work.keys().take(solved).map(str::to_owned).collect();
+    let samples = evaluations::samples(&mut connection).await?;
     let machine = Machine::measured(solves_at_once(threads), &samples, solver.as_ref());
     Ok(estimate(&work, &known, &machine))
 }

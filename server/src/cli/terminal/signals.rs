@@ -1,4 +1,4 @@
-//! Ctrl-C, and SIGTERM where there is one.
+//! Ctrl-C, and where there are such SIGTERM, and SIGHUP of a terminal that is closed.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -13,6 +13,9 @@ pub struct Signals {
     interrupt: tokio::signal::unix::Signal,
     #[cfg(unix)]
     terminate: tokio::signal::unix::Signal,
+    /// None where whoever started the program had it ignored, as `nohup` does.
+    #[cfg(unix)]
+    hangup: Option<tokio::signal::unix::Signal>,
 }
 
 impl Signals {
@@ -23,9 +26,11 @@ impl Signals {
     #[cfg(unix)]
     pub fn listen() -> Result<Self, Failure> {
         use tokio::signal::unix::{SignalKind, signal};
+        let hangup = || signal(SignalKind::hangup()).map_err(Failure::other);
         Ok(Self {
             interrupt: signal(SignalKind::interrupt()).map_err(Failure::other)?,
             terminate: signal(SignalKind::terminate()).map_err(Failure::other)?,
+            hangup: (!ignores_hangup()).then(hangup).transpose()?,
         })
     }
 
@@ -44,13 +49,35 @@ impl Signals {
         tokio::select! {
             _ = self.interrupt.recv() => {}
             _ = self.terminate.recv() => {}
+            () = heard(&mut self.hangup) => {}
         }
         #[cfg(not(unix))]
         let _ = tokio::signal::ctrl_c().await;
     }
 }
 
-/// A flag that Ctrl-C sets; a second one ends the program at once, which loses nothing that is solved.
+/// Waits for a signal, for ever where it isn't listened to.
+#[cfg(unix)]
+async fn heard(signal: &mut Option<tokio::signal::unix::Signal>) {
+    match signal {
+        Some(signal) => {
+            signal.recv().await;
+        }
+        None => std::future::pending().await,
+    }
+}
+
+/// Whether SIGHUP, the first signal, was set to be ignored before the program began; where the system doesn't tell, it wasn't.
+#[cfg(unix)]
+fn ignores_hangup() -> bool {
+    const HANGUP: u64 = 1;
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let ignored = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    ignored.is_some_and(|mask| mask & HANGUP != 0)
+}
+
+/// A flag that Ctrl-C and its like set; a second one ends the program at once, which loses nothing that is solved.
 ///
 /// # Errors
 /// When the system refuses.

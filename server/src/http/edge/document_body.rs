@@ -12,7 +12,7 @@ use axum::http::{HeaderMap, StatusCode, header};
 use fem_client::document::fault::Fault;
 use fem_client::document::{Format, MAX_BYTES, parse};
 use http_body_util::BodyExt;
-use placement::study::plan::PlannedStudy;
+use placement::study::plan::{Estimable, PlannedStudy};
 use placement::sweep::Sweep;
 use serde_json::Value;
 use tokio::sync::Semaphore;
@@ -84,6 +84,22 @@ impl<S: Send + Sync> FromRequest<S> for StudyBody {
         planned.await.map(|planned| Self {
             planned: Arc::new(planned),
         })
+    }
+}
+
+/// A study from a request's body of which only the cost is asked.
+pub struct EstimateBody {
+    /// The study, planned unless that takes long.
+    pub study: Estimable,
+}
+
+impl<S: Send + Sync> FromRequest<S> for EstimateBody {
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, state: &S) -> Result<Self, Problem> {
+        let document = Document::from_request(request, state).await?;
+        let study = document.checked(|value| Estimable::from_value(value, &no_files));
+        study.await.map(|study| Self { study })
     }
 }
 

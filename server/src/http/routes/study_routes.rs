@@ -15,10 +15,10 @@ use utoipa_axum::routes;
 
 use crate::http::app_state::AppState;
 use crate::http::edge::conditional;
-use crate::http::edge::document_body::StudyBody;
+use crate::http::edge::document_body::{EstimateBody, StudyBody};
 use crate::http::edge::extract::{Params, StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
-use service::forecast::{ForecastError, admit, forecast};
+use service::forecast::{ForecastError, admit, forecast_of};
 use service::queue::SubmitError;
 use service::wire::examples;
 use service::wire::study_wire::{
@@ -252,16 +252,10 @@ async fn show(
             body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]
 async fn estimate(
     State(state): State<AppState>,
-    body: StudyBody,
+    EstimateBody { study }: EstimateBody,
 ) -> Result<Json<Estimate>, Problem> {
     let engine = &state.engine;
-    let estimate = forecast(
-        Some(&state.store),
-        &engine.solver,
-        engine.threads,
-        &body.planned,
-    )
-    .await;
+    let estimate = forecast_of(&state.store, &engine.solver, engine.threads, study).await;
     estimate.map(Json).map_err(refused)
 }
 

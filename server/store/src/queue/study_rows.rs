@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use sqlx::{FromRow, SqliteConnection};
 
 use crate::clock::now;
-use crate::column::whole;
+use crate::column::{counted, whole};
 use crate::content::{document_sha256, encode, intact};
 use crate::store_error::StoreError;
 
@@ -246,6 +246,19 @@ pub async fn answered_twin(
         .bind(id)
         .fetch_optional(connection)
         .await?)
+}
+
+/// The most points that any study of this document has.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn points_of_twins(
+    connection: &mut SqliteConnection,
+    spec_sha256: &str,
+) -> Result<usize, StoreError> {
+    let query = "select coalesce(max(points_done), 0) from studies where spec_sha256 = ?";
+    let points = sqlx::query_scalar(query).bind(spec_sha256);
+    Ok(counted(points.fetch_one(connection).await?).unwrap_or(0))
 }
 
 /// Whether a study is running.

@@ -1,7 +1,7 @@
 //! What ends a run or the service from outside.
 
 use std::io::{BufRead, BufReader};
-use std::process::{Child, Command};
+use std::process::{Child, Command, Stdio};
 
 use serde_json::Value;
 
@@ -41,7 +41,7 @@ async fn ctrl_c_keeps_what_is_solved_and_the_next_run_resumes() {
 
 #[test]
 fn the_service_ends_with_0_when_it_is_asked_to_stop() {
-    for signal in ["-INT", "-TERM"] {
+    for signal in ["-INT", "-TERM", "-HUP"] {
         let folder = tempfile::tempdir().expect("temp dir");
         let mut service = spawn(folder.path(), &["serve", "--addr", "127.0.0.1:0"]);
         let mut line = String::new();
@@ -58,4 +58,29 @@ fn the_service_ends_with_0_when_it_is_asked_to_stop() {
             "the log is folded into the database"
         );
     }
+}
+
+#[test]
+fn a_service_that_is_to_outlive_its_terminal_does() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let mut service = Command::new("sh")
+        .args([
+            "-c",
+            "trap '' HUP; exec \"$0\" serve --addr 127.0.0.1:0",
+            env!("CARGO_BIN_EXE_strainsite"),
+        ])
+        .current_dir(folder.path())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("starts");
+    let mut line = String::new();
+    let stdout = service.stdout.take().expect("a pipe");
+    let mut stdout = BufReader::new(stdout);
+    stdout.read_line(&mut line).expect("a line");
+    send("-HUP", &service);
+    let address = line.trim().strip_prefix("listening on http://");
+    let heard = std::net::TcpStream::connect(address.expect("an address"));
+    heard.expect("still listens");
+    send("-TERM", &service);
+    assert_eq!(service.wait().expect("ends").code(), Some(0));
 }
