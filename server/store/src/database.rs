@@ -3,19 +3,24 @@
 use std::path::{Path, PathBuf};
 
 use sqlx::pool::PoolConnection;
-use sqlx::{Sqlite, SqlitePool, Transaction};
-use tokio::sync::watch;
+use sqlx::{Connection, Sqlite, SqliteConnection, SqlitePool, Transaction};
+use tokio::sync::{Mutex, watch};
 
-use crate::file::{lock, pools};
+use crate::file::place::Place;
+use crate::file::presence::Presence;
+use crate::file::{lock, opening, pools};
 use crate::store_error::StoreError;
 
 /// An open database, held by this process alone.
 #[derive(Debug)]
 pub struct Store {
-    path: PathBuf,
+    place: Place,
     writer: SqlitePool,
     readers: SqlitePool,
+    keeper: Mutex<Option<SqliteConnection>>,
+    presence: Presence,
     latest_event: watch::Sender<i64>,
+    // Last: its descriptor is closed after all of SQLite's.
     _lock: lock::DatabaseLock,
 }
 
@@ -25,13 +30,17 @@ impl Store {
     /// # Errors
     /// [`StoreError::InUse`] when another process has it, [`StoreError::Open`] when the file is unusable.
     pub async fn open(path: &Path) -> Result<Self, StoreError> {
-        let lock = lock::DatabaseLock::take(path)?;
-        pools::bootstrap(path).await?;
-        let (writer, readers) = (pools::writer(path).await?, pools::readers(path).await?);
+        let (place, lock) = opening::to_write(path, opening::Missing::Made).await?;
+        pools::bootstrap(&place).await?;
+        let writer = pools::writer(&place).await?;
+        let readers = pools::readers(&place).await?;
+        let keeper = pools::keeper(&place).await?;
         Ok(Self {
-            path: path.to_owned(),
+            presence: Presence::note(&place),
+            place,
             writer,
             readers,
+            keeper: Mutex::new(Some(keeper)),
             latest_event: watch::Sender::new(0),
             _lock: lock,
         })
@@ -39,22 +48,21 @@ impl Store {
 
     /// The database file.
     pub fn path(&self) -> &Path {
-        &self.path
+        &self.place.named
     }
 
     /// Size of the file and its write-ahead log; 0 for what can't be looked at.
     pub fn bytes(&self) -> u64 {
-        let mut log = self.path.clone().into_os_string();
-        log.push("-wal");
-        let size = |path: &Path| std::fs::metadata(path).map_or(0, |file| file.len());
-        size(&self.path) + size(Path::new(&log))
+        let size = |path: PathBuf| std::fs::metadata(path).map_or(0, |file| file.len());
+        size(self.place.real.clone()) + size(self.place.log())
     }
 
     /// A connection that can only read. Return it soon: there are few.
     ///
     /// # Errors
-    /// When the database can't be read.
+    /// When the database can't be read, or isn't there any more.
     pub async fn read(&self) -> Result<PoolConnection<Sqlite>, StoreError> {
+        self.presence.check()?;
         Ok(self.readers.acquire().await?)
     }
 
@@ -62,21 +70,25 @@ impl Store {
     /// change before it writes.
     ///
     /// # Errors
-    /// When the database can't be written.
+    /// When the database can't be written, or isn't there any more.
     pub async fn begin(&self) -> Result<Transaction<'static, Sqlite>, StoreError> {
+        self.presence.check()?;
         Ok(self.writer.begin_with("begin immediate").await?)
     }
 
     /// Commits, then wakes whoever waits for an event up to `event`.
     ///
     /// # Errors
-    /// When the database can't be written; then nothing of the transaction is stored.
+    /// When the database can't be written; then nothing of the transaction is stored. [`StoreError::Gone`] when it was stored in files that
+    /// aren't there any more.
     pub async fn commit(
         &self,
         transaction: Transaction<'static, Sqlite>,
         event: i64,
     ) -> Result<(), StoreError> {
         transaction.commit().await?;
+        // Afterwards: what is confirmed was in the files that the next start will find.
+        self.presence.check()?;
         self.latest_event.send_if_modified(|latest| {
             let newer = event > *latest;
             *latest = event.max(*latest);
@@ -91,9 +103,17 @@ impl Store {
     }
 
     /// Closes all connections, which folds the write-ahead log into the database file.
-    pub async fn close(&self) {
+    ///
+    /// # Errors
+    /// [`StoreError::Gone`] when its files weren't there any more.
+    pub async fn close(&self) -> Result<(), StoreError> {
+        let present = self.presence.check();
         self.readers.close().await;
         self.writer.close().await;
+        if let Some(keeper) = self.keeper.lock().await.take() {
+            keeper.close().await?;
+        }
+        present
     }
 }
 
@@ -118,7 +138,7 @@ pub(crate) mod tests {
             Store::open(&path).await,
             Err(StoreError::InUse { .. })
         ));
-        store.close().await;
+        store.close().await.expect("closes");
         drop(store);
         Store::open(&path).await.expect("free again");
     }

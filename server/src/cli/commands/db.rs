@@ -10,6 +10,7 @@ use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::paint::{BAD, GOOD, painted};
 use crate::cli::terminal::progress::{TICK, bytes_bar, clock, count, counting_bar};
+use store::file::opening;
 use store::file::upkeep::{self, Inspection};
 
 /// Look after the database file
@@ -60,7 +61,7 @@ impl Db {
 
     fn check(&self, runtime: &Runtime) -> Result<(), Failure> {
         let found = runtime.block_on(async {
-            let mut connection = upkeep::open(&self.db).await?;
+            let mut connection = opening::to_read(&self.db).await?;
             let bar = counting_bar(0, "rows");
             let seen = |done, of| count(&bar, done, of);
             let found = upkeep::inspect(&mut connection, &seen).await;
@@ -81,7 +82,7 @@ impl Db {
 
     fn backup(&self, runtime: &Runtime, target: &Path) -> Result<(), Failure> {
         let copied = runtime.block_on(async {
-            let mut connection = upkeep::open(&self.db).await?;
+            let mut connection = opening::to_read(&self.db).await?;
             let bar = bytes_bar(upkeep::used_bytes(&mut connection).await?);
             let copying = upkeep::copy_to(&mut connection, target);
             let copied = watched(copying, || bar.set_position(size(target).unwrap_or(0))).await;

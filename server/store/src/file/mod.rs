@@ -1,9 +1,17 @@
 //! The database file.
 //!
+//! - `place`, `identity`: where it is, and which file that is
 //! - `lock`: one process per database
+//! - `presence`: whether an open one is still there
+//! - `condition`, [`opening`]: what a file is before it is touched
 //! - `pools`: connections: one that writes, a few that read
-//! - [`upkeep`]: checks, copies, free pages
+//! - [`upkeep`]: checks, free pages
 
+pub(crate) mod condition;
+pub(crate) mod identity;
 pub(crate) mod lock;
+pub mod opening;
+pub(crate) mod place;
 pub(crate) mod pools;
+pub(crate) mod presence;
 pub mod upkeep;

@@ -7,14 +7,14 @@ use std::path::Path;
 
 use placement::result::StudyResult;
 use serde::Serialize;
-use sqlx::sqlite::SqliteConnectOptions;
-use sqlx::{ConnectOptions, Connection, SqliteConnection};
+use sqlx::{Connection, SqliteConnection};
 
 use crate::answers::ranked_rows;
 use crate::answers::result_rows;
 use crate::answers::trades;
-use crate::file::lock;
-use crate::file::pools;
+use crate::file::condition;
+use crate::file::lock::DatabaseLock;
+use crate::file::opening::{self, Missing};
 use crate::points::crashes;
 use crate::points::evaluations;
 use crate::store_error::StoreError;
@@ -26,39 +26,6 @@ pub struct Inspection {
     pub rows: BTreeMap<&'static str, usize>,
     /// What is wrong, a sentence each; none: all is well.
     pub faults: Vec<String>,
-}
-
-/// A connection that can only read, to a database that another process may hold.
-///
-/// # Errors
-/// [`StoreError::Open`] when there is no such database, or one of another version.
-pub async fn open(path: &Path) -> Result<SqliteConnection, StoreError> {
-    let failed = |cause: String| StoreError::Open {
-        path: path.to_owned(),
-        cause,
-    };
-    let options = options(path).read_only(true);
-    let mut connection = SqliteConnection::connect_with(&options)
-        .await
-        .map_err(|error| failed(error.to_string()))?;
-    let newest: Option<i64> = sqlx::query_scalar("select max(version) from _sqlx_migrations")
-        .fetch_one(&mut connection)
-        .await
-        .map_err(|error| failed(format!("it isn't a database of strainsite: {error}")))?;
-    if newest == Some(pools::newest_migration()) {
-        return Ok(connection);
-    }
-    Err(failed(
-        "its tables are those of another version; serve and run bring older ones up to date"
-            .to_owned(),
-    ))
-}
-
-/// What looks after a whole file takes its time, of which the log needn't warn.
-fn options(path: &Path) -> SqliteConnectOptions {
-    SqliteConnectOptions::new()
-        .filename(path)
-        .disable_statement_logging()
 }
 
 /// Reads everything: SQLite's own structures, every reference, every hash, and that each study has the points it counts. Tells `seen` how
@@ -184,8 +151,7 @@ pub async fn copy_to(connection: &mut SqliteConnection, target: &Path) -> Result
 /// # Errors
 /// [`StoreError::InUse`] when somebody does; when the database can't be written.
 pub async fn compact(path: &Path) -> Result<(), StoreError> {
-    let _lock = lock::DatabaseLock::take(path)?;
-    let mut connection = open_to_write(path).await?;
+    let (_lock, mut connection) = alone(path).await?;
     sqlx::query("vacuum").execute(&mut connection).await?;
     sqlx::query("pragma wal_checkpoint(truncate)")
         .execute(&mut connection)
@@ -199,14 +165,14 @@ pub async fn compact(path: &Path) -> Result<(), StoreError> {
 /// # Errors
 /// As [`compact`].
 pub async fn release(path: &Path) -> Result<u64, StoreError> {
-    let _lock = lock::DatabaseLock::take(path)?;
-    let mut connection = open_to_write(path).await?;
+    let (_lock, mut connection) = alone(path).await?;
     let released = crashes::forget(&mut connection).await?;
     connection.close().await?;
     Ok(released)
 }
 
-async fn open_to_write(path: &Path) -> Result<SqliteConnection, StoreError> {
-    open(path).await?.close().await?;
-    Ok(SqliteConnection::connect_with(&options(path)).await?)
+async fn alone(path: &Path) -> Result<(DatabaseLock, SqliteConnection), StoreError> {
+    let (place, lock) = opening::to_write(path, Missing::Refused).await?;
+    opening::to_read(path).await?.close().await?;
+    Ok((lock, condition::connect(condition::options(&place)).await?))
 }
