@@ -167,7 +167,8 @@ fn fits(place: &Place, head: &[u8]) -> Result<(), StoreError> {
     Ok(())
 }
 
-fn log_bytes(place: &Place) -> u64 {
+/// Bytes of the write-ahead log; 0 where there is none.
+pub fn log_bytes(place: &Place) -> u64 {
     std::fs::metadata(place.log()).map_or(0, |log| log.len())
 }
 

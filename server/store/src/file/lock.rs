@@ -71,6 +71,11 @@ impl FileLock {
         self.claim.id
     }
 
+    /// The open file, which must not be opened otherwise.
+    pub fn file(&self) -> &File {
+        &self.file
+    }
+
     /// The first bytes of the file, without closing a descriptor of it.
     ///
     /// # Errors

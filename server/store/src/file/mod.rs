@@ -5,13 +5,16 @@
 //! - `presence`: whether an open one is still there
 //! - `condition`, [`opening`]: what a file is before it is touched
 //! - `pools`: connections: one that writes, a few that read
+//! - [`copies`], [`unfinished`]: copies, and a copy back in its place
 //! - [`upkeep`]: checks, free pages
 
 pub(crate) mod condition;
+pub mod copies;
 pub(crate) mod identity;
 pub(crate) mod lock;
 pub mod opening;
 pub(crate) mod place;
 pub(crate) mod pools;
 pub(crate) mod presence;
+pub mod unfinished;
 pub mod upkeep;

@@ -72,7 +72,7 @@ pub async fn to_read(path: &Path) -> Result<SqliteConnection, StoreError> {
 
 /// SQLite keeps an index beside the log even to read. Where neither is there and none can be made, the file alone is the database, and
 /// nobody can change it.
-async fn connected(place: &Place) -> Result<SqliteConnection, StoreError> {
+pub(crate) async fn connected(place: &Place) -> Result<SqliteConnection, StoreError> {
     let options = condition::options(place).read_only(true);
     let error = match condition::connect(options.clone()).await {
         Ok(connection) => return Ok(connection),

@@ -1,6 +1,6 @@
-//! Looking after the database file: whether it is whole, a copy of it, its free pages given back.
+//! Looking after the database file: whether it is whole, its free pages given back.
 //!
-//! Checks and copies read a snapshot and may run beside the service.
+//! A check reads a snapshot and may run beside the service.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -126,24 +126,6 @@ pub async fn used_bytes(connection: &mut SqliteConnection) -> Result<u64, StoreE
     .fetch_one(connection)
     .await?;
     Ok(u64::try_from(bytes).unwrap_or(0))
-}
-
-/// Writes a copy as it is now, without free pages, to a file that isn't there yet.
-///
-/// # Errors
-/// [`StoreError::Open`] when the file is there; when it can't be written.
-pub async fn copy_to(connection: &mut SqliteConnection, target: &Path) -> Result<(), StoreError> {
-    if target.exists() {
-        return Err(StoreError::Open {
-            path: target.to_owned(),
-            cause: "a copy is only written to a file that isn't there yet".to_owned(),
-        });
-    }
-    sqlx::query("vacuum into ?")
-        .bind(target.to_string_lossy().into_owned())
-        .execute(connection)
-        .await?;
-    Ok(())
 }
 
 /// Gives free pages back to the disk. Nobody else may use the database meanwhile.
