@@ -9,7 +9,7 @@ use sqlx::{ConnectOptions, Connection, SqliteConnection};
 use crate::file::identity::{self, FileId};
 use crate::file::lock::{self, FileLock};
 use crate::file::place::Place;
-use crate::file::pools;
+use crate::file::schema;
 use crate::store_error::{self, StoreError};
 
 /// `application_id` of migration 15: `stra`.
@@ -84,7 +84,7 @@ async fn fit(place: &Place, connection: &mut SqliteConnection) -> Result<(), Sto
         .map_err(|error| unreadable(place, &error))?
     {
         Content::Foreign => return Err(foreign(place)),
-        Content::Ours(newest) if newest > pools::newest_migration() => {
+        Content::Ours(newest) if newest > schema::newest() => {
             return Err(newer(place, newest));
         }
         Content::Ours(_) | Content::Fresh => {}
@@ -134,7 +134,7 @@ pub async fn content(connection: &mut SqliteConnection) -> Result<Content, sqlx:
     };
     let begun = applied
         .iter()
-        .any(|(version, checksum)| pools::is_first(*version, checksum));
+        .any(|(version, checksum)| schema::is_first(*version, checksum));
     let ours = application == OURS || (application == 0 && begun);
     Ok(if ours {
         Content::Ours(*newest)
@@ -192,7 +192,7 @@ pub fn newer(place: &Place, newest: i64) -> StoreError {
     place.failed(format!(
         "a newer version of strainsite wrote it (its tables are of change {newest}, this version knows {}): use that version, or restore a \
          copy from before",
-        pools::newest_migration()
+        schema::newest()
     ))
 }
 

@@ -12,7 +12,7 @@ use crate::file::identity::FileId;
 use crate::file::lock::{FileLock, NameLock};
 use crate::file::place::{Place, beside};
 use crate::file::unfinished::{COMPANIONS, Unfinished};
-use crate::file::{opening, pools, upkeep};
+use crate::file::{opening, pools, schema, upkeep};
 use crate::store_error::StoreError;
 
 /// What becomes of the database that a copy takes the place of.
@@ -108,9 +108,7 @@ async fn readable(source: &Place) -> Result<SqliteConnection, StoreError> {
     let mut connection = opening::connected(source).await?;
     let content = condition::content(&mut connection).await;
     let refused = match content.map_err(|error| condition::unreadable(source, &error))? {
-        Content::Ours(version) if version > pools::newest_migration() => {
-            condition::newer(source, version)
-        }
+        Content::Ours(version) if version > schema::newest() => condition::newer(source, version),
         Content::Ours(_) => return Ok(connection),
         Content::Fresh => source.failed("it is empty"),
         Content::Foreign => condition::foreign(source),

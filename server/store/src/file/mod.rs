@@ -3,6 +3,7 @@
 //! - `place`, `identity`: where it is, and which file that is
 //! - `lock`: one process per database
 //! - `presence`: whether an open one is still there
+//! - `schema`: its tables
 //! - `condition`, [`opening`]: what a file is before it is touched
 //! - `pools`: connections: one that writes, a few that read
 //! - [`copies`], [`unfinished`]: copies, and a copy back in its place
@@ -16,5 +17,6 @@ pub mod opening;
 pub(crate) mod place;
 pub(crate) mod pools;
 pub(crate) mod presence;
+pub(crate) mod schema;
 pub mod unfinished;
 pub mod upkeep;

@@ -8,7 +8,7 @@ use sqlx::{Connection, SqliteConnection};
 use crate::file::condition::{self, Content};
 use crate::file::lock::{DatabaseLock, FileLock, NameLock};
 use crate::file::place::Place;
-use crate::file::pools;
+use crate::file::schema;
 use crate::store_error::{self, StoreError};
 
 /// What to do where no file is.
@@ -56,7 +56,7 @@ pub async fn to_read(path: &Path) -> Result<SqliteConnection, StoreError> {
     condition::fit_to_read(&place)?;
     let mut connection = connected(&place).await?;
     let found = condition::content(&mut connection).await;
-    let newest = pools::newest_migration();
+    let newest = schema::newest();
     let refused = match found.map_err(|error| condition::unreadable(&place, &error))? {
         Content::Ours(version) if version == newest => return Ok(connection),
         Content::Ours(version) if version > newest => condition::newer(&place, version),

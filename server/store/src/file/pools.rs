@@ -2,18 +2,17 @@
 
 use std::time::Duration;
 
-use sqlx::migrate::Migrator;
 use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, SqliteSynchronous};
 use sqlx::{Connection, SqliteConnection, SqlitePool};
 
 use crate::answers::result_rows;
 use crate::file::condition;
 use crate::file::place::Place;
+use crate::file::schema;
 use crate::store_error::StoreError;
 
 /// Before this version SQLite could corrupt a database when its write-ahead log was reset.
 const SQLITE_OLDEST: [u32; 3] = [3, 51, 3];
-static MIGRATIONS: Migrator = sqlx::migrate!("../../migrations");
 const READERS: u32 = 4;
 const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
 
@@ -32,7 +31,7 @@ pub async fn bootstrap(place: &Place) -> Result<(), StoreError> {
             "SQLite {version} is older than 3.51.3, which can corrupt databases"
         )));
     }
-    MIGRATIONS
+    schema::MIGRATIONS
         .run(&mut connection)
         .await
         .map_err(|error| place.failed(error))?;
@@ -43,18 +42,6 @@ pub async fn bootstrap(place: &Place) -> Result<(), StoreError> {
         .close()
         .await
         .map_err(|error| place.failed(error))
-}
-
-/// Whether a migration that a database has is this program's first.
-pub fn is_first(version: i64, checksum: &[u8]) -> bool {
-    let first = MIGRATIONS.iter().next();
-    first.is_some_and(|first| first.version == version && *first.checksum == *checksum)
-}
-
-/// Number of the newest change of the tables.
-pub fn newest_migration() -> i64 {
-    let versions = MIGRATIONS.iter().map(|migration| migration.version);
-    versions.max().unwrap_or(0)
 }
 
 /// The one connection that writes.
@@ -115,6 +102,8 @@ fn new_enough(version: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use sqlx::migrate::Migrator;
+
     use super::*;
     use crate::file::condition::Content;
 
@@ -127,7 +116,7 @@ mod tests {
     /// The first changes of the tables alone, as an earlier version had them.
     fn first(count: usize) -> Migrator {
         Migrator {
-            migrations: MIGRATIONS.iter().take(count).cloned().collect(),
+            migrations: schema::MIGRATIONS.iter().take(count).cloned().collect(),
             ..Migrator::DEFAULT
         }
     }
@@ -138,7 +127,7 @@ mod tests {
 
     #[tokio::test]
     async fn every_earlier_schema_is_brought_up_to_date_with_its_rows() {
-        for count in 1..=MIGRATIONS.iter().count() {
+        for count in 1..=schema::MIGRATIONS.iter().count() {
             let folder = tempfile::tempdir().expect("temp dir");
             let place = Place::of(&folder.path().join("old.db")).expect("a place");
             let options = writing(&place).create_if_missing(true);
@@ -155,7 +144,11 @@ mod tests {
             old.close().await.expect("closes");
 
             let found = condition::content(&mut look(&place).await).await;
-            let newest = MIGRATIONS.iter().nth(count - 1).expect("it").version;
+            let newest = schema::MIGRATIONS
+                .iter()
+                .nth(count - 1)
+                .expect("it")
+                .version;
             assert_eq!(found.expect("reads"), Content::Ours(newest));
 
             bootstrap(&place).await.expect("brings it up to date");
@@ -170,7 +163,7 @@ mod tests {
                 .fetch_one(&mut new)
                 .await
                 .expect("reads");
-            assert_eq!((name.as_str(), version), ("old", newest_migration()));
+            assert_eq!((name.as_str(), version), ("old", schema::newest()));
         }
     }
 }
