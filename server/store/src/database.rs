@@ -108,11 +108,12 @@ impl Store {
     /// [`StoreError::Gone`] when its files weren't there any more.
     pub async fn close(&self) -> Result<(), StoreError> {
         let present = self.presence.check();
-        self.readers.close().await;
-        self.writer.close().await;
         if let Some(keeper) = self.keeper.lock().await.take() {
             keeper.close().await?;
         }
+        self.readers.close().await;
+        // Last: what can only read can't fold the log.
+        self.writer.close().await;
         present
     }
 }
@@ -154,6 +155,62 @@ pub(crate) mod tests {
         .expect("write");
         let error = Store::open(&path).await.expect_err("not a database");
         assert!(error.to_string().contains("letter.db"), "{error}");
+    }
+
+    #[tokio::test]
+    async fn what_is_stored_in_files_that_are_gone_is_never_confirmed() {
+        for gone in ["test.db", "test.db-wal", "test.db-shm"] {
+            let (folder, store) = fresh().await;
+            let (file, away) = (folder.path().join(gone), folder.path().join("away"));
+            let open = store.begin().await.expect("is there");
+            std::fs::rename(&file, &away).expect("moves");
+            let error = store.commit(open, 0).await.expect_err("is gone");
+            assert!(error.to_string().contains(gone), "{error}");
+            std::fs::copy(&away, &file).expect("copies");
+            for refused in [store.begin().await.err(), store.read().await.err()] {
+                assert!(
+                    matches!(refused, Some(StoreError::Gone { .. })),
+                    "{refused:?}"
+                );
+            }
+            std::fs::rename(&away, &file).expect("moves back");
+            store.begin().await.expect("is there again");
+            store.close().await.expect("closes");
+        }
+    }
+
+    #[tokio::test]
+    async fn a_closed_database_is_one_file() {
+        let (folder, store) = fresh().await;
+        store.close().await.expect("closes");
+        let log = folder.path().join("test.db-wal");
+        assert!(!log.exists(), "the log is folded into the database");
+    }
+
+    #[tokio::test]
+    async fn another_programs_database_is_left_as_it_is() {
+        for change in [
+            "create table mine (x)",
+            "pragma application_id = 7",
+            "create table _sqlx_migrations (version bigint, checksum blob); insert into _sqlx_migrations values (1, x'00')",
+        ] {
+            let folder = tempfile::tempdir().expect("temp dir");
+            let path = folder.path().join("foreign.db");
+            let options = sqlx::sqlite::SqliteConnectOptions::new().filename(&path);
+            let made = SqliteConnection::connect_with(&options.create_if_missing(true)).await;
+            let mut foreign = made.expect("opens");
+            for part in change.split("; ") {
+                let changed = sqlx::query(part).execute(&mut foreign).await;
+                changed.expect("changes");
+            }
+            foreign.close().await.expect("closes");
+            let before = std::fs::read(&path).expect("reads");
+            let error = Store::open(&path).await.expect_err("isn't ours");
+            assert!(error.to_string().contains("another program"), "{error}");
+            assert_eq!(std::fs::read(&path).expect("reads"), before);
+            let names = std::fs::read_dir(folder.path()).expect("lists").count();
+            assert_eq!(names, 1, "nothing is left beside it");
+        }
     }
 
     #[tokio::test]

@@ -32,18 +32,34 @@ pub enum Content {
 /// # Errors
 /// [`StoreError::Open`] that says which of these it is.
 pub async fn fit_to_write(place: &Place, held: &mut FileLock) -> Result<(), StoreError> {
-    let mut head = Vec::new();
-    held.head(&mut head).map_err(|error| place.failed(error))?;
-    fits(place, &head)?;
-    let mut connection = match connect(options(place).read_only(true)).await {
-        // What a kill left half written has to be undone first.
-        Err(error) if store_error::wants_to_write(&error) => connect(options(place)).await,
-        connected => connected,
-    }
-    .map_err(|error| unreadable(place, &error))?;
+    let mut connection = look(place, held).await?;
     let checked = fit(place, &mut connection).await;
     connection.close().await?;
     checked
+}
+
+/// Whether a file and its log belong together and can be read, whoever wrote them. Changes nothing.
+pub async fn is_sound(place: &Place, held: &mut FileLock) -> bool {
+    let Ok(mut connection) = look(place, held).await else {
+        return false;
+    };
+    let sound = sound(place, &mut connection).await;
+    connection.close().await.is_ok() && sound.is_ok()
+}
+
+/// A connection that changes nothing, and leaves nothing beside a file that had nothing beside it.
+async fn look(place: &Place, held: &mut FileLock) -> Result<SqliteConnection, StoreError> {
+    let mut head = Vec::new();
+    held.head(&mut head).map_err(|error| place.failed(error))?;
+    fits(place, &head)?;
+    let alone = !place.log().exists() && !place.beside("-journal").exists();
+    let looking = options(place).read_only(true).immutable(alone);
+    let connected = match connect(looking).await {
+        // What a kill left half written has to be undone first.
+        Err(error) if store_error::wants_to_write(&error) => connect(options(place)).await,
+        connected => connected,
+    };
+    connected.map_err(|error| unreadable(place, &error))
 }
 
 /// Refuses what must not be opened to be read, as [`fit_to_write`] does but for the damage.
@@ -89,6 +105,10 @@ async fn fit(place: &Place, connection: &mut SqliteConnection) -> Result<(), Sto
         }
         Content::Ours(_) | Content::Fresh => {}
     }
+    sound(place, connection).await
+}
+
+async fn sound(place: &Place, connection: &mut SqliteConnection) -> Result<(), StoreError> {
     let verdict: String = sqlx::query_scalar("pragma quick_check(1)")
         .fetch_one(connection)
         .await

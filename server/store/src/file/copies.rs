@@ -155,7 +155,7 @@ async fn prepare(
 
 /// Folds the log of the database that is to be replaced into its file, where it can be used at all.
 async fn fold(place: &Place, old: &mut FileLock) -> Result<(), StoreError> {
-    if condition::fit_to_write(place, old).await.is_err() {
+    if !condition::is_sound(place, old).await {
         return Ok(());
     }
     let mut connection = condition::connect(condition::options(place)).await?;
@@ -179,5 +179,48 @@ fn remove_companions(place: &Place, kept: Option<&Path>) {
             Some(kept) if ending != "-shm" => fs::rename(&companion, beside(kept, ending)),
             _ => fs::remove_file(&companion),
         };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Store;
+    use crate::database::tests::fresh;
+
+    #[tokio::test]
+    async fn a_log_of_the_database_before_is_known_by_its_copy() {
+        let (folder, store) = fresh().await;
+        let (path, copy) = (folder.path().join("test.db"), folder.path().join("copy.db"));
+        let mut reading = opening::to_read(&path).await.expect("opens");
+        let unfinished = begin(&copy).expect("begins");
+        let written = write(&mut reading, &unfinished).await;
+        written.and_then(|()| unfinished.place()).expect("copies");
+        store
+            .begin()
+            .await
+            .expect("begins")
+            .commit()
+            .await
+            .expect("commits");
+        let (log, other) = (
+            folder.path().join("test.db-wal"),
+            folder.path().join("copy.db-wal"),
+        );
+        fs::copy(&log, &other).expect("copies");
+        let before = fs::read(&other).expect("reads");
+        assert!(!before.is_empty(), "there is something in the log");
+        let refused = [
+            Store::open(&copy).await.err(),
+            opening::to_read(&copy).await.err(),
+        ];
+        for error in refused {
+            let said = error.expect("isn't its own").to_string();
+            assert!(
+                said.contains("copy.db-wal") && said.contains("copy.db-shm"),
+                "{said}"
+            );
+        }
+        assert_eq!(fs::read(&other).expect("reads"), before);
     }
 }
