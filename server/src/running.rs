@@ -206,7 +206,10 @@ impl Service {
     }
 
     /// Stops within a Newton iteration: a study that runs goes back into the queue, requests in flight are answered.
-    pub async fn stop(self) {
+    ///
+    /// # Errors
+    /// [`StoreError::Gone`] when the database was removed or replaced meanwhile.
+    pub async fn stop(self) -> Result<(), StoreError> {
         self.shutdown.send_replace(true);
         for (what, task) in [("queue", self.worker), ("listener", self.http)] {
             match tokio::time::timeout(PATIENCE, task).await {
@@ -215,6 +218,6 @@ impl Service {
                 Err(_) => tracing::warn!(what, "a part of the service did not end in time"),
             }
         }
-        self.store.close().await;
+        self.store.close().await
     }
 }

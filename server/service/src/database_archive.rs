@@ -1,7 +1,6 @@
 //! The database as the place where solved points are kept.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use fem_client::solver::{Cost, StartState};
 use placement::run::archive::{Archive, ArchiveError, Outcome, PointRecord};
@@ -22,7 +21,7 @@ pub struct StoreArchive {
     study: String,
     metrics: Arc<Metrics>,
     span: Span,
-    disk_full: AtomicBool,
+    unwritable: Mutex<Option<StoreError>>,
 }
 
 impl StoreArchive {
@@ -34,34 +33,48 @@ impl StoreArchive {
             study: study.to_owned(),
             metrics,
             span: Span::current(),
-            disk_full: AtomicBool::new(false),
+            unwritable: Mutex::new(None),
         }
     }
 
-    /// Writes in one transaction, and remembers a full disk.
+    /// Writes in one transaction.
     fn write(
         &self,
         change: impl AsyncFnOnce(&mut SqliteConnection) -> Result<(), StoreError>,
     ) -> Result<(), ArchiveError> {
-        let written = self.wait(async {
+        self.wait(async {
             let mut transaction = self.store.begin().await?;
             change(&mut transaction).await?;
             self.store.commit(transaction, 0).await
-        });
-        if matches!(written, Err(StoreError::Full)) {
-            self.disk_full.store(true, Ordering::Relaxed);
-        }
-        written.map_err(failed)
+        })
     }
 
-    /// Waits for the database, on whichever thread: what is logged of it belongs to the study.
-    fn wait<T>(&self, work: impl Future<Output = T>) -> T {
-        self.runtime.block_on(work.instrument(self.span.clone()))
+    /// Waits for the database, on whichever thread: what is logged of it belongs to the study. Remembers what no study is to blame for.
+    fn wait<T>(
+        &self,
+        work: impl Future<Output = Result<T, StoreError>>,
+    ) -> Result<T, ArchiveError> {
+        let done = self.runtime.block_on(work.instrument(self.span.clone()));
+        done.map_err(|error| {
+            let detail = error.to_string();
+            if matches!(error, StoreError::Full | StoreError::Gone { .. }) {
+                let mut unwritable = self
+                    .unwritable
+                    .lock()
+                    .unwrap_or_else(PoisonError::into_inner);
+                unwritable.get_or_insert(error);
+            }
+            ArchiveError { detail }
+        })
     }
 
-    /// Whether a point could not be stored because the disk is full.
-    pub fn disk_full(&self) -> bool {
-        self.disk_full.load(Ordering::Relaxed)
+    /// Why nothing could be stored, where it was a full disk or a database that is gone.
+    pub fn unwritable(&self) -> Option<StoreError> {
+        let mut unwritable = self
+            .unwritable
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        unwritable.take()
     }
 }
 
@@ -81,9 +94,8 @@ impl Archive for StoreArchive {
         let found = self.wait(async {
             let mut connection = self.store.read().await?;
             evaluations::find(&mut connection, keys).await
-        });
+        })?;
         let answer = |evaluation: Evaluation| (evaluation.outcome, evaluation.cost);
-        let found = found.map_err(failed)?;
         Ok(found.into_iter().map(|found| found.map(answer)).collect())
     }
 
@@ -96,11 +108,10 @@ impl Archive for StoreArchive {
     }
 
     fn crashes(&self, key: &str) -> Result<usize, ArchiveError> {
-        let found = self.wait(async {
+        self.wait(async {
             let mut connection = self.store.read().await?;
             crashes::of(&mut connection, key).await
-        });
-        found.map_err(failed)
+        })
     }
 
     /// One transaction for the evaluation, its start state and its place in the study: a kill leaves all or nothing.
@@ -114,16 +125,9 @@ impl Archive for StoreArchive {
     }
 
     fn load_start(&self, key: &str) -> Result<Option<StartState>, ArchiveError> {
-        let found = self.wait(async {
+        self.wait(async {
             let mut connection = self.store.read().await?;
             evaluations::find_start(&mut connection, key).await
-        });
-        found.map_err(failed)
-    }
-}
-
-fn failed(error: StoreError) -> ArchiveError {
-    ArchiveError {
-        detail: error.to_string(),
+        })
     }
 }

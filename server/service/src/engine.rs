@@ -59,8 +59,8 @@ pub enum End {
     Stopped,
     /// Because it was another study's turn; what was solved is kept.
     Paused,
-    /// Because the disk is full; what was solved before is kept.
-    DiskFull,
+    /// Because the database takes nothing: the disk is full, or its files are gone; what was stored before is kept.
+    Unstorable(StoreError),
 }
 
 impl End {
@@ -71,7 +71,7 @@ impl End {
             Self::Failed { .. } => "failed",
             Self::Stopped => "stopped",
             Self::Paused => "paused",
-            Self::DiskFull => "disk full",
+            Self::Unstorable(_) => "database unwritable",
         }
     }
 
@@ -147,10 +147,12 @@ impl Engine {
             }
             Err(RunError::Stopped) => End::Stopped,
             Err(RunError::Paused) => End::Paused,
-            Err(RunError::Archive(_)) if archive.disk_full() => End::DiskFull,
-            Err(error) => End::Failed {
-                error: error.to_string(),
-                points: error.failed_points().to_vec(),
+            Err(error) => match (&error, archive.unwritable()) {
+                (RunError::Archive(_), Some(cause)) => End::Unstorable(cause),
+                _ => End::Failed {
+                    error: error.to_string(),
+                    points: error.failed_points().to_vec(),
+                },
             },
         }
     }
@@ -227,7 +229,7 @@ impl Engine {
                     json!({"error": error, "failed_points": points}),
                 )
             }
-            End::Stopped | End::DiskFull => {
+            End::Stopped | End::Unstorable(_) => {
                 let changed = turns::release(&mut transaction, &row.id).await?;
                 (changed, "queued", json!({"resumed": true}))
             }

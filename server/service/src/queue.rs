@@ -199,10 +199,10 @@ impl Queue {
         if self.still_running(&row.id).await? {
             tracing::info!(study = row.id, name = ?row.name, "study started");
             let end = self.run(row.clone(), stop).await;
-            let wait = matches!(end, End::DiskFull);
+            let wait = matches!(end, End::Unstorable(_));
             self.settle(&row, end).await;
             if wait {
-                // Back in the queue, it would solve the point again only to find the disk as full as before.
+                // Back in the queue, it would solve the point again only to find the disk as full as before, or the database still gone.
                 self.pause(SPACE).await;
             }
         }

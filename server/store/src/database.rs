@@ -3,19 +3,24 @@
 use std::path::{Path, PathBuf};
 
 use sqlx::pool::PoolConnection;
-use sqlx::{Sqlite, SqlitePool, Transaction};
-use tokio::sync::watch;
+use sqlx::{Connection, Sqlite, SqliteConnection, SqlitePool, Transaction};
+use tokio::sync::{Mutex, watch};
 
-use crate::file::{lock, pools};
+use crate::file::place::Place;
+use crate::file::presence::Presence;
+use crate::file::{lock, opening, pools};
 use crate::store_error::StoreError;
 
 /// An open database, held by this process alone.
 #[derive(Debug)]
 pub struct Store {
-    path: PathBuf,
+    place: Place,
     writer: SqlitePool,
     readers: SqlitePool,
+    keeper: Mutex<Option<SqliteConnection>>,
+    presence: Presence,
     latest_event: watch::Sender<i64>,
+    // Last: its descriptor is closed after all of SQLite's.
     _lock: lock::DatabaseLock,
 }
 
@@ -25,13 +30,17 @@ impl Store {
     /// # Errors
     /// [`StoreError::InUse`] when another process has it, [`StoreError::Open`] when the file is unusable.
     pub async fn open(path: &Path) -> Result<Self, StoreError> {
-        let lock = lock::DatabaseLock::take(path)?;
-        pools::bootstrap(path).await?;
-        let (writer, readers) = (pools::writer(path).await?, pools::readers(path).await?);
+        let (place, lock) = opening::to_write(path, opening::Missing::Made).await?;
+        pools::bootstrap(&place).await?;
+        let writer = pools::writer(&place).await?;
+        let readers = pools::readers(&place).await?;
+        let keeper = pools::keeper(&place).await?;
         Ok(Self {
-            path: path.to_owned(),
+            presence: Presence::note(&place),
+            place,
             writer,
             readers,
+            keeper: Mutex::new(Some(keeper)),
             latest_event: watch::Sender::new(0),
             _lock: lock,
         })
@@ -39,22 +48,21 @@ impl Store {
 
     /// The database file.
     pub fn path(&self) -> &Path {
-        &self.path
+        &self.place.named
     }
 
     /// Size of the file and its write-ahead log; 0 for what can't be looked at.
     pub fn bytes(&self) -> u64 {
-        let mut log = self.path.clone().into_os_string();
-        log.push("-wal");
-        let size = |path: &Path| std::fs::metadata(path).map_or(0, |file| file.len());
-        size(&self.path) + size(Path::new(&log))
+        let size = |path: PathBuf| std::fs::metadata(path).map_or(0, |file| file.len());
+        size(self.place.real.clone()) + size(self.place.log())
     }
 
     /// A connection that can only read. Return it soon: there are few.
     ///
     /// # Errors
-    /// When the database can't be read.
+    /// When the database can't be read, or isn't there any more.
     pub async fn read(&self) -> Result<PoolConnection<Sqlite>, StoreError> {
+        self.presence.check()?;
         Ok(self.readers.acquire().await?)
     }
 
@@ -62,21 +70,25 @@ impl Store {
     /// change before it writes.
     ///
     /// # Errors
-    /// When the database can't be written.
+    /// When the database can't be written, or isn't there any more.
     pub async fn begin(&self) -> Result<Transaction<'static, Sqlite>, StoreError> {
+        self.presence.check()?;
         Ok(self.writer.begin_with("begin immediate").await?)
     }
 
     /// Commits, then wakes whoever waits for an event up to `event`.
     ///
     /// # Errors
-    /// When the database can't be written; then nothing of the transaction is stored.
+    /// When the database can't be written; then nothing of the transaction is stored. [`StoreError::Gone`] when it was stored in files that
+    /// aren't there any more.
     pub async fn commit(
         &self,
         transaction: Transaction<'static, Sqlite>,
         event: i64,
     ) -> Result<(), StoreError> {
         transaction.commit().await?;
+        // Afterwards: what is confirmed was in the files that the next start will find.
+        self.presence.check()?;
         self.latest_event.send_if_modified(|latest| {
             let newer = event > *latest;
             *latest = event.max(*latest);
@@ -91,9 +103,18 @@ impl Store {
     }
 
     /// Closes all connections, which folds the write-ahead log into the database file.
-    pub async fn close(&self) {
+    ///
+    /// # Errors
+    /// [`StoreError::Gone`] when its files weren't there any more.
+    pub async fn close(&self) -> Result<(), StoreError> {
+        let present = self.presence.check();
+        if let Some(keeper) = self.keeper.lock().await.take() {
+            keeper.close().await?;
+        }
         self.readers.close().await;
+        // Last: what can only read can't fold the log.
         self.writer.close().await;
+        present
     }
 }
 
@@ -118,7 +139,7 @@ pub(crate) mod tests {
             Store::open(&path).await,
             Err(StoreError::InUse { .. })
         ));
-        store.close().await;
+        store.close().await.expect("closes");
         drop(store);
         Store::open(&path).await.expect("free again");
     }
@@ -134,6 +155,62 @@ pub(crate) mod tests {
         .expect("write");
         let error = Store::open(&path).await.expect_err("not a database");
         assert!(error.to_string().contains("letter.db"), "{error}");
+    }
+
+    #[tokio::test]
+    async fn what_is_stored_in_files_that_are_gone_is_never_confirmed() {
+        for gone in ["test.db", "test.db-wal", "test.db-shm"] {
+            let (folder, store) = fresh().await;
+            let (file, away) = (folder.path().join(gone), folder.path().join("away"));
+            let open = store.begin().await.expect("is there");
+            std::fs::rename(&file, &away).expect("moves");
+            let error = store.commit(open, 0).await.expect_err("is gone");
+            assert!(error.to_string().contains(gone), "{error}");
+            std::fs::copy(&away, &file).expect("copies");
+            for refused in [store.begin().await.err(), store.read().await.err()] {
+                assert!(
+                    matches!(refused, Some(StoreError::Gone { .. })),
+                    "{refused:?}"
+                );
+            }
+            std::fs::rename(&away, &file).expect("moves back");
+            store.begin().await.expect("is there again");
+            store.close().await.expect("closes");
+        }
+    }
+
+    #[tokio::test]
+    async fn a_closed_database_is_one_file() {
+        let (folder, store) = fresh().await;
+        store.close().await.expect("closes");
+        let log = folder.path().join("test.db-wal");
+        assert!(!log.exists(), "the log is folded into the database");
+    }
+
+    #[tokio::test]
+    async fn another_programs_database_is_left_as_it_is() {
+        for change in [
+            "create table mine (x)",
+            "pragma application_id = 7",
+            "create table _sqlx_migrations (version bigint, checksum blob); insert into _sqlx_migrations values (1, x'00')",
+        ] {
+            let folder = tempfile::tempdir().expect("temp dir");
+            let path = folder.path().join("foreign.db");
+            let options = sqlx::sqlite::SqliteConnectOptions::new().filename(&path);
+            let made = SqliteConnection::connect_with(&options.create_if_missing(true)).await;
+            let mut foreign = made.expect("opens");
+            for part in change.split("; ") {
+                let changed = sqlx::query(part).execute(&mut foreign).await;
+                changed.expect("changes");
+            }
+            foreign.close().await.expect("closes");
+            let before = std::fs::read(&path).expect("reads");
+            let error = Store::open(&path).await.expect_err("isn't ours");
+            assert!(error.to_string().contains("another program"), "{error}");
+            assert_eq!(std::fs::read(&path).expect("reads"), before);
+            let names = std::fs::read_dir(folder.path()).expect("lists").count();
+            assert_eq!(names, 1, "nothing is left beside it");
+        }
     }
 
     #[tokio::test]

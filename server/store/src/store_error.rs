@@ -7,12 +7,15 @@ use std::path::PathBuf;
 pub enum StoreError {
     /// Another process holds the database.
     #[error(
-        "another strainsite process is using the database {}: stop it first, or name another database with --db",
+        "another strainsite process{} is using the database {}: stop it first, or name another database with --db",
+        process.map_or(String::new(), |process| format!(" ({process})")),
         path.display()
     )]
     InUse {
         /// The database file.
         path: PathBuf,
+        /// The process, where the system tells.
+        process: Option<u32>,
     },
     /// The database can't be opened.
     #[error("the database {} can't be opened: {cause}", path.display())]
@@ -20,6 +23,23 @@ pub enum StoreError {
         /// The database file.
         path: PathBuf,
         /// What the system or SQLite said.
+        cause: String,
+    },
+    /// A file of the database isn't the one any more that was opened.
+    #[error(
+        "{} was removed or replaced while it was in use: nothing is stored any more; put it back, or stop the program and restore a copy",
+        file.display()
+    )]
+    Gone {
+        /// The file: the database, its write-ahead log or the log's index.
+        file: PathBuf,
+    },
+    /// A copy can't be written.
+    #[error("the copy {} can't be written: {cause}", path.display())]
+    Copy {
+        /// Where it was to be.
+        path: PathBuf,
+        /// What the system or SQLite said, and what to do.
         cause: String,
     },
     /// The disk is full.
@@ -50,6 +70,12 @@ pub enum StoreError {
 /// SQLite's primary result codes for a full disk, and for a lock that was waited for in vain.
 const SQLITE_FULL: i32 = 13;
 const SQLITE_BUSY: i32 = 5;
+/// SQLite's primary result codes for what it can't make sense of.
+const SQLITE_CORRUPT: i32 = 11;
+const SQLITE_NOTADB: i32 = 26;
+/// SQLite's primary result codes for what can't be opened or may not be written.
+const SQLITE_READONLY: i32 = 8;
+const SQLITE_CANTOPEN: i32 = 14;
 
 impl From<sqlx::Error> for StoreError {
     fn from(error: sqlx::Error) -> Self {
@@ -68,4 +94,14 @@ impl From<sqlx::Error> for StoreError {
 fn primary_code(error: &sqlx::Error) -> Option<i32> {
     let code = error.as_database_error()?.code()?;
     code.parse().ok().map(|code: i32| code & 0xff)
+}
+
+/// Whether SQLite can't make sense of the file.
+pub fn is_corrupt(error: &sqlx::Error) -> bool {
+    matches!(primary_code(error), Some(SQLITE_CORRUPT | SQLITE_NOTADB))
+}
+
+/// Whether SQLite would have to write before it could read.
+pub fn wants_to_write(error: &sqlx::Error) -> bool {
+    matches!(primary_code(error), Some(SQLITE_READONLY | SQLITE_CANTOPEN))
 }

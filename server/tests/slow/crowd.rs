@@ -23,7 +23,12 @@ fn stuck() -> ClosedFormSolver {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_queue_of_ten_thousand_studies_takes_more_and_lists_them() {
     let home = Home::new();
-    home.start(stuck()).await.service.stop().await;
+    home.start(stuck())
+        .await
+        .service
+        .stop()
+        .await
+        .expect("stops");
     let text = study().to_string();
     let format = fem_client::document::Format::Json;
     let parsed = Study::from_document(&text, format, &|path| Err(path.to_owned())).expect("reads");
@@ -70,5 +75,5 @@ async fn a_queue_of_ten_thousand_studies_takes_more_and_lists_them() {
     let (submit, list) = (p99(submits), p99(lists));
     eprintln!("{count} studies: p99 of a submission {submit:?}, of a list {list:?}");
     assert!(submit < SUBMIT && list < LIST, "{submit:?} {list:?}");
-    app.service.stop().await;
+    app.service.stop().await.expect("stops");
 }

@@ -8,8 +8,13 @@ use serde_json::{Value, json};
 
 /// Kills of one study after the first; each comes a different while after a start.
 const KILLS: u32 = 20;
-/// Names how many kills there are to be in all; 20 when it isn't set.
+/// Names how many kills there are to be in all.
 const MORE: &str = "STRAINSITE_KILLS";
+
+/// How many kills there are to be, where nobody asks for more.
+pub fn kills(few: u32) -> u32 {
+    std::env::var(MORE).map_or(few, |text| text.parse().expect("a whole number"))
+}
 
 /// Row number, key and time of every evaluation, in the order in which they were stored.
 async fn evaluations(database: &Path) -> Vec<(i64, String, String)> {
@@ -41,8 +46,7 @@ async fn a_study_killed_again_and_again_loses_nothing_and_gives_the_same_result(
     let undisturbed = Program::start(&folder.path().join("undisturbed.db"));
     let id = undisturbed.submit(&long()).await;
     let expected = undisturbed.result_hash(&id).await;
-    let kills = std::env::var(MORE).map_or(KILLS, |text| text.parse().expect("a whole number"));
-    for round in 0..kills.div_ceil(KILLS) {
+    for round in 0..kills(KILLS).div_ceil(KILLS) {
         let database = folder.path().join(format!("killed-{round}.db"));
         killed_again_and_again(&database, round, &expected).await;
     }

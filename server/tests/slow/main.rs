@@ -20,3 +20,4 @@ mod slow_clients;
 mod small_disk;
 mod starts;
 mod timing;
+mod upkeep;

@@ -10,6 +10,8 @@ use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::paint::{BAD, GOOD, painted};
 use crate::cli::terminal::progress::{TICK, bytes_bar, clock, count, counting_bar};
+use store::file::copies::{self, Replaced};
+use store::file::opening;
 use store::file::upkeep::{self, Inspection};
 
 /// Look after the database file
@@ -40,6 +42,14 @@ enum Task {
         /// The copy
         target: PathBuf,
     },
+    /// Put a copy in the place of the database; not while the service runs
+    Restore {
+        /// The copy: all of it is read and compared with its hashes first
+        backup: PathBuf,
+        /// Don't keep the database that was there beside the new one
+        #[arg(long)]
+        discard: bool,
+    },
     /// Give free pages back to the disk; not while the service runs
     Vacuum,
     /// Let points be solved again that the program died of three times; not while the service runs
@@ -53,6 +63,7 @@ impl Db {
         match &self.task {
             Task::Check => self.check(&runtime),
             Task::Backup { target } => self.backup(&runtime, target),
+            Task::Restore { backup, discard } => self.restore(&runtime, backup, *discard),
             Task::Vacuum => self.vacuum(&runtime),
             Task::Release => self.release(&runtime),
         }
@@ -60,7 +71,7 @@ impl Db {
 
     fn check(&self, runtime: &Runtime) -> Result<(), Failure> {
         let found = runtime.block_on(async {
-            let mut connection = upkeep::open(&self.db).await?;
+            let mut connection = opening::to_read(&self.db).await?;
             let bar = counting_bar(0, "rows");
             let seen = |done, of| count(&bar, done, of);
             let found = upkeep::inspect(&mut connection, &seen).await;
@@ -81,15 +92,40 @@ impl Db {
 
     fn backup(&self, runtime: &Runtime, target: &Path) -> Result<(), Failure> {
         let copied = runtime.block_on(async {
-            let mut connection = upkeep::open(&self.db).await?;
+            let mut connection = opening::to_read(&self.db).await?;
             let bar = bytes_bar(upkeep::used_bytes(&mut connection).await?);
-            let copying = upkeep::copy_to(&mut connection, target);
-            let copied = watched(copying, || bar.set_position(size(target).unwrap_or(0))).await;
+            let copy = copies::begin(target)?;
+            let written = || size(copy.path()).unwrap_or(0);
+            let copying = copies::write(&mut connection, &copy);
+            let copied = watched(copying, || bar.set_position(written())).await;
             bar.finish_and_clear();
-            copied
+            copied.and_then(|()| copy.place())
         });
         copied.map_err(Failure::other)?;
         let text = format!("{} was copied to {}\n", self.db.display(), target.display());
+        tell(&text, self.json.as_ref())
+    }
+
+    fn restore(&self, runtime: &Runtime, backup: &Path, discard: bool) -> Result<(), Failure> {
+        let replaced = match discard {
+            true => Replaced::Discarded,
+            false => Replaced::Kept,
+        };
+        let bar = counting_bar(0, "rows");
+        let seen = |done, of| count(&bar, done, of);
+        let kept = runtime.block_on(copies::restore(backup, &self.db, replaced, &seen));
+        bar.finish_and_clear();
+        let mut text = format!(
+            "{} holds what {} does\n",
+            self.db.display(),
+            backup.display()
+        );
+        if let Some(kept) = kept.map_err(Failure::other)? {
+            text.push_str(&format!(
+                "the database that was there is kept as {}\n",
+                kept.display()
+            ));
+        }
         tell(&text, self.json.as_ref())
     }
 

@@ -110,7 +110,7 @@ impl Crew<'_> {
         let settled = self.runtime.block_on(engine.settle(&row, &end));
         settled.map_err(Failure::other)?;
         match end {
-            End::DiskFull => Err(Failure::other(StoreError::Full)),
+            End::Unstorable(error) => Err(Failure::other(error)),
             End::Done(_) | End::Failed { .. } | End::Stopped | End::Paused => Ok(()),
         }
     }

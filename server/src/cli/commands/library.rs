@@ -17,7 +17,7 @@ use crate::cli::terminal::ranked_table::report;
 use service::wire::study_wire::StudySummary;
 use service::wire::sweep_wire::SweepSummary;
 use store::answers::result_rows;
-use store::file::upkeep;
+use store::file::opening;
 use store::queue::study_rows::{self, Filter, State, StudyRow};
 use store::queue::sweep_rows;
 
@@ -42,7 +42,7 @@ impl Database {
     ) -> Result<T, Failure> {
         let runtime = Runtime::new().map_err(Failure::other)?;
         runtime.block_on(async {
-            let mut connection = upkeep::open(&self.db).await.map_err(Failure::other)?;
+            let mut connection = opening::to_read(&self.db).await.map_err(Failure::other)?;
             let waiting = clock("reading the database");
             let done = task(&mut connection).await;
             waiting.finish_and_clear();

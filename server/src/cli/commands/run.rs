@@ -76,8 +76,10 @@ impl Run {
             metrics: Metrics::new(),
         };
         let end = self.solve(&runtime, &engine, &planned.study);
-        runtime.block_on(engine.store.close());
-        self.answer(end?)
+        let closed = runtime.block_on(engine.store.close());
+        let end = end?;
+        closed.map_err(Failure::other)?;
+        self.answer(end)
     }
 
     fn estimate(&self, runtime: &Runtime, planned: &Arc<PlannedStudy>) -> Result<(), Failure> {
@@ -112,7 +114,7 @@ impl Run {
         match end {
             End::Done(result) => self.publish(&result),
             End::Failed { error, points } => Err(failure(error, &points)),
-            End::DiskFull => Err(Failure::other(StoreError::Full)),
+            End::Unstorable(error) => Err(Failure::other(error)),
             End::Stopped | End::Paused => Err(Failure::Other(format!(
                 "stopped; what is solved is kept in {}, and the next run of this study resumes there",
                 self.config.db.display()

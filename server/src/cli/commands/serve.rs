@@ -182,7 +182,7 @@ async fn serve(parts: ServiceParts, drawn: Option<Token>) -> Result<(), Failure>
     signals.next().await;
     tracing::info!("stopping; once more stops at once");
     tokio::select! {
-        () = service.stop() => Ok(()),
+        stopped = service.stop() => stopped.map_err(Failure::other),
         () = signals.next() => Err(Failure::Other("stopped at once; the next start resumes".to_owned())),
     }
 }

@@ -84,8 +84,9 @@ impl Sweep {
             metrics: Metrics::new(),
         };
         let ended = self.run(&runtime, &engine, plan.as_ref());
-        runtime.block_on(engine.store.close());
+        let closed = runtime.block_on(engine.store.close());
         let (detail, comparison) = ended?;
+        closed.map_err(Failure::other)?;
         if let Some(target) = &self.json {
             target.write(&json!({"sweep": detail, "comparison": comparison}))?;
         }

@@ -24,7 +24,7 @@ pub fn estimated<T>(
         }
         let store = Store::open(database).await?;
         let estimate = ask(Some(&store)).await;
-        store.close().await;
+        store.close().await?;
         estimate
     });
     estimate.map_err(Failure::other)

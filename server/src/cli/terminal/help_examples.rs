@@ -76,6 +76,7 @@ pub const EXPORT: &str = "Examples:
 pub const DB: &str = "Examples:
   strainsite db check --db tires.db
   strainsite db backup copy.db
+  strainsite db restore copy.db
   strainsite db vacuum";
 
 /// Examples of `validate`.

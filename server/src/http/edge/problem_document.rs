@@ -90,12 +90,17 @@ fn advice(status: StatusCode) -> Option<(HeaderName, &'static str)> {
     }
 }
 
+/// Which file it was stands in the log.
+const GONE: &str = "the service's database was removed or replaced: nothing can be stored or answered until it is put back, or the service is \
+                    stopped and started on a copy";
+
 impl From<StoreError> for Problem {
     fn from(error: StoreError) -> Self {
         tracing::error!(error = %error, "the database could not answer");
         match error {
             StoreError::Full => Self::new(StatusCode::INSUFFICIENT_STORAGE, error.to_string()),
             StoreError::Busy => Self::new(StatusCode::SERVICE_UNAVAILABLE, error.to_string()),
+            StoreError::Gone { .. } => Self::new(StatusCode::SERVICE_UNAVAILABLE, GONE),
             StoreError::Damaged { .. } => {
                 Self::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string())
             }
@@ -116,6 +121,12 @@ mod tests {
         for (error, status) in [
             (StoreError::Busy, StatusCode::SERVICE_UNAVAILABLE),
             (StoreError::Full, StatusCode::INSUFFICIENT_STORAGE),
+            (
+                StoreError::Gone {
+                    file: "a.db".into(),
+                },
+                StatusCode::SERVICE_UNAVAILABLE,
+            ),
             (
                 sqlx::Error::PoolTimedOut.into(),
                 StatusCode::SERVICE_UNAVAILABLE,

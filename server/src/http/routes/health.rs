@@ -44,6 +44,9 @@ async fn ready(State(state): State<AppState>) -> Result<Json<Readiness>, Problem
         turns::next(&mut connection).await
     };
     readable.await.map_err(|error: StoreError| {
+        if matches!(error, StoreError::Gone { .. }) {
+            return error.into();
+        }
         tracing::error!(%error, "the service is not ready");
         let detail = "the database does not answer; the service's log says why";
         Problem::new(StatusCode::SERVICE_UNAVAILABLE, detail)

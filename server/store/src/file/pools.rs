@@ -1,71 +1,53 @@
 //! Connections: one that writes, a few that read.
 
-use std::path::Path;
 use std::time::Duration;
 
-use sqlx::migrate::Migrator;
 use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, SqliteSynchronous};
 use sqlx::{Connection, SqliteConnection, SqlitePool};
 
 use crate::answers::result_rows;
+use crate::file::condition;
+use crate::file::place::Place;
+use crate::file::schema;
 use crate::points::study_points;
 use crate::store_error::StoreError;
 
 /// Before this version SQLite could corrupt a database when its write-ahead log was reset.
 const SQLITE_OLDEST: [u32; 3] = [3, 51, 3];
-static MIGRATIONS: Migrator = sqlx::migrate!("../../migrations");
 const READERS: u32 = 4;
 const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// Opens the file, sets the write-ahead log and brings the tables up to date, on a connection of its own: several
-/// connections that switch a fresh file at once find it locked.
-pub async fn bootstrap(path: &Path) -> Result<(), StoreError> {
-    let failed = |cause: String| StoreError::Open {
-        path: path.to_owned(),
-        cause,
-    };
-    let options = writing(path)
-        .create_if_missing(true)
-        .journal_mode(SqliteJournalMode::Wal);
+/// Sets the write-ahead log and brings the tables up to date, on a connection of its own: several connections that switch a fresh file
+/// at once find it locked.
+pub async fn bootstrap(place: &Place) -> Result<(), StoreError> {
+    let options = writing(place).journal_mode(SqliteJournalMode::Wal);
     let mut connection = SqliteConnection::connect_with(&options)
         .await
-        .map_err(|e| failed(e.to_string()))?;
+        .map_err(|error| place.failed(error))?;
     let version: String = sqlx::query_scalar("select sqlite_version()")
         .fetch_one(&mut connection)
         .await?;
     if !new_enough(&version) {
-        return Err(failed(format!(
+        return Err(place.failed(format!(
             "SQLite {version} is older than 3.51.3, which can corrupt databases"
         )));
     }
-    let verdict: String = sqlx::query_scalar("pragma quick_check(1)")
-        .fetch_one(&mut connection)
-        .await
-        .map_err(|e| failed(e.to_string()))?;
-    if verdict != "ok" {
-        return Err(failed(format!(
-            "it is corrupt ({verdict}); restore a copy or name another file"
-        )));
-    }
-    MIGRATIONS
+    schema::MIGRATIONS
         .run(&mut connection)
         .await
-        .map_err(|e| failed(e.to_string()))?;
+        .map_err(|error| place.failed(error))?;
     let mut transaction = connection.begin().await?;
     result_rows::complete_rankings(&mut transaction).await?;
     study_points::complete_hashes(&mut transaction).await?;
     transaction.commit().await?;
-    connection.close().await.map_err(|e| failed(e.to_string()))
-}
-
-/// Number of the newest change of the tables.
-pub fn newest_migration() -> i64 {
-    let versions = MIGRATIONS.iter().map(|migration| migration.version);
-    versions.max().unwrap_or(0)
+    connection
+        .close()
+        .await
+        .map_err(|error| place.failed(error))
 }
 
 /// The one connection that writes.
-pub async fn writer(path: &Path) -> Result<SqlitePool, StoreError> {
+pub async fn writer(place: &Place) -> Result<SqlitePool, StoreError> {
     Ok(SqlitePoolOptions::new()
         .max_connections(1)
         .idle_timeout(None)
@@ -78,27 +60,35 @@ pub async fn writer(path: &Path) -> Result<SqlitePool, StoreError> {
                 Ok(!connection.is_in_transaction())
             })
         })
-        .connect_with(writing(path))
+        .connect_with(writing(place))
         .await?)
 }
 
 /// Connections that can only read.
-pub async fn readers(path: &Path) -> Result<SqlitePool, StoreError> {
-    let options = SqliteConnectOptions::new()
-        .filename(path)
-        .read_only(true)
-        .busy_timeout(BUSY_TIMEOUT);
+pub async fn readers(place: &Place) -> Result<SqlitePool, StoreError> {
     Ok(SqlitePoolOptions::new()
         .max_connections(READERS)
         // A file doesn't hang up: the question would cost every reader a round to the connection's thread.
         .test_before_acquire(false)
-        .connect_with(options)
+        .connect_with(reading(place))
         .await?)
 }
 
-fn writing(path: &Path) -> SqliteConnectOptions {
+/// A connection that is never used: as long as there is one SQLite keeps its log, whatever becomes of the others.
+pub async fn keeper(place: &Place) -> Result<SqliteConnection, StoreError> {
+    Ok(condition::connect(reading(place)).await?)
+}
+
+fn reading(place: &Place) -> SqliteConnectOptions {
     SqliteConnectOptions::new()
-        .filename(path)
+        .filename(&place.real)
+        .read_only(true)
+        .busy_timeout(BUSY_TIMEOUT)
+}
+
+fn writing(place: &Place) -> SqliteConnectOptions {
+    SqliteConnectOptions::new()
+        .filename(&place.real)
         .synchronous(SqliteSynchronous::Full)
         .foreign_keys(true)
         .busy_timeout(BUSY_TIMEOUT)
@@ -114,7 +104,10 @@ fn new_enough(version: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use sqlx::migrate::Migrator;
+
     use super::*;
+    use crate::file::condition::Content;
 
     #[test]
     fn versions_are_compared_by_number() {
@@ -125,17 +118,21 @@ mod tests {
     /// The first changes of the tables alone, as an earlier version had them.
     fn first(count: usize) -> Migrator {
         Migrator {
-            migrations: MIGRATIONS.iter().take(count).cloned().collect(),
+            migrations: schema::MIGRATIONS.iter().take(count).cloned().collect(),
             ..Migrator::DEFAULT
         }
     }
 
+    async fn look(place: &Place) -> SqliteConnection {
+        condition::connect(reading(place)).await.expect("opens")
+    }
+
     #[tokio::test]
     async fn every_earlier_schema_is_brought_up_to_date_with_its_rows() {
-        for count in 1..=MIGRATIONS.iter().count() {
+        for count in 1..=schema::MIGRATIONS.iter().count() {
             let folder = tempfile::tempdir().expect("temp dir");
-            let path = folder.path().join("old.db");
-            let options = writing(&path).create_if_missing(true);
+            let place = Place::of(&folder.path().join("old.db")).expect("a place");
+            let options = writing(&place).create_if_missing(true);
             let mut old = SqliteConnection::connect_with(&options)
                 .await
                 .expect("opens");
@@ -148,7 +145,15 @@ mod tests {
             stored.expect("stores");
             old.close().await.expect("closes");
 
-            bootstrap(&path).await.expect("brings it up to date");
+            let found = condition::content(&mut look(&place).await).await;
+            let newest = schema::MIGRATIONS
+                .iter()
+                .nth(count - 1)
+                .expect("it")
+                .version;
+            assert_eq!(found.expect("reads"), Content::Ours(newest));
+
+            bootstrap(&place).await.expect("brings it up to date");
             let mut new = SqliteConnection::connect_with(&options)
                 .await
                 .expect("opens");
@@ -160,7 +165,7 @@ mod tests {
                 .fetch_one(&mut new)
                 .await
                 .expect("reads");
-            assert_eq!((name.as_str(), version), ("old", newest_migration()));
+            assert_eq!((name.as_str(), version), ("old", schema::newest()));
         }
     }
 }

@@ -1,20 +1,20 @@
-//! Looking after the database file: whether it is whole, a copy of it, its free pages given back.
+//! Looking after the database file: whether it is whole, its free pages given back.
 //!
-//! Checks and copies read a snapshot and may run beside the service.
+//! A check reads a snapshot and may run beside the service.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use placement::result::StudyResult;
 use serde::Serialize;
-use sqlx::sqlite::SqliteConnectOptions;
-use sqlx::{ConnectOptions, Connection, SqliteConnection};
+use sqlx::{Connection, SqliteConnection};
 
 use crate::answers::ranked_rows;
 use crate::answers::result_rows;
 use crate::answers::trades;
-use crate::file::lock;
-use crate::file::pools;
+use crate::file::condition;
+use crate::file::lock::DatabaseLock;
+use crate::file::opening::{self, Missing};
 use crate::points::crashes;
 use crate::points::evaluations;
 use crate::points::study_points;
@@ -29,39 +29,6 @@ pub struct Inspection {
     pub rows: BTreeMap<&'static str, usize>,
     /// What is wrong, a sentence each; none: all is well.
     pub faults: Vec<String>,
-}
-
-/// A connection that can only read, to a database that another process may hold.
-///
-/// # Errors
-/// [`StoreError::Open`] when there is no such database, or one of another version.
-pub async fn open(path: &Path) -> Result<SqliteConnection, StoreError> {
-    let failed = |cause: String| StoreError::Open {
-        path: path.to_owned(),
-        cause,
-    };
-    let options = options(path).read_only(true);
-    let mut connection = SqliteConnection::connect_with(&options)
-        .await
-        .map_err(|error| failed(error.to_string()))?;
-    let newest: Option<i64> = sqlx::query_scalar("select max(version) from _sqlx_migrations")
-        .fetch_one(&mut connection)
-        .await
-        .map_err(|error| failed(format!("it isn't a database of strainsite: {error}")))?;
-    if newest == Some(pools::newest_migration()) {
-        return Ok(connection);
-    }
-    Err(failed(
-        "its tables are those of another version; serve and run bring older ones up to date"
-            .to_owned(),
-    ))
-}
-
-/// What looks after a whole file takes its time, of which the log needn't warn.
-fn options(path: &Path) -> SqliteConnectOptions {
-    SqliteConnectOptions::new()
-        .filename(path)
-        .disable_statement_logging()
 }
 
 /// Reads everything: SQLite's own structures, every reference, every hash, and that each study has the points it counts. Tells `seen` how
@@ -183,31 +150,12 @@ pub async fn used_bytes(connection: &mut SqliteConnection) -> Result<u64, StoreE
     Ok(u64::try_from(bytes).unwrap_or(0))
 }
 
-/// Writes a copy as it is now, without free pages, to a file that isn't there yet.
-///
-/// # Errors
-/// [`StoreError::Open`] when the file is there; when it can't be written.
-pub async fn copy_to(connection: &mut SqliteConnection, target: &Path) -> Result<(), StoreError> {
-    if target.exists() {
-        return Err(StoreError::Open {
-            path: target.to_owned(),
-            cause: "a copy is only written to a file that isn't there yet".to_owned(),
-        });
-    }
-    sqlx::query("vacuum into ?")
-        .bind(target.to_string_lossy().into_owned())
-        .execute(connection)
-        .await?;
-    Ok(())
-}
-
 /// Gives free pages back to the disk. Nobody else may use the database meanwhile.
 ///
 /// # Errors
 /// [`StoreError::InUse`] when somebody does; when the database can't be written.
 pub async fn compact(path: &Path) -> Result<(), StoreError> {
-    let _lock = lock::DatabaseLock::take(path)?;
-    let mut connection = open_to_write(path).await?;
+    let (_lock, mut connection) = alone(path).await?;
     sqlx::query("vacuum").execute(&mut connection).await?;
     sqlx::query("pragma wal_checkpoint(truncate)")
         .execute(&mut connection)
@@ -221,14 +169,14 @@ pub async fn compact(path: &Path) -> Result<(), StoreError> {
 /// # Errors
 /// As [`compact`].
 pub async fn release(path: &Path) -> Result<u64, StoreError> {
-    let _lock = lock::DatabaseLock::take(path)?;
-    let mut connection = open_to_write(path).await?;
+    let (_lock, mut connection) = alone(path).await?;
     let released = crashes::forget(&mut connection).await?;
     connection.close().await?;
     Ok(released)
 }
 
-async fn open_to_write(path: &Path) -> Result<SqliteConnection, StoreError> {
-    open(path).await?.close().await?;
-    Ok(SqliteConnection::connect_with(&options(path)).await?)
+async fn alone(path: &Path) -> Result<(DatabaseLock, SqliteConnection), StoreError> {
+    let (place, lock) = opening::to_write(path, Missing::Refused).await?;
+    opening::to_read(path).await?.close().await?;
+    Ok((lock, condition::connect(condition::options(&place)).await?))
 }

@@ -151,7 +151,7 @@ async fn a_cookie_outlives_a_restart_with_the_same_token_and_no_other() {
     let app = home.start_for(locked()).await;
     let cookie = browse(&app, app.service.login().expect("a token is asked for")).await;
     let (_, value) = cookie.split_once('=').expect("a pair");
-    app.service.stop().await;
+    app.service.stop().await.expect("stops");
     for (token, status) in [
         (SECRET, StatusCode::OK),
         ("another-token-than-before", StatusCode::UNAUTHORIZED),
@@ -166,7 +166,7 @@ async fn a_cookie_outlives_a_restart_with_the_same_token_and_no_other() {
         let request = app.client.get(app.url("/v1/studies"));
         let request = request.header("cookie", format!("{name}={value}"));
         assert_eq!(send(request).await.status(), status);
-        app.service.stop().await;
+        app.service.stop().await.expect("stops");
     }
 }
 
@@ -209,7 +209,7 @@ async fn the_description_says_what_lets_a_client_in() {
         let open = &document["paths"][path]["get"]["security"];
         assert_eq!(open, &serde_json::json!([{}]), "{path}");
     }
-    app.service.stop().await;
+    app.service.stop().await.expect("stops");
 
     let app = home.start_for(Outside::default()).await;
     assert_eq!(app.json("/openapi.json").await["security"], Value::Null);

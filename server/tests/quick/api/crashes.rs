@@ -9,7 +9,7 @@ use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use serde_json::Value;
 use service::solving::watched::Watched;
-use store::file::upkeep;
+use store::file::{opening, upkeep};
 
 use crate::app::{App, Home, serve, study};
 
@@ -64,7 +64,7 @@ async fn failed_point(app: &App, id: &str) -> String {
 
 /// A point that left nothing isn't taken for one that was lost.
 async fn assert_whole(home: &Home) {
-    let opened = upkeep::open(&home.database()).await;
+    let opened = opening::to_read(&home.database()).await;
     let found = upkeep::inspect(&mut opened.expect("opens"), &|_, _| {}).await;
     assert_eq!(found.expect("reads").faults, Vec::<String>::new());
 }
@@ -89,7 +89,7 @@ async fn service_that_dies() {
         None => app.submit(&study()).await,
     };
     app.wait_for(&id, "done").await;
-    app.service.stop().await;
+    app.service.stop().await.expect("stops");
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -142,7 +142,7 @@ async fn a_panic_or_an_endless_loop_costs_its_point_alone() {
         // It isn't stored as if it were known, and a sound solver is asked for it alone.
         let points = app.json(&format!("/v1/studies/{id}/evaluations")).await;
         assert_eq!(points["evaluations"].as_array().map(Vec::len), Some(25));
-        app.service.stop().await;
+        app.service.stop().await.expect("stops");
         let app = home.start(ClosedFormSolver::new()).await;
         let again = app.submit(&study()).await;
         app.wait_for(&again, "done").await;

@@ -134,7 +134,7 @@ async fn stopping_the_service_ends_open_streams() {
     let mut response = app.get(&format!("/v1/studies/{id}/events")).await;
     response.chunk().await.expect("a first event");
     let begun = std::time::Instant::now();
-    app.service.stop().await;
+    app.service.stop().await.expect("stops");
     while let Ok(Some(_)) = response.chunk().await {}
     // A solve heeds its flag within milliseconds here; the bound is the grace that requests in flight are given.
     assert!(begun.elapsed().as_secs() < 5);

@@ -5,6 +5,7 @@ mod crashes;
 mod dashboard;
 mod events;
 mod export;
+mod gone;
 mod guard;
 mod limits;
 mod metrics;

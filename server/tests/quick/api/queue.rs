@@ -36,7 +36,7 @@ async fn a_stopped_study_resumes_where_it_was_and_gives_the_same_result() {
     let id = app.submit(&study()).await;
     app.wait(&id, |study| study["points_done"].as_i64() >= Some(5))
         .await;
-    app.service.stop().await;
+    app.service.stop().await.expect("stops");
     let mut sql = home.sql().await;
     let before = evaluations(&mut sql).await;
     assert!(
@@ -71,7 +71,7 @@ async fn a_study_that_a_crash_left_running_goes_on_at_the_next_start() {
     let id = app.submit(&study()).await;
     app.wait(&id, |study| study["points_done"].as_i64() >= Some(2))
         .await;
-    app.service.stop().await;
+    app.service.stop().await.expect("stops");
     // A crash has no time to put its study back.
     sqlx::query("update studies set state = 'running'")
         .execute(&mut home.sql().await)
@@ -93,7 +93,7 @@ async fn a_second_service_on_the_same_database_is_refused() {
         "{error}"
     );
     assert!(error.to_string().contains("test.db"), "{error}");
-    first.service.stop().await;
+    first.service.stop().await.expect("stops");
     home.start(ClosedFormSolver::new()).await;
 }
 

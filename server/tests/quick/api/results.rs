@@ -338,7 +338,7 @@ async fn results_without_ranked_rows_get_them_when_the_database_is_opened() {
     app.wait_for(&id, "done").await;
     let parts = ["locations", "layouts"].map(|part| format!("/v1/studies/{id}/{part}"));
     let (locations, layouts) = (app.json(&parts[0]).await, app.json(&parts[1]).await);
-    app.service.stop().await;
+    app.service.stop().await.expect("stops");
     let mut sql = home.sql().await;
     let emptied = sqlx::raw_sql(
         "delete from rankings; delete from location_scores; delete from locations; delete from layouts",

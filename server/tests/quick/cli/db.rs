@@ -75,3 +75,51 @@ fn a_database_in_use_is_checked_and_copied_but_not_compacted() {
     service.kill().expect("ends");
     service.wait().expect("ended");
 }
+
+#[tokio::test]
+async fn a_copy_takes_the_place_of_a_database_whose_log_a_kill_left() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let run = |arguments: &[&str]| strainsite(folder.path(), arguments);
+    let study = draft(folder.path());
+    done(&run(&["run", study]));
+    // Names that mean something else to SQLite are those of files.
+    for name in [":memory:", "file:copy.db?mode=memory", "copy.db"] {
+        done(&run(&["db", "backup", name]));
+        done(&run(&["db", "check", "--db", name]));
+        assert!(folder.path().join(name).is_file(), "{name}");
+    }
+    let mut service = spawn(folder.path(), &["serve", "--addr", "127.0.0.1:0"]);
+    let mut line = String::new();
+    let stdout = service.stdout.take().expect("a pipe");
+    std::io::BufRead::read_line(&mut std::io::BufReader::new(stdout), &mut line).expect("a line");
+    refused(
+        &run(&["db", "restore", "copy.db"]),
+        "another strainsite process",
+    );
+    service.kill().expect("ends");
+    service.wait().expect("ended");
+
+    std::fs::copy(
+        folder.path().join("copy.db"),
+        folder.path().join("strainsite.db"),
+    )
+    .expect("copies");
+    let log = folder.path().join("strainsite.db-wal");
+    std::fs::write(&log, "of the database before").expect("writes");
+    refused(&run(&["run", study]), "strainsite.db-wal");
+    let restored = run(&["db", "restore", "copy.db"]);
+    assert!(
+        done(&restored).contains("is kept as"),
+        "{}",
+        text(&restored.stdout)
+    );
+    assert!(!log.exists());
+    assert!(done(&run(&["run", study])).contains("26 of them known before"));
+
+    refused(&run(&["db", "restore", "strainsite.db"]), "itself");
+    damage(&folder.path().join("copy.db")).await;
+    let damaged = run(&["db", "restore", "copy.db", "--discard"]);
+    refused(&damaged, "copy.db can't be opened: it isn't whole");
+    done(&run(&["db", "check"]));
+    assert!(!folder.path().join("strainsite.db.unfinished").exists());
+}

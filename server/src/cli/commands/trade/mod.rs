@@ -82,8 +82,9 @@ impl Trade {
                 .map_err(Failure::other)?;
             Ok(trade)
         });
-        runtime.block_on(store.close());
+        let closed = runtime.block_on(store.close());
         let trade = kept?;
+        closed.map_err(Failure::other)?;
         if let Some(folder) = &self.out {
             std::fs::create_dir_all(folder).map_err(|error| {
                 Failure::Other(format!("{} can't be made: {error}", folder.display()))

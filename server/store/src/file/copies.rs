@@ -1,0 +1,226 @@
+//! Copies of a database, and a copy back in its place.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use sqlx::sqlite::SqliteJournalMode;
+use sqlx::{Connection, SqliteConnection};
+
+use crate::clock;
+use crate::file::condition::{self, Content};
+use crate::file::identity::FileId;
+use crate::file::lock::{FileLock, NameLock};
+use crate::file::place::{Place, beside};
+use crate::file::unfinished::{COMPANIONS, Unfinished};
+use crate::file::{opening, pools, schema, upkeep};
+use crate::store_error::StoreError;
+
+/// What becomes of the database that a copy takes the place of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Replaced {
+    /// It is kept beside, under a name with the time.
+    Kept,
+    /// It is lost.
+    Discarded,
+}
+
+/// A copy that isn't there yet, beside the place where it is to be: a plain file, whatever SQLite makes of its name.
+///
+/// # Errors
+/// [`StoreError::Copy`] when there is something of that name, or nothing can be written there.
+pub fn begin(target: &Path) -> Result<Unfinished, StoreError> {
+    let place = Place::of(target)?;
+    if fs::symlink_metadata(&place.real).is_ok() {
+        return Err(StoreError::Copy {
+            path: target.to_owned(),
+            cause: "a copy is only written to a file that isn't there yet".to_owned(),
+        });
+    }
+    Unfinished::begin(&place)
+}
+
+/// Writes the database as it is now, without free pages.
+///
+/// # Errors
+/// [`StoreError::Copy`] when it can't be written.
+pub async fn write(connection: &mut SqliteConnection, copy: &Unfinished) -> Result<(), StoreError> {
+    let failed = |cause: String| StoreError::Copy {
+        path: copy.target().to_owned(),
+        cause,
+    };
+    let name = copy.path().to_str();
+    let name = name.ok_or_else(|| failed("its name isn't UTF-8".to_owned()))?;
+    let written = sqlx::query("vacuum into ?")
+        .bind(name)
+        .execute(connection)
+        .await;
+    match written.map_err(StoreError::from) {
+        Ok(_) => Ok(()),
+        Err(StoreError::Full) => Err(failed("the disk that it is written to is full".to_owned())),
+        Err(StoreError::Database(error)) => Err(failed(error.to_string())),
+        Err(error) => Err(error),
+    }
+}
+
+/// Puts a copy in the place of the database, and returns under what name the one before is kept. The copy is read whole first, and brought up
+/// to date beside the place; it then takes the place at once. Killed at any moment, the old database is there or the new one, and this can be
+/// done again. Tells `seen` how many rows it has read, and of how many.
+///
+/// # Errors
+/// [`StoreError::InUse`] when a process has the database; when the copy isn't whole; when the database is another program's.
+pub async fn restore(
+    backup: &Path,
+    database: &Path,
+    replaced: Replaced,
+    seen: &dyn Fn(usize, usize),
+) -> Result<Option<PathBuf>, StoreError> {
+    let (source, place) = (Place::of(backup)?, Place::of(database)?);
+    let mut old = FileLock::take(&place)?;
+    if old.is_some() && FileId::at(&source.real) == FileId::at(&place.real) {
+        return Err(source.failed("it is the database itself that it was to be put in place of"));
+    }
+    if old.is_some() && is_foreign(&place).await {
+        return Err(condition::foreign(&place));
+    }
+    let mut from = readable(&source).await?;
+    let _name = NameLock::take(&place)?;
+    let copy = Unfinished::begin(&place)?;
+    write(&mut from, &copy).await?;
+    from.close().await?;
+    prepare(&source, copy.path(), seen).await?;
+    let Some(old) = &mut old else {
+        remove_companions(&place, None);
+        return copy.place().map(|()| None);
+    };
+    let kept = (replaced == Replaced::Kept).then(|| {
+        let time = clock::now().replace(['-', ':'], "");
+        place.beside(&format!(".replaced-{time}"))
+    });
+    fold(&place, old).await?;
+    remove_companions(&place, kept.as_deref());
+    copy.replace(kept.as_deref())?;
+    Ok(kept)
+}
+
+/// A database of this program, of this version or an earlier one.
+async fn readable(source: &Place) -> Result<SqliteConnection, StoreError> {
+    condition::fit_to_read(source)?;
+    let mut connection = opening::connected(source).await?;
+    let content = condition::content(&mut connection).await;
+    let refused = match content.map_err(|error| condition::unreadable(source, &error))? {
+        Content::Ours(version) if version > schema::newest() => condition::newer(source, version),
+        Content::Ours(_) => return Ok(connection),
+        Content::Fresh => source.failed("it is empty"),
+        Content::Foreign => condition::foreign(source),
+    };
+    connection.close().await?;
+    Err(refused)
+}
+
+/// Whether another program's database is there; one that can't be read may be replaced.
+async fn is_foreign(place: &Place) -> bool {
+    let Ok(mut connection) = condition::connect(condition::options(place).read_only(true)).await
+    else {
+        return false;
+    };
+    let content = condition::content(&mut connection).await;
+    // Whatever the end of a reading connection says, nothing was written.
+    let _ = connection.close().await;
+    matches!(content, Ok(Content::Foreign))
+}
+
+/// Brings a copy up to date and reads all of it. Its head knows of no log then, so that one of the database before, which a kill may have
+/// left, is known not to be its own.
+async fn prepare(
+    source: &Place,
+    copy: &Path,
+    seen: &dyn Fn(usize, usize),
+) -> Result<(), StoreError> {
+    let place = Place::of(copy)?;
+    pools::bootstrap(&place).await?;
+    let mut connection = opening::to_read(copy).await?;
+    let found = upkeep::inspect(&mut connection, seen).await;
+    connection.close().await?;
+    let faults = found?.faults;
+    if let Some(fault) = faults.first() {
+        let cause = format!(
+            "it isn't whole ({fault}; {} faults in all), and the database was left as it is: restore another copy",
+            faults.len()
+        );
+        return Err(source.failed(cause));
+    }
+    let closed = condition::options(&place).journal_mode(SqliteJournalMode::Delete);
+    Ok(condition::connect(closed).await?.close().await?)
+}
+
+/// Folds the log of the database that is to be replaced into its file, where it can be used at all.
+async fn fold(place: &Place, old: &mut FileLock) -> Result<(), StoreError> {
+    if !condition::is_sound(place, old).await {
+        return Ok(());
+    }
+    let mut connection = condition::connect(condition::options(place)).await?;
+    sqlx::query("pragma wal_checkpoint(truncate)")
+        .execute(&mut connection)
+        .await?;
+    connection.close().await?;
+    match condition::log_bytes(place) {
+        0 => Ok(()),
+        // Somebody reads what is in it.
+        _ => Err(StoreError::Busy),
+    }
+}
+
+/// Takes away what SQLite keeps beside a database: to the name under which the database itself is kept, or for good.
+fn remove_companions(place: &Place, kept: Option<&Path>) {
+    for ending in COMPANIONS {
+        let companion = place.beside(ending);
+        // What can't be moved or removed isn't there; were it there, the next start would name it.
+        let _ = match kept {
+            Some(kept) if ending != "-shm" => fs::rename(&companion, beside(kept, ending)),
+            _ => fs::remove_file(&companion),
+        };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Store;
+    use crate::database::tests::fresh;
+
+    #[tokio::test]
+    async fn a_log_of_the_database_before_is_known_by_its_copy() {
+        let (folder, store) = fresh().await;
+        let (path, copy) = (folder.path().join("test.db"), folder.path().join("copy.db"));
+        let mut reading = opening::to_read(&path).await.expect("opens");
+        let unfinished = begin(&copy).expect("begins");
+        let written = write(&mut reading, &unfinished).await;
+        written.and_then(|()| unfinished.place()).expect("copies");
+        store
+            .begin()
+            .await
+            .expect("begins")
+            .commit()
+            .await
+            .expect("commits");
+        let (log, other) = (
+            folder.path().join("test.db-wal"),
+            folder.path().join("copy.db-wal"),
+        );
+        fs::copy(&log, &other).expect("copies");
+        let before = fs::read(&other).expect("reads");
+        assert!(!before.is_empty(), "there is something in the log");
+        let refused = [
+            Store::open(&copy).await.err(),
+            opening::to_read(&copy).await.err(),
+        ];
+        for error in refused {
+            let said = error.expect("isn't its own").to_string();
+            assert!(
+                said.contains("copy.db-wal") && said.contains("copy.db-shm"),
+                "{said}"
+            );
+        }
+        assert_eq!(fs::read(&other).expect("reads"), before);
+    }
+}

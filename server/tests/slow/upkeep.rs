@@ -1,0 +1,196 @@
+//! SIGKILL at any moment of a backup, a restore, a vacuum and a migration: the database is whole, and the command can be given again.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use sqlx::migrate::Migrator;
+use sqlx::sqlite::SqliteConnectOptions;
+use sqlx::{Connection, SqliteConnection};
+
+use crate::kill::kills;
+use crate::program::service::integrity;
+use crate::program::{command, strainsite, text};
+
+static MIGRATIONS: Migrator = sqlx::migrate!("../migrations");
+/// Kills of each command, where `STRAINSITE_KILLS` doesn't ask for more.
+const KILLS: u32 = 10;
+/// Events of the database, a kilobyte each: so many that no command is over at once.
+const EVENTS: i64 = 3000;
+/// Those of the copy that is restored.
+const OTHERS: i64 = 1000;
+
+/// A database of the first `count` migrations with so many events, and as much space that is free.
+async fn database(path: &Path, count: usize, events: i64) {
+    let options = SqliteConnectOptions::new()
+        .filename(path)
+        .create_if_missing(true);
+    let mut sql = SqliteConnection::connect_with(&options)
+        .await
+        .expect("opens");
+    let first = Migrator {
+        migrations: MIGRATIONS.iter().take(count).cloned().collect(),
+        ..Migrator::DEFAULT
+    };
+    first.run(&mut sql).await.expect("migrates");
+    for change in [
+        "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', 'x', 'done', 't')",
+        &format!(
+            "with recursive n(i) as (select 1 union all select i + 1 from n where i < {})
+             insert into events (study, kind, payload, created) select 'a', 'note', json_object('bytes', hex(randomblob(500))), 't' from n",
+            2 * events
+        ),
+        &format!("delete from events where id > {events}"),
+    ] {
+        let changed = sqlx::query(sqlx::AssertSqlSafe(change)).execute(&mut sql).await;
+        changed.expect("changes");
+    }
+    sql.close().await.expect("closes");
+}
+
+/// Events of a whole database.
+async fn events(path: &Path) -> i64 {
+    assert_eq!(integrity(path).await, "ok", "{}", path.display());
+    let options = SqliteConnectOptions::new().filename(path);
+    let mut sql = SqliteConnection::connect_with(&options)
+        .await
+        .expect("opens");
+    let count = sqlx::query_scalar("select count(*) from events");
+    let count = count.fetch_one(&mut sql).await.expect("a count");
+    sql.close().await.expect("closes");
+    count
+}
+
+fn runs(folder: &Path, arguments: &[&str]) {
+    let done = strainsite(folder, arguments);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+}
+
+/// Gives the command on a copy of `base.db`, again and again, and kills it at every share of the time that it takes; `check` looks at what
+/// there is then. Returns how many kills came before its end.
+async fn killed(folder: &Path, arguments: &[&str], check: impl AsyncFn(u32)) -> u32 {
+    let base = folder.join("base.db");
+    let again = || {
+        for ending in ["", "-wal", "-shm", "-journal"] {
+            let _ = std::fs::remove_file(folder.join(format!("work.db{ending}")));
+        }
+        std::fs::copy(&base, folder.join("work.db")).expect("copies");
+    };
+    again();
+    let begun = Instant::now();
+    runs(folder, arguments);
+    let whole = begun.elapsed();
+    check(0).await;
+
+    let kills = kills(KILLS);
+    let mut unfinished = 0;
+    for kill in 1..=kills {
+        again();
+        let mut process = command(folder, arguments);
+        process.stdout(std::process::Stdio::null());
+        process.stderr(std::process::Stdio::null());
+        let mut process = process.spawn().expect("starts");
+        let share = f64::from(kill) / f64::from(kills);
+        tokio::time::sleep(whole.mul_f64(share)).await;
+        process.kill().expect("kills");
+        let ended = process.wait().expect("ends");
+        unfinished += u32::from(ended.code().is_none());
+        check(kill).await;
+    }
+    eprintln!("{arguments:?} takes {whole:?}; {unfinished} of {kills} kills came before its end");
+    assert!(whole < Duration::from_secs(20), "{whole:?}");
+    unfinished
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_killed_backup_leaves_no_copy_that_isnt_whole() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let folder = folder.path();
+    database(&folder.join("base.db"), usize::MAX, EVENTS).await;
+    let backup = ["db", "backup", "copy.db", "--db", "work.db"];
+    let copy = folder.join("copy.db");
+    let unfinished = killed(folder, &backup, async |kill| {
+        assert_eq!(events(&folder.join("work.db")).await, EVENTS, "kill {kill}");
+        if !copy.exists() {
+            runs(folder, &backup);
+        }
+        assert_eq!(events(&copy).await, EVENTS, "kill {kill}");
+        std::fs::remove_file(&copy).expect("removes");
+        assert!(!folder.join("copy.db.unfinished").exists());
+    });
+    assert!(unfinished.await > KILLS / 2);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_killed_restore_leaves_the_database_before_or_the_copy() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let folder = folder.path();
+    database(&folder.join("base.db"), usize::MAX, EVENTS).await;
+    database(&folder.join("copy.db"), usize::MAX, OTHERS).await;
+    let work = folder.join("work.db");
+    for more in [&[][..], &["--discard"]] {
+        let restore = [&["db", "restore", "copy.db", "--db", "work.db"], more].concat();
+        let unfinished = killed(folder, &restore, async |kill| {
+            let found = events(&work).await;
+            assert!([EVENTS, OTHERS].contains(&found), "kill {kill}: {found}");
+            runs(folder, &restore);
+            assert_eq!(events(&work).await, OTHERS, "kill {kill}");
+            runs(folder, &["db", "check", "--db", "work.db"]);
+        });
+        assert!(unfinished.await > KILLS / 2);
+    }
+    let names = std::fs::read_dir(folder).expect("lists");
+    for name in names.map(|entry| entry.expect("reads").path()) {
+        let kept = name.to_string_lossy().contains("work.db.replaced-");
+        let extension = name.extension().unwrap_or_default().to_string_lossy();
+        if kept && extension.ends_with('Z') {
+            let found = events(&name).await;
+            assert!([EVENTS, OTHERS].contains(&found), "{}", name.display());
+        }
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_killed_vacuum_leaves_a_whole_database() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let folder = folder.path();
+    database(&folder.join("base.db"), usize::MAX, EVENTS).await;
+    let vacuum = ["db", "vacuum", "--db", "work.db"];
+    let work = folder.join("work.db");
+    let unfinished = killed(folder, &vacuum, async |kill| {
+        assert_eq!(events(&work).await, EVENTS, "kill {kill}");
+        runs(folder, &vacuum);
+        assert_eq!(events(&work).await, EVENTS, "kill {kill}");
+    });
+    assert!(unfinished.await > KILLS / 2);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_killed_migration_leaves_a_database_that_can_be_migrated() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let folder = folder.path();
+    // The first schema that has events.
+    database(&folder.join("base.db"), 4, EVENTS).await;
+    let study = "../../studies/foot-tire.toml";
+    let study = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests")
+        .join(study);
+    let study = study.to_str().expect("UTF-8");
+    // What opens a database, brings it up to date, and ends.
+    let migrate = [
+        "run",
+        study,
+        "--dry-run",
+        "--set",
+        "accuracy.preset=draft",
+        "--db",
+        "work.db",
+    ];
+    let work = folder.join("work.db");
+    let unfinished = killed(folder, &migrate, async |kill| {
+        assert_eq!(events(&work).await, EVENTS, "kill {kill}");
+        runs(folder, &migrate);
+        runs(folder, &["db", "check", "--db", "work.db"]);
+        assert_eq!(events(&work).await, EVENTS, "kill {kill}");
+    });
+    assert!(unfinished.await > KILLS / 2);
+}
