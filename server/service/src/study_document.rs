@@ -3,13 +3,14 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use fem_client::document::Format;
 use fem_client::document::fault::Fault;
+use fem_client::document::{Format, parse};
 use placement::study::Study;
 use placement::study::plan::PlannedStudy;
 use placement::sweep::{changed, typed_settings};
+use serde_json::Value;
 
 use store::queue::study_rows::StudyRow;
 
@@ -59,18 +60,33 @@ pub fn read_file(path: &Path) -> Result<String, Vec<Fault>> {
 /// # Errors
 /// Every fault of the document.
 pub fn read_study(text: &str, path: &Path) -> Result<PlannedStudy, Vec<Fault>> {
-    let folder = path.parent().unwrap_or(Path::new(""));
     let scene_file = |name: &str| {
-        let beside = folder.join(name);
-        let file = if beside.exists() {
-            beside
-        } else {
-            Path::new(name).to_owned()
-        };
+        let file = scene_path(path, name);
         std::fs::read_to_string(&file)
             .map_err(|error| format!("{} can't be read: {error}", file.display()))
     };
     PlannedStudy::from_document(text, format_of(path), &scene_file)
+}
+
+fn scene_path(study: &Path, name: &str) -> PathBuf {
+    let beside = study.parent().unwrap_or(Path::new("")).join(name);
+    if beside.exists() {
+        beside
+    } else {
+        PathBuf::from(name)
+    }
+}
+
+/// A study's file and that of the scene which it names, as far as they can be read.
+pub fn named_files(study: &Path) -> Vec<PathBuf> {
+    let mut files = vec![study.to_owned()];
+    let document = read_file(study).and_then(|text| parse(&text, format_of(study)));
+    if let Ok(document) = &document
+        && let Some(name) = document.get("scene").and_then(Value::as_str)
+    {
+        files.push(scene_path(study, name));
+    }
+    files
 }
 
 /// Reads a study file, with the fields that are set by texts of the form `KEY=VALUE`.

@@ -16,9 +16,11 @@ use placement::own_model::value_table::{ValueTable, quoted};
 use serde_json::{Value, json};
 
 use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::files::Files;
 use crate::cli::terminal::help_examples;
-use crate::cli::terminal::output::{JsonTarget, print, tell, warn, write_whole};
+use crate::cli::terminal::output::{JsonTarget, print, tell, warn};
 use crate::cli::terminal::paint::{HEADER, WARNING, painted};
+use crate::cli::terminal::place::write;
 use crate::cli::terminal::progress::clock;
 use service::study_document::{format_of, read_file};
 
@@ -68,6 +70,19 @@ impl Gsa {
         match &self.step {
             Step::Plan(step) => step.execute(),
             Step::Analyse(step) => step.execute(),
+        }
+    }
+
+    /// What the step reads and writes.
+    pub fn files(&self) -> Files {
+        match &self.step {
+            Step::Plan(step) => Files::default()
+                .reading([&step.inputs])
+                .reading(&step.values)
+                .writing(step.output.as_deref()),
+            Step::Analyse(step) => Files::default()
+                .reading([&step.inputs, &step.values])
+                .telling(step.json.as_ref()),
         }
     }
 
@@ -134,13 +149,13 @@ impl Plan {
             }
             text.push('\n');
         }
-        eprintln!(
-            "{} points to run, {} in all",
+        warn(&format!(
+            "{} points to run, {} in all\n",
             missing.len(),
             campaign.points().len()
-        );
+        ));
         match &self.output {
-            Some(path) => write_whole(path, &text),
+            Some(path) => write(path, text.as_bytes()),
             None => print(&text),
         }
     }
