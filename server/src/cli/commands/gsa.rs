@@ -22,6 +22,7 @@ use crate::cli::terminal::output::{JsonTarget, print, tell, warn};
 use crate::cli::terminal::paint::{HEADER, WARNING, painted};
 use crate::cli::terminal::place::write;
 use crate::cli::terminal::progress::clock;
+use service::study_document::text_files::read_text;
 use service::study_document::{format_of, read_file};
 
 /// Analyse a model of your own: print the points to run, then read their outputs back
@@ -95,13 +96,16 @@ impl Gsa {
     }
 }
 
+/// Most bytes of a file of values: a million runs, which are the most, of 25 outputs with all their digits.
+const MOST_VALUE_BYTES: usize = 1 << 29;
+
 fn read_inputs(path: &Path) -> Result<Inputs, Failure> {
     let text = read_file(path).map_err(Failure::Input)?;
     Inputs::from_document(&text, format_of(path)).map_err(Failure::Input)
 }
 
 fn read_values(path: &Path) -> Result<ValueTable, Failure> {
-    let text = read_file(path).map_err(Failure::Input)?;
+    let text = read_text(path, MOST_VALUE_BYTES).map_err(Failure::input)?;
     ValueTable::from_csv(&text).map_err(Failure::Input)
 }
 

@@ -1,17 +1,22 @@
 //! Study documents from files and from the database.
+//!
+//! - [`text_files`]: files up to a limit
 
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+pub mod text_files;
+
 use std::path::{Path, PathBuf};
 
 use fem_client::document::fault::Fault;
-use fem_client::document::{Format, parse};
+use fem_client::document::{Format, MAX_BYTES, parse};
 use placement::study::Study;
 use placement::study::plan::PlannedStudy;
 use placement::sweep::{changed, typed_settings};
 use serde_json::Value;
 
+use crate::study_document::text_files::read_text;
 use store::queue::study_rows::StudyRow;
 
 /// The study that a row of the database asks for.
@@ -41,15 +46,15 @@ pub fn stored_plan(row: &StudyRow) -> Result<PlannedStudy, String> {
     PlannedStudy::new(stored_study(row)?).map_err(|error| error.to_string())
 }
 
-/// Reads a text file, or says in a fault why it can't be read.
+/// Reads a document's file, or says in a fault why it can't be read.
 ///
 /// # Errors
 /// One fault naming the file.
 pub fn read_file(path: &Path) -> Result<String, Vec<Fault>> {
-    std::fs::read_to_string(path).map_err(|error| {
+    read_text(path, MAX_BYTES).map_err(|detail| {
         vec![Fault {
             pointer: String::new(),
-            detail: format!("{} can't be read: {error}", path.display()),
+            detail,
         }]
     })
 }
@@ -60,11 +65,7 @@ pub fn read_file(path: &Path) -> Result<String, Vec<Fault>> {
 /// # Errors
 /// Every fault of the document.
 pub fn read_study(text: &str, path: &Path) -> Result<PlannedStudy, Vec<Fault>> {
-    let scene_file = |name: &str| {
-        let file = scene_path(path, name);
-        std::fs::read_to_string(&file)
-            .map_err(|error| format!("{} can't be read: {error}", file.display()))
-    };
+    let scene_file = |name: &str| read_text(&scene_path(path, name), MAX_BYTES);
     PlannedStudy::from_document(text, format_of(path), &scene_file)
 }
 
