@@ -11,8 +11,9 @@ use ::gsa::method::analysis::{Analysis, Status};
 use clap::{Args, Subcommand};
 use fem_client::document::fault::Fault;
 use ndarray::ArrayView2;
+use placement::own_model::csv_cell::cell;
 use placement::own_model::inputs_document::Inputs;
-use placement::own_model::value_table::{ValueTable, quoted};
+use placement::own_model::value_table::ValueTable;
 use serde_json::{Value, json};
 
 use crate::cli::terminal::exit::Failure;
@@ -139,7 +140,7 @@ impl Plan {
         let missing: Vec<usize> = (0..campaign.points().len())
             .filter(|id| !table.has(*id))
             .collect();
-        let names = inputs.names.iter().map(|name| quoted(name));
+        let names = inputs.names.iter().map(|name| cell(name));
         let mut text = std::iter::once("id".to_owned())
             .chain(names)
             .collect::<Vec<_>>()
