@@ -2,7 +2,7 @@
 
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
-.PHONY: help run build check test prove \
+.PHONY: help run build check test prove audit \
 	test-cargo test-program format clippy doc house test-unit test-rust verify test-conformance test-exports test-python test-browser test-web \
 	setup-build setup-rust setup-npm setup-browser setup-python setup-test
 
@@ -27,7 +27,7 @@ help:
 	@echo "make build   the program alone, $(STRAINSITE)"
 	@echo "make check   format, lints, rules of the house and unit tests: what one runs every few minutes"
 	@echo "make test    every check and test; a suite alone: test-rust test-web test-browser test-conformance test-exports test-python verify"
-	@echo "make prove   what takes hours: 200 kills, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs or values)"
+	@echo "make prove   what takes hours: advisories, 200 kills, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs or values)"
 
 run: build
 	$(STRAINSITE) run studies/foot-tire.toml
@@ -56,12 +56,16 @@ test-program: test-conformance test-exports test-python test-browser test-web
 # The rigs of lab print the tables of docs/.
 RIGS := $(filter-out random_scenes,$(basename $(notdir $(wildcard lab/examples/*.rs))))
 
-prove: setup-rust
+prove: setup-rust audit
 	STRAINSITE_KILLS=200 $(CARGO) test $(ALL) --test slow kill
 	$(CARGO) build $(ALL) --examples
 	$(TARGET)/release/examples/random_scenes 10000 1
 	for rig in $(RIGS); do echo "== $$rig"; $(TARGET)/release/examples/$$rig; done
 	tests/fuzz/run --seconds 600 $(or $(READER),scene)
+
+# Published advisories about what we depend on; what can't be asked is said.
+audit:
+	tests/audit
 
 format: setup-build
 	cargo fmt --all --check

@@ -277,17 +277,22 @@ impl<'v> Fields<'v> {
 
 fn unknown(name: &str, known: &[&str]) -> String {
     let shown = shortened(name);
-    let nearest = known
-        .iter()
-        .map(|k| (distance(&shown, k), *k))
-        .min()
-        .filter(|(d, k)| *d <= k.len() / 3 + 1);
-    let hint = nearest.map_or_else(String::new, |(_, k)| format!(" Did you mean \"{k}\"?"));
+    let nearest = nearest(&shown, known.iter().copied());
+    let hint = nearest.map_or_else(String::new, |near| format!(" Did you mean \"{near}\"?"));
     format!(
         "unknown field \"{}\"; the fields here are {}.{hint}",
         shown.escape_debug(),
         known.join(", ")
     )
+}
+
+/// The known name that is most like a mistyped one, when there is one like it.
+pub fn nearest<'k>(name: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
+    let distances = known
+        .into_iter()
+        .map(|known| (distance(name, known), known));
+    let (least, nearest) = distances.min()?;
+    (least <= nearest.len() / 3 + 1).then_some(nearest)
 }
 
 /// Insertions, deletions and replacements between two words (Levenshtein's distance).

@@ -5,6 +5,7 @@
 
 pub mod fault;
 pub mod fields;
+mod json;
 pub mod non_finite;
 pub mod visible;
 
@@ -45,7 +46,7 @@ impl Format {
 /// reader refuses.
 ///
 /// # Errors
-/// One fault with line and column when the text isn't well-formed, or one that says how it is too large or too deep.
+/// One fault with line and column when the text isn't well-formed, or one that says how it is too large or too deep; the place of every member that stands twice, of every date.
 pub fn parse(text: &str, format: Format) -> Result<Value, Vec<Fault>> {
     let fault = |detail| {
         vec![Fault {
@@ -60,9 +61,11 @@ pub fn parse(text: &str, format: Format) -> Result<Value, Vec<Fault>> {
         )));
     }
     match format {
-        // serde_json itself refuses more than 128 levels and numbers beyond the range of f64.
-        Format::Json => serde_json::from_str(text)
-            .map_err(|error| fault(format!("not well-formed JSON: {error}"))),
+        Format::Json => match json::read(text) {
+            Ok((value, faults)) if faults.is_empty() => Ok(value),
+            Ok((_, faults)) => Err(faults),
+            Err(error) => Err(fault(format!("not well-formed JSON: {error}"))),
+        },
         Format::Toml => {
             if longest_key(text) > MAX_KEY_PARTS {
                 let detail = format!("a key of the document has more than {MAX_KEY_PARTS} parts");
@@ -81,10 +84,13 @@ pub fn parse(text: &str, format: Format) -> Result<Value, Vec<Fault>> {
     }
 }
 
-/// A value as typed on a command line: JSON, or else a word.
+/// A value as typed on a command line: JSON, or else a word. Of a table with a member that stands twice nobody knows what it says: it stays a word, which its reader refuses.
 pub fn json_or_word(text: &str) -> Value {
     let text = text.trim();
-    serde_json::from_str(text).unwrap_or_else(|_| Value::String(text.to_owned()))
+    match json::read(text) {
+        Ok((value, faults)) if faults.is_empty() => value,
+        _ => Value::String(text.to_owned()),
+    }
 }
 
 /// Most parts of a dotted TOML key. Each part nests a table, and tables are dropped recursively; the parser itself
@@ -127,7 +133,14 @@ fn from_toml(value: toml::Value, pointer: &str, depth: usize, faults: &mut Vec<F
         toml::Value::String(text) => Value::String(text),
         toml::Value::Integer(number) => Value::Number(number.into()),
         toml::Value::Boolean(flag) => Value::Bool(flag),
-        toml::Value::Datetime(date) => Value::String(date.to_string()),
+        // JSON has none, and no field of ours takes one.
+        toml::Value::Datetime(date) => {
+            let detail = format!(
+                "is the date or time {date}, which no field takes; a text stands in quotes"
+            );
+            Fault::add(faults, pointer, detail);
+            Value::Null
+        }
         toml::Value::Float(number) => {
             Number::from_f64(number).map_or_else(|| non_finite(number), Value::Number)
         }
@@ -156,6 +169,25 @@ mod tests {
         let toml = parse("a = 1\n[b]\nc = [1.5, \"x\", true]\n", Format::Toml).unwrap();
         let json = parse(r#"{"a": 1, "b": {"c": [1.5, "x", true]}}"#, Format::Json).unwrap();
         assert_eq!(toml, json);
+    }
+
+    #[test]
+    fn what_stands_twice_and_dates_are_faults_with_their_place() {
+        let faults = parse(r#"{"a": {"b": 1, "b": 2}}"#, Format::Json).unwrap_err();
+        assert_eq!(faults[0].pointer, "/a/b");
+        assert!(parse("a = 1\na = 2\n", Format::Toml).is_err());
+        assert!(json_or_word(r#"{"b": 1, "b": 2}"#).is_string());
+        let dates = "name = 2026-11-23\n[a]\nb = [1, 07:32:00]\nc = 2026-11-23T07:32:00Z\n";
+        let faults = parse(dates, Format::Toml).unwrap_err();
+        let pointers: Vec<&str> = faults.iter().map(|fault| fault.pointer.as_str()).collect();
+        assert_eq!(pointers, ["/name", "/a/b/1", "/a/c"]);
+        assert!(
+            faults[0]
+                .detail
+                .contains("2026-11-23, which no field takes"),
+            "{}",
+            faults[0].detail
+        );
     }
 
     #[test]

@@ -8,6 +8,8 @@ use std::collections::BTreeMap;
 use fem_client::document::fault::Fault;
 use ndarray::Array2;
 
+use crate::own_model::csv_cell::text;
+
 /// Points named in one sentence.
 const MOST_NAMED: usize = 10;
 
@@ -206,21 +208,14 @@ fn cells(line: &str) -> Vec<String> {
             (_, _, None) => {}
         }
     }
-    cells.iter().map(|cell| cell.trim().to_owned()).collect()
-}
-
-/// A cell with this text.
-pub fn quoted(text: &str) -> String {
-    if text.contains([',', '"']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
+    let texts = cells.iter().map(|cell| text(cell.trim()).to_owned());
+    texts.collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::own_model::csv_cell::cell;
 
     #[test]
     fn rows_come_in_any_order_and_failed_runs_are_kept() {
@@ -235,7 +230,9 @@ mod tests {
         assert!(table.check_ids(3).is_ok());
         let faults = table.check_ids(2).unwrap_err();
         assert!(faults[0].detail.starts_with("line 2: there is no point 2"));
-        assert_eq!(cells(&quoted("a,\"b\"")), ["a,\"b\""]);
+        for name in ["a,\"b\"", "=1+1", "'=1", "'a'", "-x,y"] {
+            assert_eq!(cells(&cell(name)), [name]);
+        }
     }
 
     #[test]

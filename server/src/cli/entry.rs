@@ -9,6 +9,7 @@ use crate::cli::commands::{
 };
 use crate::cli::settings;
 use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::files::Files;
 use crate::cli::terminal::help_examples;
 use crate::cli::terminal::output::{JsonTarget, warn};
 use crate::telemetry;
@@ -80,25 +81,74 @@ pub fn main() -> ExitCode {
         Command::Serve(command) => command.start_log(),
         _ => telemetry::start(),
     }
-    let (done, json) = match command {
-        Command::Serve(command) => (command.execute(), None),
-        Command::Run(command) => (command.execute(), command.json),
-        Command::Solve(command) => (command.execute(), command.json),
-        Command::Gsa(command) => (command.execute(), command.json()),
-        Command::Trade(command) => (command.execute(), command.json),
-        Command::Sweep(command) => (command.execute(), command.json),
-        Command::Compare(command) => (command.execute(), command.json),
-        Command::List(command) => (command.execute(), command.json),
-        Command::Show(command) => (command.execute(), command.json),
-        Command::Export(command) => (command.execute(), None),
-        Command::Db(command) => (command.execute(), None),
-        Command::Validate(command) => (command.execute(), None),
-        // Its document holds the failed cases already.
-        Command::Verify(command) => (command.execute(), None),
-        Command::Completions(command) => (command.execute(Cli::command()), None),
-        Command::Man(command) => (command.execute(Cli::command()), None),
-    };
-    ended(done, json)
+    let json = command.json();
+    if let Err(refused) = command.files().check() {
+        // Nothing may be written to a place that was just refused.
+        return ended(Err(refused), json.filter(|to| *to == JsonTarget::Stdout));
+    }
+    ended(command.execute(), json)
+}
+
+impl Command {
+    fn execute(&self) -> Result<(), Failure> {
+        match self {
+            Self::Serve(command) => command.execute(),
+            Self::Run(command) => command.execute(),
+            Self::Solve(command) => command.execute(),
+            Self::Gsa(command) => command.execute(),
+            Self::Trade(command) => command.execute(),
+            Self::Sweep(command) => command.execute(),
+            Self::Compare(command) => command.execute(),
+            Self::List(command) => command.execute(),
+            Self::Show(command) => command.execute(),
+            Self::Export(command) => command.execute(),
+            Self::Db(command) => command.execute(),
+            Self::Validate(command) => command.execute(),
+            Self::Verify(command) => command.execute(),
+            Self::Completions(command) => command.execute(Cli::command()),
+            Self::Man(command) => command.execute(Cli::command()),
+        }
+    }
+
+    /// Where a failure is told beside standard error.
+    fn json(&self) -> Option<JsonTarget> {
+        match self {
+            Self::Run(command) => command.json.clone(),
+            Self::Solve(command) => command.json.clone(),
+            Self::Gsa(command) => command.json(),
+            Self::Trade(command) => command.json.clone(),
+            Self::Sweep(command) => command.json.clone(),
+            Self::Compare(command) => command.json.clone(),
+            Self::List(command) => command.json.clone(),
+            Self::Show(command) => command.json.clone(),
+            // The document of verify holds the failed cases already.
+            Self::Serve(_)
+            | Self::Export(_)
+            | Self::Db(_)
+            | Self::Validate(_)
+            | Self::Verify(_)
+            | Self::Completions(_)
+            | Self::Man(_) => None,
+        }
+    }
+
+    fn files(&self) -> Files {
+        match self {
+            Self::Run(command) => command.files(),
+            Self::Solve(command) => command.files(),
+            Self::Gsa(command) => command.files(),
+            Self::Trade(command) => command.files(),
+            Self::Sweep(command) => command.files(),
+            Self::Compare(command) => command.files(),
+            Self::List(command) => command.files(),
+            Self::Show(command) => command.files(),
+            Self::Export(command) => command.files(),
+            Self::Db(command) => command.files(),
+            Self::Verify(command) => command.files(),
+            Self::Man(command) => command.files(),
+            Self::Serve(_) | Self::Validate(_) | Self::Completions(_) => Files::default(),
+        }
+    }
 }
 
 fn ended(done: Result<(), Failure>, json: Option<JsonTarget>) -> ExitCode {

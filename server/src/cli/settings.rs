@@ -12,7 +12,9 @@ use std::path::{Path, PathBuf};
 use clap::builder::{OsStringValueParser, Resettable};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, Command, CommandFactory, Error, FromArgMatches};
+use fem_client::document::MAX_BYTES;
 use fem_client::document::fault::Fault;
+use service::study_document::text_files::read_text;
 use toml::{Table, Value};
 
 /// The command that has settings, and the flag that names their file.
@@ -143,8 +145,10 @@ fn read(path: &Path) -> Result<Table, Fault> {
         pointer: path.display().to_string(),
         detail,
     };
-    let text =
-        std::fs::read_to_string(path).map_err(|error| fault(format!("can't be read: {error}")))?;
+    let text = read_text(path, MAX_BYTES).map_err(|detail| Fault {
+        pointer: String::new(),
+        detail,
+    })?;
     text.parse()
         .map_err(|error: toml::de::Error| fault(format!("isn't TOML: {error}")))
 }
@@ -345,7 +349,7 @@ mod tests {
         assert!(
             faults[0]
                 .to_string()
-                .starts_with("no/such.toml: can't be read"),
+                .starts_with("no/such.toml can't be read"),
             "{faults:?}"
         );
     }

@@ -1,12 +1,14 @@
 //! A table as comma-separated values (RFC 4180): a header and one line per row.
 
+use placement::own_model::csv_cell::cell;
+
 use super::table::{TypedTable, Values};
 
 /// The text of a table. Numbers are the shortest that read back as the same; what doesn't exist is an empty field.
 pub fn csv(table: &TypedTable) -> String {
     let columns = &table.columns;
     let mut text = String::new();
-    line(&mut text, columns.iter().map(|column| column.name.clone()));
+    line(&mut text, columns.iter().map(|column| cell(&column.name)));
     let rows = columns.first().map_or(0, |column| column.values.len());
     for row in 0..rows {
         line(
@@ -18,7 +20,7 @@ pub fn csv(table: &TypedTable) -> String {
 }
 
 fn line(text: &mut String, fields: impl Iterator<Item = String>) {
-    let fields: Vec<String> = fields.map(|field| quoted(&field)).collect();
+    let fields: Vec<String> = fields.collect();
     text.push_str(&fields.join(","));
     text.push('\n');
 }
@@ -32,15 +34,7 @@ fn field(values: &Values, row: usize) -> String {
         Values::Float(values) => text(values, row),
         Values::Integer(values) => text(values, row),
         Values::Bool(values) => text(values, row),
-        Values::Text(values) => text(values, row),
-    }
-}
-
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.to_owned()
+        Values::Text(values) => cell(&text(values, row)),
     }
 }
 
@@ -55,6 +49,7 @@ mod tests {
             ("plain", Some(0.1)),
             ("a,b", None),
             ("say \"P3\"", Some(-2e-300)),
+            ("=1+1", None),
         ];
         let table = Rows::of(rows)
             .text("two\nlines", |row| Some(row.0))
@@ -63,7 +58,7 @@ mod tests {
         let tiny = format!("-0.{}2", "0".repeat(299));
         assert_eq!(
             csv(&table),
-            format!("\"two\nlines\",y\nplain,0.1\n\"a,b\",\n\"say \"\"P3\"\"\",{tiny}\n")
+            format!("\"two\nlines\",y\nplain,0.1\n\"a,b\",\n\"say \"\"P3\"\"\",{tiny}\n'=1+1,\n")
         );
     }
 }

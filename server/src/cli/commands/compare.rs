@@ -14,6 +14,7 @@ use sqlx::SqliteConnection;
 use crate::cli::commands::export::{deliver, readable};
 use crate::cli::commands::library::{Database, study, the_only};
 use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::paint::{FAINT, HEADER, STRONG, header, left, of_state, painted};
 use service::comparison::{of_designs, of_studies};
@@ -52,6 +53,13 @@ pub struct Compare {
 }
 
 impl Compare {
+    /// What it reads and writes.
+    pub fn files(&self) -> Files {
+        Files::of_database(self.database.file())
+            .telling(self.json.as_ref())
+            .writing(self.output.as_deref())
+    }
+
     /// Prints the comparison, or writes it as a file.
     pub fn execute(&self) -> Result<(), Failure> {
         if let Some(format) = self.format {

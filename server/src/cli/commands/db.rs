@@ -7,6 +7,7 @@ use clap::{Args, Subcommand};
 use tokio::runtime::Runtime;
 
 use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::paint::{BAD, GOOD, painted};
 use crate::cli::terminal::progress::{TICK, bytes_bar, clock, count, counting_bar};
@@ -57,6 +58,11 @@ enum Task {
 }
 
 impl Db {
+    /// What it reads and writes.
+    pub fn files(&self) -> Files {
+        Files::of_database(&self.db).telling(self.json.as_ref())
+    }
+
     /// Does the task.
     pub fn execute(&self) -> Result<(), Failure> {
         let runtime = Runtime::new().map_err(Failure::other)?;

@@ -9,7 +9,9 @@ use sqlx::SqliteConnection;
 
 use crate::cli::commands::library::{Database, study};
 use crate::cli::terminal::exit::Failure;
-use crate::cli::terminal::output::{print, write_whole};
+use crate::cli::terminal::files::Files;
+use crate::cli::terminal::output::print;
+use crate::cli::terminal::place::write;
 use service::export::{self, ExportError, FileFormat, Table};
 use service::point_views;
 use store::answers::result_rows;
@@ -34,6 +36,11 @@ pub struct Export {
 }
 
 impl Export {
+    /// What it reads and writes.
+    pub fn files(&self) -> Files {
+        Files::of_database(self.database.file()).writing(self.output.as_deref())
+    }
+
     /// Writes the answer.
     pub fn execute(&self) -> Result<(), Failure> {
         readable(self.format, self.output.as_deref())?;
@@ -78,7 +85,7 @@ pub fn deliver(
         bytes.push(b'\n');
     }
     match output {
-        Some(path) => write_whole(path, &bytes),
+        Some(path) => write(path, &bytes),
         None => print(&bytes),
     }
 }

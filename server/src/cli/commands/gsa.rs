@@ -11,15 +11,19 @@ use ::gsa::method::analysis::{Analysis, Status};
 use clap::{Args, Subcommand};
 use fem_client::document::fault::Fault;
 use ndarray::ArrayView2;
+use placement::own_model::csv_cell::cell;
 use placement::own_model::inputs_document::Inputs;
-use placement::own_model::value_table::{ValueTable, quoted};
+use placement::own_model::value_table::ValueTable;
 use serde_json::{Value, json};
 
 use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::files::Files;
 use crate::cli::terminal::help_examples;
-use crate::cli::terminal::output::{JsonTarget, print, tell, warn, write_whole};
+use crate::cli::terminal::output::{JsonTarget, print, tell, warn};
 use crate::cli::terminal::paint::{HEADER, WARNING, painted};
+use crate::cli::terminal::place::write;
 use crate::cli::terminal::progress::clock;
+use service::study_document::text_files::read_text;
 use service::study_document::{format_of, read_file};
 
 /// Analyse a model of your own: print the points to run, then read their outputs back
@@ -71,6 +75,19 @@ impl Gsa {
         }
     }
 
+    /// What the step reads and writes.
+    pub fn files(&self) -> Files {
+        match &self.step {
+            Step::Plan(step) => Files::default()
+                .reading([&step.inputs])
+                .reading(&step.values)
+                .writing(step.output.as_deref()),
+            Step::Analyse(step) => Files::default()
+                .reading([&step.inputs, &step.values])
+                .telling(step.json.as_ref()),
+        }
+    }
+
     /// Where the step's JSON goes.
     pub fn json(&self) -> Option<JsonTarget> {
         match &self.step {
@@ -80,13 +97,16 @@ impl Gsa {
     }
 }
 
+/// Most bytes of a file of values: a million runs, which are the most, of 25 outputs with all their digits.
+const MOST_VALUE_BYTES: usize = 1 << 29;
+
 fn read_inputs(path: &Path) -> Result<Inputs, Failure> {
     let text = read_file(path).map_err(Failure::Input)?;
     Inputs::from_document(&text, format_of(path)).map_err(Failure::Input)
 }
 
 fn read_values(path: &Path) -> Result<ValueTable, Failure> {
-    let text = read_file(path).map_err(Failure::Input)?;
+    let text = read_text(path, MOST_VALUE_BYTES).map_err(Failure::input)?;
     ValueTable::from_csv(&text).map_err(Failure::Input)
 }
 
@@ -120,7 +140,7 @@ impl Plan {
         let missing: Vec<usize> = (0..campaign.points().len())
             .filter(|id| !table.has(*id))
             .collect();
-        let names = inputs.names.iter().map(|name| quoted(name));
+        let names = inputs.names.iter().map(|name| cell(name));
         let mut text = std::iter::once("id".to_owned())
             .chain(names)
             .collect::<Vec<_>>()
@@ -134,13 +154,13 @@ impl Plan {
             }
             text.push('\n');
         }
-        eprintln!(
-            "{} points to run, {} in all",
+        warn(&format!(
+            "{} points to run, {} in all\n",
             missing.len(),
             campaign.points().len()
-        );
+        ));
         match &self.output {
-            Some(path) => write_whole(path, &text),
+            Some(path) => write(path, text.as_bytes()),
             None => print(&text),
         }
     }

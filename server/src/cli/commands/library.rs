@@ -1,7 +1,7 @@
 //! `strainsite list` and `show`: the database without a service, also while one runs.
 
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use placement::result::StudyResult;
@@ -10,6 +10,7 @@ use sqlx::SqliteConnection;
 use tokio::runtime::Runtime;
 
 use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, is_seen, tell};
 use crate::cli::terminal::paint::{BAD, header, left, of_state, painted};
 use crate::cli::terminal::progress::clock;
@@ -35,6 +36,11 @@ pub struct Database {
 }
 
 impl Database {
+    /// Its file.
+    pub fn file(&self) -> &Path {
+        &self.db
+    }
+
     /// Lends a connection that can only read.
     pub fn read<T>(
         &self,
@@ -95,6 +101,11 @@ fn state(name: &str) -> Result<State, String> {
 }
 
 impl List {
+    /// What it reads and writes.
+    pub fn files(&self) -> Files {
+        Files::of_database(self.database.file()).telling(self.json.as_ref())
+    }
+
     /// Prints a line for each study or sweep.
     pub fn execute(&self) -> Result<(), Failure> {
         if self.sweeps {
@@ -214,6 +225,11 @@ pub struct Show {
 }
 
 impl Show {
+    /// What it reads and writes.
+    pub fn files(&self) -> Files {
+        Files::of_database(self.database.file()).telling(self.json.as_ref())
+    }
+
     /// Prints the study.
     pub fn execute(&self) -> Result<(), Failure> {
         let (row, found) = self.database.read(async |connection| {

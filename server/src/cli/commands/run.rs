@@ -14,7 +14,9 @@ use tokio::runtime::Runtime;
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::estimate_text::{dry_run, estimated};
 use crate::cli::terminal::exit::Failure;
-use crate::cli::terminal::output::{JsonTarget, tell, write_whole};
+use crate::cli::terminal::files::Files;
+use crate::cli::terminal::output::{JsonTarget, tell};
+use crate::cli::terminal::place::write;
 use crate::cli::terminal::progress::{progress_bar, show};
 use crate::cli::terminal::ranked_table::report;
 use crate::cli::terminal::signals::stop_flag;
@@ -24,7 +26,7 @@ use service::export::{Export, FileFormat, Table};
 use service::forecast::{admit, forecast};
 use service::metrics::Metrics;
 use service::queue::{enqueue, recover};
-use service::study_document::read_changed;
+use service::study_document::{named_files, read_changed};
 use store::queue::study_rows::{self, StudyRow};
 use store::queue::turns;
 use store::{Store, StoreError};
@@ -53,6 +55,14 @@ pub struct Run {
 }
 
 impl Run {
+    /// What it reads and writes.
+    pub fn files(&self) -> Files {
+        Files::of_database(&self.config.db)
+            .reading(named_files(&self.study))
+            .telling(self.json.as_ref())
+            .filling(self.out.as_deref(), &[RESULT, LOCATIONS])
+    }
+
     /// Runs the study and prints its answer.
     pub fn execute(&self) -> Result<(), Failure> {
         let planned = read_changed(&self.study, &self.set).map_err(Failure::Input)?;
@@ -127,13 +137,13 @@ impl Run {
             std::fs::create_dir_all(folder).map_err(|error| {
                 Failure::Other(format!("{} can't be made: {error}", folder.display()))
             })?;
-            JsonTarget::File(folder.join("result.json")).write(result)?;
+            JsonTarget::File(folder.join(RESULT)).write(result)?;
             let ranking = Export {
                 format: FileFormat::Csv,
                 table: Table::Locations,
             };
-            write_whole(
-                &folder.join("locations.csv"),
+            write(
+                &folder.join(LOCATIONS),
                 &ranking.bytes(result, &[]).map_err(Failure::other)?,
             )?;
         }
@@ -143,6 +153,10 @@ impl Run {
         tell(&report(result), self.json.as_ref())
     }
 }
+
+/// The files of `--out`.
+const RESULT: &str = "result.json";
+const LOCATIONS: &str = "locations.csv";
 
 /// Takes the interrupted study of the same document up again, or stores a new one.
 async fn claim(store: &Store, study: &Study) -> Result<StudyRow, StoreError> {

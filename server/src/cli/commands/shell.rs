@@ -7,7 +7,9 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 
 use crate::cli::terminal::exit::Failure;
-use crate::cli::terminal::output::{print, write_whole};
+use crate::cli::terminal::files::Files;
+use crate::cli::terminal::output::print;
+use crate::cli::terminal::place::write;
 
 /// Print completions for a shell
 #[derive(Debug, Args)]
@@ -34,6 +36,11 @@ pub struct Manual {
 }
 
 impl Manual {
+    /// What it writes.
+    pub fn files(&self) -> Files {
+        Files::default().filling(self.out.as_deref(), &[])
+    }
+
     /// Prints the page, in roff, or writes them all.
     pub fn execute(&self, mut program: Command) -> Result<(), Failure> {
         program.build();
@@ -45,7 +52,7 @@ impl Manual {
         })?;
         pages(&program)?
             .into_iter()
-            .try_for_each(|(name, text)| write_whole(&folder.join(name), &text))
+            .try_for_each(|(name, text)| write(&folder.join(name), text.as_bytes()))
     }
 }
 

@@ -14,8 +14,10 @@ use vtu::solved_body::Body;
 
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
-use crate::cli::terminal::output::{JsonTarget, tell, write_whole};
+use crate::cli::terminal::files::Files;
+use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::paint::{HEADER, painted};
+use crate::cli::terminal::place::write;
 use crate::cli::terminal::progress::clock;
 use crate::cli::terminal::signals::stop_flag;
 use service::study_document::{format_of, read_file};
@@ -43,6 +45,14 @@ pub struct Solve {
 }
 
 impl Solve {
+    /// What it reads and writes.
+    pub fn files(&self) -> Files {
+        Files::default()
+            .reading([&self.scene])
+            .writing(self.vtu.as_deref())
+            .telling(self.json.as_ref())
+    }
+
     /// Solves and prints.
     pub fn execute(&self) -> Result<(), Failure> {
         let scene = self.scene()?;
@@ -74,7 +84,7 @@ impl Solve {
                 env!("CARGO_PKG_VERSION"),
                 solver.version()
             );
-            write_whole(path, &picture(&scene, &solved, &version)?)?;
+            write(path, picture(&scene, &solved, &version)?.as_bytes())?;
         }
         if let Some(target) = &self.json {
             target.write(&document(&solved)?)?;

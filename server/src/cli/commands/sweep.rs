@@ -16,6 +16,7 @@ use crate::cli::commands::library::the_only;
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::estimate_text::{dry_sweep, estimated};
 use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::progress::progress_bar;
 use crate::cli::terminal::signals::stop_flag;
@@ -25,7 +26,7 @@ use service::engine::Engine;
 use service::forecast::{admit, forecast_sweep, plan_study};
 use service::metrics::Metrics;
 use service::queue::recover;
-use service::study_document::{read_changed, stored_base};
+use service::study_document::{named_files, read_changed, stored_base};
 use service::sweeps::{extend, resume, store};
 use service::wire::sweep_wire::SweepDetail;
 use store::queue::sweep_rows::{self, DesignRow, SweepRow};
@@ -62,6 +63,14 @@ pub struct Sweep {
 }
 
 impl Sweep {
+    /// What it reads and writes.
+    pub fn files(&self) -> Files {
+        let study = self.study.as_deref().map(named_files);
+        Files::of_database(&self.config.db)
+            .reading(study.unwrap_or_default())
+            .telling(self.json.as_ref())
+    }
+
     /// Runs the designs that have no result yet, and prints the comparison.
     pub fn execute(&self) -> Result<(), Failure> {
         let plan = self

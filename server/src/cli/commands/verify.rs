@@ -12,6 +12,7 @@ use verify::extremes::studies;
 use verify::{self, Case, Family, Verdict};
 
 use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell, warn};
 use crate::cli::terminal::paint::{BAD, GOOD, HEADER, left, painted};
 use crate::cli::terminal::progress::counting_bar;
@@ -32,6 +33,11 @@ pub struct Verify {
 }
 
 impl Verify {
+    /// What it writes.
+    pub fn files(&self) -> Files {
+        Files::default().telling(self.json.as_ref())
+    }
+
     /// Solves all cases and prints them as a Markdown table. Fails when one of them does.
     pub fn execute(&self) -> Result<(), Failure> {
         let families = self.families()?;

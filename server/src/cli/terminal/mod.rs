@@ -2,6 +2,8 @@
 //!
 //! - [`exit`]: why a command fails, and its exit code
 //! - `paint`, `output`: painted text, plain where paint isn't wanted; documents
+//! - `place`: files where users want them
+//! - `files`: what a command reads and writes, looked at first
 //! - `progress`: bars and clocks
 //! - `signals`: Ctrl-C
 //! - `estimate_text`, `ranked_table`: figures as tables
@@ -9,9 +11,11 @@
 
 pub(crate) mod estimate_text;
 pub mod exit;
+pub(crate) mod files;
 pub(crate) mod help_examples;
 pub(crate) mod output;
 pub(crate) mod paint;
+pub(crate) mod place;
 pub(crate) mod progress;
 pub(crate) mod ranked_table;
 pub(crate) mod signals;

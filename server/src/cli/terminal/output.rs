@@ -8,6 +8,7 @@ use std::str::FromStr;
 use serde::Serialize;
 
 use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::place::{is_stdout, write, write_to};
 
 /// Where `--json` goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -22,7 +23,7 @@ impl FromStr for JsonTarget {
     type Err = Infallible;
 
     fn from_str(text: &str) -> Result<Self, Infallible> {
-        Ok(if text == "-" {
+        Ok(if text == "-" || is_stdout(Path::new(text)) {
             Self::Stdout
         } else {
             Self::File(PathBuf::from(text))
@@ -40,7 +41,7 @@ impl JsonTarget {
         text.push('\n');
         match self {
             Self::Stdout => print(&text),
-            Self::File(path) => write_whole(path, &text),
+            Self::File(path) => write(path, text.as_bytes()),
         }
     }
 }
@@ -50,15 +51,7 @@ impl JsonTarget {
 /// # Errors
 /// When standard output can't be written.
 pub fn print(content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failure> {
-    write_to(std::io::stdout().lock(), content.as_ref())
-}
-
-fn write_to(mut out: impl Write, content: &[u8]) -> Result<(), Failure> {
-    let written = out.write_all(content);
-    match written.and_then(|()| out.flush()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::other(error)),
-        _ => Ok(()),
-    }
+    write_to(std::io::stdout().lock(), content.as_ref()).map_err(Failure::other)
 }
 
 /// Prints painted text where people look: on standard output, unless a JSON document goes there. The paint stays on a terminal alone, or
@@ -71,12 +64,13 @@ pub fn tell(text: &str, json: Option<&JsonTarget>) -> Result<(), Failure> {
         warn(text);
         return Ok(());
     }
-    write_to(anstream::stdout().lock(), text.as_bytes())
+    write_to(anstream::stdout().lock(), text.as_bytes()).map_err(Failure::other)
 }
 
 /// Prints painted text on standard error, as [`tell`] does.
 pub fn warn(text: &str) {
-    anstream::eprint!("{text}");
+    // There is nobody left to tell when it can't be.
+    let _ = anstream::stderr().lock().write_all(text.as_bytes());
 }
 
 /// Whether what is told goes to a terminal.
@@ -84,37 +78,5 @@ pub fn is_seen(json: Option<&JsonTarget>) -> bool {
     match json {
         Some(JsonTarget::Stdout) => std::io::stderr().is_terminal(),
         _ => std::io::stdout().is_terminal(),
-    }
-}
-
-/// Writes a file so that it is either there whole or as it was before.
-///
-/// # Errors
-/// When it can't be written.
-pub fn write_whole(path: &Path, content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failure> {
-    let mut name = path.as_os_str().to_owned();
-    name.push(format!(".{}.part", std::process::id()));
-    let part = PathBuf::from(name);
-    let written = std::fs::write(&part, content).and_then(|()| std::fs::rename(&part, path));
-    written.map_err(|error| {
-        // What can't be removed was most likely never made.
-        let _ = std::fs::remove_file(&part);
-        Failure::Other(format!("{} can't be written: {error}", path.display()))
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_file_is_replaced_whole_and_leaves_no_part_behind() {
-        let folder = tempfile::tempdir().expect("temp dir");
-        let path = folder.path().join("result.json");
-        write_whole(&path, "first").expect("writes");
-        write_whole(&path, "second").expect("writes");
-        assert_eq!(std::fs::read_to_string(&path).expect("reads"), "second");
-        assert_eq!(std::fs::read_dir(folder.path()).expect("lists").count(), 1);
-        assert!(write_whole(&folder.path().join("absent/result.json"), "x").is_err());
     }
 }

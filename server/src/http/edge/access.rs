@@ -4,6 +4,7 @@
 //! no script can read it, and no other site can make the browser send it.
 
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use axum::extract::{Request, State};
 use axum::http::{HeaderMap, Method, StatusCode, header};
@@ -23,9 +24,12 @@ pub(crate) struct Keys {
     token: Token,
     cookie_name: String,
     cookie: Token,
-    /// What the address that works once has to say; gone when it was said.
-    once: Mutex<Option<Token>>,
+    /// What the address that works once has to say, and since when; gone when it was said.
+    once: Mutex<Option<(Token, Instant)>>,
 }
+
+/// How long the address that works once does so: it stands in a terminal's history, and in that of a browser.
+const LINK_LIFETIME: Duration = Duration::from_secs(600);
 
 impl Access {
     /// Lets in who knows the token, and without a token everybody. The port tells the cookies of services on one machine apart:
@@ -41,7 +45,7 @@ impl Access {
         }))
     }
 
-    /// A path that lets one browser in, once; the one before works no more. `None` where no token is asked for.
+    /// A path that lets one browser in, once and within [`LINK_LIFETIME`]; the one before works no more. `None` where no token is asked for.
     ///
     /// # Errors
     /// When the system has no random numbers.
@@ -51,7 +55,7 @@ impl Access {
         };
         let once = Token::random()?;
         let path = format!("/login?once={}", once.reveal());
-        *keys.once.lock().unwrap_or_else(PoisonError::into_inner) = Some(once);
+        *keys.once.lock().unwrap_or_else(PoisonError::into_inner) = Some((once, Instant::now()));
         Ok(Some(path))
     }
 
@@ -83,9 +87,11 @@ impl Access {
 
 impl Keys {
     /// Uses the address that works once up, when this is what it has to say.
-    pub(crate) fn redeem(&self, said: &str) -> bool {
+    pub(crate) fn redeem(&self, said: &str, now: Instant) -> bool {
         let mut once = self.once.lock().unwrap_or_else(PoisonError::into_inner);
-        once.take_if(|once| once.is(said.as_bytes())).is_some()
+        // One that is too old goes, whatever is said.
+        once.take_if(|(_, since)| now.duration_since(*since) > LINK_LIFETIME);
+        once.take_if(|(once, _)| once.is(said.as_bytes())).is_some()
     }
 
     pub(crate) fn set_cookie(&self) -> String {
@@ -189,9 +195,13 @@ mod tests {
         };
         let keys = access.0.as_ref().expect("a token");
         let (first, second) = (secret(), secret());
-        assert!(!keys.redeem(&first) && !keys.redeem(""));
-        assert!(keys.redeem(&second));
-        assert!(!keys.redeem(&second));
+        let now = Instant::now();
+        assert!(!keys.redeem(&first, now) && !keys.redeem("", now));
+        assert!(keys.redeem(&second, now));
+        assert!(!keys.redeem(&second, now));
+        let third = secret();
+        let too_late = Instant::now() + LINK_LIFETIME + Duration::from_secs(1);
+        assert!(!keys.redeem(&third, too_late) && !keys.redeem(&third, now));
         assert_eq!(Access::of(None, 8080).link(), Ok(None));
     }
 }

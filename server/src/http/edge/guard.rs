@@ -99,12 +99,6 @@ impl HostList {
                 format!("this service answers as {names} only"),
             ));
         }
-        if headers.contains_key(header::CONTENT_LENGTH)
-            && headers.contains_key(header::TRANSFER_ENCODING)
-        {
-            let detail = "a request can't have both Content-Length and Transfer-Encoding";
-            return Err(Problem::new(StatusCode::BAD_REQUEST, detail));
-        }
         if headers.len() > MOST_HEADERS {
             let detail = format!("a request has at most {MOST_HEADERS} headers");
             return Err(Problem::new(

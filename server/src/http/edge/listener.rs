@@ -15,6 +15,7 @@ use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
 
 use crate::http::edge::reading::WhileRead;
+use crate::http::edge::refusals::Refusals;
 use service::shutdown::Shutdown;
 
 /// A client that has not sent its headers by then is dropped.
@@ -82,7 +83,7 @@ pub async fn serve(listener: TcpListener, app: Router, mut shutdown: Shutdown) {
 }
 
 async fn converse(stream: TcpStream, app: Router, mut shutdown: Shutdown) {
-    let stream = WhileRead::new(stream, READ_TIMEOUT);
+    let stream = Refusals::on(WhileRead::new(stream, READ_TIMEOUT));
     let mut connection = pin!(
         http1::Builder::new()
             .timer(TokioTimer::new())

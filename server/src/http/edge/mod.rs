@@ -9,6 +9,7 @@
 //! - [`conditional`]: answers that needn't be sent again
 //! - [`streams`]: places for event streams
 //! - [`listener`], [`reading`]: accepts connections, and drops those that nobody reads from
+//! - [`refusals`]: bodies for what hyper refuses
 
 pub mod access;
 pub mod conditional;
@@ -18,5 +19,6 @@ pub mod guard;
 pub mod listener;
 pub mod problem_document;
 pub mod reading;
+pub mod refusals;
 pub mod request_id;
 pub mod streams;

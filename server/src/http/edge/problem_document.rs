@@ -4,7 +4,7 @@ use axum::Json;
 use axum::http::{HeaderName, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use fem_client::document::fault::Fault;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::http::edge::request_id;
 use store::StoreError;
@@ -50,10 +50,9 @@ impl Problem {
         self.errors = errors;
         self
     }
-}
 
-impl IntoResponse for Problem {
-    fn into_response(self) -> Response {
+    /// The document.
+    pub fn document(&self) -> Value {
         let mut body = json!({
             "type": "about:blank",
             "title": self.status.canonical_reason().unwrap_or("Error"),
@@ -63,6 +62,13 @@ impl IntoResponse for Problem {
         if !self.errors.is_empty() {
             body["errors"] = json!(self.errors);
         }
+        body
+    }
+}
+
+impl IntoResponse for Problem {
+    fn into_response(self) -> Response {
+        let mut body = self.document();
         if let Some(id) = request_id::current() {
             body["request_id"] = json!(id);
         }

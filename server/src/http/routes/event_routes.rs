@@ -46,9 +46,9 @@ pub fn router() -> OpenApiRouter<AppState> {
 /// Follow a study
 ///
 /// Server-sent events: `queued`, `started`, `point-solved`, `point-failed`, `analysing`, then one of `done`, `failed` and `cancelled`, which ends the stream. Each
-/// has a number; a client that comes back with `Last-Event-ID` gets what it missed.
+/// has a number; a client that comes back with `Last-Event-ID` gets what it missed, and one whose number is beyond the newest of this database gets all.
 #[utoipa::path(get, path = "/v1/studies/{id}/events", tag = "studies",
-    params(StudyPath, ("Last-Event-ID" = Option<String>, Header, description = "Number of the last event seen", example = "17")),
+    params(StudyPath, ("Last-Event-ID" = Option<String>, Header, description = "Number of the last event seen; all come again where it is beyond the newest", example = "17")),
     responses((status = 200, description = "The events", content_type = "text/event-stream", body = StreamEvent,
                   example = json!(examples::event())),
               (status = 204, description = "The study has ended and there is nothing more to tell"),
@@ -63,6 +63,7 @@ async fn follow(
     let last = last_event_id(&headers)?;
     let place = state.streams.take()?;
     let study = known(&state.store, &id).await?;
+    let last = from_here(&state.store, last).await?;
     let mut follower = Follower {
         seen: state.store.events_seen(),
         store: state.store,
@@ -106,6 +107,13 @@ fn last_event_id(headers: &HeaderMap) -> Result<i64, Problem> {
         )
     };
     number.filter(|id| *id >= 0).ok_or_else(wrong)
+}
+
+/// A client that has seen an event which isn't there yet saw it in another database, as before a copy was restored: it gets all from the beginning.
+async fn from_here(store: &Store, last: i64) -> Result<i64, StoreError> {
+    let mut connection = store.read().await?;
+    let latest = event_rows::latest(&mut connection).await?;
+    Ok(if last > latest { 0 } else { last })
 }
 
 struct Follower {

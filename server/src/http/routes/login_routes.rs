@@ -1,5 +1,7 @@
 //! Lets a browser in, once for each address.
 
+use std::time::Instant;
+
 use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
@@ -26,12 +28,12 @@ struct LoginQuery {
 
 /// Let a browser in
 ///
-/// The address that the service prints at its start, or that `POST /login` answers with. It works once: the browser gets a cookie and is sent to the
+/// The address that the service prints at its start, or that `POST /login` answers with. It works once and for ten minutes: the browser gets a cookie and is sent to the
 /// dashboard.
 #[utoipa::path(get, path = "/login", tag = "service", security(()),
     params(("once" = Option<String>, Query, description = "The secret of the address", example = "af5570f5a1810b7af78caf4bc70a660f")),
     responses((status = 303, description = "The browser is in", headers(("Location" = String, description = "The dashboard"), ("Set-Cookie" = String, description = "What lets it in from now on"))),
-              (status = 401, description = "The address was used, or never given", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::locked())),
+              (status = 401, description = "The address was used, is older than ten minutes, or was never given", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::locked())),
               (status = 404, description = "This service asks for no token", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn login(
     State(state): State<AppState>,
@@ -44,8 +46,11 @@ async fn login(
     if state.access.admits(&headers) {
         return Ok((StatusCode::SEE_OTHER, [dashboard]).into_response());
     }
-    if !query.once.is_some_and(|said| keys.redeem(&said)) {
-        let detail = "this address works once, and was used or replaced by a newer one: POST /login with the token gives another";
+    if !query
+        .once
+        .is_some_and(|said| keys.redeem(&said, Instant::now()))
+    {
+        let detail = "this address works once and for ten minutes, and was used, is too old, or was replaced by a newer one: POST /login with the token gives another";
         return Err(Problem::new(StatusCode::UNAUTHORIZED, detail));
     }
     let headers = [
@@ -58,7 +63,7 @@ async fn login(
 
 /// Get an address for another browser
 ///
-/// It lets one browser in, once, without the token; the one before works no more.
+/// It lets one browser in, once and within ten minutes, without the token; the one before works no more.
 #[utoipa::path(post, path = "/login", tag = "service",
     responses((status = 201, description = "The address", body = LoginLink, example = json!({"path": "/login?once=af5570f5a1810b7af78caf4bc70a660f"})),
               (status = 404, description = "This service asks for no token", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]

@@ -81,6 +81,9 @@ async fn a_client_that_comes_back_gets_exactly_what_it_missed() {
     let missed = stream(&app, &id, Some(all[9].id)).await;
     assert_eq!(missed, all[10..]);
 
+    // A number of another database: all there is comes, and the end.
+    assert_eq!(stream(&app, &id, Some(1_000_000)).await, all);
+
     let last = all.last().expect("events").id;
     let nothing = app
         .client

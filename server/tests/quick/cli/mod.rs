@@ -6,6 +6,7 @@ mod db;
 mod exports;
 mod library;
 mod logs;
+mod outputs;
 mod served;
 mod settings;
 #[cfg(unix)]

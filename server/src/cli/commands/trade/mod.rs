@@ -19,12 +19,14 @@ use tokio::runtime::Runtime;
 
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
-use crate::cli::terminal::output::{JsonTarget, tell, warn, write_whole};
+use crate::cli::terminal::files::Files;
+use crate::cli::terminal::output::{JsonTarget, tell, warn};
 use crate::cli::terminal::paint::{WARNING, painted};
+use crate::cli::terminal::place::write;
 use crate::cli::terminal::progress::{progress_bar, show};
 use crate::cli::terminal::signals::stop_flag;
 use crate::config::Config;
-use service::study_document::read_changed;
+use service::study_document::{named_files, read_changed};
 use store::answers::trades;
 use store::{Store, StoreError};
 
@@ -60,10 +62,22 @@ pub struct Trade {
     pub json: Option<JsonTarget>,
 }
 
+/// The files of `--out`.
+const TABLE: &str = "trade.csv";
+const PLOT: &str = "trade.svg";
+
 /// Nodes of the reference's rules.
 const REFERENCE_NODES: usize = 5;
 
 impl Trade {
+    /// What it reads and writes.
+    pub fn files(&self) -> Files {
+        Files::of_database(&self.config.db)
+            .reading(named_files(&self.study))
+            .telling(self.json.as_ref())
+            .filling(self.out.as_deref(), &[TABLE, PLOT])
+    }
+
     /// Runs the ladder and its reference, and prints what they took and how far off they are.
     pub fn execute(&self) -> Result<(), Failure> {
         let study = read_changed(&self.study, &self.set)
@@ -89,9 +103,9 @@ impl Trade {
             std::fs::create_dir_all(folder).map_err(|error| {
                 Failure::Other(format!("{} can't be made: {error}", folder.display()))
             })?;
-            write_whole(&folder.join("trade.csv"), &trade_table::csv(&trade))?;
+            write(&folder.join(TABLE), trade_table::csv(&trade).as_ref())?;
             let drawn = plot::svg(&trade).map_err(Failure::Other)?;
-            write_whole(&folder.join("trade.svg"), &drawn)?;
+            write(&folder.join(PLOT), drawn.as_ref())?;
         }
         if let Some(target) = &self.json {
             target.write(&trade)?;

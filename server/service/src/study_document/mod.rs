@@ -1,16 +1,22 @@
 //! Study documents from files and from the database.
+//!
+//! - [`text_files`]: files up to a limit
 
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use std::path::Path;
+pub mod text_files;
 
-use fem_client::document::Format;
+use std::path::{Path, PathBuf};
+
 use fem_client::document::fault::Fault;
+use fem_client::document::{Format, MAX_BYTES, parse};
 use placement::study::Study;
 use placement::study::plan::PlannedStudy;
 use placement::sweep::{changed, typed_settings};
+use serde_json::Value;
 
+use crate::study_document::text_files::read_text;
 use store::StoreError;
 use store::queue::study_rows::StudyRow;
 use store::queue::sweep_rows::SweepRow;
@@ -47,15 +53,15 @@ pub fn stored_plan(row: &StudyRow) -> Result<PlannedStudy, String> {
     PlannedStudy::new(stored_study(row)?).map_err(|error| error.to_string())
 }
 
-/// Reads a text file, or says in a fault why it can't be read.
+/// Reads a document's file, or says in a fault why it can't be read.
 ///
 /// # Errors
 /// One fault naming the file.
 pub fn read_file(path: &Path) -> Result<String, Vec<Fault>> {
-    std::fs::read_to_string(path).map_err(|error| {
+    read_text(path, MAX_BYTES).map_err(|detail| {
         vec![Fault {
             pointer: String::new(),
-            detail: format!("{} can't be read: {error}", path.display()),
+            detail,
         }]
     })
 }
@@ -66,18 +72,29 @@ pub fn read_file(path: &Path) -> Result<String, Vec<Fault>> {
 /// # Errors
 /// Every fault of the document.
 pub fn read_study(text: &str, path: &Path) -> Result<PlannedStudy, Vec<Fault>> {
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let scene_file = |name: &str| {
-        let beside = folder.join(name);
-        let file = if beside.exists() {
-            beside
-        } else {
-            Path::new(name).to_owned()
-        };
-        std::fs::read_to_string(&file)
-            .map_err(|error| format!("{} can't be read: {error}", file.display()))
-    };
+    let scene_file = |name: &str| read_text(&scene_path(path, name), MAX_BYTES);
     PlannedStudy::from_document(text, format_of(path), &scene_file)
+}
+
+fn scene_path(study: &Path, name: &str) -> PathBuf {
+    let beside = study.parent().unwrap_or(Path::new("")).join(name);
+    if beside.exists() {
+        beside
+    } else {
+        PathBuf::from(name)
+    }
+}
+
+/// A study's file and that of the scene which it names, as far as they can be read.
+pub fn named_files(study: &Path) -> Vec<PathBuf> {
+    let mut files = vec![study.to_owned()];
+    let document = read_file(study).and_then(|text| parse(&text, format_of(study)));
+    if let Ok(document) = &document
+        && let Some(name) = document.get("scene").and_then(Value::as_str)
+    {
+        files.push(scene_path(study, name));
+    }
+    files
 }
 
 /// Reads a study file, with the fields that are set by texts of the form `KEY=VALUE`.

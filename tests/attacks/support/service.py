@@ -1,0 +1,34 @@
+"""The service on a free port, and bytes sent to it as they are."""
+
+import contextlib
+import socket
+import subprocess
+
+
+@contextlib.contextmanager
+def served(attacks, *arguments):
+    """Port of a service that ends with the block, and the lines that it printed."""
+    service = attacks.start("serve", "--addr", "127.0.0.1:0", *arguments,
+                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    try:
+        yield int(service.stdout.readline().rsplit(":", 1)[1]), service.stdout
+    finally:
+        service.terminate()
+        service.wait(10)
+
+
+def ask(port, request, patience_s=2):
+    """All that the service answers until it closes the connection, or says nothing more for a while."""
+    answer = b""
+    with socket.create_connection(("127.0.0.1", port), timeout=patience_s) as connection:
+        with contextlib.suppress(OSError):
+            connection.sendall(request.replace(b"HOST", b"Host: 127.0.0.1:%d" % port))
+            while piece := connection.recv(1 << 16):
+                answer += piece
+    return answer
+
+
+def posted(port, path, kind, body):
+    """The answer to a document."""
+    head = f"POST {path} HTTP/1.1\r\nHOST\r\nContent-Type: {kind}\r\nContent-Length: {len(body)}\r\nConnection: close\r\n\r\n"
+    return ask(port, head.encode() + body.encode()).decode()
