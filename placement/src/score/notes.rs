@@ -159,9 +159,9 @@ fn broken(scores: &Scores, direction: Direction) -> Option<String> {
 
 fn constant(scores: &Scores, direction: Direction) -> Option<String> {
     let outputs = with_status(scores, direction, Status::Constant);
-    outputs.first()?;
+    let reason = outputs.first()?.reason.as_deref().unwrap_or_default();
     Some(format!(
-        "The {direction} {QUANTITY} at {} doesn't vary with the inputs, so it has no indices.",
+        "The {direction} {QUANTITY} at {} doesn't vary with the inputs, so it has no indices: {reason}.",
         listed(&names(&outputs))
     ))
 }

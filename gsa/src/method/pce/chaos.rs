@@ -95,7 +95,7 @@ impl Chaos {
         let all = vec![1.0; rows.len()];
         let noise = NOISE_IN_EPS * f64::EPSILON;
         let fit = regression::fit(&candidates, &values, &all, noise);
-        let unseen = regression::cross_validate(&candidates, &values, noise);
+        let unseen = regression::cross_validate(&candidates, &values, noise, &[]);
         self.indices_of(&fit, &candidates, &values, &unseen)
             .map(|mut found| {
                 found.mean = times_power_of_two(found.mean, power);
