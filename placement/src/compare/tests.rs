@@ -75,7 +75,6 @@ fn what_both_forms_miss_alike_is_no_error_of_the_difference() {
             weight: 1.0,
             fitted: 0,
             images: Vec::new(),
-            images: Vec::new(),
         }),
         ..output(0.72, Some([0.0, 0.0]))
     };

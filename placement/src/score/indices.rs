@@ -255,6 +255,13 @@ fn layer(direction: Direction, strain: &[f64], analyses: &[Analysed], inputs: us
             .map(move |output| Some(output.analysis.first_order.as_ref()?[input]))
             .collect()
     };
+    let errors: Vec<Option<Vec<f64>>> = analyses.iter().map(total_by_input).collect();
+    let error = |input: usize| {
+        errors
+            .iter()
+            .map(|errors| Some(errors.as_ref()?[input]))
+            .collect()
+    };
     MapLayer {
         direction,
         strain: strain.to_vec(),
@@ -263,10 +270,11 @@ fn layer(direction: Direction, strain: &[f64], analyses: &[Analysed], inputs: us
             .map(|output| std(&output.analysis))
             .collect(),
         first_order: (0..inputs).map(index).collect(),
-        error: analyses
+        error: errors
             .iter()
-            .map(|analysed| total_by_input(analysed).as_deref().map(largest))
+            .map(|errors| errors.as_deref().map(largest))
             .collect(),
+        first_order_error: (0..inputs).map(error).collect(),
         status: analyses
             .iter()
             .map(|output| output.analysis.status)
