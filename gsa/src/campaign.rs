@@ -93,6 +93,10 @@ impl Campaign {
         &self.inputs
     }
 
+    pub(crate) fn procedure(&self) -> &dyn Procedure {
+        &*self.procedure
+    }
+
     /// All points so far, in the inputs' units.
     pub fn points(&self) -> &[Vec<f64>] {
         match self.procedure.runs() {

@@ -28,7 +28,7 @@
 //! - [`judge`]: errors of indices, and whether a place in a ranking is certain
 //! - `form`: surrogates of an output on its lines
 //! - [`method`]: the ways from runs to indices
-//! - [`campaign`]: the way in
+//! - [`campaign`]: the way in; [`symmetric`]: the same for a model with a symmetry
 //!
 //! ```
 //! use gsa::method::analysis::Status;
@@ -61,7 +61,9 @@
 
 pub mod campaign;
 pub mod design;
+mod exchange;
 mod form;
 pub mod judge;
 pub mod law;
 pub mod method;
+pub mod symmetric;

@@ -5,6 +5,8 @@
 pub struct CheckPoint {
     pub(super) ordinal: usize,
     pub(super) nodes: Vec<usize>,
+    /// Which point is its mirror image, where the model is known to have a symmetry.
+    pub(super) image: Option<usize>,
 }
 
 impl CheckPoint {
@@ -17,5 +19,10 @@ impl CheckPoint {
     /// itself where the line was never refined.
     pub fn nodes(&self) -> &[usize] {
         &self.nodes
+    }
+
+    /// Which point of the design is its mirror image, itself perhaps; `None` where no symmetry is known.
+    pub(crate) fn image(&self) -> Option<usize> {
+        self.image
     }
 }

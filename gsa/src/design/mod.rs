@@ -11,6 +11,7 @@
 //!
 //! - [`Line`], [`CheckPoint`], `node_grid`, `distance`: the runs, and where check points are drawn
 //! - `pair_grid`, `probes`: grids of pairs of inputs, and runs off all nodes
+//! - `images`: points that a symmetry of the model adds without a run
 //! - `sobol`: points of methods without lines
 
 use std::collections::HashSet;
@@ -24,6 +25,7 @@ use crate::law::rule::GaussRule;
 mod check_point;
 mod design_error;
 mod distance;
+mod images;
 mod line;
 mod node_grid;
 pub(crate) mod pair_grid;
@@ -46,6 +48,8 @@ pub struct Design {
     /// Points off all nodes, by ordinal.
     probes: Vec<usize>,
     points: Vec<Vec<f64>>,
+    /// How many of the points are to be run: those behind them are mirror images, whose values follow.
+    to_run: Option<usize>,
     on_demand: bool,
 }
 
@@ -84,6 +88,7 @@ impl Design {
             checks: Vec::new(),
             probes: Vec::new(),
             points: vec![cut.to_vec()],
+            to_run: None,
             on_demand: false,
         };
         for input in 0..inputs.len() {
@@ -126,7 +131,11 @@ impl Design {
                 *node += self.nodes_before(input);
             }
             let ordinal = self.points.len();
-            self.checks.push(CheckPoint { ordinal, nodes });
+            self.checks.push(CheckPoint {
+                ordinal,
+                nodes,
+                image: None,
+            });
             self.points.push(point);
         }
         Ok(added)

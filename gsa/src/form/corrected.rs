@@ -12,7 +12,7 @@
 use crate::design::Design;
 use crate::form::composite::{Composite, Decomposed, Missing};
 use crate::form::dictionary::Dictionary;
-use crate::form::evidence::Checks;
+use crate::form::evidence::{self, Checks};
 use crate::form::factors::Tables;
 use crate::form::mdrm::departure;
 use crate::form::regression;
@@ -128,7 +128,7 @@ impl Frame {
         (values, checks): (&[f64], &Checks<'_>),
         t: f64,
     ) -> Option<Corrected> {
-        if self.whole_grid.is_none() && checks.len() < LEAST_POINTS {
+        if self.whole_grid.is_none() && evidence::draws(checks) < LEAST_POINTS {
             return None;
         }
         let residuals: Vec<f64> = checks
@@ -197,7 +197,8 @@ impl Frame {
                 composite.add(index, coefficient * c);
             }
         }
-        let unseen = regression::cross_validate(&candidates, residuals, noise);
+        let unseen =
+            regression::cross_validate(&candidates, residuals, noise, &evidence::images(checks));
         (unseen, fit.terms.len())
     }
 
@@ -229,7 +230,8 @@ impl Frame {
         let values: Vec<f64> = checks.iter().map(|(_, h)| *h).collect();
         let nodes = checks.iter().flat_map(|(check, _)| check.nodes()).copied();
         let forms = (&values[..], &predictions[..]);
-        Misses::new(nodes.collect(), forms, &effects, weight, fitted).errors()
+        let points = (nodes.collect(), evidence::images(checks));
+        Misses::new(points, forms, &effects, weight, fitted).errors()
     }
 }
 

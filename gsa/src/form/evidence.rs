@@ -2,6 +2,8 @@
 //!
 //! No quantity taken from the lines alone can tell a product from anything else, so this is the only judge of the form.
 
+use std::collections::HashMap;
+
 use crate::design::{CheckPoint, Design};
 use crate::form::additive;
 use crate::form::mdrm::Mdrm;
@@ -16,7 +18,7 @@ pub(crate) type Checks<'a> = Vec<(&'a CheckPoint, f64)>;
 const LEAST_FOR_SHIFT: usize = 3;
 /// The shifted form must lower the misfit this many times to be preferred: being fitted, it lowers it a little for any
 /// model, and near-products it makes worse. It must do so without the point that the sum misses most, too: one number explains
-/// all of a kink that shows at a single point.
+/// all of a kink that shows at a single point and its mirror image.
 const SHIFT_GAIN: f64 = 10.0;
 
 /// How each form fares at the check points. Misfits are root mean squares in the units of the sections, infinite where a
@@ -34,6 +36,32 @@ pub(crate) struct Evidence<'a> {
     pub(crate) departure: f64,
     /// misfit that rounding alone explains
     rounding: f64,
+}
+
+/// By check point, which of them is its mirror image, itself where it has no other; nothing where none has.
+pub(crate) fn images(checks: &Checks<'_>) -> Vec<usize> {
+    let is_other = |(check, _): &(&CheckPoint, f64)| {
+        let image = check.image();
+        image.is_some_and(|image| image != check.ordinal())
+    };
+    if !checks.iter().any(is_other) {
+        return Vec::new();
+    }
+    let places = checks.iter().enumerate();
+    let places: HashMap<usize, usize> =
+        places.map(|(k, (check, _))| (check.ordinal(), k)).collect();
+    let place = |(k, (check, _)): (usize, &(&CheckPoint, f64))| {
+        let image = check.image().and_then(|image| places.get(&image));
+        image.copied().unwrap_or(k)
+    };
+    checks.iter().enumerate().map(place).collect()
+}
+
+/// How many check points were drawn: mirror images were drawn together.
+pub(crate) fn draws(checks: &Checks<'_>) -> usize {
+    let images = images(checks);
+    let second = images.iter().enumerate().filter(|(k, image)| *image < k);
+    checks.len() - second.count()
 }
 
 impl<'a> Evidence<'a> {
@@ -76,7 +104,7 @@ impl<'a> Evidence<'a> {
 
     fn shifted(&self, sections: &Sections) -> Option<(Mdrm, f64)> {
         let others = self.product.min(self.additive);
-        if self.checks.len() < LEAST_FOR_SHIFT || others <= SHIFT_GAIN * self.rounding {
+        if draws(&self.checks) < LEAST_FOR_SHIFT || others <= SHIFT_GAIN * self.rounding {
             return None;
         }
         let t = shift::fit(sections, &self.checks);
@@ -89,7 +117,11 @@ impl<'a> Evidence<'a> {
         let missed = |(check, h): &(&CheckPoint, f64)| (h - of_sum(check)).abs();
         let most =
             (0..rest.len()).max_by(|a, b| missed(&rest[*a]).total_cmp(&missed(&rest[*b])))?;
-        rest.swap_remove(most);
+        let image = images(&self.checks).get(most).copied().unwrap_or(most);
+        rest.swap_remove(most.max(image));
+        if image != most {
+            rest.swap_remove(most.min(image));
+        }
         let others_there = misfit(&rest, of_sum);
         let holds_there =
             fitted(&rest) * SHIFT_GAIN < others_there && others_there > SHIFT_GAIN * self.rounding;

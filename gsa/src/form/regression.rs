@@ -239,9 +239,15 @@ fn solve(steps: &[Step], mut coefficients: Vec<f64>) -> Vec<(usize, f64)> {
     columns.zip(coefficients).collect()
 }
 
-/// What a fit without point k, chosen without it too, is off by there.
-pub(crate) fn cross_validate(candidates: &Candidates, values: &[f64], noise: f64) -> Vec<f64> {
-    let groups = groups(values.len());
+/// What a fit without point k, chosen without it too, is off by there. A point's mirror image is left out with it, where there are
+/// `images`.
+pub(crate) fn cross_validate(
+    candidates: &Candidates,
+    values: &[f64],
+    noise: f64,
+    images: &[usize],
+) -> Vec<f64> {
+    let groups = with_images(&groups(values.len()), images);
     let mut residuals = values.to_vec();
     for group in 0..FOLDS.min(values.len()) {
         let kept: Vec<f64> = groups
@@ -259,6 +265,12 @@ pub(crate) fn cross_validate(candidates: &Candidates, values: &[f64], noise: f64
         }
     }
     residuals
+}
+
+/// The groups, with the second of two mirror images in the first one's.
+fn with_images(groups: &[usize], images: &[usize]) -> Vec<usize> {
+    let first = |k: usize| images.get(k).map_or(k, |&image| image.min(k));
+    (0..groups.len()).map(|k| groups[first(k)]).collect()
 }
 
 /// Which group each point belongs to. Groups are equally large and follow the order of the multiples of the golden ratio modulo 1:
@@ -357,7 +369,7 @@ mod tests {
     fn values_are_predicted_by_what_the_others_have_found() {
         let candidates = candidates_of(200, 40);
         let values = combination(&candidates, &[(17, 3.0), (90, -1.5), (151, 2.0)]);
-        let unseen = cross_validate(&candidates, &values, 1e-13);
+        let unseen = cross_validate(&candidates, &values, 1e-13, &[]);
         assert!(unseen.iter().all(|r| r.abs() < 1e-12), "{unseen:?}");
     }
 
@@ -385,7 +397,7 @@ mod tests {
         let candidates = candidates_of(200, 30);
         let values = candidates_of(231, 30).columns[230].clone();
         let rms = |r: &[f64]| (dot(r, r) / r.len() as f64).sqrt();
-        let unseen = cross_validate(&candidates, &values, 1e-13);
+        let unseen = cross_validate(&candidates, &values, 1e-13, &[]);
         // honest residuals are no smaller than the values themselves
         assert!(
             rms(&unseen) > 0.8 * rms(&values),

@@ -23,6 +23,8 @@
 //! The sum is an estimate, not a bound: few check points may all miss an interaction. Indicators that cost nothing
 //! (1 - sum S_i, the difference between two forms) were found to carry no information and are not used.
 
+use crate::exchange::{exchanged, mean, means};
+
 /// Parts of the error of an output's first-order indices.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ErrorParts {
@@ -77,6 +79,40 @@ impl ErrorParts {
             by_input,
             missing: parts.missing,
             missing_of_interactions: parts.missing_of_interactions,
+        }
+    }
+
+    /// Of the output's mirror image; `inputs` are exchanged.
+    pub(crate) fn mirrored(&self, inputs: &[usize]) -> Self {
+        let of_known = |parts: &[f64]| match parts.len() {
+            0 => Vec::new(),
+            _ => exchanged(parts, inputs),
+        };
+        Self {
+            by_input: self.by_input.as_deref().map(of_known),
+            missing: of_known(&self.missing),
+            missing_of_interactions: of_known(&self.missing_of_interactions),
+            ..self.clone()
+        }
+    }
+
+    /// The mean with what the same analysis said of the output's mirror image.
+    pub(crate) fn mean_with(&self, other: &Self) -> Self {
+        let both = |a: Option<f64>, b: Option<f64>| a.zip(b).map(|(a, b)| mean(a, b));
+        let by_input = self.by_input.as_ref().zip(other.by_input.as_ref());
+        let by_input = by_input.map(|(a, b)| means(a, b));
+        Self {
+            quadrature: both(self.quadrature, other.quadrature),
+            decomposition: both(self.decomposition, other.decomposition),
+            sampling: both(self.sampling, other.sampling),
+            floor: mean(self.floor, other.floor),
+            total: by_input.as_deref().map(largest),
+            by_input,
+            missing: means(&self.missing, &other.missing),
+            missing_of_interactions: means(
+                &self.missing_of_interactions,
+                &other.missing_of_interactions,
+            ),
         }
     }
 

@@ -12,6 +12,9 @@
 //! where the second term covers the chance in K points, and the last what is of second order in r. Residuals that no
 //! main effect has a share in, as those of pure interactions, cost an index far less than their size.
 //!
+//! Points that are mirror images of each other were drawn once: chance is in the sums psi over such a pair, and K in T counts pairs. An output
+//! that is its own mirror image misses the same at both points, so that an input which is its own image learns nothing new from the second.
+//!
 //! Two models that were run at check points of the same nodes err alike there: the error of the difference of their indices is
 //! a mean of psi_ik - psi'_ik, whose chance is that of the difference, point by point. What is of second order is a quadratic form Q in r, so
 //! that Q(r) - Q(r') = Q(r - r', r + r'), of either sign of r':
@@ -21,6 +24,7 @@
 //!                 + R rms_k(r - r') rms_k(r + r')    with r over the standard deviation
 //! ```
 
+use crate::exchange::{exchanged, means};
 use crate::judge::index_error::at_most_one;
 
 /// T for many points; K of them have (1 + 4/K) times as much. Student's t has 2.0 and, for five points, 1.4 times as
@@ -75,12 +79,14 @@ pub struct Misses {
     pub weight: f64,
     /// How many numbers of the form were fitted to the check points.
     pub fitted: usize,
+    /// By check point, which of them is its mirror image, itself perhaps; empty where the model has no symmetry.
+    pub images: Vec<usize>,
 }
 
 impl Misses {
     /// From the values at the check points and a form there, of which `fitted` numbers were fitted to them.
     pub(crate) fn new(
-        nodes: Vec<usize>,
+        (nodes, images): (Vec<usize>, Vec<usize>),
         (values, predictions): (&[f64], &[f64]),
         effects: &Effects<'_>,
         weight: f64,
@@ -113,15 +119,45 @@ impl Misses {
             nodes,
             weight,
             fitted,
+            images,
         }
+    }
+
+    /// Of the output's mirror image; `inputs` are exchanged. A point whose own image is lost takes its place.
+    pub(crate) fn mirrored(&self, inputs: &[usize]) -> Self {
+        let count = self.residuals.len();
+        let image = |k: usize| self.images.get(k).copied().unwrap_or(k);
+        let of_points =
+            |values: &[f64]| -> Vec<f64> { (0..values.len()).map(|k| values[image(k)]).collect() };
+        let by_input: Vec<&[f64]> = self.by_input().collect();
+        let contributions = inputs.iter().flat_map(|&input| of_points(by_input[input]));
+        let at = |k: usize| &self.nodes[k * inputs.len()..(k + 1) * inputs.len()];
+        let nodes = (0..count).flat_map(|k| exchanged(at(image(k)), inputs));
+        Self {
+            nodes: nodes.collect(),
+            residuals: of_points(&self.residuals),
+            contributions: contributions.collect(),
+            ..self.clone()
+        }
+    }
+
+    /// The mean with what the same analysis said of the output's mirror image; `None` where they weren't checked at the same points.
+    pub(crate) fn mean_with(&self, other: &Self) -> Option<Self> {
+        let same = self.nodes == other.nodes && self.fitted == other.fitted;
+        same.then(|| Self {
+            residuals: means(&self.residuals, &other.residuals),
+            contributions: means(&self.contributions, &other.contributions),
+            ..self.clone()
+        })
     }
 
     /// Error of each first-order index, absolute.
     pub fn errors(&self) -> Vec<f64> {
         let square = self.share() * sum_of_squares(&self.residuals);
         let error = |psi: &[f64]| {
-            let sum = self.share() * psi.iter().sum::<f64>();
-            let chance = self.student() * self.chance_weight() * sum_of_squares(psi).sqrt();
+            let drawn = self.by_draw(psi);
+            let sum = self.share() * drawn.iter().sum::<f64>();
+            let chance = self.student() * self.chance_weight() * sum_of_squares(&drawn).sqrt();
             at_most_one(sum.abs() + chance + self.remainder() * square)
         };
         self.by_input().map(error).collect()
@@ -130,15 +166,17 @@ impl Misses {
     /// Error of the difference between each first-order index and another model's, absolute; `None` where the two weren't checked at the
     /// same nodes or have not as many inputs.
     pub fn errors_of_difference(&self, other: &Self) -> Option<Vec<f64>> {
-        if self.nodes != other.nodes || self.contributions.len() != other.contributions.len() {
+        let same = self.nodes == other.nodes && self.images == other.images;
+        if !same || self.contributions.len() != other.contributions.len() {
             return None;
         }
         let pairs = self.by_input().zip(other.by_input());
         let remainder = self.remainder().max(other.remainder()) * self.remainder_with(other);
         let error = |(psi, others): (&[f64], &[f64])| {
-            let sums = [(self, psi), (other, others)]
+            let [psi, others] = [psi, others].map(|psi| self.by_draw(psi));
+            let sums = [(self, &psi), (other, &others)]
                 .map(|(misses, psi)| misses.share() * psi.iter().sum::<f64>());
-            let apart = psi.iter().zip(others);
+            let apart = psi.iter().zip(&others);
             let (a, b) = (self.chance_weight(), other.chance_weight());
             let chance: f64 = apart.map(|(p, q)| (a * p - b * q).powi(2)).sum();
             at_most_one((sums[0] - sums[1]).abs() + self.student() * chance.sqrt() + remainder)
@@ -159,6 +197,26 @@ impl Misses {
         self.contributions.chunks_exact(self.residuals.len().max(1))
     }
 
+    /// The sums over points that were drawn together, in an order in which both points of a pair are alike.
+    fn by_draw(&self, psi: &[f64]) -> Vec<f64> {
+        let of_draw = |(k, psi_k): (usize, &f64)| match self.images.get(k) {
+            Some(&image) if image < k => None,
+            Some(&image) if image > k => Some(psi_k + psi[image]),
+            _ => Some(*psi_k),
+        };
+        psi.iter().enumerate().filter_map(of_draw).collect()
+    }
+
+    /// How many points were drawn.
+    fn draws(&self) -> usize {
+        let second = self
+            .images
+            .iter()
+            .enumerate()
+            .filter(|(k, image)| *image < k);
+        self.residuals.len() - second.count()
+    }
+
     /// Of a point in a mean.
     fn share(&self) -> f64 {
         let free = self.residuals.len().saturating_sub(self.fitted).max(1);
@@ -172,7 +230,7 @@ impl Misses {
     }
 
     fn student(&self) -> f64 {
-        CHANCE * (1.0 + CHANCE_OF_FEW / self.residuals.len().max(1) as f64)
+        CHANCE * (1.0 + CHANCE_OF_FEW / self.draws().max(1) as f64)
     }
 
     fn remainder(&self) -> f64 {
@@ -200,6 +258,7 @@ mod tests {
             contributions: contributions.to_vec(),
             weight: 0.5,
             fitted: 0,
+            images: Vec::new(),
         }
     }
 

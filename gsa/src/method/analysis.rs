@@ -131,6 +131,18 @@ impl Analysis {
         }
     }
 
+    /// Of an output whose variation is none of the model's own, for this reason; the mean remains.
+    #[must_use]
+    pub fn into_constant(self, reason: &str) -> Self {
+        Self {
+            mean: self.mean,
+            variance: Some(0.0),
+            status: Status::Constant,
+            reason: Some(reason.to_owned()),
+            ..Self::empty(1.0)
+        }
+    }
+
     pub(crate) fn note(&mut self, text: &str) {
         self.reason = Some(match self.reason.take() {
             Some(reason) => format!("{reason}; {text}"),

@@ -87,6 +87,13 @@ impl Procedure for Auto {
         Ok(())
     }
 
+    fn on(&self, design: Design) -> Option<Box<dyn Procedure>> {
+        Some(Box::new(Self {
+            design,
+            ..self.clone()
+        }))
+    }
+
     fn analyse(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
         let frame = Frame::new(&self.design);
         let tolerance = Some(self.settings.tolerance);

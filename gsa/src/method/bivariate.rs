@@ -62,6 +62,13 @@ impl Procedure for Bivariate {
         Runs::Lines(&self.design)
     }
 
+    fn on(&self, design: Design) -> Option<Box<dyn Procedure>> {
+        Some(Box::new(Self {
+            design,
+            grids: self.grids.clone(),
+        }))
+    }
+
     fn analyse(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
         let frame = Frame::new(&self.design);
         Ok(each_output(values, |values| {

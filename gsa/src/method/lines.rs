@@ -6,7 +6,7 @@ use rand_chacha::rand_core::SeedableRng;
 
 use crate::design::{Design, DesignError};
 use crate::form::additive;
-use crate::form::evidence::Evidence;
+use crate::form::evidence::{self, Evidence};
 use crate::form::mdrm::Mdrm;
 use crate::form::section::Sections;
 use crate::judge::index_error::{self, ByInput, ErrorParts};
@@ -38,6 +38,10 @@ impl Procedure for Lines {
 
     fn runs(&self) -> Runs<'_> {
         Runs::Lines(&self.design)
+    }
+
+    fn on(&self, design: Design) -> Option<Box<dyn Procedure>> {
+        Some(Box::new(Self { design }))
     }
 
     fn analyse(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
@@ -238,7 +242,7 @@ impl Forms<'_> {
         let values: Vec<f64> = checks.iter().map(|(_, h)| *h).collect();
         let nodes = checks.iter().flat_map(|(check, _)| check.nodes()).copied();
         Some(Misses::new(
-            nodes.collect(),
+            (nodes.collect(), evidence::images(checks)),
             (&values, &predictions),
             &effects,
             self.pair_weight,
@@ -255,7 +259,7 @@ fn note_missing(analysis: &mut Analysis, design: &Design, values: &[f64], sectio
     let checks = design.checks().iter().map(|check| check.ordinal());
     let missing: Vec<usize> = checks
         .chain(design.probes().iter().copied())
-        .filter(|&ordinal| !values[ordinal].is_finite())
+        .filter(|&ordinal| ordinal < design.to_run() && !values[ordinal].is_finite())
         .collect();
     analysis.note_lost("left out check points without a finite value", &missing);
 }

@@ -3,7 +3,7 @@
 //! Every method is a `procedure`: one file that says which points it asks for and what it makes of their values. `choice` has
 //! the list of them.
 //!
-//! - [`analysis`]: what any of them finds out; `verdict`: which form speaks for an output
+//! - [`analysis`]: what any of them finds out; `verdict`: which form speaks for an output; `mirrored`: one analysis of two mirror images
 //! - [`lines`]: `mdrm`, lines through the cut point
 //! - `bivariate`: lines and the grids of all pairs
 //! - `tensor_grid`: the whole grid
@@ -16,6 +16,7 @@ mod bivariate;
 mod choice;
 mod correction;
 pub mod lines;
+mod mirrored;
 mod pce;
 pub(crate) mod procedure;
 pub mod saltelli;

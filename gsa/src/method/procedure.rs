@@ -50,6 +50,11 @@ pub(crate) trait Procedure: Any + Debug + Send + Sync + Boxed {
     /// All runs so far.
     fn runs(&self) -> Runs<'_>;
 
+    /// The same on a design that has further points behind its own; `None` for methods without lines.
+    fn on(&self, _design: Design) -> Option<Box<dyn Procedure>> {
+        None
+    }
+
     /// Adds the points that it needs beyond those analysed, if any.
     fn extend(&mut self, _analyses: &[Analysis]) -> Result<(), DesignError> {
         Ok(())

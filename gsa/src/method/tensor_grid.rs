@@ -41,6 +41,10 @@ impl Procedure for Tensor {
         Runs::Lines(&self.design)
     }
 
+    fn on(&self, design: Design) -> Option<Box<dyn Procedure>> {
+        Some(Box::new(Self { design }))
+    }
+
     fn analyse(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
         let frame = Frame::new(&self.design);
         Ok(each_output(values, |values| {

@@ -1,4 +1,4 @@
-//! What takes seconds: the laws and their rules, and which form answers.
+//! What takes seconds: the laws and their rules, and which form answers, and models with a symmetry.
 
 mod decisions;
 mod law_data;
@@ -6,3 +6,4 @@ mod law_properties;
 mod laws;
 mod probabilities;
 mod rules;
+mod symmetric;

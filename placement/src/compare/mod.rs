@@ -18,6 +18,7 @@ use serde_json::{Map, Value};
 
 use crate::result::{FormMisses, Output, RankedLocation, StudyCost, StudyResult};
 use crate::score::location_scores::GSI;
+use crate::score::rank::place_of;
 
 /// A study to be compared.
 #[derive(Debug, Clone)]
@@ -99,9 +100,10 @@ pub struct ComparedLocation {
     pub rank: usize,
     /// Whether the errors leave no doubt about this rank.
     pub rank_certain: bool,
-    /// Places lost since the baseline, negative when gained; null there, and where it hasn't the location.
+    /// Places lost since the baseline, negative when gained, where equal locations share the place of the first of them; null there, and where
+    /// it hasn't the location.
     pub rank_change: Option<i64>,
-    /// Whether a change of the rank is `real` (both ranks are certain), `noise` or `unknown`; null without one.
+    /// Whether a change of the place is `real` (both places are certain), `noise` or `unknown`; null without one.
     pub rank_verdict: Option<Verdict>,
     /// First-order index of the location's own depth for the x strain at the contact centre.
     pub x: ComparedIndex,
@@ -224,8 +226,12 @@ fn row(
 ) -> ComparedLocation {
     let same = |other: &&RankedLocation| other.name == location.name;
     let other = base.and_then(|base| base.locations.iter().find(same));
-    let change = other.map(|other| places(location.rank) - places(other.rank));
-    let certain = other.is_some_and(|other| other.rank_certain && location.rank_certain);
+    let here = place_of(location, &result.locations);
+    let there = base
+        .zip(other)
+        .map(|(base, other)| place_of(other, &base.locations));
+    let change = there.map(|there| places(here.0) - places(there.0));
+    let certain = there.is_some_and(|there| here.1 && there.1);
     let known = other.is_some_and(|other| other.knows_error() && location.knows_error());
     let index = PerDirection::of(|direction| {
         let against = base.zip(other);

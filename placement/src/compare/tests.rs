@@ -74,6 +74,7 @@ fn what_both_forms_miss_alike_is_no_error_of_the_difference() {
             contributions: [1e-3, 2e-3, 0.0, 0.0].map(|c| c * factor).to_vec(),
             weight: 1.0,
             fitted: 0,
+            images: Vec::new(),
         }),
         ..output(0.72, Some([0.0, 0.0]))
     };

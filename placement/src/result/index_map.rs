@@ -35,10 +35,21 @@ pub struct MapLayer {
     pub std: Vec<Option<f64>>,
     /// First-order index per input, in the order of the inputs, each rows x columns.
     pub first_order: Vec<Vec<Option<f64>>>,
-    /// Estimated error of the first-order indices, rows x columns.
+    /// Estimated error of the first-order indices, the largest over the inputs, rows x columns.
     pub error: Vec<Option<f64>>,
+    /// Estimated error of the first-order index per input, in the order of the inputs, each rows x columns; empty in documents of earlier
+    /// versions.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub first_order_error: Vec<Vec<Option<f64>>>,
     /// `ok`, `constant`, `product-form-broken` or `unusable`, rows x columns.
     #[serde(with = "named::list")]
     #[cfg_attr(feature = "openapi", schema(value_type = Vec<String>))]
     pub status: Vec<Status>,
+}
+
+impl MapLayer {
+    /// Estimated errors of the index of an input; of earlier versions' documents the largest over the inputs.
+    pub fn errors_of(&self, input: usize) -> &[Option<f64>] {
+        self.first_order_error.get(input).unwrap_or(&self.error)
+    }
 }

@@ -72,6 +72,10 @@ pub struct FormMisses {
     pub weight: f64,
     /// How many numbers of the form were fitted to the check points.
     pub fitted: usize,
+    /// Of each check point, which one is its mirror image, whose strains are its own from the other end; absent where contact or inputs aren't
+    /// symmetric.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub images: Vec<usize>,
 }
 
 impl FormMisses {
@@ -84,6 +88,7 @@ impl FormMisses {
             contributions: misses.contributions.clone(),
             weight: misses.weight,
             fitted: misses.fitted,
+            images: misses.images.clone(),
         })
     }
 
@@ -95,6 +100,7 @@ impl FormMisses {
             contributions: self.contributions.clone(),
             weight: self.weight,
             fitted: self.fitted,
+            images: self.images.clone(),
         }
     }
 }

@@ -22,15 +22,15 @@ pub struct RankedLocation {
     /// The input that is this location's own: the depth of the station below it.
     #[serde(default)]
     pub input: Option<String>,
-    /// 1 is best.
+    /// Which row of the ranking it is, 1 the best. Equal locations, as mirror images are, follow each other in the order of their names.
     pub rank: usize,
     /// What it is judged by.
     #[serde(flatten)]
     pub scores: LocationScores,
-    /// Rank by one strain alone.
+    /// Rank by one strain alone, which equal locations share.
     #[serde(flatten, with = "RankFields")]
     pub ranks: PerDirection<Option<usize>>,
-    /// Whether the errors leave no doubt about this rank.
+    /// Whether the errors leave no doubt about this rank; never where another location is equal.
     pub rank_certain: bool,
 }
 
@@ -86,17 +86,19 @@ mod schema {
             let schema = ObjectSchema::new("One candidate location in the ranking.")
                 .required(Type::String, "name", "P1, P2, ...")
                 .optional(Type::String, "input", own)
-                .required(Type::Integer, "rank", "1 is best.");
+                .required(Type::Integer, "rank", "1 is best. Equal locations, as mirror images are, follow each other in the order of their names.");
             let schema = SCORES
                 .iter()
                 .fold(schema, |schema, score| with_score(schema, score));
             let schema = Direction::ALL
                 .into_iter()
                 .fold(schema, |schema, direction| {
-                    let by = format!("Rank by the {direction} strain alone.");
+                    let by = format!(
+                        "Rank by the {direction} strain alone, which equal locations share."
+                    );
                     schema.optional(Type::Integer, &format!("rank_{direction}"), &by)
                 });
-            let certain = "Whether the errors leave no doubt about this rank.";
+            let certain = "Whether the errors leave no doubt about this rank; never where another location is equal.";
             schema
                 .required(Type::Boolean, "rank_certain", certain)
                 .schema()

@@ -24,8 +24,8 @@ use crate::result::{StudyCost, StudyResult};
 use crate::run::archive::{Archive, Outcome};
 use crate::run::usage::{cpu_s, peak_memory_bytes};
 use crate::score::assemble::assemble;
-use crate::score::indices;
 use crate::score::indices::Coarse;
+use crate::score::readings::ranked_values;
 use crate::study::Study;
 use crate::study::plan::Plan;
 
@@ -89,7 +89,7 @@ pub(crate) fn run_from(
         let Answers { points, reused } = answers(&plan, place)?;
         solved += points.len() - reused;
         let (outcomes, costs): (Vec<Outcome>, Vec<Cost>) = points.into_iter().unzip();
-        let values = indices::ranked_values(&outcomes, study.directions);
+        let values = ranked_values(&outcomes, study.directions);
         if !plan.extend(study, &values.view())? {
             break (outcomes, costs);
         }

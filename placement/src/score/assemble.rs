@@ -27,7 +27,7 @@ pub fn assemble(
         .as_ref()
         .expect("without the cut point's response nothing is assembled");
     let failed_points = failed_points(plan, outcomes);
-    let scores = score(plan.campaign(), study.directions, cut, outcomes, coarse);
+    let scores = score(study, plan.campaign(), cut, outcomes, coarse);
     let locations = rank(study, &scores);
     let layouts = rank_layouts(study, plan.campaign(), cut, outcomes);
     let ranked = (&locations[..], &layouts[..]);

@@ -1,15 +1,14 @@
 //! Responses to indices per output: the strains at P1, P2, ... and those of the dense map, in one analysis.
 
+use crate::result::{CoarserIndices, FormMisses, IndexError, IndexMap, MapLayer, Output};
+use crate::run::archive::Outcome;
+use crate::score::analyst::Analyst;
+use crate::score::quantity::over_map;
+use crate::study::Study;
 use fem_client::solver::direction::{Direction, PerDirection};
 use fem_client::solver::{Coarser, Response, StrainMap};
 use gsa::campaign::Campaign;
 use gsa::method::analysis::{Analysis, Status};
-use ndarray::{Array2, Axis};
-
-use crate::result::{CoarserIndices, FormMisses, IndexError, IndexMap, MapLayer, Output};
-use crate::run::archive::Outcome;
-use crate::score::quantity::{at_locations, over_map};
-use crate::study::directions::Directions;
 
 /// Why an index has no error of the mesh.
 pub const NO_MESH_ERROR: &str = "no coarser mesh gave indices to compare with";
@@ -40,22 +39,6 @@ impl Scores {
         let scored = self.at_locations.iter().flat_map(PerDirection::iter);
         scored.map(|scored| &scored.output)
     }
-}
-
-/// Those of them that the ranking rests on, and that an adaptive method serves: the locations', in the directions asked for.
-pub fn ranked_values(outcomes: &[Outcome], directions: Directions) -> Array2<f64> {
-    let [ranked, _] = location_columns(outcomes, directions);
-    values(outcomes).select(Axis(1), &ranked)
-}
-
-/// The locations' columns among all: those that the ranking rests on, and the others.
-fn location_columns(outcomes: &[Outcome], directions: Directions) -> [Vec<usize>; 2] {
-    let first = outcomes.iter().flatten().next();
-    let locations = first.into_iter().flat_map(at_locations);
-    let columns = locations.flat_map(|_| Direction::ALL).enumerate();
-    let (ranked, others): (Vec<_>, Vec<_>) =
-        columns.partition(|(_, direction)| directions.include(*direction));
-    [ranked, others].map(|columns| columns.into_iter().map(|(column, _)| column).collect())
 }
 
 /// The same points on a coarser mesh.
@@ -94,42 +77,20 @@ struct Analysed {
     coarser: Option<CoarserIndices>,
 }
 
-/// The outputs of all points, a row each: locations first, then the map. A point without an equilibrium has a row of NaN.
-///
-/// # Panics
-/// If the responses differ in their readout.
-pub fn values(outcomes: &[Outcome]) -> Array2<f64> {
-    let columns = outcomes
-        .iter()
-        .flatten()
-        .next()
-        .map_or(0, |first| readings(first).len());
-    let row = |outcome: &Outcome| match outcome {
-        Ok(response) => readings(response),
-        Err(_) => vec![f64::NAN; columns],
-    };
-    let rows: Vec<Vec<f64>> = outcomes.iter().map(row).collect();
-    let values = Array2::from_shape_vec((rows.len(), columns), rows.concat());
-    values.expect("every response has the same readout")
-}
-
 /// Scores the outcomes at the points of a campaign, in its order; `cut` is the response of its first point. The coarser
 /// mesh, where there is one, shows the error of the mesh.
 ///
 /// # Panics
 /// If there is not one outcome for each point, or the responses differ in their readout.
 pub fn score(
+    study: &Study,
     campaign: &Campaign,
-    directions: Directions,
     cut: &Response,
     outcomes: &[Outcome],
     coarse: Option<&Coarse>,
 ) -> Scores {
-    let unseen = match cut.model.elements {
-        0 => MeshError::Exact,
-        _ => MeshError::Unknown,
-    };
-    let mut analyses = analysed(campaign, directions, outcomes, coarse, unseen).into_iter();
+    let analyst = Analyst::new(study, campaign);
+    let mut analyses = analysed(&analyst, cut, outcomes, coarse).into_iter();
     let mut next = || analyses.next().expect("an analysis of each reading");
     let mut scored = |name: &str| PerDirection::of(|direction| scored(name, direction, &next()));
     let names = cut.locations.iter().map(|location| &location.name);
@@ -146,33 +107,16 @@ pub fn score(
 }
 
 fn analysed(
-    campaign: &Campaign,
-    directions: Directions,
+    analyst: &Analyst<'_>,
+    cut: &Response,
     outcomes: &[Outcome],
     coarse: Option<&Coarse>,
-    unseen: MeshError,
 ) -> Vec<Analysed> {
-    let analyse = |outcomes: &[Outcome]| {
-        assert_eq!(
-            outcomes.len(),
-            campaign.points().len(),
-            "one outcome for each point"
-        );
-        let values = values(outcomes);
-        let [ranked, others] = location_columns(outcomes, directions);
-        let of_locations = ranked.len() + others.len();
-        let has_rules = "a campaign that asked for points has the rules to analyse them";
-        let served = campaign.analyse(&values.select(Axis(1), &ranked).view());
-        let beside = campaign.survey(&values.select(Axis(1), &others).view());
-        let mapped = campaign.survey(&values.view().split_at(Axis(1), of_locations).1);
-        let served = ranked.into_iter().zip(served.expect(has_rules));
-        let beside = others.into_iter().zip(beside.expect(has_rules));
-        let mut at_locations: Vec<(usize, Analysis)> = served.chain(beside).collect();
-        at_locations.sort_by_key(|(column, _)| *column);
-        let at_locations = at_locations.into_iter().map(|(_, analysis)| analysis);
-        at_locations.chain(mapped.expect(has_rules)).collect()
+    let unseen = match cut.model.elements {
+        0 => MeshError::Exact,
+        _ => MeshError::Unknown,
     };
-    let found: Vec<Analysis> = analyse(outcomes);
+    let found = analyst.analyses(outcomes);
     let witness =
         coarse.and_then(|coarse| Some((coarse.coarser.factor, coarse.outcomes.as_ref()?)));
     let Some((factor, outcomes)) = witness else {
@@ -183,7 +127,7 @@ fn analysed(
         });
         return unseen.collect();
     };
-    let coarse = analyse(outcomes);
+    let coarse = analyst.analyses(outcomes);
     let pairs = found.into_iter().zip(&coarse);
     pairs
         .map(|(analysis, coarse)| {
@@ -225,15 +169,6 @@ fn total_by_input(Analysed { analysis, mesh, .. }: &Analysed) -> Option<Vec<f64>
 
 fn largest(errors: &[f64]) -> f64 {
     errors.iter().copied().fold(0.0, f64::max)
-}
-
-/// What is read of one point: locations first, then the map's x layer and y layer.
-fn readings(response: &Response) -> Vec<f64> {
-    let map = response.map.iter().flat_map(|map| over_map(map).iter());
-    at_locations(response)
-        .flatten()
-        .chain(map.flatten().copied())
-        .collect()
 }
 
 fn std(analysis: &Analysis) -> Option<f64> {
@@ -320,6 +255,13 @@ fn layer(direction: Direction, strain: &[f64], analyses: &[Analysed], inputs: us
             .map(move |output| Some(output.analysis.first_order.as_ref()?[input]))
             .collect()
     };
+    let errors: Vec<Option<Vec<f64>>> = analyses.iter().map(total_by_input).collect();
+    let error = |input: usize| {
+        errors
+            .iter()
+            .map(|errors| Some(errors.as_ref()?[input]))
+            .collect()
+    };
     MapLayer {
         direction,
         strain: strain.to_vec(),
@@ -328,10 +270,11 @@ fn layer(direction: Direction, strain: &[f64], analyses: &[Analysed], inputs: us
             .map(|output| std(&output.analysis))
             .collect(),
         first_order: (0..inputs).map(index).collect(),
-        error: analyses
+        error: errors
             .iter()
-            .map(|analysed| total_by_input(analysed).as_deref().map(largest))
+            .map(|errors| errors.as_deref().map(largest))
             .collect(),
+        first_order_error: (0..inputs).map(error).collect(),
         status: analyses
             .iter()
             .map(|output| output.analysis.status)

@@ -52,7 +52,9 @@ pub const MEAN_GSI: &Score = &Score {
     other_order: Some(", averaged over all locations,"),
     compute: |own| {
         let known: Vec<f64> = own.everywhere.iter().filter_map(|own| own.index).collect();
-        let mean = || known.iter().sum::<f64>() / known.len() as f64;
+        // From both ends at once: the mirror image's sum is the same to the bit.
+        let pairs = || known.iter().zip(known.iter().rev());
+        let mean = || pairs().map(|(a, b)| a + b).sum::<f64>() / (2 * known.len()) as f64;
         Figure::exact((!known.is_empty()).then(mean))
     },
 };

@@ -8,7 +8,7 @@ use crate::result::{FailedPoint, Output, RankedLayout, RankedLocation};
 use crate::score::indices::{NO_MESH_ERROR, Scores};
 use crate::score::location_scores::{GSI, SCORES};
 use crate::score::quantity::QUANTITY;
-use crate::score::rank::{Key, ordered, own_inputs};
+use crate::score::rank::{Key, SharedPlace, ordered, own_inputs, shared_places};
 use crate::study::Study;
 use crate::study::plan::Plan;
 
@@ -41,10 +41,10 @@ pub(crate) fn notes(
     );
     notes.extend(mdrm_at_centre(study, scores));
     notes.extend(other_orders(locations));
-    notes.extend(uncertain(locations));
+    notes.extend(uncertain(study, locations));
     notes.extend(without_location(study, cut));
     notes.extend(contact_edges(study, plan, cut));
-    notes.extend(symmetry(study, cut, locations));
+    notes.extend(ties(study, locations));
     notes.extend(without_mesh_error(scores));
     if !layouts.is_empty() {
         notes.push(
@@ -159,9 +159,9 @@ fn broken(scores: &Scores, direction: Direction) -> Option<String> {
 
 fn constant(scores: &Scores, direction: Direction) -> Option<String> {
     let outputs = with_status(scores, direction, Status::Constant);
-    outputs.first()?;
+    let reason = outputs.first()?.reason.as_deref().unwrap_or_default();
     Some(format!(
-        "The {direction} {QUANTITY} at {} doesn't vary with the inputs, so it has no indices.",
+        "The {direction} {QUANTITY} at {} doesn't vary with the inputs, so it has no indices: {reason}.",
         listed(&names(&outputs))
     ))
 }
@@ -224,10 +224,14 @@ fn other_orders(locations: &[RankedLocation]) -> Vec<String> {
 }
 
 /// Ranks that known errors leave open; where none is known another note says so.
-fn uncertain(locations: &[RankedLocation]) -> Option<String> {
+fn uncertain(study: &Study, locations: &[RankedLocation]) -> Option<String> {
+    let shared = shared_places(locations, study.directions);
+    let certain = shared.iter().filter(|place| place.is_certain);
+    let equals: Vec<&RankedLocation> = certain.flat_map(|place| place.locations.clone()).collect();
     let unsure: Vec<&str> = locations
         .iter()
         .filter(|location| !location.rank_certain && location.knows_error())
+        .filter(|location| equals.iter().all(|equal| equal.name != location.name))
         .map(|location| location.name.as_str())
         .collect();
     (!unsure.is_empty()).then(|| {
@@ -289,35 +293,27 @@ fn contact_edges(study: &Study, plan: &Plan, cut: &Response) -> Option<String> {
     })
 }
 
-/// How well mirror locations agree, where the inputs are mirror images of each other.
-fn symmetry(study: &Study, cut: &Response, locations: &[RankedLocation]) -> Option<String> {
-    let own = own_inputs(study, cut.locations.len());
-    let law = |location: usize| own[location].map(|input| &study.inputs[input].distribution);
-    let last = own.len() - 1;
-    let mirrored = (0..own.len()).all(|i| law(i).is_some() && law(i) == law(last - i));
-    let depths = &study.scene.ground.depths_mm;
-    if !mirrored || own.len() < 2 || !depths.iter().eq(depths.iter().rev()) {
-        return None;
-    }
-    let by_name = |i: usize| locations.iter().find(|l| l.name == cut.locations[i].name);
-    let pairs: Vec<String> = (0..own.len() / 2)
-        .filter_map(|i| {
-            let (left, right) = (by_name(i)?, by_name(last - i)?);
-            let gsi = |location: &RankedLocation, direction| location.value(GSI, direction);
-            let difference =
-                |direction| Some((gsi(left, direction)? - gsi(right, direction)?).abs());
-            let (x, y) = (difference(Direction::X)?, difference(Direction::Y)?);
-            Some(format!(
-                "{} with {} by {x:.1e} (x) and {y:.1e} (y)",
-                left.name, right.name
-            ))
-        })
-        .collect();
-    let pairs: Vec<&str> = pairs.iter().map(String::as_str).collect();
-    (!pairs.is_empty()).then(|| {
+/// Which locations share their place, as mirror images do.
+fn ties(study: &Study, locations: &[RankedLocation]) -> Option<String> {
+    let shared = shared_places(locations, study.directions);
+    let of_place = |place: &SharedPlace<'_>| {
+        let names: Vec<&str> = place.locations.iter().map(|l| l.name.as_str()).collect();
+        let certain = if place.is_certain {
+            ", which is certain"
+        } else {
+            ""
+        };
         format!(
-            "Mirror locations should agree; in percentage points they differ: {}.",
-            listed(&pairs)
+            "{} share place {}{certain}",
+            listed(&names),
+            place.locations[0].rank
+        )
+    };
+    let places: Vec<String> = shared.iter().map(of_place).collect();
+    (!places.is_empty()).then(|| {
+        format!(
+            "Equal locations, as mirror images are, share a place, and their order in it says nothing: {}.",
+            places.join("; ")
         )
     })
 }

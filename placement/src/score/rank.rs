@@ -3,6 +3,9 @@
 //! A location's own input is the one that varies the depth of the station below it. The default order is by the sum of
 //! the own input's first-order indices for the x and the y strain at the contact centre, or by the one that is asked for; equal sums
 //! (shares within 1e-9) are ordered by x, then by name. A location without an index comes last.
+//!
+//! `rank` numbers the rows. Locations that are equal, as mirror images are, share a place: the rank of the first of them. By one strain alone
+//! they share the rank itself, and none of them is certain to be before the other.
 
 use fem_client::solver::direction::{Direction, PerDirection};
 use gsa::judge::certainty::{Estimate, places_certain};
@@ -42,12 +45,7 @@ pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
         .map(|(i, input)| unranked(study, scores, i, *input))
         .collect();
     for direction in Direction::ALL {
-        let gsi = |location: &RankedLocation| location.value(GSI, direction);
-        for (rank, i) in ordered(&locations, &[&gsi]).into_iter().enumerate() {
-            if gsi(&locations[i]).is_some() {
-                locations[i].ranks[direction] = Some(rank + 1);
-            }
-        }
+        rank_by_one(&mut locations, direction);
     }
     let gsi_x = |location: &RankedLocation| location.value(GSI, Direction::X);
     let default = |location: &RankedLocation| default_key(location, study.directions);
@@ -58,6 +56,66 @@ pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
     }
     mark_certain(&mut ranked, study.directions);
     ranked
+}
+
+/// Ranks by one strain alone; equals share the rank of the first of them.
+fn rank_by_one(locations: &mut [RankedLocation], direction: Direction) {
+    let gsi = |location: &RankedLocation| location.value(GSI, direction);
+    let order = ordered(locations, &[&gsi]);
+    let mut before: Option<(f64, usize)> = None;
+    for (row, i) in order.into_iter().enumerate() {
+        let Some(value) = gsi(&locations[i]) else {
+            continue;
+        };
+        let rank = match before {
+            Some((last, rank)) if last - value <= EQUAL_PERCENT => rank,
+            _ => row + 1,
+        };
+        locations[i].ranks[direction] = Some(rank);
+        before = Some((value, rank));
+    }
+}
+
+/// Locations that are equal in what they are ranked by.
+pub(crate) struct SharedPlace<'l> {
+    /// In their order, at least two.
+    pub locations: Vec<&'l RankedLocation>,
+    /// Whether the errors leave no doubt about their place among the others.
+    pub is_certain: bool,
+}
+
+/// The places that several locations share, best first.
+pub(crate) fn shared_places(
+    ranked: &[RankedLocation],
+    directions: Directions,
+) -> Vec<SharedPlace<'_>> {
+    let certain = places_are_certain(ranked, directions);
+    let rows: Vec<(&RankedLocation, bool)> = ranked.iter().zip(certain).collect();
+    let equal = |a: &(&RankedLocation, bool), b: &(&RankedLocation, bool)| are_equal(a.0, b.0);
+    let runs = rows.chunk_by(equal).filter(|run| run.len() > 1);
+    runs.map(|run| SharedPlace {
+        locations: run.iter().map(|(location, _)| *location).collect(),
+        is_certain: run.iter().all(|(_, certain)| *certain),
+    })
+    .collect()
+}
+
+/// The place of one of the ranked, which equals share, and whether it is certain, by both strains.
+pub(crate) fn place_of(location: &RankedLocation, ranked: &[RankedLocation]) -> (usize, bool) {
+    let shared = shared_places(ranked, Directions::Both);
+    let here = |place: &&SharedPlace<'_>| place.locations.iter().any(|l| l.name == location.name);
+    match shared.iter().find(here) {
+        Some(place) => (place.locations[0].rank, place.is_certain),
+        None => (location.rank, location.rank_certain),
+    }
+}
+
+/// Whether both indices are equal, to rounding.
+fn are_equal(a: &RankedLocation, b: &RankedLocation) -> bool {
+    Direction::ALL.iter().all(|&direction| {
+        let values = a.value(GSI, direction).zip(b.value(GSI, direction));
+        values.is_some_and(|(a, b)| (a - b).abs() <= EQUAL_PERCENT)
+    })
 }
 
 /// A location with its scores: what each output says of its own input.
@@ -152,8 +210,23 @@ fn sort_by_keys(order: &mut [usize], locations: &[RankedLocation], keys: &[Key<'
 }
 
 /// A rank is certain if its location truly outranks all others, or is outranked, with the probability of
-/// [`gsa::judge::certainty`]; locations that tie share their place.
+/// [`gsa::judge::certainty`]: never among equals, whose place may be certain all the same.
 fn mark_certain(ranked: &mut [RankedLocation], directions: Directions) {
+    let certain = places_are_certain(ranked, directions);
+    let alone = |i: usize| {
+        let others = (0..ranked.len()).filter(|other| *other != i);
+        !others
+            .into_iter()
+            .any(|other| are_equal(&ranked[i], &ranked[other]))
+    };
+    let alone: Vec<bool> = (0..ranked.len()).map(alone).collect();
+    for ((location, certain), alone) in ranked.iter_mut().zip(certain).zip(alone) {
+        location.rank_certain = certain && alone;
+    }
+}
+
+/// Whether the place of each is certain, which equals share.
+fn places_are_certain(ranked: &[RankedLocation], directions: Directions) -> Vec<bool> {
     let known = |location: &RankedLocation| {
         Some(Estimate {
             value: default_key(location, directions)?,
@@ -163,10 +236,9 @@ fn mark_certain(ranked: &mut [RankedLocation], directions: Directions) {
     let estimates: Vec<Option<Estimate>> = ranked.iter().map(known).collect();
     let ranks: Vec<Estimate> = estimates.iter().flatten().copied().collect();
     let mut certain = places_certain(&ranks, EQUAL_PERCENT).into_iter();
-    for (location, estimate) in ranked.iter_mut().zip(&estimates) {
-        // A location without an index could belong anywhere: the last place is the only one left for it.
-        location.rank_certain = estimate.is_some() && certain.next().unwrap_or(false);
-    }
+    // A location without an index could belong anywhere: the last place is the only one left for it.
+    let known = |estimate: &Option<Estimate>| estimate.is_some() && certain.next() == Some(true);
+    estimates.iter().map(known).collect()
 }
 
 #[cfg(test)]
@@ -263,13 +335,29 @@ mod tests {
     }
 
     #[test]
-    fn mirror_locations_share_a_certain_place() {
+    fn mirror_locations_share_a_certain_place_and_have_no_order() {
         let mut ranked = [
             location("a", Some(60.0), Some(0.0)),
             location("b", Some(20.0), Some(0.0)),
             location("c", Some(20.0 - 1e-9), Some(0.0)),
         ];
         mark_certain_with(&mut ranked, Some(10.0));
-        assert!(ranked.iter().all(|l| l.rank_certain));
+        let certain = ranked.each_ref().map(|l| l.rank_certain);
+        assert_eq!(certain, [true, false, false]);
+        let shared = shared_places(&ranked, Directions::Both);
+        let names = |place: &SharedPlace<'_>| {
+            place
+                .locations
+                .iter()
+                .map(|l| l.name.clone())
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(shared.iter().map(names).collect::<Vec<_>>(), [["b", "c"]]);
+        assert!(shared[0].is_certain);
+        rank_by_one(&mut ranked, Direction::X);
+        assert_eq!(
+            ranked.each_ref().map(|l| l.ranks.x),
+            [Some(1), Some(2), Some(2)]
+        );
     }
 }

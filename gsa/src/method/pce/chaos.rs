@@ -109,7 +109,10 @@ impl Chaos {
             let all = vec![1.0; values.len()];
             let noise = NOISE_IN_EPS * f64::EPSILON;
             let fit = regression::fit(candidates, values, &all, noise);
-            (fit, regression::cross_validate(candidates, values, noise))
+            (
+                fit,
+                regression::cross_validate(candidates, values, noise, &[]),
+            )
         })
     }
 

@@ -1,0 +1,107 @@
+//! The analysis of all outputs of a study's points, from the method's campaign and from what is known of strains beside it.
+
+use gsa::campaign::Campaign;
+use gsa::method::analysis::{Analysis, Status};
+use gsa::symmetric::Symmetric;
+use ndarray::{Array2, ArrayView1, Axis};
+
+use crate::run::archive::Outcome;
+use crate::score::mirror::{Mirror, mirrored_columns};
+use crate::score::quantity::tolerance;
+use crate::score::readings::{location_columns, range, values};
+use crate::study::Study;
+use crate::study::directions::Directions;
+
+/// What analyses the outcomes at a study's points, on any mesh.
+pub(crate) struct Analyst<'s> {
+    campaign: &'s Campaign,
+    directions: Directions,
+    mirror: Option<Mirror>,
+}
+
+/// How outputs are analysed: those that the method serves, or those by the thousand.
+#[derive(Clone, Copy)]
+enum Service {
+    Served,
+    Surveyed,
+}
+
+impl<'s> Analyst<'s> {
+    pub(crate) fn new(study: &Study, campaign: &'s Campaign) -> Self {
+        Self {
+            campaign,
+            directions: study.directions,
+            mirror: Mirror::of(study, campaign),
+        }
+    }
+
+    /// An analysis of each output, locations first, then the map.
+    ///
+    /// # Panics
+    /// If there is not one outcome for each point, or the responses differ in their readout.
+    pub(crate) fn analyses(&self, outcomes: &[Outcome]) -> Vec<Analysis> {
+        let points = self.campaign.points().len();
+        assert_eq!(outcomes.len(), points, "one outcome for each point");
+        let values = values(outcomes);
+        let [ranked, others] = location_columns(outcomes, self.directions);
+        let mapped: Vec<usize> = (ranked.len() + others.len()..values.ncols()).collect();
+        let parts = [
+            (Service::Served, ranked),
+            (Service::Surveyed, others),
+            (Service::Surveyed, mapped),
+        ];
+        let first = outcomes.iter().flatten().next();
+        let images = first.and_then(mirrored_columns).unwrap_or_default();
+        let mirror = self.mirror.as_ref();
+        let symmetric = mirror.and_then(|mirror| mirror.shown_by(&values, &images));
+        let mut found: Vec<(usize, Analysis)> = Vec::with_capacity(values.ncols());
+        for (service, columns) in parts {
+            let analyses =
+                self.of_columns(service, &values, &columns, symmetric.zip(Some(&images)));
+            found.extend(columns.into_iter().zip(analyses));
+        }
+        found.sort_by_key(|(column, _)| *column);
+        let by_column = values.columns().into_iter().zip(found);
+        by_column
+            .map(|(values, (_, analysis))| resolved(analysis, values, first.map_or(0.0, tolerance)))
+            .collect()
+    }
+
+    fn of_columns(
+        &self,
+        service: Service,
+        values: &Array2<f64>,
+        columns: &[usize],
+        mirror: Option<(&Symmetric, &Vec<usize>)>,
+    ) -> Vec<Analysis> {
+        let part = values.select(Axis(1), columns);
+        let mirror = mirror.and_then(|(symmetric, images)| {
+            let place = |&column: &usize| columns.binary_search(&images[column]).ok();
+            let images: Option<Vec<usize>> = columns.iter().map(place).collect();
+            Some((symmetric, images?))
+        });
+        let found = match (service, mirror) {
+            (Service::Served, None) => self.campaign.analyse(&part.view()),
+            (Service::Served, Some((symmetric, images))) => {
+                symmetric.analyse(&part.view(), &images)
+            }
+            (Service::Surveyed, None) => self.campaign.survey(&part.view()),
+            (Service::Surveyed, Some((symmetric, images))) => {
+                symmetric.survey(&part.view(), &images)
+            }
+        };
+        found.expect("a campaign that asked for points has the rules to analyse them")
+    }
+}
+
+/// What a solver can't tell from nothing has no indices.
+fn resolved(analysis: Analysis, values: ArrayView1<'_, f64>, tolerance: f64) -> Analysis {
+    let deviation = analysis.variance.map(f64::sqrt);
+    let is_nothing = range(values) <= tolerance || deviation.is_some_and(|d| d <= tolerance);
+    if analysis.status == Status::Unusable || tolerance == 0.0 || !is_nothing {
+        return analysis;
+    }
+    analysis.into_constant(&format!(
+        "constant within the solver's tolerance: it varies by less than the {tolerance:.0e} that a solve leaves open in a strain"
+    ))
+}
