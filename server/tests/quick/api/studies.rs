@@ -355,7 +355,7 @@ async fn a_damaged_document_is_never_run_and_never_answers_an_intact_one() {
     let app = home.start(ClosedFormSolver::new()).await;
     let id = app.submit(&study()).await;
     let intact = app.wait_for(&id, "done").await;
-    app.service.stop().await;
+    app.service.stop().await.expect("closes");
     let damage =
         "update studies set state = 'queued', finished = null, spec = replace(spec, '0.7', '0.2')";
     let mut sql = home.sql().await;
