@@ -23,6 +23,7 @@ pub use self::run_event::{Event, Observer};
 use crate::result::{StudyCost, StudyResult};
 use crate::run::archive::{Archive, Outcome};
 use crate::run::usage::{cpu_s, peak_memory_bytes};
+use crate::score::analyst::Stopped;
 use crate::score::assemble::assemble;
 use crate::score::indices::Coarse;
 use crate::score::readings::ranked_values;
@@ -114,7 +115,16 @@ pub(crate) fn run_from(
         ..solve_cost(&costs, reused)
     };
     let version = solver.version();
-    let result = assemble(study, &plan, &outcomes, coarse.as_ref(), &version, cost);
+    let result = assemble(
+        study,
+        &plan,
+        &outcomes,
+        coarse.as_ref(),
+        &version,
+        context.stop,
+        cost,
+    )
+    .map_err(|Stopped| RunError::Stopped)?;
     if !result.failed_points.is_empty() && !has_indices(&result) {
         return Err(RunError::TooManyFailed {
             failed: result.failed_points,

@@ -1,10 +1,13 @@
 //! Plan and outcomes to the answer of a study.
 
+use std::sync::atomic::AtomicBool;
+
 use fem_client::solver::ModelSummary;
 
 use crate::layout::rank_layouts;
 use crate::result::{CutPoint, FailedPoint, InputReport, StudyCost, StudyIdentity, StudyResult};
 use crate::run::archive::Outcome;
+use crate::score::analyst::Stopped;
 use crate::score::indices::{Coarse, score};
 use crate::score::notes::notes;
 use crate::score::rank::rank;
@@ -12,6 +15,9 @@ use crate::study::Study;
 use crate::study::plan::Plan;
 
 /// The answer, without the study's identifier, which the database gives it. What it cost is asked for at the end.
+///
+/// # Errors
+/// When `stop` is set meanwhile.
 ///
 /// # Panics
 /// If there is not one outcome for each point of the plan, or the cut point has no response.
@@ -21,18 +27,19 @@ pub fn assemble(
     outcomes: &[Outcome],
     coarse: Option<&Coarse>,
     solver_version: &str,
+    stop: &AtomicBool,
     cost: impl FnOnce() -> StudyCost,
-) -> StudyResult {
+) -> Result<StudyResult, Stopped> {
     let cut = outcomes[0]
         .as_ref()
         .expect("without the cut point's response nothing is assembled");
     let failed_points = failed_points(plan, outcomes);
-    let scores = score(study, plan.campaign(), cut, outcomes, coarse);
+    let scores = score(study, plan.campaign(), cut, outcomes, coarse, stop)?;
     let locations = rank(study, &scores);
     let layouts = rank_layouts(study, plan.campaign(), cut, outcomes);
     let ranked = (&locations[..], &layouts[..]);
     let notes = notes(study, plan, cut, &scores, ranked, &failed_points);
-    StudyResult {
+    Ok(StudyResult {
         study: StudyIdentity {
             id: String::new(),
             name: study.name.clone(),
@@ -57,7 +64,7 @@ pub fn assemble(
         climb: None,
         cost: cost(),
         estimate: None,
-    }
+    })
 }
 
 /// What a result's version is with this solver: equal ones give equal results of equal documents.

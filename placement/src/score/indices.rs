@@ -2,9 +2,11 @@
 
 use crate::result::{CoarserIndices, FormMisses, IndexError, IndexMap, MapLayer, Output};
 use crate::run::archive::Outcome;
-use crate::score::analyst::Analyst;
+use crate::score::analyst::{Analyst, Stopped};
 use crate::score::quantity::over_map;
 use crate::study::Study;
+use std::sync::atomic::AtomicBool;
+
 use fem_client::solver::direction::{Direction, PerDirection};
 use fem_client::solver::{Coarser, Response, StrainMap};
 use gsa::campaign::Campaign;
@@ -80,6 +82,9 @@ struct Analysed {
 /// Scores the outcomes at the points of a campaign, in its order; `cut` is the response of its first point. The coarser
 /// mesh, where there is one, shows the error of the mesh.
 ///
+/// # Errors
+/// When `stop` is set meanwhile.
+///
 /// # Panics
 /// If there is not one outcome for each point, or the responses differ in their readout.
 pub fn score(
@@ -88,22 +93,21 @@ pub fn score(
     cut: &Response,
     outcomes: &[Outcome],
     coarse: Option<&Coarse>,
-) -> Scores {
+    stop: &AtomicBool,
+) -> Result<Scores, Stopped> {
     let analyst = Analyst::new(study, campaign);
-    let mut analyses = analysed(&analyst, cut, outcomes, coarse).into_iter();
+    let mut analyses = analysed(&analyst, cut, outcomes, coarse, stop)?.into_iter();
     let mut next = || analyses.next().expect("an analysis of each reading");
     let mut scored = |name: &str| PerDirection::of(|direction| scored(name, direction, &next()));
     let names = cut.locations.iter().map(|location| &location.name);
     let at_locations = names.map(|name| scored(name)).collect();
     let over_map: Vec<Analysed> = analyses.collect();
     let inputs = campaign.inputs().len();
-    Scores {
+    let map = cut.map.as_ref();
+    Ok(Scores {
         at_locations,
-        map: cut
-            .map
-            .as_ref()
-            .map(|map| index_map(map, inputs, &over_map)),
-    }
+        map: map.map(|map| index_map(map, inputs, &over_map)),
+    })
 }
 
 fn analysed(
@@ -111,12 +115,13 @@ fn analysed(
     cut: &Response,
     outcomes: &[Outcome],
     coarse: Option<&Coarse>,
-) -> Vec<Analysed> {
+    stop: &AtomicBool,
+) -> Result<Vec<Analysed>, Stopped> {
     let unseen = match cut.model.elements {
         0 => MeshError::Exact,
         _ => MeshError::Unknown,
     };
-    let found = analyst.analyses(outcomes);
+    let found = analyst.analyses(outcomes, stop)?;
     let witness =
         coarse.and_then(|coarse| Some((coarse.coarser.factor, coarse.outcomes.as_ref()?)));
     let Some((factor, outcomes)) = witness else {
@@ -125,24 +130,23 @@ fn analysed(
             mesh: unseen,
             coarser: None,
         });
-        return unseen.collect();
+        return Ok(unseen.collect());
     };
-    let coarse = analyst.analyses(outcomes);
+    let coarse = analyst.analyses(outcomes, stop)?;
     let pairs = found.into_iter().zip(&coarse);
-    pairs
-        .map(|(analysis, coarse)| {
-            let error = mesh_error(&analysis, coarse, factor);
-            let first_order = coarse.first_order.clone();
-            Analysed {
-                mesh: error.map_or(unseen, MeshError::Within),
-                coarser: first_order.map(|first_order| CoarserIndices {
-                    first_order,
-                    factor,
-                }),
-                analysis,
-            }
-        })
-        .collect()
+    let with_mesh = pairs.map(|(analysis, coarse)| {
+        let error = mesh_error(&analysis, coarse, factor);
+        let first_order = coarse.first_order.clone();
+        Analysed {
+            mesh: error.map_or(unseen, MeshError::Within),
+            coarser: first_order.map(|first_order| CoarserIndices {
+                first_order,
+                factor,
+            }),
+            analysis,
+        }
+    });
+    Ok(with_mesh.collect())
 }
 
 /// Mesh error of the first-order indices of one strain: their largest difference from the coarser mesh's, times what that says of the
