@@ -47,6 +47,7 @@ impl FileLock {
     /// [`StoreError::InUse`] when somebody has it, [`StoreError::Open`] when it can't be written.
     pub fn take(place: &Place) -> Result<Option<Self>, StoreError> {
         loop {
+            place.check()?;
             let Some(id) = FileId::at(&place.real) else {
                 return Ok(None);
             };
@@ -195,6 +196,13 @@ mod tests {
         }
         drop(held);
         assert!(taken(&hard).expect("free again").is_some());
+    }
+
+    #[test]
+    fn what_is_no_file_is_not_opened() {
+        let folder = tempfile::tempdir().expect("temp dir");
+        let refused = taken(folder.path()).expect_err("a folder");
+        assert!(refused.to_string().contains("name a file"), "{refused}");
     }
 
     #[cfg(target_os = "linux")]
