@@ -67,6 +67,7 @@ async fn look(place: &Place, held: &mut FileLock) -> Result<SqliteConnection, St
 /// # Errors
 /// As [`fit_to_write`].
 pub fn fit_to_read(place: &Place) -> Result<(), StoreError> {
+    place.check()?;
     let id = FileId::at(&place.real).ok_or_else(|| place.failed("there is no such file"))?;
     // A file that this process holds must not be opened and closed beside SQLite.
     if lock::is_held(id) {

@@ -196,13 +196,10 @@ mod tests {
         let unfinished = begin(&copy).expect("begins");
         let written = write(&mut reading, &unfinished).await;
         written.and_then(|()| unfinished.place()).expect("copies");
-        store
-            .begin()
-            .await
-            .expect("begins")
-            .commit()
-            .await
-            .expect("commits");
+        let mut change = store.begin().await.expect("begins");
+        let changed = sqlx::query("pragma user_version = 1");
+        changed.execute(&mut *change).await.expect("changes");
+        store.commit(change, 0).await.expect("commits");
         let (log, other) = (
             folder.path().join("test.db-wal"),
             folder.path().join("copy.db-wal"),

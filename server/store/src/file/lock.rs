@@ -12,6 +12,9 @@ use crate::file::identity::FileId;
 use crate::file::place::Place;
 use crate::store_error::StoreError;
 
+/// How often a file may be replaced between a look at it and its lock; on disks that number their files anew at every look, always.
+const TRIES: usize = 100;
+
 /// Files that this process holds.
 static HELD: Mutex<Vec<FileId>> = Mutex::new(Vec::new());
 
@@ -46,7 +49,8 @@ impl FileLock {
     /// # Errors
     /// [`StoreError::InUse`] when somebody has it, [`StoreError::Open`] when it can't be written.
     pub fn take(place: &Place) -> Result<Option<Self>, StoreError> {
-        loop {
+        for _ in 0..TRIES {
+            place.check()?;
             let Some(id) = FileId::at(&place.real) else {
                 return Ok(None);
             };
@@ -64,6 +68,7 @@ impl FileLock {
                 return Ok(Some(Self { file, claim }));
             }
         }
+        Err(place.failed("another file takes its name again and again"))
     }
 
     /// The file that is locked.
@@ -195,6 +200,13 @@ mod tests {
         }
         drop(held);
         assert!(taken(&hard).expect("free again").is_some());
+    }
+
+    #[test]
+    fn what_is_no_file_is_not_opened() {
+        let folder = tempfile::tempdir().expect("temp dir");
+        let refused = taken(folder.path()).expect_err("a folder");
+        assert!(refused.to_string().contains("name a file"), "{refused}");
     }
 
     #[cfg(target_os = "linux")]

@@ -39,6 +39,19 @@ impl Place {
         }
     }
 
+    /// Refuses folders, devices and pipes, which must not even be opened.
+    ///
+    /// # Errors
+    /// [`StoreError::Open`].
+    pub fn check(&self) -> Result<(), StoreError> {
+        match std::fs::metadata(&self.real) {
+            Ok(metadata) if !metadata.is_file() => {
+                Err(self.failed("it is a folder, a device or a pipe: name a file"))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// The file of this name with something after it.
     pub fn beside(&self, ending: &str) -> PathBuf {
         beside(&self.real, ending)
