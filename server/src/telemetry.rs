@@ -55,10 +55,14 @@ pub fn start_service(filter: &LogFilter, format: LogFormat) {
     }));
 }
 
+/// A log that can't be written isn't told of on standard error either, which is where it goes: that would end in a panic.
+const UNTOLD: bool = false;
+
 fn write_text(filter: EnvFilter) {
     let log = tracing_subscriber::fmt()
         .with_env_filter(filter)
         .with_writer(Lines)
+        .log_internal_errors(UNTOLD)
         .with_ansi(io::stderr().is_terminal());
     // A second start in one process, as in tests, keeps the first.
     let _ = log.try_init();
@@ -70,7 +74,8 @@ fn write_json(filter: EnvFilter) {
         .flatten_event(true)
         .with_current_span(false)
         .with_env_filter(filter)
-        .with_writer(io::stderr);
+        .with_writer(io::stderr)
+        .log_internal_errors(UNTOLD);
     let _ = log.try_init();
 }
 

@@ -65,6 +65,7 @@ impl Scene {
             "geometry", "material", "carcass", "film", "pressure", "ground", "contact", "model",
         ];
         let fields = Fields::open(value, pointer, &known, faults)?;
+        say_where_accuracy_is(&fields, faults);
         let geometry = section(&fields, "geometry", faults, geometry);
         let material = section(&fields, "material", faults, material);
         let carcass = optional(&fields, "carcass", faults, carcass);
@@ -92,6 +93,15 @@ impl Scene {
             contact: contact?,
             model: model?,
         })
+    }
+}
+
+/// Accuracy is a study's: what it chooses for a scene is the mesh, which has its own place here.
+fn say_where_accuracy_is(fields: &Fields<'_>, faults: &mut [Fault]) {
+    let at = fields.at("accuracy");
+    if let Some(fault) = faults.iter_mut().find(|fault| fault.pointer == at) {
+        let detail = "belongs to a study; a scene says how finely it is modelled by model.level, as in [model] level = \"draft\"";
+        fault.detail = detail.to_owned();
     }
 }
 
@@ -178,6 +188,17 @@ mod tests {
     fn an_empty_document_is_the_default() {
         assert_eq!(Scene::from_toml("").unwrap(), Scene::default());
         assert_eq!(Scene::from_json("{}").unwrap(), Scene::default());
+    }
+
+    #[test]
+    fn a_scene_has_no_accuracy_and_says_what_it_has() {
+        let faults = Scene::from_toml("accuracy = { preset = 'draft' }\ncolour = 1").unwrap_err();
+        assert_eq!(faults.len(), 2);
+        assert!(
+            faults.iter().any(
+                |fault| fault.pointer == "/accuracy" && fault.detail.contains("by model.level")
+            )
+        );
     }
 
     #[test]

@@ -22,6 +22,7 @@ pub use wish::MOST_DESIGNS;
 use wish::{Wish, field_of, name, names, of_grid, of_list};
 
 use crate::study::Study;
+use crate::study::input_reader::read_name;
 use crate::study::plan::PlannedStudy;
 use crate::study::study_reader::{LONGEST_NAME, Resolve};
 
@@ -134,11 +135,25 @@ pub fn designs_of(base: &Study, value: &Value) -> Result<Vec<Design>, Vec<Fault>
 ///
 /// # Errors
 /// Every fault of the values, at `/set/` and their path.
-pub fn changed(base: PlannedStudy, set: Map<String, Value>) -> Result<PlannedStudy, Vec<Fault>> {
-    if set.is_empty() {
-        return Ok(base);
+pub fn changed(
+    mut base: PlannedStudy,
+    mut set: Map<String, Value>,
+) -> Result<PlannedStudy, Vec<Fault>> {
+    let mut faults = Vec::new();
+    if let Some(name) = set.shift_remove("name") {
+        let named = json!({"name": name});
+        let fields = Fields::open(&named, "/set", &["name"], &mut faults);
+        let name = fields.and_then(|f| read_name(&f, "name", LONGEST_NAME, &mut faults));
+        base.study.name = name.unwrap_or(base.study.name);
     }
-    let (base, mut faults) = (base.study, Vec::new());
+    if set.is_empty() {
+        return if faults.is_empty() {
+            Ok(base)
+        } else {
+            Err(faults)
+        };
+    }
+    let base = base.study;
     let list = json!([{"name": base.name, "set": set}]);
     let wish = of_list(&list, "", &mut faults).and_then(|mut wishes| wishes.pop());
     let planned = wish.and_then(|wish| study_of(&base, &wish, &base.name, &mut faults));

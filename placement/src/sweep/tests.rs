@@ -197,4 +197,15 @@ fn a_study_is_changed_as_a_design_is_and_keeps_its_name() {
     let pointers: Vec<&str> = faults.iter().map(|fault| fault.pointer.as_str()).collect();
     assert_eq!(pointers.len(), 1, "{faults:?}");
     assert_eq!(pointers, ["/set/geometry.wal_mm"]);
+
+    let named = set(json!({"name": "thin wall", "geometry.wall_mm": 2.5})).unwrap();
+    assert_eq!(named.study.name, "thin wall");
+    assert_eq!(
+        named.plan,
+        set(json!({"geometry.wall_mm": 2.5})).unwrap().plan
+    );
+    assert_eq!(set(json!({"name": "alone"})).unwrap().study.name, "alone");
+    let faults = set(json!({"name": 1, "geometry.wal_mm": 2.5})).unwrap_err();
+    let pointers: Vec<&str> = faults.iter().map(|fault| fault.pointer.as_str()).collect();
+    assert_eq!(pointers, ["/set/name", "/set/geometry.wal_mm"]);
 }

@@ -1,6 +1,7 @@
 """Runs the program in a folder of its own, and tells what became of each attack."""
 
 import os
+import resource
 import subprocess
 import sys
 import tempfile
@@ -18,6 +19,11 @@ distribution = { kind = "uniform", min = 0.0, max = 1.0 }
 """
 
 
+def bounded():
+    """A program that takes all memory ends alone."""
+    resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
+
+
 class Attacks:
     """A folder, the program in it, and the attacks so far."""
 
@@ -29,7 +35,7 @@ class Attacks:
 
     def run(self, *arguments, **options):
         """The ended program."""
-        options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "timeout": 5, **options}
+        options = {"preexec_fn": bounded, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "timeout": 5, **options}
         command = [BIN, *map(str, arguments)]
         try:
             return subprocess.run(command, cwd=self.folder, env=self._env, **options)

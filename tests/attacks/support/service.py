@@ -6,12 +6,13 @@ import subprocess
 
 
 @contextlib.contextmanager
-def served(attacks, *arguments):
-    """Port of a service that ends with the block, and the lines that it printed."""
+def served(attacks, *arguments, stderr=subprocess.DEVNULL):
+    """Port of a service that ends with the block, none where it didn't start, and the lines that it printed."""
     service = attacks.start("serve", "--addr", "127.0.0.1:0", *arguments,
-                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+                            stdout=subprocess.PIPE, stderr=stderr, text=True)
     try:
-        yield int(service.stdout.readline().rsplit(":", 1)[1]), service.stdout
+        port = service.stdout.readline().rpartition(":")[2].strip()
+        yield int(port) if port else None, service.stdout
     finally:
         service.terminate()
         service.wait(10)

@@ -11,8 +11,9 @@ use std::path::{Path, PathBuf};
 
 use fem_client::document::fault::Fault;
 use fem_client::document::{Format, MAX_BYTES, parse};
-use placement::study::Study;
+use fem_client::scene::PRESETS;
 use placement::study::plan::PlannedStudy;
+use placement::study::{Study, presets};
 use placement::sweep::{changed, typed_settings};
 use serde_json::Value;
 
@@ -51,6 +52,37 @@ fn read_stored(document: Result<&str, StoreError>) -> Result<Study, String> {
 /// As for [`stored_study`]; when it can't be planned.
 pub fn stored_plan(row: &StudyRow) -> Result<PlannedStudy, String> {
     PlannedStudy::new(stored_study(row)?).map_err(|error| error.to_string())
+}
+
+/// Reads a study's file; where there is none of this name, a shipped study may have it.
+///
+/// # Errors
+/// One fault naming the file.
+pub fn read_study_file(path: &Path) -> Result<String, Vec<Fault>> {
+    read_file_or_preset(path, &presets())
+}
+
+/// Reads a scene's file; where there is none of this name, a shipped scene may have it.
+///
+/// # Errors
+/// One fault naming the file.
+pub fn read_scene_file(path: &Path) -> Result<String, Vec<Fault>> {
+    read_file_or_preset(path, &PRESETS)
+}
+
+fn read_file_or_preset(path: &Path, shipped: &[(&str, &str)]) -> Result<String, Vec<Fault>> {
+    let named = |(name, _): &&(&str, &str)| path == Path::new(name);
+    match shipped.iter().find(named) {
+        Some((_, text)) if !path.exists() => Ok((*text).to_owned()),
+        _ => read_file(path).map_err(|mut faults| {
+            if let Some(fault) = faults.first_mut().filter(|_| !path.exists()) {
+                let names: Vec<&str> = shipped.iter().map(|(name, _)| *name).collect();
+                let names = names.join(", ");
+                fault.detail += &format!(" (what ships can be named without a file: {names})");
+            }
+            faults
+        }),
+    }
 }
 
 /// Reads a document's file, or says in a fault why it can't be read.
@@ -102,7 +134,7 @@ pub fn named_files(study: &Path) -> Vec<PathBuf> {
 /// # Errors
 /// Every fault of the file, or else of what is set.
 pub fn read_changed(path: &Path, set: &[String]) -> Result<PlannedStudy, Vec<Fault>> {
-    let study = read_study(&read_file(path)?, path)?;
+    let study = read_study(&read_study_file(path)?, path)?;
     changed(study, typed_settings(set)?)
 }
 

@@ -34,7 +34,7 @@ use store::{Store, StoreError};
 /// Run one study without the service
 #[derive(Debug, Args)]
 pub struct Run {
-    /// Study file, TOML or JSON
+    /// Study file, TOML or JSON, or the name of a shipped study
     study: PathBuf,
     /// Set a field of the study or its scene otherwise; may be given more than once
     #[arg(long, value_name = "KEY=VALUE")]

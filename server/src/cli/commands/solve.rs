@@ -20,12 +20,12 @@ use crate::cli::terminal::paint::{HEADER, painted};
 use crate::cli::terminal::place::write;
 use crate::cli::terminal::progress::clock;
 use crate::cli::terminal::signals::stop_flag;
-use service::study_document::{format_of, read_file};
+use service::study_document::{format_of, read_scene_file};
 
 /// Solve one equilibrium of a scene
 #[derive(Debug, Args)]
 pub struct Solve {
-    /// Scene file, TOML or JSON
+    /// Scene file, TOML or JSON, or the name of a shipped scene
     scene: PathBuf,
     /// Change one field of the scene, as in ground.depths_mm=[1,1,1,1,1] or pressure.internal_mpa=0.15
     #[arg(long, value_name = "KEY=VALUE")]
@@ -93,7 +93,7 @@ impl Solve {
     }
 
     fn scene(&self) -> Result<Scene, Failure> {
-        let text = read_file(&self.scene).map_err(Failure::Input)?;
+        let text = read_scene_file(&self.scene).map_err(Failure::Input)?;
         let mut scene = Scene::from_text(&text, format_of(&self.scene)).map_err(Failure::Input)?;
         let changes = typed_settings(&self.set).map_err(Failure::Input)?;
         let changes: Vec<(&str, &Value)> = changes

@@ -35,7 +35,7 @@ use store::{Store, StoreError};
 /// Run one study over a grid of designs, and compare them
 #[derive(Debug, Args)]
 pub struct Sweep {
-    /// Study file, TOML or JSON
+    /// Study file, TOML or JSON, or the name of a shipped study
     #[arg(required_unless_present = "resume", conflicts_with = "resume")]
     study: Option<PathBuf>,
     /// Values that a field takes, as in geometry.wall_mm=2.5,3,3.5; given more than once, every combination is a design

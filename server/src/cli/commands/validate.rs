@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::output::print;
-use service::study_document::{format_of, read_file, read_study};
+use service::study_document::{format_of, read_study, read_study_file};
 
 /// Check a study or scene file without running it
 #[derive(Debug, Args)]
@@ -22,7 +22,7 @@ pub struct Validate {
 impl Validate {
     /// Checks and says what the file asks for.
     pub fn execute(&self) -> Result<(), Failure> {
-        let text = read_file(&self.file).map_err(Failure::Input)?;
+        let text = read_study_file(&self.file).map_err(Failure::Input)?;
         let document = parse(&text, format_of(&self.file)).map_err(Failure::Input)?;
         let line = if is_study(&document) {
             self.study(&text)?

@@ -32,6 +32,9 @@ fn standing(path: &Path) -> io::Result<Standing> {
         let found = match fs::symlink_metadata(&path) {
             Ok(found) => found,
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                if path.file_name().is_none() {
+                    return Err(io::Error::new(io::ErrorKind::NotFound, "it names no file"));
+                }
                 return Ok(Standing::File(path));
             }
             Err(error) => return Err(error),
@@ -252,6 +255,8 @@ mod tests {
         assert_eq!(fs::read(&path).expect("reads"), b"second");
         assert_eq!(fs::read_dir(folder.path()).expect("lists").count(), 1);
         for absent in [
+            PathBuf::new(),
+            folder.path().join("x".repeat(300)),
             folder.path().join("absent/result.json"),
             folder.path().to_owned(),
         ] {

@@ -1,5 +1,6 @@
 //! The ranked table and the notes, for people.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use fem_client::solver::direction::{Direction, PerDirection};
@@ -90,8 +91,24 @@ fn percent(number: Option<f64>) -> String {
 
 fn notes(result: &StudyResult) -> String {
     let remark = paper_remark(result);
-    let notes = remark.iter().chain(&result.notes);
+    let without = without_index(result);
+    let notes = without.iter().chain(&remark).chain(&result.notes);
     notes.fold(String::from("\n"), |text, note| text + "- " + note + "\n")
+}
+
+/// Why dashes stand in the table: each reason why outputs have no index, with how many they are.
+fn without_index(result: &StudyResult) -> Vec<String> {
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    let without = result
+        .outputs
+        .iter()
+        .filter(|output| output.first_order.is_none());
+    for reason in without.filter_map(|output| output.reason.as_deref()) {
+        *counts.entry(reason).or_default() += 1;
+    }
+    let all = result.outputs.len();
+    let sentence = |(reason, count)| format!("{count} of {all} outputs have no index: {reason}.");
+    counts.into_iter().map(sentence).collect()
 }
 
 /// The way to the accuracy asked for, a line for each rung.

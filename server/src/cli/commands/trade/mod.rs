@@ -33,7 +33,7 @@ use store::{Store, StoreError};
 /// Measure the trade of speed for accuracy: the study on a ladder of meshes and methods, against the best of them
 #[derive(Debug, Args)]
 pub struct Trade {
-    /// Study file, TOML or JSON
+    /// Study file, TOML or JSON, or the name of a shipped study
     study: PathBuf,
     /// Set a field of the study or its scene otherwise; may be given more than once
     #[arg(long, value_name = "KEY=VALUE")]
