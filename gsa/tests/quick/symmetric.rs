@@ -28,12 +28,12 @@ fn model(skew: f64, x: &[f64]) -> [f64; 3] {
 }
 
 fn laws() -> Vec<Distribution> {
-    vec![Distribution::uniform(0.7, 1.3).unwrap(); 5]
+    vec![Distribution::uniform(0.7, 1.3).expect("a valid law"); 5]
 }
 
 fn values(points: &[Vec<f64>], skew: f64) -> Array2<f64> {
     let values: Vec<f64> = points.iter().flat_map(|x| model(skew, x)).collect();
-    Array2::from_shape_vec((points.len(), 3), values).unwrap()
+    Array2::from_shape_vec((points.len(), 3), values).expect("three columns")
 }
 
 fn campaign(kind: Kind) -> Campaign {
@@ -42,12 +42,12 @@ fn campaign(kind: Kind) -> Campaign {
         samples: 64,
         ..Method::of(kind)
     };
-    let mut campaign = Campaign::new(&laws(), method).unwrap();
+    let mut campaign = Campaign::new(&laws(), method).expect("a valid campaign");
     loop {
         let asked = campaign.points().len();
         campaign
             .tell(&values(campaign.points(), 0.5).view())
-            .unwrap();
+            .expect("rules exist");
         if campaign.points().len() == asked {
             return campaign;
         }
@@ -57,7 +57,9 @@ fn campaign(kind: Kind) -> Campaign {
 fn analyses(campaign: &Campaign, skew: f64) -> Vec<Analysis> {
     let symmetric = campaign.symmetric(&EXCHANGE).expect("equal laws");
     let values = values(campaign.points(), skew);
-    symmetric.analyse(&values.view(), &OUTPUTS).unwrap()
+    symmetric
+        .analyse(&values.view(), &OUTPUTS)
+        .expect("rules exist")
 }
 
 /// All that belongs to inputs, and all that doesn't.

@@ -95,6 +95,8 @@ class FormMisses:
     """What each of them adds to the error of a first-order index, input after input."""
     weight: float
     fitted: int
+    images: tuple[int, ...] = ()
+    """Of each check point, which one is its mirror image; empty where contact or inputs aren't symmetric."""
 
 
 @dataclass(frozen=True)
@@ -145,7 +147,7 @@ class Location:
     rank_x: int | None
     rank_y: int | None
     rank_certain: bool
-    """Whether the errors leave no doubt about the rank."""
+    """Whether the errors leave no doubt about the rank; never where another location is equal, as mirror images are."""
     gsi_x_error_percent: float | None
     """Error of `gsi_x_percent`, percentage points."""
     gsi_y_error_percent: float | None
