@@ -293,6 +293,8 @@ def check_map(service, ident, program, folder):
         for each, indices in zip(result["inputs"], layer["first_order"]):
             expected[f"first_order_{d}_{each['name']}"] = indices
         expected[f"first_order_error_{d}"] = layer["error"]
+        for each, errors in zip(result["inputs"], layer["first_order_error"]):
+            expected[f"first_order_error_{d}_{each['name']}"] = errors
     absent = [name for name, values in expected.items() if all(value is None for value in values)]
     partly = [name for name, values in expected.items() if any(value is None for value in values) and name not in absent]
     present = [name for name in expected if name not in absent]

@@ -4,7 +4,7 @@ use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::direction::Direction;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use gsa::method::analysis::Status;
-use placement::result::{RankedLocation, StudyResult};
+use placement::result::{Output, RankedLocation, StudyResult};
 use placement::score::location_scores::{GSI, MDRM_GSI, MEAN_GSI, OWN_GSI};
 use serde_json::Value;
 
@@ -126,7 +126,16 @@ fn notes_tell_of_symmetry_and_of_the_missing_mesh_error() {
     let mut lopsided = shipped("foot-tire");
     lopsided.inputs[0].distribution =
         gsa::law::distribution::Distribution::uniform(0.8, 1.2).unwrap();
-    assert!(!has_note(&answered(&lopsided), &["share place"]));
+    let lopsided = answered(&lopsided);
+    assert!(!has_note(&lopsided, &["P1 and P5 share"]));
+    // Nor does a point tell of its mirror image then.
+    let misses = |output: &Output| output.misses.as_ref().unwrap().clone();
+    assert!(
+        lopsided
+            .outputs
+            .iter()
+            .all(|output| misses(output).images.is_empty())
+    );
 }
 
 #[test]
@@ -151,6 +160,12 @@ fn the_map_agrees_with_the_locations() {
     );
     for (input, index) in centre.first_order.as_ref().unwrap().iter().enumerate() {
         assert_eq!(layer.first_order[input][middle], Some(*index));
+        // One error for an index, wherever it is shown.
+        let name = &result.inputs[input].name;
+        let shown = location(&result, name).error(GSI, Direction::Y).unwrap();
+        let error = layer.first_order_error[input][middle].unwrap();
+        assert_eq!(100.0 * error, shown, "{name}");
+        assert!(Some(error) <= layer.error[middle]);
     }
 }
 

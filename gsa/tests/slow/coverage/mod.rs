@@ -1,6 +1,7 @@
 //! Whether the claimed error of the first-order indices covers the true one, and is not vacuous, on random models.
 
 mod differences;
+mod symmetric;
 
 use std::collections::BTreeMap;
 

@@ -114,6 +114,75 @@ pub fn neighbours(seed: u64, size: f64) -> Vec<Known> {
     drawn(seed, Some((ChaCha8Rng::seed_from_u64(!seed), size)))
 }
 
+/// Models of inputs whose laws are alike from both ends, a pair of each family: an output at a place off the centre, and one at the centre,
+/// which is its own mirror image.
+pub fn symmetric(seed: u64) -> Vec<[Known; 2]> {
+    let rng = ChaCha8Rng::seed_from_u64(seed);
+    let d = &mut Draw { rng, nudge: None };
+    let mut models = Vec::new();
+    for family in SYMMETRIC {
+        let n = d.count(3, 7);
+        let half = d.laws(n.div_ceil(2));
+        let laws: Vec<Distribution> = (0..n).map(|i| half[i.min(n - 1 - i)]).collect();
+        let terms = off_centre(d, family, &laws);
+        let mut image = terms.clone();
+        image.iter_mut().for_each(|(_, factors)| factors.reverse());
+        let centre = joined(terms.clone(), image);
+        models.push([
+            known(family, laws.clone(), terms),
+            known(family, laws, centre),
+        ]);
+    }
+    models
+}
+
+const SYMMETRIC: [&str; 6] = [
+    "product and sum",
+    "two products",
+    "nearly a sum",
+    "quadratic form",
+    "pairs and a triple that vanish on the lines",
+    "product of kinks",
+];
+
+fn off_centre(d: &mut Draw, family: &str, laws: &[Distribution]) -> Vec<Term> {
+    let n = laws.len();
+    match family {
+        "product and sum" => {
+            let sum = sum(n, |_| d.shape());
+            joined(vec![product(n, |_| d.polynomial(0.7))], scaled(sum, 0.4))
+        }
+        "two products" => (0..2).map(|_| product(n, |_| d.polynomial(0.7))).collect(),
+        "nearly a sum" => {
+            let product = vec![product(n, |_| d.polynomial(0.7))];
+            joined(sum(n, |_| d.shape()), scaled(product, 0.1))
+        }
+        "quadratic form" => {
+            let mut terms = sum(n, |_| d.polynomial(1.0));
+            for (i, j) in (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))) {
+                let mut factors = ones(n);
+                factors[i] = Factor::Polynomial(vec![0.0, 1.0]);
+                factors[j] = Factor::Polynomial(vec![0.0, 1.0]);
+                terms.push((d.range(-1.0, 1.0), factors));
+            }
+            terms
+        }
+        "product of kinks" => vec![product(n, |_| Factor::Kink {
+            offset: d.range(0.0, 2.0),
+            at: d.range(-0.5, 1.2),
+        })],
+        _ => {
+            let mut terms = sum(n, |_| d.shape());
+            for inputs in [&[0, 1][..], &[1, 2], &[0, 1, 2]] {
+                let mut factors = ones(n);
+                inputs.iter().for_each(|&i| factors[i] = centred(&laws[i]));
+                terms.push((d.range(0.3, 1.5), factors));
+            }
+            terms
+        }
+    }
+}
+
 fn drawn(seed: u64, nudge: Option<(ChaCha8Rng, f64)>) -> Vec<Known> {
     let rng = ChaCha8Rng::seed_from_u64(seed);
     let mut d = Draw { rng, nudge };

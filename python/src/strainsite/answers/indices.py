@@ -38,6 +38,8 @@ class FormMisses:
     """What each of them adds to the error of a first-order index, input after input."""
     weight: float
     fitted: int
+    images: tuple[int, ...] = ()
+    """Of each check point, which one is its mirror image; empty where contact or inputs aren't symmetric."""
 
 
 @dataclass(frozen=True)

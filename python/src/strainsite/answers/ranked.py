@@ -28,7 +28,7 @@ class Location:
     rank_x: int | None
     rank_y: int | None
     rank_certain: bool
-    """Whether the errors leave no doubt about the rank."""
+    """Whether the errors leave no doubt about the rank; never where another location is equal, as mirror images are."""
     gsi_x_error_percent: float | None
     """Error of `gsi_x_percent`, percentage points."""
     gsi_y_error_percent: float | None

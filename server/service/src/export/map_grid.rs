@@ -69,6 +69,12 @@ fn add_layer(
         add(format!("first_order_{direction}_{}", input.name), indices);
     }
     add(format!("first_order_error_{direction}"), &layer.error);
+    for (input, errors) in result.inputs.iter().zip(&layer.first_order_error) {
+        add(
+            format!("first_order_error_{direction}_{}", input.name),
+            errors,
+        );
+    }
 }
 
 /// Cells between neighbouring points, their normals outward.
@@ -113,7 +119,7 @@ fn texts(
 const READING: &str = "Points are those of the inner surface of the inflated tire before contact, x in the rolling direction, y along the axle, z upward \
     from the wheel's centre; displacement is from there to the equilibrium at the means of the inputs. strain_x is circumferential, strain_y meridional, \
     both relative to the inflated tire, at the means; std_ is their standard deviation, first_order_x_NAME the first-order Sobol index of the input NAME \
-    for strain_x, first_order_error_x the largest error of these. Where there is no number stands -1, and 0 in the array of the same name that ends \
+    for strain_x, first_order_error_x_NAME its error, first_order_error_x the largest of these. Where there is no number stands -1, and 0 in the array of the same name that ends \
     in _known; arrays without any number are named in left_out.";
 
 #[cfg(test)]
@@ -134,7 +140,7 @@ mod tests {
         };
         let layer = |direction: &str, index: Vec<Option<f64>>, error| {
             let status = vec!["ok"; 9];
-            json!({"direction": direction, "strain": vec![0.5; 9], "std": vec![0.25; 9], "first_order": [index], "error": error, "status": status})
+            json!({"direction": direction, "strain": vec![0.5; 9], "std": vec![0.25; 9], "first_order": [index], "error": error, "first_order_error": [error], "status": status})
         };
         let mut result = examples::result();
         result["map"] = json!({
@@ -172,12 +178,14 @@ mod tests {
             "first_order_x_P3_known",
             "first_order_error_x",
             "first_order_error_x_known",
+            "first_order_error_x_P3",
+            "first_order_error_x_P3_known",
             "strain_y",
             "std_y",
             "first_order_y_P3",
         ];
         assert_eq!(names, expected);
-        assert_eq!(left_out, ["first_order_error_y"]);
+        assert_eq!(left_out, ["first_order_error_y", "first_order_error_y_P3"]);
         let mut index = vec![0.75; 9];
         index[4] = MISSING;
         assert_eq!(data[2].values, Values::Float(index));
@@ -186,7 +194,7 @@ mod tests {
         assert_eq!(data[3].values, Values::Byte(known));
         let xml = vtu(&result).expect("a file");
         assert!(
-            xml.contains("ComponentName0=\"[&quot;first_order_error_y&quot;]\"")
+            xml.contains("ComponentName0=\"[&quot;first_order_error_y&quot;,&quot;first_order_error_y_P3&quot;]\"")
                 && !xml.contains("NaN")
         );
     }

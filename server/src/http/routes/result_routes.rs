@@ -170,7 +170,7 @@ async fn map(
         first_order: layer.first_order.get(index).cloned(),
         std: layer.std.clone(),
         strain: layer.strain.clone(),
-        error: layer.error.clone(),
+        error: layer.errors_of(index).to_vec(),
         status: layer
             .status
             .iter()

@@ -216,6 +216,18 @@ async fn the_map_is_served_layer_by_layer() {
         (at_centre - expected).abs() < 1e-9,
         "{at_centre} against {expected}"
     );
+    let p3 = |location: &&Value| location["name"] == "P3";
+    let ranked = result["locations"]
+        .as_array()
+        .and_then(|all| all.iter().find(p3));
+    let shown = ranked.expect("P3")["gsi_y_error_percent"]
+        .as_f64()
+        .expect("an error");
+    let error = map["error"][2 * 7 + 3].as_f64().expect("an error");
+    assert!(
+        (100.0 * error - shown).abs() < 1e-9,
+        "{error} against {shown}"
+    );
 
     assert_ne!(
         app.json(&at("?direction=x&input=P3")).await["strain"],

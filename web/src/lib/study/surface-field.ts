@@ -54,12 +54,14 @@ export const MERIDIONAL_MARKS: readonly { name: string; phi_deg: number }[] = [
 export function fieldOf(map: IndexMap, direction: Direction, quantity: Quantity, input: number): Field | null {
   const layer = map.layers.find((candidate) => candidate.direction === direction);
   if (layer === undefined) return null;
-  const values = quantity === "index" ? layer.first_order[input] : layer[quantity];
+  // Documents of earlier versions have one error for all inputs.
+  const errors = layer.first_order_error?.[input] ?? layer.error;
+  const values = quantity === "index" ? layer.first_order[input] : quantity === "error" ? errors : layer[quantity];
   if (values === undefined) return null;
   const { theta_deg, phi_deg } = map;
   const judged = quantity !== "strain";
   const scale = scaleOf(values, quantity);
-  return { theta_deg, phi_deg, values, errors: layer.error, status: layer.status, judged, scale };
+  return { theta_deg, phi_deg, values, errors, status: layer.status, judged, scale };
 }
 
 function scaleOf(values: readonly (number | null)[], quantity: Quantity): Scale {
