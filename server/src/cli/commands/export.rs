@@ -11,7 +11,7 @@ use crate::cli::commands::library::{Database, study};
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::print;
-use crate::cli::terminal::place::write;
+use crate::cli::terminal::output_place::write;
 use service::export::{self, ExportError, FileFormat, Table};
 use service::point_views;
 use store::answers::result_rows;

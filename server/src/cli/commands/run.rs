@@ -16,7 +16,7 @@ use crate::cli::terminal::estimate_text::{dry_run, estimated};
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
-use crate::cli::terminal::place::write;
+use crate::cli::terminal::output_place::write;
 use crate::cli::terminal::progress::{progress_bar, show};
 use crate::cli::terminal::ranked_table::report;
 use crate::cli::terminal::signals::stop_flag;

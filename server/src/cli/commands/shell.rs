@@ -9,7 +9,7 @@ use clap_mangen::Man;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::print;
-use crate::cli::terminal::place::write;
+use crate::cli::terminal::output_place::write;
 
 /// Print completions for a shell
 #[derive(Debug, Args)]

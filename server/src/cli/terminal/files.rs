@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::output::JsonTarget;
-use crate::cli::terminal::place::{self, Identity};
+use crate::cli::terminal::output_place::{self, Identity};
 
 /// What the command line names.
 #[derive(Debug, Default)]
@@ -78,11 +78,11 @@ impl Files {
             taken.push((identity, "another output of this command"));
         }
         let folder = self.folder.as_deref();
-        folder.map_or(Ok(()), place::check_folder)?;
+        folder.map_or(Ok(()), output_place::check_folder)?;
         let made_later =
             |path: &&PathBuf| folder.is_some_and(|f| !f.exists() && path.starts_with(f));
         let mut outputs = self.outputs.iter().filter(|path| !made_later(path));
-        outputs.try_for_each(|path| place::check(path))
+        outputs.try_for_each(|path| output_place::check(path))
     }
 
     /// What no output may replace.
@@ -93,7 +93,7 @@ impl Files {
             .collect();
         // SQLite keeps its files beside the one that links lead to.
         let database = self.database.iter();
-        for path in database.flat_map(|path| [Some(path.clone()), place::followed(path)]) {
+        for path in database.flat_map(|path| [Some(path.clone()), output_place::followed(path)]) {
             kept.extend(path.iter().flat_map(|path| beside(path)));
         }
         kept

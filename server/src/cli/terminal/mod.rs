@@ -2,7 +2,7 @@
 //!
 //! - [`exit`]: why a command fails, and its exit code
 //! - `paint`, `output`: painted text, plain where paint isn't wanted; documents
-//! - `place`: files where users want them
+//! - `output_place`: files where users want them
 //! - `files`: what a command reads and writes, looked at first
 //! - `progress`: bars and clocks
 //! - `signals`: Ctrl-C
@@ -14,8 +14,8 @@ pub mod exit;
 pub(crate) mod files;
 pub(crate) mod help_examples;
 pub(crate) mod output;
+pub(crate) mod output_place;
 pub(crate) mod paint;
-pub(crate) mod place;
 pub(crate) mod progress;
 pub(crate) mod ranked_table;
 pub(crate) mod signals;

@@ -8,7 +8,7 @@ use std::str::FromStr;
 use serde::Serialize;
 
 use crate::cli::terminal::exit::Failure;
-use crate::cli::terminal::place::{is_stdout, write, write_to};
+use crate::cli::terminal::output_place::{is_stdout, write, write_to};
 
 /// Where `--json` goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
