@@ -123,7 +123,8 @@ export interface components {
             rank_certain: boolean;
             /**
              * Format: int64
-             * @description Places lost since the baseline, negative when gained; null there, and where it hasn't the location.
+             * @description Places lost since the baseline, negative when gained, where equal locations share the place of the first of them; null there, and where
+             *     it hasn't the location.
              */
             rank_change?: number | null;
             rank_verdict?: components["schemas"]["Verdict"] | null;
@@ -402,6 +403,11 @@ export interface components {
             weight: number;
             /** @description How many numbers of the form were fitted to the check points. */
             fitted: number;
+            /**
+             * @description Of each check point, which one is its mirror image, whose strains are its own from the other end; absent where contact or inputs aren't
+             *     symmetric.
+             */
+            images?: number[];
         };
         /** @description Further designs of a sweep: `grid` or `designs`. */
         FurtherDesigns: {
@@ -590,8 +596,13 @@ export interface components {
             std: (number | null)[];
             /** @description First-order index per input, in the order of the inputs, each rows x columns. */
             first_order: (number | null)[][];
-            /** @description Estimated error of the first-order indices, rows x columns. */
+            /** @description Estimated error of the first-order indices, the largest over the inputs, rows x columns. */
             error: (number | null)[];
+            /**
+             * @description Estimated error of the first-order index per input, in the order of the inputs, each rows x columns; empty in documents of earlier
+             *     versions.
+             */
+            first_order_error?: (number | null)[][];
             /** @description `ok`, `constant`, `product-form-broken` or `unusable`, rows x columns. */
             status: string[];
         };
@@ -766,7 +777,7 @@ export interface components {
             name: string;
             /** @description The input that is this location's own: the depth of the station below it. */
             input?: string | null;
-            /** @description 1 is best. */
+            /** @description 1 is best. Equal locations, as mirror images are, follow each other in the order of their names. */
             rank: number;
             /**
              * Format: double
@@ -818,11 +829,11 @@ export interface components {
              * @description What M-DRM said for `gsi_y_percent`, valid or not: the paper's Table 2 as the paper computed it.
              */
             mdrm_gsi_y_percent?: number | null;
-            /** @description Rank by the x strain alone. */
+            /** @description Rank by the x strain alone, which equal locations share. */
             rank_x?: number | null;
-            /** @description Rank by the y strain alone. */
+            /** @description Rank by the y strain alone, which equal locations share. */
             rank_y?: number | null;
-            /** @description Whether the errors leave no doubt about this rank. */
+            /** @description Whether the errors leave no doubt about this rank; never where another location is equal. */
             rank_certain: boolean;
         };
         /** @description How far a failed solve got. */

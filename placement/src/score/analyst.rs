@@ -8,9 +8,9 @@ use gsa::symmetric::Symmetric;
 use ndarray::{Array2, ArrayView1, Axis};
 
 use crate::run::archive::Outcome;
+use crate::score::mirror_images::{Mirror, mirrored_columns};
 use crate::score::quantity::tolerance;
 use crate::score::readings::{location_columns, range, values};
-use crate::score::study_symmetry::{Mirror, mirrored_columns};
 use crate::study::Study;
 use crate::study::directions::Directions;
 

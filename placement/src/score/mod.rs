@@ -2,7 +2,7 @@
 //!
 //! - [`indices`]: responses to indices of every output
 //! - `quantity`, `readings`: what of a response is analysed, as numbers
-//! - `analyst`: their analysis; `study_symmetry`: what points tell of their mirror images
+//! - `analyst`: their analysis; `mirror_images`: what points tell of their mirror images
 //! - [`location_scores`]: the table of figures that a location is judged by
 //! - [`rank`]: indices to ranked locations
 //! - `notes`: what the user must know before believing the numbers
@@ -12,8 +12,8 @@ pub(crate) mod analyst;
 pub mod assemble;
 pub mod indices;
 pub mod location_scores;
+pub(crate) mod mirror_images;
 pub(crate) mod notes;
 pub(crate) mod quantity;
 pub mod rank;
 pub(crate) mod readings;
-pub(crate) mod study_symmetry;

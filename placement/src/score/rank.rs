@@ -101,7 +101,7 @@ pub(crate) fn shared_places(
 }
 
 /// The place of one of the ranked, which equals share, and whether it is certain, by both strains.
-pub(crate) fn place_of(location: &RankedLocation, ranked: &[RankedLocation]) -> (usize, bool) {
+pub fn place_of(location: &RankedLocation, ranked: &[RankedLocation]) -> (usize, bool) {
     let shared = shared_places(ranked, Directions::Both);
     let here = |place: &&SharedPlace<'_>| place.locations.iter().any(|l| l.name == location.name);
     match shared.iter().find(here) {

@@ -26,6 +26,13 @@ test("an index keeps the scale from 0 to 1, a deviation its own", () => {
   assert.deepEqual([deviation?.scale.high, deviation?.scale.unit], [0.004, "microstrain"]);
 });
 
+test("an index has its own error, and one for all inputs in documents of earlier versions", () => {
+  const own = { ...map, layers: map.layers.map((layer) => ({ ...layer, first_order_error: [[0.001], [0.002]] })) };
+  assert.deepEqual(fieldOf(own, "x", "index", 1)?.errors, [0.002]);
+  assert.deepEqual(fieldOf(own, "x", "error", 0)?.values, [0.001]);
+  assert.equal(fieldOf(map, "x", "index", 1)?.errors[0], 0.01);
+});
+
 test("signed strain has zero in the middle of its scale", () => {
   const strain = fieldOf(map, "x", "strain", 0);
   assert.ok(strain);
