@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
 .PHONY: help run build check test prove audit \
-	test-cargo test-program format clippy doc house test-unit test-rust verify test-conformance test-exports test-python test-browser test-web \
+	test-cargo test-program format clippy doc house test-unit test-rust verify test-conformance test-attacks test-exports test-python test-browser test-web \
 	setup-build setup-rust setup-npm setup-browser setup-python setup-test
 
 TARGET := $(or $(CARGO_TARGET_DIR),target)
@@ -26,7 +26,7 @@ help:
 	@echo "make run     build, run the paper's study on the default database, serve the dashboard"
 	@echo "make build   the program alone, $(STRAINSITE)"
 	@echo "make check   format, lints, rules of the house and unit tests: what one runs every few minutes"
-	@echo "make test    every check and test; a suite alone: test-rust test-web test-browser test-conformance test-exports test-python verify"
+	@echo "make test    every check and test; a suite alone: test-rust test-web test-browser test-conformance test-attacks test-exports test-python verify"
 	@echo "make prove   what takes hours: advisories, 200 kills, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs or values)"
 
 run: build
@@ -51,7 +51,7 @@ test:
 
 test-cargo: format house clippy doc test-rust verify
 
-test-program: test-conformance test-exports test-python test-browser test-web
+test-program: test-conformance test-attacks test-exports test-python test-browser test-web
 
 # The rigs of lab print the tables of docs/.
 RIGS := $(filter-out random_scenes,$(basename $(notdir $(wildcard lab/examples/*.rs))))
@@ -94,6 +94,10 @@ verify: $(PROGRAM)
 # The running service against its own description, for a minute.
 test-conformance: $(PROGRAM) setup-python
 	tests/conformance/run
+
+# What accidents, scripts and hostile clients do to it.
+test-attacks: $(PROGRAM)
+	tests/attacks/run
 
 # Exported files, read by pandas, pyarrow and meshio.
 test-exports: $(PROGRAM) setup-python

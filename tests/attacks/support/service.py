@@ -15,7 +15,12 @@ def served(attacks, *arguments, stderr=subprocess.DEVNULL):
         yield int(port) if port else None, service.stdout
     finally:
         service.terminate()
-        service.wait(10)
+        try:
+            service.wait(10)
+        except subprocess.TimeoutExpired:
+            # It is an attack of its own whether it heeds that.
+            service.kill()
+            service.wait()
 
 
 def ask(port, request, patience_s=2):
