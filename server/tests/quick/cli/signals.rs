@@ -43,7 +43,19 @@ async fn ctrl_c_keeps_what_is_solved_and_the_next_run_resumes() {
 fn the_service_ends_with_0_when_it_is_asked_to_stop() {
     for signal in ["-INT", "-TERM", "-HUP"] {
         let folder = tempfile::tempdir().expect("temp dir");
-        let mut service = spawn(folder.path(), &["serve", "--addr", "127.0.0.1:0"]);
+        // Tests that are to outlive their terminal have SIGHUP ignored.
+        let mut service = Command::new("env")
+            .args([
+                "--default-signal=HUP",
+                env!("CARGO_BIN_EXE_strainsite"),
+                "serve",
+                "--addr",
+                "127.0.0.1:0",
+            ])
+            .current_dir(folder.path())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("starts");
         let mut line = String::new();
         let stdout = service.stdout.take().expect("a pipe");
         BufReader::new(stdout).read_line(&mut line).expect("a line");
