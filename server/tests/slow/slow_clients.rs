@@ -20,7 +20,7 @@ const MEMORY: u64 = CLIENTS as u64 * 500_000;
 async fn told(database: &Path) {
     Program::start(database).kill();
     let mut sql = sql(database).await;
-    let study = "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'told', '{}', 'x', 'done', 't')";
+    let study = "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'told', '{}', '44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a', 'done', 't')";
     sqlx::query(study).execute(&mut sql).await.expect("stores");
     let events = "with recursive numbers(n) as (select 1 union all select n + 1 from numbers where n < ?1)
         insert into events (id, study, kind, payload, created)

@@ -25,7 +25,7 @@ async fn earlier(database: &Path, count: usize) {
         ..Migrator::DEFAULT
     };
     first.run(&mut old).await.expect("migrates");
-    let study = "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', 'x', 'done', 't')";
+    let study = "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', '44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a', 'done', 't')";
     sqlx::query(study).execute(&mut old).await.expect("stores");
     old.close().await.expect("closes");
 }

@@ -33,7 +33,7 @@ async fn database(path: &Path, count: usize, events: i64) {
     };
     first.run(&mut sql).await.expect("migrates");
     for change in [
-        "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', 'x', 'done', 't')",
+        "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', '44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a', 'done', 't')",
         &format!(
             "with recursive n(i) as (select 1 union all select i + 1 from n where i < {})
              insert into events (study, kind, payload, created) select 'a', 'note', json_object('bytes', hex(randomblob(500))), 't' from n",

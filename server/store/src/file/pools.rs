@@ -138,7 +138,7 @@ mod tests {
                 .expect("opens");
             first(count).run(&mut old).await.expect("migrates");
             let stored = sqlx::query(
-                "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', 'x', 'queued', 't')",
+                "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', '44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a', 'queued', 't')",
             )
             .execute(&mut old)
             .await;
