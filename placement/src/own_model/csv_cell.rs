@@ -1,6 +1,6 @@
 //! Cells of CSV files: quoted as RFC 4180 asks, and such that no spreadsheet takes a name for a formula.
 //!
-//! A spreadsheet computes what begins with one of [`STARTS`], and a formula can open addresses and start programs. OWASP's advice is an apostrophe in front, which spreadsheets take
+//! A spreadsheet computes what begins with one of `STARTS`, and a formula can open addresses and start programs. OWASP's advice is an apostrophe in front, which spreadsheets take
 //! for "this is text" and don't show. A number stays one.
 
 // What users write is read here: nothing of it may end in a panic.

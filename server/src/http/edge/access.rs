@@ -45,7 +45,7 @@ impl Access {
         }))
     }
 
-    /// A path that lets one browser in, once and within [`LINK_LIFETIME`]; the one before works no more. `None` where no token is asked for.
+    /// A path that lets one browser in, once and within ten minutes; the one before works no more. `None` where no token is asked for.
     ///
     /// # Errors
     /// When the system has no random numbers.
