@@ -46,12 +46,12 @@ test:
 	nice $(MAKE) --no-print-directory BUILT=yes test-cargo || cargo=FAILED; \
 	wait $$beside || program=FAILED; \
 	cat $$log; \
-	echo "lints, Rust tests and verify: $$cargo; suites that drive the program: $$program"; \
+	echo "lints and Rust tests: $$cargo; verify and the suites that drive the program: $$program"; \
 	[ $$cargo$$program = passedpassed ]
 
-test-cargo: format house clippy doc test-rust verify
+test-cargo: format house clippy doc test-rust
 
-test-program: test-conformance test-attacks test-exports test-python test-browser test-web
+test-program: test-conformance test-attacks test-exports test-python test-browser test-web verify
 
 # The rigs of lab print the tables of docs/.
 RIGS := $(filter-out random_scenes,$(basename $(notdir $(wildcard lab/examples/*.rs))))
