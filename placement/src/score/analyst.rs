@@ -134,11 +134,11 @@ fn groups(columns: &[usize], images: &[usize], at_once: usize) -> Vec<Vec<usize>
         if image.is_some_and(|image| image < column) {
             continue;
         }
-        if groups.last().is_none_or(|group| group.len() >= at_once) {
-            groups.push(Vec::new());
+        let together = std::iter::once(column).chain(image);
+        match groups.last_mut() {
+            Some(group) if group.len() < at_once => group.extend(together),
+            _ => groups.push(together.collect()),
         }
-        let last = groups.last_mut().into_iter();
-        last.for_each(|group| group.extend([Some(column), image].into_iter().flatten()));
     }
     groups.iter_mut().for_each(|group| group.sort_unstable());
     groups

@@ -46,8 +46,7 @@ impl Study {
         format: Format,
         resolve: Resolve<'_>,
     ) -> Result<Self, Vec<Fault>> {
-        let value = parse(text, format)?;
-        Self::from_value(&value, resolve)
+        PlannedStudy::from_document(text, format, resolve).map(|planned| planned.study)
     }
 
     /// Reads a study from a parsed document.
@@ -91,10 +90,7 @@ impl PlannedStudy {
     /// Every fault of the document.
     pub fn from_value(value: &Value, resolve: Resolve<'_>) -> Result<Self, Vec<Fault>> {
         // Ends of single inputs are checked with the inputs; their combinations only by the plan.
-        let study = unplanned(value, resolve)?;
-        let mut faults = Vec::new();
-        let planned = planned(study, &mut faults);
-        planned.filter(|_| faults.is_empty()).ok_or(faults)
+        planned(unplanned(value, resolve)?)
     }
 }
 
@@ -108,9 +104,7 @@ impl Estimable {
         if study.method.first_points(study.inputs.len()) > MOST_PLANNED {
             return Ok(Self::Counted(study));
         }
-        let mut faults = Vec::new();
-        let planned = planned(study, &mut faults).filter(|_| faults.is_empty());
-        planned.map(Self::Planned).ok_or(faults)
+        planned(study).map(Self::Planned)
     }
 }
 
@@ -174,19 +168,25 @@ fn are_few_enough(study: &Study, faults: &mut Vec<Fault>) -> bool {
     false
 }
 
-fn planned(study: Study, faults: &mut Vec<Fault>) -> Option<PlannedStudy> {
-    let detail = match PlannedStudy::new(study) {
-        Ok(planned) => {
-            check_map(&planned.study, planned.plan.points.len(), faults);
-            return Some(planned);
-        }
-        Err(PlanError::Design(error)) => error.to_string(),
-        Err(error @ PlanError::Point { .. }) => {
-            format!("the inputs together leave the ranges of the scene: {error}")
-        }
-    };
-    Fault::add(faults, "/inputs", detail);
-    None
+fn planned(study: Study) -> Result<PlannedStudy, Vec<Fault>> {
+    let planned = PlannedStudy::new(study).map_err(|error| {
+        let detail = match error {
+            PlanError::Design(error) => error.to_string(),
+            error @ PlanError::Point { .. } => {
+                format!("the inputs together leave the ranges of the scene: {error}")
+            }
+        };
+        let mut faults = Vec::new();
+        Fault::add(&mut faults, "/inputs", detail);
+        faults
+    })?;
+    let mut faults = Vec::new();
+    check_map(&planned.study, planned.plan.points.len(), &mut faults);
+    if faults.is_empty() {
+        Ok(planned)
+    } else {
+        Err(faults)
+    }
 }
 
 fn check_map(study: &Study, points: usize, faults: &mut Vec<Fault>) {

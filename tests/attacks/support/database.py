@@ -1,61 +1,49 @@
 """A database to attack: a service on it, studies for it, and verdicts."""
 
 import json
-import os
 import re
-import shutil
 import sqlite3
 import subprocess
-import sys
 import tempfile
 import time
 import urllib.error
 import urllib.request
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[3]
-PROGRAM = os.environ.get("STRAINSITE_BIN", str(ROOT / "target/release/strainsite"))
+from support import program
+from support.program import BIN as PROGRAM
+
 PATIENCE_S = 30
 
 
-class Attacks:
-    """A folder of its own, removed at the end, and whether everything was survived."""
+class Attacks(program.Attacks):
+    """Attacks on a database, with services that end with them."""
 
     def __init__(self):
-        self.folder = Path(tempfile.mkdtemp(prefix="strainsite-attack."))
-        self.broke = 0
-        self.services = []
+        super().__init__()
+        self._services = []
 
-    def run(self, *arguments, **more):
-        environment = {key: value for key, value in os.environ.items() if not key.startswith("STRAINSITE_")}
-        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, env=environment, capture_output=True, text=True,
-                              timeout=PATIENCE_S, **more)
+    def run(self, *arguments, **options):
+        return super().run(*arguments, **{"timeout": PATIENCE_S, **options})
 
     def serve(self, database):
-        service = Service(self.folder, database)
-        self.services.append(service)
+        service = Service(self, database)
+        self._services.append(service)
         return service
 
-    def survived(self, what, held, seen=""):
-        self.broke += not held
-        print(f"{'survived' if held else 'BROKE'}: {what}" + ("" if held else f"; seen: {seen}"))
-
     def end(self):
-        for service in self.services:
+        for service in self._services:
             service.end("kill")
-        shutil.rmtree(self.folder, ignore_errors=True)
-        sys.exit(1 if self.broke else 0)
+        super().end()
 
 
 class Service:
     """The program as a service, at a port of its own choice."""
 
-    def __init__(self, folder, database):
-        environment = {key: value for key, value in os.environ.items() if not key.startswith("STRAINSITE_")}
-        command = [PROGRAM, "serve", "--addr", "127.0.0.1:0", "--db", str(database)]
+    def __init__(self, attacks, database):
         # Into a file: nobody has to read it meanwhile.
         self.log = tempfile.TemporaryFile("w+")
-        self.process = subprocess.Popen(command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=self.log, text=True)
+        arguments = ("serve", "--addr", "127.0.0.1:0", "--db", database)
+        self.process = attacks.start(*arguments, stdout=subprocess.PIPE, stderr=self.log, text=True)
         told = re.match("listening on (.*)", self.process.stdout.readline())
         self.url = told and told[1]
 

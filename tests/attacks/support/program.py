@@ -28,7 +28,7 @@ class Attacks:
     """A folder, the program in it, and the attacks so far."""
 
     def __init__(self):
-        self._folder = tempfile.TemporaryDirectory()
+        self._folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self.folder = Path(self._folder.name)
         self._lost = 0
         self._env = {k: v for k, v in os.environ.items() if not k.startswith("STRAINSITE_")}

@@ -1,7 +1,7 @@
 //! What ends a run or the service from outside.
 
 use std::io::{BufRead, BufReader};
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, ChildStdout, Command, Stdio};
 
 use serde_json::Value;
 
@@ -14,6 +14,14 @@ fn send(signal: &str, child: &Child) {
         .status()
         .expect("kill runs");
     assert!(sent.success());
+}
+
+/// What a program prints first, and the pipe, which it may go on to print to.
+fn first_line(program: &mut Child) -> (BufReader<ChildStdout>, String) {
+    let mut stdout = BufReader::new(program.stdout.take().expect("a pipe"));
+    let mut line = String::new();
+    stdout.read_line(&mut line).expect("a line");
+    (stdout, line)
 }
 
 #[tokio::test]
@@ -56,9 +64,7 @@ fn the_service_ends_with_0_when_it_is_asked_to_stop() {
             .stdout(Stdio::piped())
             .spawn()
             .expect("starts");
-        let mut line = String::new();
-        let stdout = service.stdout.take().expect("a pipe");
-        BufReader::new(stdout).read_line(&mut line).expect("a line");
+        let (_stdout, line) = first_line(&mut service);
         assert!(
             line.starts_with("listening on http://127.0.0.1:"),
             "{line:?}"
@@ -85,10 +91,7 @@ fn a_service_that_is_to_outlive_its_terminal_does() {
         .stdout(Stdio::piped())
         .spawn()
         .expect("starts");
-    let mut line = String::new();
-    let stdout = service.stdout.take().expect("a pipe");
-    let mut stdout = BufReader::new(stdout);
-    stdout.read_line(&mut line).expect("a line");
+    let (_stdout, line) = first_line(&mut service);
     send("-HUP", &service);
     let address = line.trim().strip_prefix("listening on http://");
     let heard = std::net::TcpStream::connect(address.expect("an address"));
