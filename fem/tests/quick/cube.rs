@@ -1,7 +1,7 @@
 //! A cube of bricks, for problems with exact answers.
 
 use fem::cell::element::Order;
-use fem::cell::mesh::Mesh;
+use fem::cell::mesh::{Mesh, Surface};
 use fem::material::MooneyRivlin;
 use fem::problem::Problem;
 use fem::solid::SolidModel;
@@ -68,4 +68,19 @@ pub fn problem(order: Order, n: usize, distorted: bool, compliance: f64) -> Prob
         contact: None,
         dead_forces: vec![],
     }
+}
+
+/// The face z = 0 of a cube of n^3 bricks, its normal outwards.
+pub fn bottom(order: Order, n: usize) -> Surface {
+    let e = order.edge_nodes() - 1;
+    let line = n * e + 1;
+    let mut faces = Vec::new();
+    for b in 0..n {
+        for a in 0..n {
+            for j in 0..=e {
+                faces.extend((0..=e).map(|i| ((b * e + j) * line + a * e + i) as u32));
+            }
+        }
+    }
+    Surface { order, faces }
 }

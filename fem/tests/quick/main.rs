@@ -3,9 +3,11 @@
 mod cube;
 mod factor_precisions;
 mod homogeneous_deformations;
+mod kept_tangents;
 mod law_contract;
 mod mixed_solid;
 mod plane_strain;
 mod pressed_cube;
 mod sphere_inflation;
+mod stretched_cube;
 mod surface_law_contract;

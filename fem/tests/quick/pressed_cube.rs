@@ -2,9 +2,8 @@
 
 use std::sync::atomic::AtomicBool;
 
-use crate::cube::problem;
+use crate::cube::{bottom, problem};
 use fem::cell::element::Order;
-use fem::cell::mesh::Surface;
 use fem::load::contact::{ContactSurface, Penalty};
 use fem::load::friction::Friction;
 use fem::load::obstacle::{HeightField, StationFunctions};
@@ -36,15 +35,7 @@ fn flat(depth: f64) -> HeightField {
 /// `slide`, both at support factor 1.
 fn pressed(order: Order, friction: Friction, slide: Option<f64>) -> Problem {
     let mut problem = problem(order, 2, true, 0.1);
-    let e = order.edge_nodes() - 1;
-    let line = 2 * e + 1;
-    let mut faces = Vec::new();
-    for (a, b) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
-        for j in 0..=e {
-            faces.extend((0..=e).map(|i| ((b * e + j) * line + a * e + i) as u32));
-        }
-    }
-    let mut contact = ContactSurface::new(&problem.mesh, Surface { order, faces }, PENALTY);
+    let mut contact = ContactSurface::new(&problem.mesh, bottom(order, 2), PENALTY);
     contact.friction = friction;
     problem.contact = Some(contact);
     for (support, x) in problem.supports.iter_mut().zip(&problem.mesh.nodes) {

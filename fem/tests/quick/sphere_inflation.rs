@@ -7,13 +7,17 @@ use fem::cell::element::Order;
 use fem::cell::mesh::Surface;
 use fem::load::pressure::PressureSurface;
 use fem::material::MooneyRivlin;
+use fem::newton::iteration::{Cause, Newton};
+use fem::newton::path::{Stability, follow};
 use fem::newton::volume_control::{Ending, VolumeControl};
-use fem::problem::Problem;
+use fem::problem::{Loads, Problem, State};
 use fem::solid::SolidModel;
 use fem::tensor::{Vector, norm};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 const RATIO: f64 = 2.0;
+/// Of load steps: a failed one goes on with this share.
+const CUT_BACK: f64 = 0.25;
 
 /// An octant between the radii 1 and `RATIO`: three patches of a cube, n x n x radial bricks each.
 fn octant(n: usize, radial: usize, material: MooneyRivlin) -> Problem {
@@ -146,4 +150,59 @@ fn a_path_ends_at_the_pressure_asked_for() {
         near.pressure
     );
     assert!(near.slope > 0.0 && near.inertia.is_positive());
+}
+
+/// Load steps have no way round the limit point: they come as near as their smallest step, and refuse what lies beyond.
+#[test]
+fn load_steps_end_at_the_limit_pressure() {
+    let problem = octant(1, 2, MooneyRivlin { c10: 0.5, c01: 0.0 });
+    let mut control = VolumeControl::new(&problem).expect("a valid mesh");
+    let start = control.reference(&RUNNING).expect("nothing to do");
+    let ending = control.inflate(&start, f64::INFINITY, 27.0 * start.volume, &RUNNING);
+    let Ending::LimitPoint(limit) = ending else {
+        panic!("a neo-Hookean sphere has a limit point: {ending:?}");
+    };
+    let target = Loads {
+        pressure: 1.5,
+        ..Loads::default()
+    };
+    let mut newton = Newton::new(&problem).expect("a valid mesh");
+    let mut state = State::reference(&problem);
+    let start = Loads::default();
+    let path = follow(
+        &mut newton,
+        &mut state,
+        &start,
+        &target,
+        Stability::Required,
+        &RUNNING,
+    );
+    let failure = path.expect_err("no equilibrium beyond");
+    println!(
+        "reached {} of {}: {:?}",
+        failure.loads.pressure, limit.pressure, failure.cause
+    );
+    // A failed step of twice the smallest one is not cut again, and a quarter of it may go by.
+    let near = 2.0 / CUT_BACK * newton.settings.smallest_load_step * target.pressure;
+    assert!(failure.loads.pressure < limit.pressure);
+    assert!(failure.loads.pressure > limit.pressure - near, "{near}");
+    // What is left is the equilibrium there, on the stable branch.
+    let there = control
+        .at(state, failure.loads.pressure, &RUNNING)
+        .expect("an equilibrium");
+    assert!((there.pressure / failure.loads.pressure - 1.0).abs() < 1e-8);
+    assert!(there.volume < limit.volume && there.inertia.is_positive());
+}
+
+#[test]
+fn a_stopped_path_ends_at_its_last_equilibrium() {
+    let problem = octant(1, 2, MooneyRivlin { c10: 0.5, c01: 0.0 });
+    let mut control = VolumeControl::new(&problem).expect("a valid mesh");
+    let start = control.reference(&RUNNING).expect("nothing to do");
+    let stopped = AtomicBool::new(true);
+    let ending = control.inflate(&start, 0.6, 27.0 * start.volume, &stopped);
+    let Ending::Lost { last, failure } = ending else {
+        panic!("told to stop: {ending:?}");
+    };
+    assert_eq!((last, failure.cause), (start, Cause::Stopped));
 }
