@@ -18,6 +18,7 @@ mod database;
 pub mod file;
 pub mod points;
 pub mod queue;
+mod row;
 mod store_error;
 
 pub use database::Store;

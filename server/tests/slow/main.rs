@@ -13,6 +13,7 @@ mod disk;
 mod estimates;
 mod hostile;
 mod kill;
+mod migrations;
 mod numbers;
 #[path = "../quick/program/mod.rs"]
 mod program;

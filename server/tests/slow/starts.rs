@@ -3,13 +3,12 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use sqlx::migrate::Migrator;
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{Connection, SqliteConnection};
 
+use crate::migrations;
 use crate::program::service::{Program, integrity, serving, sql};
 
-static MIGRATIONS: Migrator = sqlx::migrate!("../migrations");
 const STARTS: u32 = 60;
 
 /// A database as a version with the first `count` migrations left it, with one study.
@@ -20,11 +19,8 @@ async fn earlier(database: &Path, count: usize) {
     let mut old = SqliteConnection::connect_with(&options)
         .await
         .expect("opens");
-    let first = Migrator {
-        migrations: MIGRATIONS.iter().take(count).cloned().collect(),
-        ..Migrator::DEFAULT
-    };
-    first.run(&mut old).await.expect("migrates");
+    let migrated = migrations::first(count).await.run(&mut old).await;
+    migrated.expect("migrates");
     let study = "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', '44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a', 'done', 't')";
     sqlx::query(study).execute(&mut old).await.expect("stores");
     old.close().await.expect("closes");
@@ -46,7 +42,7 @@ async fn a_start_killed_at_any_moment_leaves_a_database_that_starts() {
     Program::start(&folder.path().join("first.db")).kill();
     let whole = begun.elapsed();
 
-    let all = MIGRATIONS.iter().count();
+    let all = migrations::all().await.iter().count();
     let mut unfinished = 0;
     for start in 0..STARTS {
         let database = folder.path().join(format!("{start}.db"));

@@ -3,15 +3,14 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use sqlx::migrate::Migrator;
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{Connection, SqliteConnection};
 
 use crate::kill::kills;
+use crate::migrations;
 use crate::program::service::integrity;
 use crate::program::{command, strainsite, text};
 
-static MIGRATIONS: Migrator = sqlx::migrate!("../migrations");
 /// Kills of each command, where `STRAINSITE_KILLS` doesn't ask for more.
 const KILLS: u32 = 10;
 /// Events of the database, a kilobyte each: so many that no command is over at once.
@@ -27,11 +26,8 @@ async fn database(path: &Path, count: usize, events: i64) {
     let mut sql = SqliteConnection::connect_with(&options)
         .await
         .expect("opens");
-    let first = Migrator {
-        migrations: MIGRATIONS.iter().take(count).cloned().collect(),
-        ..Migrator::DEFAULT
-    };
-    first.run(&mut sql).await.expect("migrates");
+    let migrated = migrations::first(count).await.run(&mut sql).await;
+    migrated.expect("migrates");
     for change in [
         "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', '44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a', 'done', 't')",
         &format!(

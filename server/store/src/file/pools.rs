@@ -117,10 +117,7 @@ mod tests {
 
     /// The first changes of the tables alone, as an earlier version had them.
     fn first(count: usize) -> Migrator {
-        Migrator {
-            migrations: schema::MIGRATIONS.iter().take(count).cloned().collect(),
-            ..Migrator::DEFAULT
-        }
+        Migrator::with_migrations(schema::MIGRATIONS.iter().take(count).cloned().collect())
     }
 
     async fn look(place: &Place) -> SqliteConnection {

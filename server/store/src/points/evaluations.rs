@@ -8,12 +8,13 @@ use fem_client::solver::{Cost, Response, StartState};
 use placement::estimate::Sample;
 use placement::run::archive::{PointRecord, Unsolved};
 use serde::de::DeserializeOwned;
-use sqlx::{FromRow, SqliteConnection};
+use sqlx::SqliteConnection;
 
 use crate::clock::now;
 use crate::column::counted;
 use crate::content::{encode, sha256};
 use crate::points::{strain_fields, study_points};
+use crate::row::from_row;
 use crate::store_error::StoreError;
 
 /// A point as it was stored; of its response all, or the part `R`.
@@ -27,7 +28,6 @@ pub struct Evaluation<R = Response> {
     pub cost: Cost,
 }
 
-#[derive(FromRow)]
 struct EvaluationRow {
     key: String,
     scene: String,
@@ -37,15 +37,24 @@ struct EvaluationRow {
     sha256: String,
 }
 
+from_row!(EvaluationRow {
+    key,
+    scene,
+    response,
+    failure,
+    cost,
+    sha256
+});
+
 /// An evaluation with its strain fields, in answer to the key at a place of a list.
-#[derive(FromRow)]
 struct WholeRow {
     place: i64,
-    #[sqlx(flatten)]
     row: EvaluationRow,
     lists: Option<Vec<u8>>,
     lists_sha256: Option<String>,
 }
+
+from_row!(WholeRow { place, lists, lists_sha256; row });
 
 impl WholeRow {
     fn read(self) -> Result<Evaluation, StoreError> {
@@ -59,13 +68,13 @@ impl WholeRow {
 }
 
 /// An evaluation as a point of a study.
-#[derive(FromRow)]
 struct PointRow {
     ordinal: i64,
     link_sha256: Option<String>,
-    #[sqlx(flatten)]
     row: EvaluationRow,
 }
+
+from_row!(PointRow { ordinal, link_sha256; row });
 
 impl EvaluationRow {
     /// The row, and the strain fields that are kept beside it.

@@ -1,13 +1,14 @@
 //! What happened to studies, in order, for replay.
 
 use serde_json::Value;
-use sqlx::{FromRow, SqliteConnection};
+use sqlx::SqliteConnection;
 
 use crate::clock::now;
+use crate::row::from_row;
 use crate::store_error::StoreError;
 
 /// One event.
-#[derive(Debug, Clone, PartialEq, FromRow)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct EventRow {
     /// Grows with time, over all studies.
     pub id: i64,
@@ -18,6 +19,13 @@ pub struct EventRow {
     /// When.
     pub created: String,
 }
+
+from_row!(EventRow {
+    id,
+    kind,
+    payload,
+    created
+});
 
 impl EventRow {
     /// Whether nothing comes after it.

@@ -6,11 +6,12 @@
 
 use placement::result::Estimate;
 use serde::{Deserialize, Serialize};
-use sqlx::{FromRow, SqliteConnection};
+use sqlx::SqliteConnection;
 
 use crate::clock::now;
 use crate::column::{counted, whole};
 use crate::content::{document_sha256, encode, intact};
+use crate::row::from_row;
 use crate::store_error::StoreError;
 
 /// Where a study stands.
@@ -57,7 +58,7 @@ impl State {
 }
 
 /// A study as stored.
-#[derive(Debug, Clone, PartialEq, FromRow)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct StudyRow {
     /// UUID, ordered by time.
     pub id: String,
@@ -84,6 +85,22 @@ pub struct StudyRow {
     /// Those of higher priority go first.
     pub priority: i64,
 }
+
+from_row!(StudyRow {
+    id,
+    name,
+    spec,
+    spec_sha256,
+    state,
+    points_total,
+    points_done,
+    error,
+    created,
+    started,
+    finished,
+    estimate,
+    priority
+});
 
 impl StudyRow {
     /// Where it stands.

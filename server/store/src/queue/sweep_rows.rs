@@ -1,15 +1,16 @@
 //! Sweeps: which studies are the designs of one.
 
 use serde_json::{Map, Value};
-use sqlx::{FromRow, SqliteConnection};
+use sqlx::SqliteConnection;
 
 use crate::clock::now;
 use crate::content::{document_sha256, encode, intact};
 use crate::queue::study_rows::StudyRow;
+use crate::row::from_row;
 use crate::store_error::StoreError;
 
 /// A sweep as stored.
-#[derive(Debug, Clone, PartialEq, FromRow)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct SweepRow {
     /// UUID, ordered by time.
     pub id: String,
@@ -22,6 +23,15 @@ pub struct SweepRow {
     /// When it was submitted.
     pub created: String,
 }
+
+from_row!(SweepRow {
+    id,
+    name,
+    spec,
+    spec_sha256,
+    priority,
+    created
+});
 
 impl SweepRow {
     /// The canonical document of the study without changes, JSON.
@@ -162,14 +172,14 @@ pub async fn page(
         .await?)
 }
 
-#[derive(FromRow)]
 struct Joined {
     ordinal: i64,
     design: String,
     settings: String,
-    #[sqlx(flatten)]
     study: StudyRow,
 }
+
+from_row!(Joined { ordinal, design, settings; study });
 
 /// The designs of a sweep with their studies, in order.
 ///

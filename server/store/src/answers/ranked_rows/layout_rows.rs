@@ -2,13 +2,14 @@
 
 use placement::result::{LayoutScore, RankedLayout};
 use serde::Serialize;
-use sqlx::{FromRow, SqliteConnection};
+use sqlx::SqliteConnection;
 
 use crate::column::{counted, whole};
 use crate::content::encode;
+use crate::row::from_row;
 use crate::store_error::StoreError;
 
-#[derive(Serialize, FromRow)]
+#[derive(Serialize)]
 pub(super) struct LayoutRow {
     rank: i64,
     spacing_deg: f64,
@@ -22,6 +23,20 @@ pub(super) struct LayoutRow {
     noise_strain: f64,
     reason: Option<String>,
 }
+
+from_row!(LayoutRow {
+    rank,
+    spacing_deg,
+    units,
+    position,
+    films,
+    weakest_signal,
+    worst_angle_error_deg,
+    rms_angle_error_deg,
+    worst_depth_error_mm,
+    noise_strain,
+    reason
+});
 
 pub(super) async fn insert(
     connection: &mut SqliteConnection,

@@ -4,12 +4,13 @@ use fem_client::solver::direction::Direction;
 use placement::result::RankedLocation;
 use placement::score::location_scores::{Figure, LocationScores, SCORES};
 use serde::Serialize;
-use sqlx::{FromRow, SqliteConnection};
+use sqlx::SqliteConnection;
 
 use crate::column::{counted, whole};
+use crate::row::from_row;
 use crate::store_error::StoreError;
 
-#[derive(Serialize, FromRow)]
+#[derive(Serialize)]
 pub(super) struct LocationRow {
     rank: i64,
     name: String,
@@ -19,7 +20,16 @@ pub(super) struct LocationRow {
     rank_certain: bool,
 }
 
-#[derive(Serialize, FromRow)]
+from_row!(LocationRow {
+    rank,
+    name,
+    input,
+    rank_x,
+    rank_y,
+    rank_certain
+});
+
+#[derive(Serialize)]
 pub(super) struct ScoreRow {
     rank: i64,
     score: String,
@@ -27,6 +37,14 @@ pub(super) struct ScoreRow {
     value: Option<f64>,
     error: Option<f64>,
 }
+
+from_row!(ScoreRow {
+    rank,
+    score,
+    direction,
+    value,
+    error
+});
 
 pub(super) async fn insert(
     connection: &mut SqliteConnection,
