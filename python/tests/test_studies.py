@@ -31,6 +31,14 @@ def test_a_study_is_submitted_and_waited_for(study: Study, client: Client) -> No
     assert estimate.solves.own == 26
 
 
+def test_a_removed_study_is_gone(client: Client) -> None:
+    study = client.submit(STUDY, set=DRAFT)
+    study.remove()
+    with pytest.raises(strainsite.NotFound):
+        client.study(study.id)
+    assert study.id not in [other.id for other in client.studies()]
+
+
 def test_overrides_reach_the_service(study: Study) -> None:
     assert study.document["accuracy"] == {"preset": "draft"}
     assert study.document["candidates"]["grid"]["circumferential"] == 21

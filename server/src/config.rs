@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use clap::Args;
 use placement::run::usage::machine_memory_bytes;
+use store::{Store, StoreError};
 
 /// Where studies are kept, and how many solves run at once.
 #[derive(Debug, Clone, Args)]
@@ -25,9 +26,20 @@ pub struct Config {
     /// Memory that a study may take, MB; the machine's when absent
     #[arg(long, env = "STRAINSITE_MAX_MEMORY_MB", value_name = "MB")]
     pub max_memory_mb: Option<NonZeroU32>,
+    /// Size that the database may grow to, MB; the disk's when absent
+    #[arg(long, env = "STRAINSITE_MAX_DATABASE_MB", value_name = "MB")]
+    pub max_database_mb: Option<NonZeroU32>,
 }
 
 impl Config {
+    /// The database, which may grow as far as is said.
+    ///
+    /// # Errors
+    /// When another process has it, or it is unusable.
+    pub async fn open(&self) -> Result<Store, StoreError> {
+        Store::open_within(&self.db, self.database_bytes()).await
+    }
+
     /// Solves that run at once.
     pub fn threads(&self) -> usize {
         let cores = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
@@ -40,6 +52,12 @@ impl Config {
     pub fn memory_bytes(&self) -> u64 {
         self.max_memory_mb
             .map_or_else(machine_memory_bytes, |mb| u64::from(mb.get()) * 1_000_000)
+    }
+
+    /// Size that the database may grow to, bytes.
+    pub fn database_bytes(&self) -> Option<u64> {
+        self.max_database_mb
+            .map(|mb| u64::from(mb.get()) * 1_000_000)
     }
 }
 
@@ -56,6 +74,26 @@ pub fn seconds(text: &str) -> Result<Duration, String> {
         .map(Duration::from_secs_f64)
         .ok_or_else(|| "a time is a number of seconds from 1 to 1e6".to_owned())
 }
+
+/// Reads an age: a number of minutes, hours, days or weeks.
+///
+/// # Errors
+/// A sentence that says what would be right.
+pub fn age(text: &str) -> Result<Duration, String> {
+    const UNITS: [(char, u64); 4] = [('m', 60), ('h', 3600), ('d', 86_400), ('w', 604_800)];
+    let age = UNITS.iter().find_map(|(unit, seconds)| {
+        let count: u32 = text.strip_suffix(*unit)?.parse().ok()?;
+        let seconds = u64::from(count) * seconds;
+        (seconds <= LONGEST_AGE_S).then(|| Duration::from_secs(seconds))
+    });
+    age.ok_or_else(|| {
+        "an age is a whole number with its unit, as in 30m, 12h, 90d or 4w, and at most a century"
+            .to_owned()
+    })
+}
+
+/// A century, s.
+const LONGEST_AGE_S: u64 = 100 * 365 * 86_400;
 
 /// Reads `IP:PORT` or `localhost:PORT`.
 ///
@@ -75,6 +113,21 @@ pub fn address(text: &str) -> Result<SocketAddr, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ages_have_a_unit() {
+        for (text, seconds) in [
+            ("0m", 0),
+            ("12h", 43_200),
+            ("90d", 7_776_000),
+            ("4w", 2_419_200),
+        ] {
+            assert_eq!(age(text), Ok(Duration::from_secs(seconds)), "{text}");
+        }
+        for text in ["90", "d", "-1d", "1.5d", "90 d", "1y", "4294967295w", ""] {
+            assert!(age(text).is_err(), "{text}");
+        }
+    }
 
     #[test]
     fn addresses_are_an_ip_and_a_port() {

@@ -62,6 +62,8 @@ pub struct Limits {
     pub event_streams: usize,
     /// Memory that a study may take, bytes.
     pub memory_bytes: u64,
+    /// Size that the database may grow to, bytes; without one, the disk's.
+    pub database_bytes: Option<u64>,
 }
 
 impl Default for Limits {
@@ -70,6 +72,7 @@ impl Default for Limits {
             waiting_studies: 20_000,
             event_streams: 256,
             memory_bytes: machine_memory_bytes(),
+            database_bytes: None,
         }
     }
 }
@@ -147,7 +150,7 @@ impl Service {
             address: parts.address,
             cause,
         };
-        let store = Arc::new(Store::open(&parts.database).await?);
+        let store = Arc::new(Store::open_within(&parts.database, limits.database_bytes).await?);
         let listener = listener::bind(parts.address).map_err(listen_error)?;
         let address = listener.local_addr().map_err(listen_error)?;
         queue::recover(&store).await?;

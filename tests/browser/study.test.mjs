@@ -171,6 +171,23 @@ test("a running study is cancelled from the page", { timeout: STUDY_MS }, async 
   await page.context().close();
 });
 
+test("a study is removed from the list, once that is confirmed", { timeout: STUDY_MS }, async () => {
+  const { page, complaints } = await openPage(browser, { viewport: { width: 1280, height: 900 } });
+  await page.goto(service.url);
+  const entries = page.locator(".study-list li");
+  await entries.first().waitFor();
+  const before = await entries.count();
+  page.once("dialog", (dialog) => void dialog.dismiss());
+  await entries.first().locator(".entry-remove").click();
+  await page.waitForTimeout(200);
+  assert.equal(await entries.count(), before, "nothing is removed unless it is confirmed");
+  page.once("dialog", (dialog) => void dialog.accept());
+  await entries.first().locator(".entry-remove").click();
+  await page.waitForFunction((left) => document.querySelectorAll(".study-list li").length === left, before - 1);
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
 test("a browser is let in by the printed address, once, and follows a study by its cookie", { timeout: STUDY_MS }, async (t) => {
   const locked = await startService("--token");
   t.after(() => locked.stop());

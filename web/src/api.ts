@@ -69,6 +69,11 @@ export function cancel(id: string): Promise<unknown> {
   return request("DELETE", path(id));
 }
 
+/** Removes a study for good. */
+export function removeStudy(id: string): Promise<unknown> {
+  return request("DELETE", path(id, "?purge"));
+}
+
 export async function sweeps(cursor: string | null): Promise<Page<SweepSummary>> {
   const page = await request<SweepPage>("GET", `/sweeps?limit=${SWEEPS_OF_A_PAGE}${further(cursor)}`);
   return { entries: page.sweeps, next_cursor: page.next_cursor ?? null };
@@ -80,6 +85,11 @@ export function sweep(id: string): Promise<SweepDetail> {
 
 export function cancelSweep(id: string): Promise<SweepDetail> {
   return request("DELETE", sweepPath(id));
+}
+
+/** Removes a sweep for good, with its designs. */
+export function removeSweep(id: string): Promise<unknown> {
+  return request("DELETE", sweepPath(id, "?purge"));
 }
 
 export function resumeSweep(id: string): Promise<SweepDetail> {

@@ -106,6 +106,14 @@ class Study:
         self.summary = read(StudySummary, answer.json())
         return self
 
+    def remove(self) -> None:
+        """Removes it for good, running or not, with its result and the points that no other study has.
+
+        Raises:
+            ProblemError: It is a design of a sweep, with which it can be removed (409).
+        """
+        self._transport.request("DELETE", f"{self._path}?purge")
+
     def result(self) -> Result:
         """The whole answer.
 

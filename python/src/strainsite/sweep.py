@@ -110,6 +110,10 @@ class Sweep:
         self._take(self._transport.request("DELETE", self._path).json())
         return self
 
+    def remove(self) -> None:
+        """Removes it for good, with the studies of its designs, their results and the points that no other study has."""
+        self._transport.request("DELETE", f"{self._path}?purge")
+
     def resume(self) -> Sweep:
         """Lets designs that were cancelled or failed run again, as new studies; what is solved isn't solved again."""
         self._take(self._transport.post(f"{self._path}/resume"))

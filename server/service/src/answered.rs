@@ -42,6 +42,10 @@ pub async fn answered(
         return Ok(None);
     };
     let mut transaction = store.begin().await?;
+    if study_rows::find(&mut transaction, &twin).await?.is_none() {
+        // It was removed meanwhile, and its points may be on their way out.
+        return Ok(None);
+    }
     let points = study_points::share(&mut transaction, &twin, &row.id).await?;
     store.commit(transaction, 0).await?;
     result.study.id.clone_from(&row.id);

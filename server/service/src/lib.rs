@@ -14,6 +14,7 @@
 //! - [`engine`]: runs one study from its document to its end
 //! - [`queue`]: the queue of studies
 //! - [`sweeps`]: many designs of a study as one
+//! - [`removal`]: taking studies and sweeps out
 //! - [`comparison`]: studies side by side
 //! - [`export`]: answers as tables for other programs
 
@@ -26,6 +27,7 @@ pub mod forecast;
 pub mod metrics;
 pub mod point_views;
 pub mod queue;
+pub mod removal;
 pub mod shutdown;
 pub mod solving;
 pub mod study_document;

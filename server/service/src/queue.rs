@@ -8,18 +8,19 @@
 
 use std::convert::Infallible;
 use std::future::pending;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use placement::study::Study;
 use serde_json::json;
 use sqlx::{Sqlite, SqliteConnection, Transaction};
 use tokio::runtime::Handle;
-use tokio::sync::{Notify, oneshot};
+use tokio::sync::{Notify, oneshot, watch};
 
 use crate::engine::{End, Engine};
 use crate::shutdown::Shutdown;
+use store::file::upkeep;
 use store::points::crashes;
 use store::queue::event_rows;
 use store::queue::idempotency;
@@ -40,10 +41,12 @@ pub struct Queue {
     turn: Duration,
     most_waiting: u32,
     news: Notify,
-    current: Mutex<Option<Current>>,
+    current: watch::Sender<Option<Current>>,
     shutdown: Shutdown,
 }
 
+/// The study that has its turn.
+#[derive(Clone)]
 struct Current {
     study: String,
     stop: Arc<AtomicBool>,
@@ -74,7 +77,7 @@ impl Queue {
             turn,
             most_waiting,
             news: Notify::new(),
-            current: Mutex::new(None),
+            current: watch::Sender::new(None),
             shutdown,
         }
     }
@@ -110,10 +113,10 @@ impl Queue {
         Ok(id)
     }
 
-    /// Refuses so many more studies when too many wait already.
+    /// Refuses so many more studies when too many wait already, or when there is no room for what they would find.
     ///
     /// # Errors
-    /// [`SubmitError::TooMany`]; when the database can't be read.
+    /// [`SubmitError::TooMany`], [`StoreError::Full`]; when the database can't be read.
     pub async fn room_for(
         &self,
         connection: &mut SqliteConnection,
@@ -125,7 +128,7 @@ impl Queue {
         if waiting.saturating_add(more) > most {
             return Err(SubmitError::TooMany { most });
         }
-        Ok(())
+        Ok(upkeep::check_room(connection).await?)
     }
 
     /// The database that the line is in.
@@ -158,11 +161,20 @@ impl Queue {
             let event = event_rows::insert(&mut transaction, id, "cancelled", &json!({})).await?;
             store.commit(transaction, event).await?;
         }
-        let current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
+        let current = self.current.borrow();
         if let Some(current) = current.as_ref().filter(|current| current.study == id) {
             current.stop.store(true, Ordering::Relaxed);
         }
         Ok(())
+    }
+
+    /// Waits until nothing works on a study any more.
+    pub(crate) async fn let_go(&self, id: &str) {
+        let mut current = self.current.subscribe();
+        let is_other =
+            |current: &Option<Current>| current.as_ref().is_none_or(|current| current.study != id);
+        // The sender lives as long as the queue.
+        let _ = current.wait_for(is_other).await;
     }
 
     /// Runs studies until the service stops. A study that is running then goes back into the queue.
@@ -191,7 +203,7 @@ impl Queue {
             return Ok(false);
         };
         let stop = Arc::new(AtomicBool::new(false));
-        self.set_current(Some(Current {
+        self.current.send_replace(Some(Current {
             study: row.id.clone(),
             stop: stop.clone(),
         }));
@@ -201,12 +213,13 @@ impl Queue {
             let end = self.run(row.clone(), stop).await;
             let wait = matches!(end, End::Unstorable(_));
             self.settle(&row, end).await;
+            self.current.send_replace(None);
             if wait {
                 // Back in the queue, it would solve the point again only to find the disk as full as before, or the database still gone.
                 self.pause(SPACE).await;
             }
         }
-        self.set_current(None);
+        self.current.send_replace(None);
         Ok(true)
     }
 
@@ -309,10 +322,6 @@ impl Queue {
             () = tokio::time::sleep(time) => {}
             () = shutdown.wait() => {}
         }
-    }
-
-    fn set_current(&self, current: Option<Current>) {
-        *self.current.lock().unwrap_or_else(PoisonError::into_inner) = current;
     }
 }
 

@@ -30,9 +30,17 @@ impl Store {
     /// # Errors
     /// [`StoreError::InUse`] when another process has it, [`StoreError::Open`] when the file is unusable.
     pub async fn open(path: &Path) -> Result<Self, StoreError> {
+        Self::open_within(path, None).await
+    }
+
+    /// As [`Store::open`]; the file won't grow beyond this many bytes. One that is larger already doesn't grow.
+    ///
+    /// # Errors
+    /// As [`Store::open`].
+    pub async fn open_within(path: &Path, most_bytes: Option<u64>) -> Result<Self, StoreError> {
         let (place, lock) = opening::to_write(path, opening::Missing::Made).await?;
         pools::bootstrap(&place).await?;
-        let writer = pools::writer(&place).await?;
+        let writer = pools::writer(&place, most_bytes).await?;
         let readers = pools::readers(&place).await?;
         let keeper = pools::keeper(&place).await?;
         Ok(Self {

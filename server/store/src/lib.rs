@@ -7,6 +7,7 @@
 //! - [`queue`]: what was asked, whose turn it is, what happened
 //! - [`points`]: solved points
 //! - [`answers`]: results and measured trades
+//! - [`removal`]: taking studies out, with all that is theirs alone
 //!
 //! Functions take a connection, so that the caller owns the transaction. Times are RFC 3339, UTC.
 
@@ -18,6 +19,7 @@ mod database;
 pub mod file;
 pub mod points;
 pub mod queue;
+pub mod removal;
 mod row;
 mod store_error;
 

@@ -42,8 +42,11 @@ pub enum StoreError {
         /// What the system or SQLite said, and what to do.
         cause: String,
     },
-    /// The disk is full.
-    #[error("the disk that holds the database is full: free some space and try again")]
+    /// The disk is full, or the database has grown as far as it may.
+    #[error(
+        "the database can't grow: its disk is full, or it has reached --max-database-mb; free some space, remove studies \
+         (DELETE /v1/studies/{{id}}?purge or strainsite db prune) or raise the limit"
+    )]
     Full,
     /// The database did not answer in time.
     #[error("the database is busy: try again in a moment")]

@@ -17,6 +17,13 @@ test("newer entries replace those that are known, and older ones stay with their
   assert.deepEqual(merged, page([["c", "queued"], ["b", "done"], ["a", "done"]], "before a"));
 });
 
+test("what a newer page leaves out was removed, and what lies behind it stays", () => {
+  const older = page([["d", "done"], ["c", "done"], ["b", "done"], ["a", "done"]], "before a");
+  const newer = page([["d", "done"], ["b", "done"]], "before b");
+  assert.deepEqual(mergePages(older, newer), page([["d", "done"], ["b", "done"], ["a", "done"]], "before a"));
+  assert.deepEqual(mergePages(older, page([], null)), page([], null));
+});
+
 test("a page that holds all of the older one has the say about what follows", () => {
   const newer = page([["b", "done"], ["a", "done"]], null);
   assert.deepEqual(mergePages(page([["a", "queued"]], "before a"), newer), newer);

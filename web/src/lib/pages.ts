@@ -6,9 +6,9 @@ export interface Page<T> {
   next_cursor: string | null;
 }
 
-/** The newer entries take the place of the older ones; what only the older page has stays behind them. */
+/** The newer entries take the place of the older ones down to the last of them: what isn't among them was removed. Identifiers are ordered by time. */
 export function mergePages<T extends { id: string }>(older: Page<T>, newer: Page<T>): Page<T> {
-  const known = new Set(newer.entries.map((entry) => entry.id));
-  const rest = older.entries.filter((entry) => !known.has(entry.id));
+  const last = newer.entries.at(-1);
+  const rest = last === undefined ? [] : older.entries.filter((entry) => entry.id < last.id);
   return { entries: [...newer.entries, ...rest], next_cursor: rest.length > 0 ? older.next_cursor : newer.next_cursor };
 }

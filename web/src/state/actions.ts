@@ -26,8 +26,8 @@ export interface Actions {
 }
 
 export function createActions(store: Store): Actions {
-  const studies = createEntryList(partOf(store, "studies"), api.studies);
-  const sweeps = createEntryList(partOf(store, "sweeps"), api.sweeps);
+  const studies = createEntryList(partOf(store, "studies"), api.studies, api.removeStudy);
+  const sweeps = createEntryList(partOf(store, "sweeps"), api.sweeps, api.removeSweep);
   const studyDraft = createStudyDraft(store, (route) => go(route, studies));
   const sweepDraft = createSweepDraft(store, (route) => go(route, sweeps));
   const openStudy = createOpenStudy(store, () => void studies.reload());

@@ -7,11 +7,14 @@ import type { Part } from "./store.ts";
 export interface EntryList {
   reload(): Promise<void>;
   loadOlder(): Promise<void>;
+  /** Removes an entry for good. */
+  remove(id: string): Promise<void>;
 }
 
 export function createEntryList<T extends { id: string }>(
   list: Part<Loadable<Page<T>>>,
   ask: (cursor: string | null) => Promise<Page<T>>,
+  drop: (id: string) => Promise<unknown>,
 ): EntryList {
   /** Asks for a page and puts it together with what is shown when it comes. */
   async function load(cursor: string | null, together: (page: Page<T>, shown: Page<T>) => Page<T>): Promise<void> {
@@ -27,5 +30,13 @@ export function createEntryList<T extends { id: string }>(
     await load(shown.value.next_cursor, (older, newer) => mergePages(older, newer));
   }
 
-  return { reload: () => load(null, (newer, older) => mergePages(older, newer)), loadOlder };
+  const reload = () => load(null, (newer, older) => mergePages(older, newer));
+
+  async function remove(id: string): Promise<void> {
+    const answer = await answerTo(drop(id));
+    if (answer.status === "failed") list.set(answer);
+    else await reload();
+  }
+
+  return { reload, loadOlder, remove };
 }

@@ -146,6 +146,11 @@ pub fn absent() -> Value {
     json!({"type": "about:blank", "title": "Not Found", "status": 404, "detail": "there is no study \"x\"", "request_id": ID})
 }
 
+/// A study that goes with its sweep alone.
+pub fn design() -> Value {
+    json!({"type": "about:blank", "title": "Conflict", "status": 409, "detail": "the study is a design of the sweep x: remove that, DELETE /v1/sweeps/x?purge", "request_id": ID})
+}
+
 /// Somebody without the token.
 pub fn locked() -> Value {
     json!({"type": "about:blank", "title": "Unauthorized", "status": 401, "detail": "this service asks for its token", "request_id": ID})

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::pin::pin;
+use std::time::Duration;
 
 use clap::{Args, Subcommand};
 use tokio::runtime::Runtime;
@@ -11,9 +12,13 @@ use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::paint::{BAD, GOOD, painted};
 use crate::cli::terminal::progress::{TICK, bytes_bar, clock, count, counting_bar};
+use crate::config::age;
+use store::clock::before;
 use store::file::copies::{self, Replaced};
 use store::file::opening;
 use store::file::upkeep::{self, Inspection};
+use store::removal::pruning::{Mode, Pruned, prune};
+use store::removal::retention::Retention;
 
 /// Look after the database file
 #[derive(Debug, Args)]
@@ -51,6 +56,18 @@ enum Task {
         #[arg(long)]
         discard: bool,
     },
+    /// Remove old studies and sweeps, with the points that no other study has; not while the service runs
+    Prune {
+        /// How long ago they ended, at least: a number of minutes, hours, days or weeks, as in 90d
+        #[arg(long, value_name = "AGE", value_parser = age)]
+        older_than: Duration,
+        /// Keep the newest result, and the newest sweep, of each name
+        #[arg(long)]
+        keep_named: bool,
+        /// Count what would be removed, and remove nothing
+        #[arg(long)]
+        dry_run: bool,
+    },
     /// Give free pages back to the disk; not while the service runs
     Vacuum,
     /// Let points be solved again that the program died of three times; not while the service runs
@@ -70,6 +87,17 @@ impl Db {
             Task::Check => self.check(&runtime),
             Task::Backup { target } => self.backup(&runtime, target),
             Task::Restore { backup, discard } => self.restore(&runtime, backup, *discard),
+            Task::Prune {
+                older_than,
+                keep_named,
+                dry_run,
+            } => {
+                let retention = Retention {
+                    before: before(*older_than),
+                    keeps_named: *keep_named,
+                };
+                self.prune(&runtime, &retention, *dry_run)
+            }
             Task::Vacuum => self.vacuum(&runtime),
             Task::Release => self.release(&runtime),
         }
@@ -144,6 +172,23 @@ impl Db {
         tell(&text, self.json.as_ref())
     }
 
+    fn prune(
+        &self,
+        runtime: &Runtime,
+        retention: &Retention,
+        dry_run: bool,
+    ) -> Result<(), Failure> {
+        let mode = if dry_run { Mode::Count } else { Mode::Remove };
+        let waiting = clock("pruning");
+        let pruned = runtime.block_on(prune(&self.db, retention, mode));
+        waiting.finish_and_clear();
+        let pruned = pruned.map_err(Failure::other)?;
+        if let Some(target) = &self.json {
+            target.write(&pruned)?;
+        }
+        tell(&pruned_text(&pruned, mode), self.json.as_ref())
+    }
+
     fn vacuum(&self, runtime: &Runtime) -> Result<(), Failure> {
         let before = size(&self.db)?;
         let waiting = clock("compacting");
@@ -157,6 +202,31 @@ impl Db {
         );
         tell(&text, self.json.as_ref())
     }
+}
+
+fn pruned_text(pruned: &Pruned, mode: Mode) -> String {
+    let counted = |count: u64, one: &str, many: &str| match count {
+        1 => format!("1 {one}"),
+        count => format!("{count} {many}"),
+    };
+    let done = match mode {
+        Mode::Remove => "removed",
+        Mode::Count => "would remove",
+    };
+    let text = format!(
+        "{done} {}, {}, {} that no other study has, {}\n",
+        counted(pruned.studies as u64, "study", "studies"),
+        counted(pruned.sweeps as u64, "sweep", "sweeps"),
+        counted(pruned.points, "point", "points"),
+        counted(pruned.trades, "measured trade", "measured trades"),
+    );
+    let more = match mode {
+        Mode::Remove if *pruned != Pruned::default() => {
+            "new studies use the space; strainsite db vacuum gives it back to the disk\n"
+        }
+        _ => "",
+    };
+    text + more
 }
 
 /// Looks now and then how far something is.

@@ -77,7 +77,7 @@ impl Run {
             .block_on(admit(&solver, threads, memory_bytes, &planned))
             .map_err(|error| Failure::input(error.to_string()))?;
         let store = runtime
-            .block_on(Store::open(&self.config.db))
+            .block_on(self.config.open())
             .map_err(Failure::other)?;
         let engine = Engine {
             store: Arc::new(store),

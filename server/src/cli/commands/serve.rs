@@ -119,6 +119,7 @@ impl Serve {
                 waiting_studies: self.max_waiting,
                 event_streams: self.max_streams,
                 memory_bytes: self.config.memory_bytes(),
+                database_bytes: self.config.database_bytes(),
             },
         };
         if let Err(error) = outside.check(self.addr) {

@@ -86,7 +86,7 @@ impl Sweep {
             solver: self.solver.solver().map_err(Failure::other)?,
             store: Arc::new(
                 runtime
-                    .block_on(Store::open(&self.config.db))
+                    .block_on(self.config.open())
                     .map_err(Failure::other)?,
             ),
             threads: self.config.threads(),

@@ -7,6 +7,7 @@ use axum::extract::rejection::{PathRejection, QueryRejection};
 use axum::extract::{FromRequestParts, Path, Query};
 use axum::http::StatusCode;
 use axum::http::request::Parts;
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use utoipa::IntoParams;
 
@@ -74,4 +75,30 @@ pub struct SweepPath {
     /// Identifier of the sweep, as its submission answered
     #[param(example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6c")]
     id: String,
+}
+
+/// Whether a study or a sweep is removed, or cancelled only.
+#[derive(Debug, Deserialize, IntoParams)]
+#[into_params(parameter_in = Query)]
+pub struct RemovalQuery {
+    /// Remove it for good: `purge` or `purge=true`
+    #[param(example = "true", allow_reserved)]
+    purge: Option<String>,
+}
+
+impl RemovalQuery {
+    /// Whether it is to be removed.
+    ///
+    /// # Errors
+    /// 400 for what is neither yes nor no.
+    pub fn removes(&self) -> Result<bool, Problem> {
+        match self.purge.as_deref() {
+            Some("" | "true") => Ok(true),
+            None | Some("false") => Ok(false),
+            Some(_) => Err(Problem::new(
+                StatusCode::BAD_REQUEST,
+                "purge is true or false; without a value it means true",
+            )),
+        }
+    }
 }

@@ -7,6 +7,7 @@ use fem_client::document::fault::Fault;
 use serde_json::{Value, json};
 
 use crate::http::edge::request_id;
+use service::removal::RemovalError;
 use store::StoreError;
 
 /// A problem document in the making.
@@ -114,6 +115,16 @@ impl From<StoreError> for Problem {
                 StatusCode::INTERNAL_SERVER_ERROR,
                 "the database failed; the service's log says how",
             ),
+        }
+    }
+}
+
+impl From<RemovalError> for Problem {
+    fn from(error: RemovalError) -> Self {
+        match error {
+            RemovalError::Design { .. } => Self::new(StatusCode::CONFLICT, error.to_string()),
+            RemovalError::Busy => Self::new(StatusCode::SERVICE_UNAVAILABLE, error.to_string()),
+            RemovalError::Store(error) => error.into(),
         }
     }
 }

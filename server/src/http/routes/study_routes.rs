@@ -16,7 +16,7 @@ use utoipa_axum::routes;
 use crate::http::app_state::AppState;
 use crate::http::edge::conditional;
 use crate::http::edge::document_body::{EstimateBody, StudyBody};
-use crate::http::edge::extract::{Params, StudyId, StudyPath};
+use crate::http::edge::extract::{Params, RemovalQuery, StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
 use service::forecast::{ForecastError, admit, forecast_of};
 use service::queue::SubmitError;
@@ -270,15 +270,27 @@ pub(super) fn refused(error: ForecastError) -> Problem {
     }
 }
 
-/// Cancel a study
+/// Cancel or remove a study
 ///
-/// One that runs ends within a Newton iteration; what it has solved is kept. Cancelling what has ended changes nothing and is no error.
-#[utoipa::path(delete, path = "/v1/studies/{id}", tag = "studies", params(StudyPath),
+/// One that runs ends within a Newton iteration; what it has solved is kept. Cancelling what has ended changes nothing and is no error. With `purge` the study
+/// is removed, with its result, its events and the points that no other study has: nothing brings it back.
+#[utoipa::path(delete, path = "/v1/studies/{id}", tag = "studies", params(StudyPath, RemovalQuery),
     responses((status = 202, description = "Cancelled, or ended before", body = StudySummary, headers(("Location" = String, description = "Address of the study"), ("Retry-After" = String, description = "Seconds after which to look")),
             example = json!(examples::summary())),
+              (status = 204, description = "Removed"),
+              (status = 409, description = "It is a design of a sweep, with which it can be removed", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::design())),
               (status = 404, description = "There is no such study", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
-async fn cancel(State(state): State<AppState>, StudyId(id): StudyId) -> Result<Response, Problem> {
+async fn cancel(
+    State(state): State<AppState>,
+    StudyId(id): StudyId,
+    Params(query): Params<RemovalQuery>,
+) -> Result<Response, Problem> {
     known(&state.store, &id).await?;
+    if query.removes()? {
+        state.queue.remove(&id).await?;
+        tracing::info!(study = id, "study removed");
+        return Ok(StatusCode::NO_CONTENT.into_response());
+    }
     state.queue.cancel(&id).await?;
     Ok(accepted(&known(&state.store, &id).await?))
 }

@@ -14,7 +14,7 @@ use utoipa_axum::routes;
 use crate::http::app_state::AppState;
 use crate::http::edge::conditional;
 use crate::http::edge::document_body::{Document, SweepBody};
-use crate::http::edge::extract::{Params, SweepId, SweepPath};
+use crate::http::edge::extract::{Params, RemovalQuery, SweepId, SweepPath};
 use crate::http::edge::problem_document::Problem;
 use crate::http::routes::study_routes::{
     PageQuery, SubmitQuery, idempotency_key, page_limit, priority, refused, unsubmitted,
@@ -191,18 +191,26 @@ async fn resume_sweep(
     accepted(&state.store, &id).await
 }
 
-/// Cancel a sweep
+/// Cancel or remove a sweep
 ///
-/// What runs ends within a Newton iteration; what was solved is kept. Designs that have ended stay as they are.
-#[utoipa::path(delete, path = "/v1/sweeps/{id}", tag = "sweeps", params(SweepPath),
+/// What runs ends within a Newton iteration; what was solved is kept. Designs that have ended stay as they are. With `purge` the sweep is removed, with the
+/// studies of its designs, their results and the points that no other study has: nothing brings it back.
+#[utoipa::path(delete, path = "/v1/sweeps/{id}", tag = "sweeps", params(SweepPath, RemovalQuery),
     responses((status = 202, description = "Cancelled, or ended before", body = SweepDetail, headers(("Location" = String, description = "Address of the sweep"), ("Retry-After" = String, description = "Seconds after which to look")),
             example = json!(examples::detail())),
+              (status = 204, description = "Removed"),
               (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent()))))]
 async fn cancel_sweep(
     State(state): State<AppState>,
     SweepId(id): SweepId,
+    Params(query): Params<RemovalQuery>,
 ) -> Result<Response, Problem> {
     known(&state.store, &id).await?;
+    if query.removes()? {
+        state.queue.remove_sweep(&id).await?;
+        tracing::info!(sweep = id, "sweep removed");
+        return Ok(StatusCode::NO_CONTENT.into_response());
+    }
     state.queue.cancel_sweep(&id).await?;
     accepted(&state.store, &id).await
 }

@@ -15,6 +15,8 @@ use crate::store_error::StoreError;
 /// Before this version SQLite could corrupt a database when its write-ahead log was reset.
 const SQLITE_OLDEST: [u32; 3] = [3, 51, 3];
 const READERS: u32 = 4;
+/// SQLite's default size of a page, bytes.
+const PAGE: u64 = 4096;
 const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
 
 /// Sets the write-ahead log and brings the tables up to date, on a connection of its own: several connections that switch a fresh file
@@ -46,8 +48,13 @@ pub async fn bootstrap(place: &Place) -> Result<(), StoreError> {
         .map_err(|error| place.failed(error))
 }
 
-/// The one connection that writes.
-pub async fn writer(place: &Place) -> Result<SqlitePool, StoreError> {
+/// The one connection that writes, to a file of at most so many bytes.
+pub async fn writer(place: &Place, most_bytes: Option<u64>) -> Result<SqlitePool, StoreError> {
+    let options = match most_bytes {
+        Some(bytes) => writing(place).pragma("max_page_count", (bytes / PAGE).max(1).to_string()),
+        None => writing(place),
+    };
+
     Ok(SqlitePoolOptions::new()
         .max_connections(1)
         .idle_timeout(None)
@@ -60,7 +67,7 @@ pub async fn writer(place: &Place) -> Result<SqlitePool, StoreError> {
                 Ok(!connection.is_in_transaction())
             })
         })
-        .connect_with(writing(place))
+        .connect_with(options)
         .await?)
 }
 

@@ -29,6 +29,7 @@ static CHANGES: &[(&str, &str)] = &changes![
     "0014_rankings"
     "0015_application_id"
     "0016_point_hashes"
+    "0017_removal"
 ];
 
 /// All changes, in order.

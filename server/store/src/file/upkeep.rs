@@ -150,6 +150,26 @@ pub async fn used_bytes(connection: &mut SqliteConnection) -> Result<u64, StoreE
     Ok(u64::try_from(bytes).unwrap_or(0))
 }
 
+/// Pages, of 4 kB, without which there is no use in taking more in.
+const SPARE_PAGES: i64 = 256;
+
+/// Refuses to take more in when the file has nearly grown as far as it may. Asks the connection that writes: the limit is its own.
+///
+/// # Errors
+/// [`StoreError::Full`]; when the database can't be read.
+pub async fn check_room(connection: &mut SqliteConnection) -> Result<(), StoreError> {
+    let pages: i64 = sqlx::query_scalar(
+        "select max_page_count - page_count + freelist_count
+         from pragma_max_page_count, pragma_page_count, pragma_freelist_count",
+    )
+    .fetch_one(connection)
+    .await?;
+    if pages < SPARE_PAGES {
+        return Err(StoreError::Full);
+    }
+    Ok(())
+}
+
 /// Gives free pages back to the disk. Nobody else may use the database meanwhile.
 ///
 /// # Errors
@@ -175,7 +195,11 @@ pub async fn release(path: &Path) -> Result<u64, StoreError> {
     Ok(released)
 }
 
-async fn alone(path: &Path) -> Result<(DatabaseLock, SqliteConnection), StoreError> {
+/// The database for this process alone.
+///
+/// # Errors
+/// [`StoreError::InUse`] when somebody uses it; when it can't be opened.
+pub(crate) async fn alone(path: &Path) -> Result<(DatabaseLock, SqliteConnection), StoreError> {
     let (place, lock) = opening::to_write(path, Missing::Refused).await?;
     opening::to_read(path).await?.close().await?;
     Ok((lock, condition::connect(condition::options(&place)).await?))

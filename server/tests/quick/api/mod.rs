@@ -11,6 +11,7 @@ mod limits;
 mod metrics;
 mod openapi;
 mod queue;
+mod removal;
 mod results;
 mod studies;
 mod sweeps;

@@ -49,7 +49,7 @@ export function SidebarList<T>({ title, kind, list, actions, empty, children }: 
 
 interface EntryProps {
   /** What the service says of a study or a sweep. */
-  of: { name: string; state: State; created: string };
+  of: { id: string; name: string; state: State; created: string };
   route: Route;
   isOpen: boolean;
   now_ms: number;
@@ -57,10 +57,17 @@ interface EntryProps {
   standing: string | null;
   done: number;
   total: number | null;
+  list: EntryList;
 }
 
 /** One of them, with its progress while it is at work. */
-export function SidebarEntry({ of, route, isOpen, now_ms, standing, done, total }: EntryProps) {
+export function SidebarEntry({ of, route, isOpen, now_ms, standing, done, total, list }: EntryProps) {
+  function remove(): void {
+    if (!window.confirm(`Remove “${of.name}” with its results? Nothing brings them back.`)) return;
+    if (isOpen) location.hash = "";
+    void list.remove(of.id);
+  }
+
   return (
     <li>
       <a href={formatRoute(route)} aria-current={isOpen ? "page" : undefined}>
@@ -76,6 +83,11 @@ export function SidebarEntry({ of, route, isOpen, now_ms, standing, done, total 
           </progress>
         )}
       </a>
+      {isOver(of.state) && (
+        <button type="button" class="entry-remove" aria-label={`Remove ${of.name}`} title="Remove" onClick={remove}>
+          ×
+        </button>
+      )}
     </li>
   );
 }

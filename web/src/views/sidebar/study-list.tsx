@@ -11,7 +11,7 @@ export function StudyList({ state, actions }: { state: AppState; actions: Action
       {(study) => {
         const [done, total] = [study.points_done, study.points_total ?? null];
         const standing = total === null ? null : `${done}/${total} points`;
-        const place = { route: studyRoute(study.id), isOpen: study.id === openId, now_ms };
+        const place = { route: studyRoute(study.id), isOpen: study.id === openId, now_ms, list: actions.studies };
         return <SidebarEntry key={study.id} of={study} {...place} standing={standing} done={done} total={total} />;
       }}
     </SidebarList>

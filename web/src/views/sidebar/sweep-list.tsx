@@ -12,7 +12,7 @@ export function SweepList({ state, actions }: { state: AppState; actions: Action
       {(sweep) => {
         const [done, total] = [designsOver(sweep), designsOf(sweep)];
         const standing = `${sweep.counts.done}/${total} designs`;
-        const place = { route: sweepRoute(sweep.id), isOpen: sweep.id === openId, now_ms };
+        const place = { route: sweepRoute(sweep.id), isOpen: sweep.id === openId, now_ms, list: actions.sweeps };
         return <SidebarEntry key={sweep.id} of={sweep} {...place} standing={standing} done={done} total={total} />;
       }}
     </SidebarList>

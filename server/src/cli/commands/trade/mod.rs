@@ -87,7 +87,7 @@ impl Trade {
         let stop = stop_flag(&runtime)?;
         // Opened before the work, so that a database that is in use is said at once.
         let store = runtime
-            .block_on(Store::open(&self.config.db))
+            .block_on(self.config.open())
             .map_err(Failure::other)?;
         let measured = self.measure(&study, &stop);
         let kept = measured.and_then(|trade| {
