@@ -103,12 +103,13 @@ fn a_kept_tangent_leads_to_the_same_equilibria() {
         let problem = hung(order, Friction::NONE);
         let (state, tangent) = kept(&problem);
         for depths in OTHERS {
+            let target = over(KEPT).with_depths(&depths);
             let mut own = Newton::new(&problem).expect("a valid mesh");
             let reference = State::reference(&problem);
-            let (expected, _) = press(&mut own, &reference, &over([0.0; 5]), &over(depths));
+            let (expected, _) = press(&mut own, &reference, &over([0.0; 5]), &target);
             let mut newton =
                 Newton::with_tangent(&problem, tangent.clone()).expect("its own set-up");
-            let (pressed, _) = press(&mut newton, &state, &over(KEPT), &over(depths));
+            let (pressed, _) = press(&mut newton, &state, &over(KEPT), &target);
             let difference = difference(&pressed, &expected);
             assert!(
                 difference < 1e3 * TOLERANCE,

@@ -1,11 +1,13 @@
 //! A cube stretched along z, whose equilibrium is uniaxial tension: by held ends with fibres along it, and by dead forces.
 
 use std::sync::atomic::AtomicBool;
+use std::time::Duration;
 
 use crate::cube::problem;
 use fem::cell::element::Order;
 use fem::cell::mesh::Surface;
-use fem::newton::iteration::{Cause, Newton};
+use fem::linear::setup::SetupError;
+use fem::newton::iteration::{Cause, Effort, Newton};
 use fem::newton::path::{PathFailure, PathReport, Stability, follow};
 use fem::problem::{Loads, Problem, State};
 use fem::surface::membrane::Membrane;
@@ -182,4 +184,52 @@ fn a_stopped_path_leaves_the_state_as_it_was() {
     let failure = run(&mut newton, &mut state, &target, true).expect_err("told to stop");
     assert_eq!((failure.reached, failure.cause), (0.0, Cause::Stopped));
     assert_eq!(state, State::reference(&problem));
+}
+
+#[test]
+fn a_set_up_counts_free_displacements_and_the_entries_of_their_factor() {
+    let problem = on_symmetry_planes(Order::Linear);
+    let newton = Newton::new(&problem).expect("a valid mesh");
+    // 27 nodes, of which each plane holds 9 in one direction.
+    let unknowns = 3 * 27 - 3 * 9;
+    assert_eq!(newton.unknowns(), unknowns);
+    // At least its diagonal, at most a full matrix: it is stored in dense blocks.
+    let entries = newton.factor_entries();
+    assert!(
+        (unknowns..=unknowns * unknowns).contains(&entries),
+        "{entries}"
+    );
+}
+
+#[test]
+fn a_mesh_that_is_inside_out_is_refused_by_its_first_brick() {
+    let mut problem = on_symmetry_planes(Order::Quadratic);
+    for x in &mut problem.mesh.nodes {
+        x[0] = -x[0];
+    }
+    let Err(SetupError::Mesh(refused)) = Newton::new(&problem) else {
+        panic!("every brick is inverted");
+    };
+    assert!(refused.element == 0 && refused.jacobian < 0.0, "{refused}");
+}
+
+#[test]
+fn efforts_add_up() {
+    let problem = pulled(uniaxial(STRETCH));
+    let target = Loads {
+        traction_factor: 1.0,
+        ..Loads::default()
+    };
+    let mut sum = Effort::default();
+    let mut all = Newton::new(&problem).expect("a valid mesh");
+    for _ in 0..2 {
+        let mut one = Newton::new(&problem).expect("a valid mesh");
+        for newton in [&mut one, &mut all] {
+            let mut state = State::reference(&problem);
+            run(newton, &mut state, &target, false).expect("an equilibrium");
+        }
+        sum += one.effort;
+    }
+    assert_eq!(sum.iterations, all.effort.iterations);
+    assert!(sum.factorisations >= 2 && sum.assembly + sum.factorisation > Duration::ZERO);
 }
