@@ -211,36 +211,31 @@ impl Engine {
     /// When the database can't be written; then the study is still running and this can be tried again.
     pub async fn settle(&self, row: &StudyRow, end: &End) -> Result<bool, StoreError> {
         let mut transaction = self.store.begin().await?;
-        let (changed, kind, payload) = match end {
+        if !study_rows::is_running(&mut transaction, &row.id).await? {
+            // Before its result, for which there may be no room.
+            return Ok(false);
+        }
+        let (kind, payload) = match end {
             End::Done(result) => {
                 result_rows::insert(&mut transaction, &row.id, result).await?;
                 let sha256 = result_rows::sha256_of(&mut transaction, &row.id).await?;
-                let changed =
-                    study_rows::finish(&mut transaction, &row.id, State::Done, None).await?;
-                (changed, "done", json!({"result_sha256": sha256}))
+                study_rows::finish(&mut transaction, &row.id, State::Done, None).await?;
+                ("done", json!({"result_sha256": sha256}))
             }
             End::Failed { error, points } => {
-                let changed =
-                    study_rows::finish(&mut transaction, &row.id, State::Failed, Some(error))
-                        .await?;
-                (
-                    changed,
-                    "failed",
-                    json!({"error": error, "failed_points": points}),
-                )
+                let cause = Some(error.as_str());
+                study_rows::finish(&mut transaction, &row.id, State::Failed, cause).await?;
+                ("failed", json!({"error": error, "failed_points": points}))
             }
             End::Stopped | End::Unstorable(_) => {
-                let changed = turns::release(&mut transaction, &row.id).await?;
-                (changed, "queued", json!({"resumed": true}))
+                turns::release(&mut transaction, &row.id).await?;
+                ("queued", json!({"resumed": true}))
             }
             End::Paused => {
-                let changed = turns::pass_on(&mut transaction, &row.id).await?;
-                (changed, "queued", json!({"resumed": true}))
+                turns::pass_on(&mut transaction, &row.id).await?;
+                ("queued", json!({"resumed": true}))
             }
         };
-        if !changed {
-            return Ok(false);
-        }
         let id = event_rows::insert(&mut transaction, &row.id, kind, &payload).await?;
         self.store.commit(transaction, id).await?;
         Ok(true)

@@ -42,6 +42,8 @@ pub struct Queue {
     most_waiting: u32,
     news: Notify,
     current: watch::Sender<Option<Current>>,
+    /// Whether a study waits for room in the database.
+    lacks_room: AtomicBool,
     shutdown: Shutdown,
 }
 
@@ -78,6 +80,7 @@ impl Queue {
             most_waiting,
             news: Notify::new(),
             current: watch::Sender::new(None),
+            lacks_room: AtomicBool::new(false),
             shutdown,
         }
     }
@@ -128,6 +131,9 @@ impl Queue {
         if waiting.saturating_add(more) > most {
             return Err(SubmitError::TooMany { most });
         }
+        if self.lacks_room.load(Ordering::Relaxed) {
+            return Err(StoreError::Full.into());
+        }
         Ok(upkeep::check_room(connection).await?)
     }
 
@@ -161,6 +167,8 @@ impl Queue {
             let event = event_rows::insert(&mut transaction, id, "cancelled", &json!({})).await?;
             store.commit(transaction, event).await?;
         }
+        // Whether others lack it too is seen when they are stored.
+        self.lacks_room.store(false, Ordering::Relaxed);
         let current = self.current.borrow();
         if let Some(current) = current.as_ref().filter(|current| current.study == id) {
             current.stop.store(true, Ordering::Relaxed);
@@ -212,7 +220,9 @@ impl Queue {
             tracing::info!(study = row.id, name = ?row.name, "study started");
             let end = self.run(row.clone(), stop).await;
             let wait = matches!(end, End::Unstorable(_));
+            let lacks_room = matches!(end, End::Unstorable(StoreError::Full));
             self.settle(&row, end).await;
+            self.lacks_room.store(lacks_room, Ordering::Relaxed);
             self.current.send_replace(None);
             if wait {
                 // Back in the queue, it would solve the point again only to find the disk as full as before, or the database still gone.
@@ -307,6 +317,8 @@ impl Queue {
                 Err(error @ StoreError::NotFinite { .. }) => end = End::failed(error.to_string()),
                 Err(error) => {
                     tracing::error!(study = row.id, %error, "the end of a study could not be recorded yet");
+                    let lacks_room = matches!(error, StoreError::Full);
+                    self.lacks_room.store(lacks_room, Ordering::Relaxed);
                     if self.shutdown.requested() {
                         return;
                     }

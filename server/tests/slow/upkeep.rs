@@ -194,3 +194,46 @@ async fn a_killed_migration_leaves_a_database_that_can_be_migrated() {
     });
     assert!(unfinished.await > KILLS / 5);
 }
+
+/// Old studies, and the events of each.
+const OLD: i64 = 30;
+const EVENTS_OF_OLD: i64 = 20;
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_killed_prune_leaves_whole_studies() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let folder = folder.path();
+    let base = folder.join("base.db");
+    database(&base, usize::MAX, EVENTS).await;
+    let options = SqliteConnectOptions::new().filename(&base);
+    let mut sql = SqliteConnection::connect_with(&options)
+        .await
+        .expect("opens");
+    let numbers = "with recursive n(i) as (select 0 union all select i + 1 from n where i + 1 < ?)";
+    let studies = "insert into studies (id, name, spec, spec_sha256, state, created, finished)
+                   select 'old' || i, 'old', '{}', '44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a', 'cancelled', '2026-01-01', '2026-01-01' from n";
+    let events_of_old = format!(
+        "insert into events (study, kind, payload, created)
+         select 'old' || (i % {OLD}), 'note', json_object('bytes', hex(randomblob(500))), 't' from n"
+    );
+    for (change, count) in [(studies, OLD), (&events_of_old, OLD * EVENTS_OF_OLD)] {
+        let change = format!("{numbers} {change}");
+        let changed = sqlx::query(sqlx::AssertSqlSafe(change)).bind(count);
+        changed.execute(&mut sql).await.expect("changes");
+    }
+    sql.close().await.expect("closes");
+
+    let prune = ["db", "prune", "--older-than", "1h", "--db", "work.db"];
+    let work = folder.join("work.db");
+    let unfinished = killed(folder, &prune, async |kill| {
+        let left = events(&work).await - EVENTS;
+        assert!(
+            left >= 0 && left % EVENTS_OF_OLD == 0,
+            "kill {kill}: {left}"
+        );
+        runs(folder, &prune);
+        assert_eq!(events(&work).await, EVENTS, "kill {kill}");
+        runs(folder, &["db", "check", "--db", "work.db"]);
+    });
+    assert!(unfinished.await > KILLS / 5);
+}
