@@ -12,9 +12,7 @@
 //! - [`forecast`]: what a study would cost
 //! - [`answered`]: the same study again
 //! - [`engine`]: runs one study from its document to its end
-//! - [`queue`]: the queue of studies
-//! - [`sweeps`]: many designs of a study as one
-//! - [`removal`]: taking studies and sweeps out
+//! - [`queue`]: the queue of studies; sweeps; removal
 //! - [`comparison`]: studies side by side
 //! - [`export`]: answers as tables for other programs
 
@@ -27,9 +25,7 @@ pub mod forecast;
 pub mod metrics;
 pub mod point_views;
 pub mod queue;
-pub mod removal;
 pub mod shutdown;
 pub mod solving;
 pub mod study_document;
-pub mod sweeps;
 pub mod wire;

@@ -7,7 +7,7 @@ use fem_client::document::fault::Fault;
 use serde_json::{Value, json};
 
 use crate::http::edge::request_id;
-use service::removal::RemovalError;
+use service::queue::removal::RemovalError;
 use store::StoreError;
 
 /// A problem document in the making.

@@ -1,13 +1,11 @@
 //! The service from outside: a real listener, a fresh database, the closed-form solver behind it.
 
-mod access;
 mod crashes;
 mod dashboard;
+mod edge;
 mod events;
 mod export;
 mod gone;
-mod guard;
-mod limits;
 mod metrics;
 mod openapi;
 mod queue;

@@ -5,6 +5,12 @@
 //!
 //! One process holds the database, so nobody else can take a study: a guarded change of its state is all the claim
 //! that is needed. No transaction is open while a study runs.
+//!
+//! - [`sweeps`]: many designs of a study as one
+//! - [`removal`]: taking studies and sweeps out
+
+pub mod removal;
+pub mod sweeps;
 
 use std::convert::Infallible;
 use std::future::pending;
