@@ -84,8 +84,10 @@ house:
 test-unit: setup-build
 	$(UNIT_TESTS)
 
+# Lints have compiled the examples already.
 test-rust: setup-rust
-	$(CARGO) test $(ALL)
+	$(CARGO) test $(ALL) --tests
+	$(CARGO) test $(ALL) --doc
 
 # Every case whose answer is known; the Rust tests ran the extremes.
 verify: $(PROGRAM)
