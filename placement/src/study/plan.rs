@@ -43,7 +43,7 @@ impl PlannedStudy {
 }
 
 /// Most points that are planned for an estimate: each takes a tenth of a millisecond.
-pub(crate) const MOST_PLANNED: usize = 1000;
+const MOST_PLANNED: usize = 1000;
 
 /// A study of which only the cost is asked.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,6 +52,13 @@ pub enum Estimable {
     Planned(PlannedStudy),
     /// Of a design so large that its points are only counted.
     Counted(Study),
+}
+
+impl Estimable {
+    /// Whether a study has so many points that an estimate counts them only.
+    pub fn is_counted(study: &Study) -> bool {
+        study.method.first_points(study.inputs.len()) > MOST_PLANNED
+    }
 }
 
 /// A study that can't be planned.

@@ -13,7 +13,7 @@ use serde_json::Value;
 use crate::study::candidate_reader::{candidates, layouts};
 use crate::study::input_reader::{read_inputs, read_name};
 use crate::study::method_reader::{Limits, read_method};
-use crate::study::plan::{Estimable, MOST_PLANNED, PlanError, PlannedStudy};
+use crate::study::plan::{Estimable, PlanError, PlannedStudy};
 use crate::study::{Accuracy, Study};
 
 /// Gives the text of a scene file, or says why it can't be had.
@@ -101,7 +101,7 @@ impl Estimable {
     /// Every fault of the document; of a large design not those of single points.
     pub fn from_value(value: &Value, resolve: Resolve<'_>) -> Result<Self, Vec<Fault>> {
         let study = unplanned(value, resolve)?;
-        if study.method.first_points(study.inputs.len()) > MOST_PLANNED {
+        if Self::is_counted(&study) {
             return Ok(Self::Counted(study));
         }
         planned(study).map(Self::Planned)

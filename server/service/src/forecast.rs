@@ -115,6 +115,17 @@ async fn workload(
     work.await.map_err(|_| ForecastError::Broken)
 }
 
+/// What a design asks of a solver; a large one is counted, and shares points with those alone that have its cut point.
+async fn design_workload(
+    solver: &Arc<dyn Solver>,
+    study: &Study,
+) -> Result<Workload, ForecastError> {
+    if Estimable::is_counted(study) {
+        return Ok(Workload::counted(study, solver.as_ref())?);
+    }
+    workload(solver, &plan_study(study).await?, Workload::of).await
+}
+
 /// What the designs of a sweep would cost, one after the other: what one of them solves is known to those after it.
 ///
 /// # Errors
@@ -127,7 +138,7 @@ pub async fn forecast_sweep(
 ) -> Result<SweepEstimate, ForecastError> {
     let (mut known, mut samples, mut designs) = (HashSet::new(), None, Vec::new());
     for design in &sweep.designs {
-        let work = workload(solver, &plan_study(&design.study).await?, Workload::of).await?;
+        let work = design_workload(solver, &design.study).await?;
         if let Some(store) = store {
             let keys: Vec<&str> = work.keys().collect();
             let mut connection = store.read().await?;

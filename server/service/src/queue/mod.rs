@@ -22,9 +22,10 @@ use placement::study::Study;
 use serde_json::json;
 use sqlx::{Sqlite, SqliteConnection, Transaction};
 use tokio::runtime::Handle;
-use tokio::sync::{Notify, oneshot, watch};
+use tokio::sync::{Mutex, Notify, oneshot, watch};
 
 use crate::engine::{End, Engine};
+use crate::queue::sweeps::TooManyDesigns;
 use crate::shutdown::Shutdown;
 use store::file::upkeep;
 use store::points::crashes;
@@ -48,6 +49,8 @@ pub struct Queue {
     most_waiting: u32,
     news: Notify,
     current: watch::Sender<Option<Current>>,
+    /// One sweep at a time goes on.
+    continuing: Mutex<()>,
     /// Whether a study waits for room in the database.
     lacks_room: AtomicBool,
     shutdown: Shutdown,
@@ -72,6 +75,12 @@ pub enum SubmitError {
         /// How many may wait.
         most: u32,
     },
+    /// The sweep would have more designs than one may.
+    #[error(transparent)]
+    TooManyDesigns(#[from] TooManyDesigns),
+    /// Its designs could not be read.
+    #[error("the designs of the sweep could not be read; the log says why")]
+    Broken,
     /// The database failed.
     #[error(transparent)]
     Store(#[from] StoreError),
@@ -86,6 +95,7 @@ impl Queue {
             most_waiting,
             news: Notify::new(),
             current: watch::Sender::new(None),
+            continuing: Mutex::new(()),
             lacks_room: AtomicBool::new(false),
             shutdown,
         }

@@ -6,7 +6,7 @@
 use std::collections::HashSet;
 
 use placement::study::Study;
-use placement::sweep::{Design, Sweep, nameless};
+use placement::sweep::{Design, MOST_DESIGNS, Sweep, nameless};
 use sqlx::SqliteConnection;
 
 use crate::queue::{Queue, SubmitError, enqueue};
@@ -15,6 +15,81 @@ use store::content::sha256;
 use store::queue::study_rows::State;
 use store::queue::sweep_rows::{self, DesignRow, SweepRow};
 use store::{Store, StoreError};
+
+/// How a sweep goes on. Worked out before it is written: reading a thousand designs takes a second, for which nobody else should wait.
+#[derive(Debug, Default)]
+pub struct Continuation {
+    /// Designs that ended without a result and are tried again as new studies, by their places; the old ones stay as they ended.
+    again: Vec<(i64, Study)>,
+    /// Designs that it hasn't yet.
+    new: Vec<Design>,
+}
+
+/// More designs than a sweep may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "the sweep has {there} designs and would have {more} more; {MOST_DESIGNS} are the most of one sweep"
+)]
+pub struct TooManyDesigns {
+    /// Designs that it has.
+    pub there: usize,
+    /// Those to come.
+    pub more: usize,
+}
+
+impl Continuation {
+    /// Tries again what ended without a result, as far as this version can read it.
+    pub fn resuming(there: &[DesignRow]) -> Self {
+        let over = there
+            .iter()
+            .filter(|design| matches!(design.study.state(), State::Failed | State::Cancelled));
+        let study = |design: &DesignRow| Some((design.ordinal, stored_study(&design.study).ok()?));
+        Self {
+            again: over.filter_map(study).collect(),
+            new: Vec::new(),
+        }
+    }
+
+    /// Adds those of the designs that it hasn't yet.
+    ///
+    /// # Errors
+    /// [`TooManyDesigns`].
+    pub fn and_adding(
+        self,
+        there: &[DesignRow],
+        designs: Vec<Design>,
+    ) -> Result<Self, TooManyDesigns> {
+        // What this version can't read any more is no design that it could make.
+        let known: HashSet<String> = there
+            .iter()
+            .filter_map(|row| stored_study(&row.study).ok())
+            .map(|study| nameless(&study))
+            .collect();
+        let is_new = |design: &Design| !known.contains(&nameless(&design.study));
+        let new: Vec<Design> = designs.into_iter().filter(is_new).collect();
+        let (there, more) = (there.len(), new.len());
+        if more > 0 && there + more > MOST_DESIGNS {
+            return Err(TooManyDesigns { there, more });
+        }
+        Ok(Self { new, ..self })
+    }
+
+    /// Puts its studies into the line.
+    ///
+    /// # Errors
+    /// When the database can't be written.
+    pub async fn store(
+        &self,
+        connection: &mut SqliteConnection,
+        sweep: &SweepRow,
+    ) -> Result<(), StoreError> {
+        for (ordinal, study) in &self.again {
+            let again = enqueue(connection, study, sweep.priority).await?;
+            sweep_rows::replace_study(connection, &sweep.id, *ordinal, &again).await?;
+        }
+        add_all(connection, &sweep.id, sweep.priority, &self.new).await
+    }
+}
 
 impl Queue {
     /// Takes a sweep in and returns its identifier. The same one under the same key is taken in once.
@@ -54,13 +129,10 @@ impl Queue {
     pub async fn extend_sweep(
         &self,
         sweep: &SweepRow,
-        designs: &[Design],
+        designs: Vec<Design>,
     ) -> Result<(), SubmitError> {
-        let mut transaction = self.store().begin().await?;
-        let new = not_there(&mut transaction, sweep, designs).await?;
-        self.room_for(&mut transaction, new.len()).await?;
-        add_all(&mut transaction, &sweep.id, sweep.priority, new).await?;
-        Ok(self.admit(transaction).await?)
+        let work = move |there: &[DesignRow]| Continuation::default().and_adding(there, designs);
+        self.continue_sweep(sweep, work).await
     }
 
     /// Lets designs that ended without a result be tried again.
@@ -68,10 +140,24 @@ impl Queue {
     /// # Errors
     /// See [`SubmitError`].
     pub async fn resume_sweep(&self, sweep: &SweepRow) -> Result<(), SubmitError> {
+        let work = |there: &[DesignRow]| Ok(Continuation::resuming(there));
+        self.continue_sweep(sweep, work).await
+    }
+
+    async fn continue_sweep(
+        &self,
+        sweep: &SweepRow,
+        work: impl FnOnce(&[DesignRow]) -> Result<Continuation, TooManyDesigns> + Send + 'static,
+    ) -> Result<(), SubmitError> {
+        // Two at once would both add what it hasn't yet.
+        let _alone = self.continuing.lock().await;
+        let there = designs_of(self.store(), &sweep.id).await?;
+        let worked_out = tokio::task::spawn_blocking(move || work(&there)).await;
+        let continuation = worked_out.map_err(|_| SubmitError::Broken)??;
+        let studies = continuation.again.len() + continuation.new.len();
         let mut transaction = self.store().begin().await?;
-        let over = without_result(&mut transaction, sweep).await?;
-        self.room_for(&mut transaction, over.len()).await?;
-        put_back(&mut transaction, sweep, &over).await?;
+        self.room_for(&mut transaction, studies).await?;
+        continuation.store(&mut transaction, sweep).await?;
         Ok(self.admit(transaction).await?)
     }
 
@@ -89,7 +175,11 @@ impl Queue {
     }
 }
 
-async fn designs_of(store: &Store, id: &str) -> Result<Vec<DesignRow>, StoreError> {
+/// The designs of a sweep with their studies, in order.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn designs_of(store: &Store, id: &str) -> Result<Vec<DesignRow>, StoreError> {
     let mut connection = store.read().await?;
     sweep_rows::designs(&mut connection, id).await
 }
@@ -109,79 +199,15 @@ pub async fn store(
     Ok(id)
 }
 
-async fn add_all<'d>(
+async fn add_all(
     connection: &mut SqliteConnection,
     sweep: &str,
     priority: i64,
-    designs: impl IntoIterator<Item = &'d Design>,
+    designs: &[Design],
 ) -> Result<(), StoreError> {
     for design in designs {
         let study = enqueue(connection, &design.study, priority).await?;
         sweep_rows::add_design(connection, sweep, &design.name, &design.set, &study).await?;
-    }
-    Ok(())
-}
-
-/// Adds the designs that a sweep hasn't yet.
-///
-/// # Errors
-/// When the database can't be read or written.
-pub async fn extend(
-    connection: &mut SqliteConnection,
-    sweep: &SweepRow,
-    designs: &[Design],
-) -> Result<(), StoreError> {
-    let new = not_there(connection, sweep, designs).await?;
-    add_all(connection, &sweep.id, sweep.priority, new).await
-}
-
-/// Those of the designs that a sweep hasn't yet.
-async fn not_there<'d>(
-    connection: &mut SqliteConnection,
-    sweep: &SweepRow,
-    designs: &'d [Design],
-) -> Result<Vec<&'d Design>, StoreError> {
-    let there = sweep_rows::designs(connection, &sweep.id).await?;
-    // What this version can't read any more is no design that it could make.
-    let there: HashSet<String> = there
-        .iter()
-        .filter_map(|row| stored_study(&row.study).ok())
-        .map(|study| nameless(&study))
-        .collect();
-    let is_new = |design: &&Design| !there.contains(&nameless(&design.study));
-    Ok(designs.iter().filter(is_new).collect())
-}
-
-/// Puts the designs that ended without a result back into the line, as new studies; the old ones stay as they ended.
-///
-/// # Errors
-/// When the database can't be read or written.
-pub async fn resume(connection: &mut SqliteConnection, sweep: &SweepRow) -> Result<(), StoreError> {
-    let over = without_result(connection, sweep).await?;
-    put_back(connection, sweep, &over).await
-}
-
-/// The designs that ended without a result and that this version can read, by their places.
-async fn without_result(
-    connection: &mut SqliteConnection,
-    sweep: &SweepRow,
-) -> Result<Vec<(i64, Study)>, StoreError> {
-    let designs = sweep_rows::designs(connection, &sweep.id).await?;
-    let over = designs
-        .iter()
-        .filter(|design| matches!(design.study.state(), State::Failed | State::Cancelled));
-    let study = |design: &DesignRow| Some((design.ordinal, stored_study(&design.study).ok()?));
-    Ok(over.filter_map(study).collect())
-}
-
-async fn put_back(
-    connection: &mut SqliteConnection,
-    sweep: &SweepRow,
-    designs: &[(i64, Study)],
-) -> Result<(), StoreError> {
-    for (ordinal, study) in designs {
-        let again = enqueue(connection, study, sweep.priority).await?;
-        sweep_rows::replace_study(connection, &sweep.id, *ordinal, &again).await?;
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use clap::Args;
 use placement::compare::{Comparison, compare};
 use placement::study::Study;
-use placement::sweep::{Design, Sweep as Plan, designs_of, sweep_of, typed_grid};
+use placement::sweep::{self as placed, Design, Sweep as Plan, sweep_of, typed_grid};
 use serde_json::json;
 use tokio::runtime::Runtime;
 
@@ -26,10 +26,10 @@ use service::engine::Engine;
 use service::forecast::{admit, forecast_sweep, plan_study};
 use service::metrics::Metrics;
 use service::queue::recover;
-use service::queue::sweeps::{extend, resume, store};
+use service::queue::sweeps::{Continuation, designs_of, store};
 use service::study_document::{named_files, read_changed, stored_base};
 use service::wire::sweep_wire::SweepDetail;
-use store::queue::sweep_rows::{self, DesignRow, SweepRow};
+use store::queue::sweep_rows::{self, SweepRow};
 use store::{Store, StoreError};
 
 /// Run one study over a grid of designs, and compare them
@@ -143,7 +143,7 @@ impl Sweep {
         let sweep = self.stored(runtime, engine, plan)?;
         let stop = stop_flag(runtime)?;
         let designs = || {
-            let found = runtime.block_on(designs_in(&engine.store, &sweep.id));
+            let found = runtime.block_on(designs_of(&engine.store, &sweep.id));
             found.map_err(Failure::other)
         };
         let bar = progress_bar("");
@@ -200,8 +200,13 @@ impl Sweep {
             let base = stored_base(&sweep).map_err(Failure::Other)?;
             let further = self.further(&base)?;
             admit_all(&further)?;
+            let there = runtime
+                .block_on(designs_of(&engine.store, &sweep.id))
+                .map_err(Failure::other)?;
+            let continuation = Continuation::resuming(&there).and_adding(&there, further);
+            let continuation = continuation.map_err(|error| Failure::input(error.to_string()))?;
             runtime
-                .block_on(go_on(&engine.store, &sweep, &further))
+                .block_on(go_on(&engine.store, &sweep, &continuation))
                 .map_err(Failure::other)?;
             return Ok(sweep);
         };
@@ -217,13 +222,8 @@ impl Sweep {
         }
         let grid = typed_grid(&self.grid).map_err(Failure::Input)?;
         let document = json!({"grid": grid});
-        designs_of(base, &document).map_err(Failure::Input)
+        placed::designs_of(base, &document).map_err(Failure::Input)
     }
-}
-
-async fn designs_in(store: &Store, sweep: &str) -> Result<Vec<DesignRow>, StoreError> {
-    let mut connection = store.read().await?;
-    sweep_rows::designs(&mut connection, sweep).await
 }
 
 async fn sweep_named(from: &Store, beginning: &str) -> Result<SweepRow, Failure> {
@@ -241,9 +241,12 @@ async fn new(to: &Store, plan: &Plan) -> Result<SweepRow, StoreError> {
 }
 
 /// Puts back what has no result, and adds further designs.
-async fn go_on(to: &Store, sweep: &SweepRow, further: &[Design]) -> Result<(), StoreError> {
+async fn go_on(
+    to: &Store,
+    sweep: &SweepRow,
+    continuation: &Continuation,
+) -> Result<(), StoreError> {
     let mut transaction = to.begin().await?;
-    resume(&mut transaction, sweep).await?;
-    extend(&mut transaction, sweep, further).await?;
+    continuation.store(&mut transaction, sweep).await?;
     to.commit(transaction, 0).await
 }

@@ -99,6 +99,10 @@ pub(super) fn unsubmitted(error: SubmitError) -> Problem {
         SubmitError::TooMany { .. } => {
             Problem::new(StatusCode::TOO_MANY_REQUESTS, error.to_string())
         }
+        SubmitError::TooManyDesigns(_) => {
+            Problem::new(StatusCode::UNPROCESSABLE_ENTITY, error.to_string())
+        }
+        SubmitError::Broken => Problem::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string()),
         SubmitError::Store(error) => error.into(),
     }
 }

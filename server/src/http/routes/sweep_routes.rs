@@ -167,7 +167,7 @@ async fn extend_sweep(
         .checked(move |value| designs_of(&base, value))
         .await?;
     admit_all(&state, designs.iter().map(|design| &design.study)).await?;
-    let extended = state.queue.extend_sweep(&sweep, &designs).await;
+    let extended = state.queue.extend_sweep(&sweep, designs).await;
     extended.map_err(unsubmitted)?;
     accepted(&state.store, &id).await
 }

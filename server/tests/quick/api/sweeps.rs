@@ -317,3 +317,19 @@ async fn an_estimate_counts_what_designs_share_once() {
     assert_eq!((left(0), left(1)), (&json!(26), &json!(0)), "{estimate}");
     assert_eq!(estimate["left"]["expected"], 26);
 }
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_sweep_is_never_extended_beyond_what_one_may_have() {
+    let home = Home::new();
+    let app = home.start(slow()).await;
+    let walls: Vec<f64> = (0..1000).map(|wall| 2.0 + 1e-3 * f64::from(wall)).collect();
+    let sweep = submit(&app, json!({"grid": {"geometry.wall_mm": walls}})).await;
+    let further = json!({"grid": {"geometry.wall_mm": [1.5]}});
+    let refused = post(&app, &address(&sweep, "/designs"), &further).await;
+    let body = problem(refused, StatusCode::UNPROCESSABLE_ENTITY).await;
+    let detail = body["detail"].as_str().expect("text");
+    assert!(detail.contains("has 1000 designs"), "{detail}");
+    // What it has already is no more.
+    let again = json!({"grid": {"geometry.wall_mm": [2.0]}});
+    accepted(post(&app, &address(&sweep, "/designs"), &again).await).await;
+}
