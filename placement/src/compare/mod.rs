@@ -18,7 +18,6 @@ use serde_json::{Map, Value};
 
 use crate::result::{FormMisses, Output, RankedLocation, StudyCost, StudyResult};
 use crate::score::location_scores::GSI;
-use crate::score::rank::place_of;
 
 /// A study to be compared.
 #[derive(Debug, Clone)]
@@ -226,12 +225,8 @@ fn row(
 ) -> ComparedLocation {
     let same = |other: &&RankedLocation| other.name == location.name;
     let other = base.and_then(|base| base.locations.iter().find(same));
-    let here = place_of(location, &result.locations);
-    let there = base
-        .zip(other)
-        .map(|(base, other)| place_of(other, &base.locations));
-    let change = there.map(|there| places(here.0) - places(there.0));
-    let certain = there.is_some_and(|there| here.1 && there.1);
+    let change = other.map(|other| places(location.rank) - places(other.rank));
+    let certain = other.is_some_and(|other| location.rank_certain && other.rank_certain);
     let known = other.is_some_and(|other| other.knows_error() && location.knows_error());
     let index = PerDirection::of(|direction| {
         let against = base.zip(other);

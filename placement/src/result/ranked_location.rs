@@ -22,7 +22,7 @@ pub struct RankedLocation {
     /// The input that is this location's own: the depth of the station below it.
     #[serde(default)]
     pub input: Option<String>,
-    /// Which row of the ranking it is, 1 the best. Equal locations, as mirror images are, follow each other in the order of their names.
+    /// Its rank, 1 the best. Equal locations, as mirror images are, share that of the first of them, and follow each other in the order of their names.
     pub rank: usize,
     /// What it is judged by.
     #[serde(flatten)]
@@ -30,7 +30,7 @@ pub struct RankedLocation {
     /// Rank by one strain alone, which equal locations share.
     #[serde(flatten, with = "RankFields")]
     pub ranks: PerDirection<Option<usize>>,
-    /// Whether the errors leave no doubt about this rank; never where another location is equal.
+    /// Whether the errors leave no doubt about this rank, which equals share.
     pub rank_certain: bool,
 }
 
@@ -86,7 +86,7 @@ mod schema {
             let schema = ObjectSchema::new("One candidate location in the ranking.")
                 .required(Type::String, "name", "P1, P2, ...")
                 .optional(Type::String, "input", own)
-                .required(Type::Integer, "rank", "1 is best. Equal locations, as mirror images are, follow each other in the order of their names.");
+                .required(Type::Integer, "rank", "1 is best. Equal locations, as mirror images are, share the rank of the first of them, and follow each other in the order of their names.");
             let schema = SCORES
                 .iter()
                 .fold(schema, |schema, score| with_score(schema, score));
@@ -98,7 +98,8 @@ mod schema {
                     );
                     schema.optional(Type::Integer, &format!("rank_{direction}"), &by)
                 });
-            let certain = "Whether the errors leave no doubt about this rank; never where another location is equal.";
+            let certain =
+                "Whether the errors leave no doubt about this rank, which equal locations share.";
             schema
                 .required(Type::Boolean, "rank_certain", certain)
                 .schema()

@@ -8,7 +8,7 @@ use crate::result::{FailedPoint, Output, RankedLayout, RankedLocation};
 use crate::score::indices::{NO_MESH_ERROR, Scores};
 use crate::score::location_scores::{GSI, SCORES};
 use crate::score::quantity::QUANTITY;
-use crate::score::rank::{Key, SharedPlace, ordered, own_inputs, shared_places};
+use crate::score::rank::{Key, ordered, own_inputs};
 use crate::study::Study;
 use crate::study::plan::Plan;
 
@@ -41,10 +41,10 @@ pub(crate) fn notes(
     );
     notes.extend(mdrm_at_centre(study, scores));
     notes.extend(other_orders(locations));
-    notes.extend(uncertain(study, locations));
+    notes.extend(uncertain(locations));
     notes.extend(without_location(study, cut));
     notes.extend(contact_edges(study, plan, cut));
-    notes.extend(ties(study, locations));
+    notes.extend(ties(locations));
     notes.extend(without_mesh_error(scores));
     if !layouts.is_empty() {
         notes.push(
@@ -224,14 +224,10 @@ fn other_orders(locations: &[RankedLocation]) -> Vec<String> {
 }
 
 /// Ranks that known errors leave open; where none is known another note says so.
-fn uncertain(study: &Study, locations: &[RankedLocation]) -> Option<String> {
-    let shared = shared_places(locations, study.directions);
-    let certain = shared.iter().filter(|place| place.is_certain);
-    let equals: Vec<&RankedLocation> = certain.flat_map(|place| place.locations.clone()).collect();
+fn uncertain(locations: &[RankedLocation]) -> Option<String> {
     let unsure: Vec<&str> = locations
         .iter()
         .filter(|location| !location.rank_certain && location.knows_error())
-        .filter(|location| equals.iter().all(|equal| equal.name != location.name))
         .map(|location| location.name.as_str())
         .collect();
     (!unsure.is_empty()).then(|| {
@@ -293,27 +289,20 @@ fn contact_edges(study: &Study, plan: &Plan, cut: &Response) -> Option<String> {
     })
 }
 
-/// Which locations share their place, as mirror images do.
-fn ties(study: &Study, locations: &[RankedLocation]) -> Option<String> {
-    let shared = shared_places(locations, study.directions);
-    let of_place = |place: &SharedPlace<'_>| {
-        let names: Vec<&str> = place.locations.iter().map(|l| l.name.as_str()).collect();
-        let certain = if place.is_certain {
-            ", which is certain"
-        } else {
-            ""
-        };
-        format!(
-            "{} share place {}{certain}",
-            listed(&names),
-            place.locations[0].rank
-        )
+/// Which locations share their rank, as mirror images do.
+fn ties(locations: &[RankedLocation]) -> Option<String> {
+    let of_rank = |equals: &[RankedLocation]| {
+        let names: Vec<&str> = equals.iter().map(|l| l.name.as_str()).collect();
+        let (rank, is_certain) = (equals[0].rank, equals[0].rank_certain);
+        let certain = if is_certain { ", which is certain" } else { "" };
+        format!("{} share rank {rank}{certain}", listed(&names))
     };
-    let places: Vec<String> = shared.iter().map(of_place).collect();
-    (!places.is_empty()).then(|| {
+    let runs = locations.chunk_by(|a, b| a.rank == b.rank);
+    let ranks: Vec<String> = runs.filter(|run| run.len() > 1).map(of_rank).collect();
+    (!ranks.is_empty()).then(|| {
         format!(
-            "Equal locations, as mirror images are, share a place, and their order in it says nothing: {}.",
-            places.join("; ")
+            "Equal locations, as mirror images are, share a rank, and their order in it says nothing: {}.",
+            ranks.join("; ")
         )
     })
 }

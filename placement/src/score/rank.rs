@@ -4,8 +4,8 @@
 //! the own input's first-order indices for the x and the y strain at the contact centre, or by the one that is asked for; equal sums
 //! (shares within 1e-9) are ordered by x, then by name. A location without an index comes last.
 //!
-//! `rank` numbers the rows. Locations that are equal, as mirror images are, share a place: the rank of the first of them. By one strain alone
-//! they share the rank itself, and none of them is certain to be before the other.
+//! Locations that are equal, as mirror images are, share a rank: that of the first of them. It is certain when the errors leave no doubt
+//! about its place among the others.
 
 use fem_client::solver::direction::{Direction, PerDirection};
 use gsa::judge::certainty::{Estimate, places_certain};
@@ -51,10 +51,7 @@ pub fn rank(study: &Study, scores: &Scores) -> Vec<RankedLocation> {
     let default = |location: &RankedLocation| default_key(location, study.directions);
     let order = ordered(&locations, &[&default, &gsi_x]);
     let mut ranked: Vec<RankedLocation> = order.iter().map(|i| locations[*i].clone()).collect();
-    for (i, location) in ranked.iter_mut().enumerate() {
-        location.rank = i + 1;
-    }
-    mark_certain(&mut ranked, study.directions);
+    number(&mut ranked, study.directions);
     ranked
 }
 
@@ -73,40 +70,6 @@ fn rank_by_one(locations: &mut [RankedLocation], direction: Direction) {
         };
         locations[i].ranks[direction] = Some(rank);
         before = Some((value, rank));
-    }
-}
-
-/// Locations that are equal in what they are ranked by.
-pub(crate) struct SharedPlace<'l> {
-    /// In their order, at least two.
-    pub locations: Vec<&'l RankedLocation>,
-    /// Whether the errors leave no doubt about their place among the others.
-    pub is_certain: bool,
-}
-
-/// The places that several locations share, best first.
-pub(crate) fn shared_places(
-    ranked: &[RankedLocation],
-    directions: Directions,
-) -> Vec<SharedPlace<'_>> {
-    let certain = places_are_certain(ranked, directions);
-    let rows: Vec<(&RankedLocation, bool)> = ranked.iter().zip(certain).collect();
-    let equal = |a: &(&RankedLocation, bool), b: &(&RankedLocation, bool)| are_equal(a.0, b.0);
-    let runs = rows.chunk_by(equal).filter(|run| run.len() > 1);
-    runs.map(|run| SharedPlace {
-        locations: run.iter().map(|(location, _)| *location).collect(),
-        is_certain: run.iter().all(|(_, certain)| *certain),
-    })
-    .collect()
-}
-
-/// The place of one of the ranked, which equals share, and whether it is certain, by both strains.
-pub fn place_of(location: &RankedLocation, ranked: &[RankedLocation]) -> (usize, bool) {
-    let shared = shared_places(ranked, Directions::Both);
-    let here = |place: &&SharedPlace<'_>| place.locations.iter().any(|l| l.name == location.name);
-    match shared.iter().find(here) {
-        Some(place) => (place.locations[0].rank, place.is_certain),
-        None => (location.rank, location.rank_certain),
     }
 }
 
@@ -209,19 +172,20 @@ fn sort_by_keys(order: &mut [usize], locations: &[RankedLocation], keys: &[Key<'
     }
 }
 
-/// A rank is certain if its location truly outranks all others, or is outranked, with the probability of
-/// [`gsa::judge::certainty`]: never among equals, whose place may be certain all the same.
-fn mark_certain(ranked: &mut [RankedLocation], directions: Directions) {
-    let certain = places_are_certain(ranked, directions);
-    let alone = |i: usize| {
-        let others = (0..ranked.len()).filter(|other| *other != i);
-        !others
-            .into_iter()
-            .any(|other| are_equal(&ranked[i], &ranked[other]))
-    };
-    let alone: Vec<bool> = (0..ranked.len()).map(alone).collect();
-    for ((location, certain), alone) in ranked.iter_mut().zip(certain).zip(alone) {
-        location.rank_certain = certain && alone;
+/// Numbers what is in order; equals share the rank of the first of them. It is certain if they truly outrank all others, or are outranked,
+/// with the probability of [`gsa::judge::certainty`].
+fn number(ranked: &mut [RankedLocation], directions: Directions) {
+    let mut certain = places_are_certain(ranked, directions).into_iter();
+    let mut rank = 1;
+    for equals in ranked.chunk_by_mut(|a, b| are_equal(a, b)) {
+        let is_certain = certain
+            .by_ref()
+            .take(equals.len())
+            .fold(true, |all, one| all && one);
+        for location in equals.iter_mut() {
+            (location.rank, location.rank_certain) = (rank, is_certain);
+        }
+        rank += equals.len();
     }
 }
 
@@ -299,7 +263,7 @@ mod tests {
     }
 
     /// With the same error of every sum, all of it from x.
-    fn mark_certain_with(ranked: &mut [RankedLocation], error: Option<f64>) {
+    fn number_with(ranked: &mut [RankedLocation], error: Option<f64>) {
         for location in ranked.iter_mut() {
             let gsi = location.scores.clone();
             let errors = PerDirection {
@@ -311,7 +275,7 @@ mod tests {
                 error: errors[direction],
             });
         }
-        mark_certain(ranked, Directions::Both);
+        number(ranked, Directions::Both);
     }
 
     #[test]
@@ -323,41 +287,35 @@ mod tests {
             location("d", None, None),
         ];
         // b from c: 2 4/sqrt(2 16) = 1.4 deviations; a from b: 3.5
-        mark_certain_with(&mut ranked, Some(4.0));
+        number_with(&mut ranked, Some(4.0));
         assert_eq!(
             ranked.each_ref().map(|l| l.rank_certain),
             [true, false, false, false]
         );
-        mark_certain_with(&mut ranked[..3], Some(2.0));
+        number_with(&mut ranked[..3], Some(2.0));
         assert!(ranked[..3].iter().all(|l| l.rank_certain));
-        mark_certain_with(&mut ranked, None);
+        number_with(&mut ranked, None);
         assert!(ranked.iter().all(|l| !l.rank_certain));
     }
 
     #[test]
-    fn mirror_locations_share_a_certain_place_and_have_no_order() {
+    fn mirror_locations_share_a_rank_which_may_be_certain() {
         let mut ranked = [
             location("a", Some(60.0), Some(0.0)),
             location("b", Some(20.0), Some(0.0)),
             location("c", Some(20.0 - 1e-9), Some(0.0)),
+            location("d", Some(10.0), Some(0.0)),
         ];
-        mark_certain_with(&mut ranked, Some(10.0));
-        let certain = ranked.each_ref().map(|l| l.rank_certain);
-        assert_eq!(certain, [true, false, false]);
-        let shared = shared_places(&ranked, Directions::Both);
-        let names = |place: &SharedPlace<'_>| {
-            place
-                .locations
-                .iter()
-                .map(|l| l.name.clone())
-                .collect::<Vec<_>>()
-        };
-        assert_eq!(shared.iter().map(names).collect::<Vec<_>>(), [["b", "c"]]);
-        assert!(shared[0].is_certain);
+        number_with(&mut ranked, Some(10.0));
+        let ranks = ranked.each_ref().map(|l| (l.rank, l.rank_certain));
+        assert_eq!(ranks, [(1, true), (2, false), (2, false), (4, false)]);
+        number_with(&mut ranked[..3], Some(10.0));
+        let ranks = ranked.each_ref().map(|l| (l.rank, l.rank_certain));
+        assert_eq!(ranks[..3], [(1, true), (2, true), (2, true)]);
         rank_by_one(&mut ranked, Direction::X);
         assert_eq!(
             ranked.each_ref().map(|l| l.ranks.x),
-            [Some(1), Some(2), Some(2)]
+            [Some(1), Some(2), Some(2), Some(4)]
         );
     }
 }

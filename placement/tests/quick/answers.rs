@@ -56,14 +56,14 @@ fn locations_are_ranked_by_their_own_depth_at_the_centre() {
     assert_eq!(names, ["P3", "P2", "P4", "P1", "P5"]);
     assert_eq!(
         result.locations.iter().map(|l| l.rank).collect::<Vec<_>>(),
-        [1, 2, 3, 4, 5]
+        [1, 2, 2, 4, 4]
     );
     let p3 = location(&result, "P3");
     assert_eq!(p3.value(GSI, Direction::Y), p3.value(OWN_GSI, Direction::Y));
     assert!(p3.rank_certain);
-    // Mirror images tie: they share their place, which is certain, and neither is before the other.
+    // Mirror images tie: they share their rank, which is certain, and neither is before the other.
     let (p2, p4) = (location(&result, "P2"), location(&result, "P4"));
-    assert!(!p2.rank_certain && !p4.rank_certain && p2.ranks == p4.ranks);
+    assert!(p2.rank_certain && p4.rank_certain && p2.ranks == p4.ranks);
     assert_eq!((p2.ranks.x, p2.ranks.y), (Some(2), Some(2)));
     assert_eq!((p3.ranks.x, p3.ranks.y), (Some(1), Some(1)));
     for location in &result.locations {
@@ -109,8 +109,8 @@ fn notes_tell_of_symmetry_and_of_the_missing_mesh_error() {
         has_note(
             &result,
             &[
-                "P2 and P4 share place 2, which is certain",
-                "P1 and P5 share place 4"
+                "P2 and P4 share rank 2, which is certain",
+                "P1 and P5 share rank 4"
             ]
         ),
         "{:#?}",

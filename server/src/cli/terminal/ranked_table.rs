@@ -6,7 +6,6 @@ use std::fmt::Write;
 use fem_client::solver::direction::{Direction, PerDirection};
 use placement::result::{RankedLocation, StudyResult};
 use placement::score::location_scores::{GSI, MDRM_GSI, MEAN_GSI, OWN_GSI, Score};
-use placement::score::rank::place_of;
 
 use crate::cli::terminal::estimate_text::comparison;
 use crate::cli::terminal::paint::{BAD, FAINT, GOOD, HEADER, STRONG, header, painted};
@@ -30,21 +29,21 @@ pub fn report(result: &StudyResult) -> String {
     text
 }
 
-/// One row per location, best first; equal ones share their place. Global sensitivity indices in percent; the first pair with its error.
+/// One row per location, best first; equal ones share their rank. Global sensitivity indices in percent; the first pair with its error.
 fn ranked(result: &StudyResult) -> String {
     let mut text = painted(HEADER, result.study.name.escape_debug()) + "\n\n";
     text.push_str(&header("                gsi: own depth, strain at         mean over all     strain at the     M-DRM's gsi,      paper's\n"));
     text.push_str(&header("                the centre, %, with its error     locations, %      location, %       valid or not, %   Table 2, %\n"));
     text.push_str(&header("rank  location         x               y             x       y         x       y         x       y         x       y   rank is\n"));
     for location in &result.locations {
-        text.push_str(&row(location, place_of(location, &result.locations)));
+        text.push_str(&row(location));
     }
     text
 }
 
-fn row(location: &RankedLocation, (place, is_certain): (usize, bool)) -> String {
+fn row(location: &RankedLocation) -> String {
     let paper = PAPER.iter().find(|(name, ..)| *name == location.name);
-    let mut text = format!("{place:4}  {:<8} ", location.name);
+    let mut text = format!("{:4}  {:<8} ", location.rank, location.name);
     for gsi in location.scores.of_score(GSI).iter() {
         let error = gsi.error.map_or(String::new(), |e| format!("+-{e:.2}"));
         let _ = write!(text, "{} {error:<7} ", percent(gsi.value));
@@ -55,7 +54,7 @@ fn row(location: &RankedLocation, (place, is_certain): (usize, bool)) -> String 
     }
     let (x, y) = (paper.map(|(_, x, _)| *x), paper.map(|(_, _, y)| *y));
     let _ = write!(text, " {} {} ", percent(x), percent(y));
-    let (style, rank_is) = match is_certain {
+    let (style, rank_is) = match location.rank_certain {
         true => (STRONG, "certain"),
         false => (FAINT, "uncertain"),
     };

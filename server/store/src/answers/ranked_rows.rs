@@ -33,8 +33,8 @@ pub async fn insert(
     locations: &[RankedLocation],
     layouts: &[RankedLayout],
 ) -> Result<(), StoreError> {
-    for location in locations {
-        location_rows::insert(connection, study, location).await?;
+    for (place, location) in (1..).zip(locations) {
+        location_rows::insert(connection, study, place, location).await?;
     }
     for layout in layouts {
         layout_rows::insert(connection, study, layout).await?;

@@ -116,7 +116,7 @@ async fn ranked_rows_can_be_queried_in_sql() {
     let result = app.json(&format!("/v1/studies/{id}/result")).await;
     let mut sql = home.sql().await;
     let rows: Vec<(String, i64, f64, f64)> = sqlx::query_as(
-        "select name, rank, value, error from locations join location_scores using (study, rank)
+        "select name, coalesce(shared_rank, rank), value, error from locations join location_scores using (study, rank)
          where study = ? and score = 'gsi' and direction = 'x' order by rank",
     )
     .bind(&id)

@@ -18,6 +18,9 @@ pub(super) struct LocationRow {
     rank_x: Option<i64>,
     rank_y: Option<i64>,
     rank_certain: bool,
+    /// Where it isn't the row's place; left out of the hash there, which earlier versions made without it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shared_rank: Option<i64>,
 }
 
 from_row!(LocationRow {
@@ -26,7 +29,8 @@ from_row!(LocationRow {
     input,
     rank_x,
     rank_y,
-    rank_certain
+    rank_certain,
+    shared_rank
 });
 
 #[derive(Serialize)]
@@ -49,18 +53,20 @@ from_row!(ScoreRow {
 pub(super) async fn insert(
     connection: &mut SqliteConnection,
     study: &str,
+    place: usize,
     location: &RankedLocation,
 ) -> Result<(), StoreError> {
     sqlx::query(
-        "insert into locations (study, rank, name, input, rank_x, rank_y, rank_certain) values (?, ?, ?, ?, ?, ?, ?)",
+        "insert into locations (study, rank, name, input, rank_x, rank_y, rank_certain, shared_rank) values (?, ?, ?, ?, ?, ?, ?, ?)",
     )
     .bind(study)
-    .bind(whole(location.rank))
+    .bind(whole(place))
     .bind(&location.name)
     .bind(location.input.as_deref())
     .bind(location.ranks.x.map(whole))
     .bind(location.ranks.y.map(whole))
     .bind(location.rank_certain)
+    .bind((location.rank != place).then(|| whole(location.rank)))
     .execute(&mut *connection)
     .await?;
     for score in SCORES {
@@ -69,7 +75,7 @@ pub(super) async fn insert(
                 "insert into location_scores (study, rank, score, direction, value, error) values (?, ?, ?, ?, ?, ?)",
             )
             .bind(study)
-            .bind(whole(location.rank))
+            .bind(whole(place))
             .bind(score.name)
             .bind(direction.as_str())
             .bind(location.value(score, direction))
@@ -85,7 +91,7 @@ pub(super) async fn of(
     connection: &mut SqliteConnection,
     study: &str,
 ) -> Result<Vec<LocationRow>, StoreError> {
-    let query = "select rank, name, input, rank_x, rank_y, rank_certain from locations where study = ? order by rank";
+    let query = "select rank, name, input, rank_x, rank_y, rank_certain, shared_rank from locations where study = ? order by rank";
     Ok(sqlx::query_as(query)
         .bind(study)
         .fetch_all(connection)
@@ -120,7 +126,7 @@ impl LocationRow {
         Some(RankedLocation {
             name: self.name.clone(),
             input: self.input.clone(),
-            rank: counted(self.rank)?,
+            rank: counted(self.shared_rank.unwrap_or(self.rank))?,
             scores: LocationScores::of(|score, direction| figure(score.name, direction)),
             ranks: [self.rank_x, self.rank_y]
                 .map(|rank| rank.and_then(counted))
