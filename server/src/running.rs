@@ -14,8 +14,10 @@ use crate::http::app_state::AppState;
 use crate::http::edge::access::Access;
 use crate::http::edge::guard::{HostList, HostName};
 use crate::http::edge::listener;
+use crate::http::edge::room::Room;
 use crate::http::edge::streams::Streams;
 use crate::http::router::app;
+use crate::http::routes::sent_result::Intact;
 use crate::token::{Token, TokenError};
 use service::engine::Engine;
 use service::metrics::Metrics;
@@ -179,6 +181,8 @@ impl Service {
             access,
             metrics,
             streams: Streams::new(limits.event_streams),
+            room: Room::default(),
+            intact: Intact::default(),
             memory_bytes: limits.memory_bytes,
         };
         let http = tokio::spawn(listener::serve(listener, app(state, hosts), stopping));

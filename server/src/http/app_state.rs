@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use axum::extract::FromRef;
 use service::engine::Engine;
 use service::metrics::Metrics;
 use service::queue::Queue;
@@ -9,7 +10,9 @@ use service::shutdown::Shutdown;
 use store::Store;
 
 use crate::http::edge::access::Access;
+use crate::http::edge::room::Room;
 use crate::http::edge::streams::Streams;
+use crate::http::routes::sent_result::Intact;
 
 /// What every handler may use.
 #[derive(Clone)]
@@ -30,4 +33,14 @@ pub struct AppState {
     pub metrics: Arc<Metrics>,
     /// Places for event streams.
     pub streams: Streams,
+    /// Room for large answers.
+    pub room: Room,
+    /// Results that were intact lately.
+    pub intact: Intact,
+}
+
+impl FromRef<AppState> for Room {
+    fn from_ref(state: &AppState) -> Self {
+        state.room.clone()
+    }
 }

@@ -10,14 +10,17 @@ use tower_http::catch_panic::CatchPanicLayer;
 
 use crate::http::app_state::AppState;
 use crate::http::edge::problem_document::Problem;
-use crate::http::edge::{access, guard, request_id};
+use crate::http::edge::{access, guard, request_id, room};
 use crate::http::routes::{assets, metric_routes, openapi};
 
 /// All routes, guarded: the innermost layer stands first.
 pub fn app(state: AppState, hosts: guard::HostList) -> Router {
     let (router, _) = openapi::routes().split_for_parts();
     let (access, counted) = (state.access.clone(), state.metrics.clone());
+    let room = state.room.clone();
     router
+        // The dashboard's files, which no route answers, lie in the program and cost nothing.
+        .route_layer(from_fn_with_state(room, room::count))
         .method_not_allowed_fallback(wrong_method)
         .fallback(assets::fallback)
         .with_state(state)

@@ -9,12 +9,33 @@ use crate::store_error::StoreError;
 
 /// SHA-256 of the parts in order, each with its length so that no two lists of parts hash alike; lower-case hex.
 pub fn sha256(parts: &[&[u8]]) -> String {
-    let mut hasher = Sha256::new();
+    let mut digest = Digested::default();
     for part in parts {
-        hasher.update((part.len() as u64).to_le_bytes());
-        hasher.update(part);
+        digest.begin(part.len());
+        digest.update(part);
     }
-    hexadecimal(&hasher.finalize())
+    digest.end()
+}
+
+/// The same hash of parts that come in pieces.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Digested(Sha256);
+
+impl Digested {
+    /// A part of so many bytes follows.
+    pub(crate) fn begin(&mut self, bytes: usize) {
+        self.0.update((bytes as u64).to_le_bytes());
+    }
+
+    /// A piece of it.
+    pub(crate) fn update(&mut self, piece: &[u8]) {
+        self.0.update(piece);
+    }
+
+    /// The hash of all parts.
+    pub(crate) fn end(self) -> String {
+        hexadecimal(&self.0.finalize())
+    }
 }
 
 /// SHA-256 of a document as it stands in documents, lower-case hex.

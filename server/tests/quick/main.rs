@@ -4,5 +4,6 @@ mod api;
 mod app;
 mod cli;
 mod interrupted;
+mod long_results;
 mod own_models;
 mod program;

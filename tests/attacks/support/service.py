@@ -38,3 +38,27 @@ def posted(port, path, kind, body):
     """The answer to a document."""
     head = f"POST {path} HTTP/1.1\r\nHOST\r\nContent-Type: {kind}\r\nContent-Length: {len(body)}\r\nConnection: close\r\n\r\n"
     return ask(port, head.encode() + body.encode()).decode()
+
+
+def unread(port, request):
+    """A client that has asked and doesn't read."""
+    client = socket.socket()
+    client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+    client.settimeout(60)
+    client.connect(("127.0.0.1", port))
+    client.sendall(request.replace(b"HOST", b"Host: 127.0.0.1:%d" % port))
+    client.setblocking(False)
+    return client
+
+
+def answered(client):
+    """The status of its answer, which it goes on not reading; none as long as there is no answer."""
+    with contextlib.suppress(BlockingIOError):
+        return int(client.recv(12, socket.MSG_PEEK)[9:] or 0)
+    return None
+
+
+def resident_mb(process):
+    """Memory that a process holds now."""
+    with open(f"/proc/{process}/status") as status:
+        return next(int(line.split()[1]) for line in status if line.startswith("VmRSS:")) / 1024

@@ -43,6 +43,11 @@ pub fn tagged(
     (tagging, answer).into_response()
 }
 
+/// Whether a client names the tag, so that it needs no body.
+pub fn has(headers: &HeaderMap, tag: &str) -> bool {
+    is_known(headers, &format!("\"{tag}\""))
+}
+
 /// Whether If-None-Match names the tag. Proxies that compress an answer mark its tag as weak.
 fn is_known(headers: &HeaderMap, etag: &str) -> bool {
     let values = headers.get_all(header::IF_NONE_MATCH).iter();

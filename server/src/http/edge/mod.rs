@@ -8,6 +8,7 @@
 //! - [`document_body`]: reads the body of a submitted study
 //! - [`conditional`]: answers that needn't be sent again
 //! - [`streams`]: places for event streams
+//! - [`room`]: room for large answers
 //! - [`listener`], [`reading`]: accepts connections, and drops those that nobody reads from
 //! - [`refusals`]: bodies for what hyper refuses
 
@@ -21,4 +22,5 @@ pub mod problem_document;
 pub mod reading;
 pub mod refusals;
 pub mod request_id;
+pub mod room;
 pub mod streams;

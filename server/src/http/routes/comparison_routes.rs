@@ -16,6 +16,7 @@ use utoipa_axum::routes;
 use crate::http::app_state::AppState;
 use crate::http::edge::extract::Params;
 use crate::http::edge::problem_document::Problem;
+use crate::http::edge::room::Making;
 use crate::http::routes::export_routes::{both, file};
 use crate::http::routes::study_routes;
 use crate::http::routes::sweep_routes;
@@ -62,6 +63,7 @@ struct ExportQuery {
 async fn compare_studies(
     State(state): State<AppState>,
     Params(query): Params<ComparisonQuery>,
+    _making: Making,
 ) -> Result<Json<Comparison>, Problem> {
     compared(&state, &query).await.map(Json)
 }
@@ -86,6 +88,7 @@ async fn compare_studies(
 async fn export_comparison(
     State(state): State<AppState>,
     Params(query): Params<ExportQuery>,
+    _making: Making,
 ) -> Result<Response, Problem> {
     let wanted = wanted(&query)?;
     let comparison = compared(&state, &query.of).await?;

@@ -14,6 +14,7 @@ use utoipa_axum::routes;
 use crate::http::app_state::AppState;
 use crate::http::edge::extract::{Params, StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
+use crate::http::edge::room::Making;
 use crate::http::routes::result_routes::part;
 use crate::http::routes::study_routes::known;
 use service::export::{Export, ExportError, FileFormat, Table};
@@ -50,6 +51,7 @@ async fn export(
     State(state): State<AppState>,
     StudyId(id): StudyId,
     Params(query): Params<ExportQuery>,
+    _making: Making,
 ) -> Result<Response, Problem> {
     let wanted = wanted(&query)?;
     let result: StudyResult = part(&state.store, &id).await?;

@@ -4,7 +4,7 @@
 //! - [`sweep_routes`]: many designs at once
 //! - [`comparison_routes`]: studies side by side
 //! - [`event_routes`]: progress as server-sent events
-//! - [`result_routes`]: result, locations, layouts, evaluations, map
+//! - [`result_routes`], [`sent_result`]: result, locations, layouts, evaluations, map
 //! - [`export_routes`]: answers as tables
 //! - [`preset_routes`]: studies and scenes to start from
 //! - [`health`]: is it up, can it work
@@ -24,5 +24,6 @@ pub mod metric_routes;
 pub mod openapi;
 pub mod preset_routes;
 pub mod result_routes;
+pub mod sent_result;
 pub mod study_routes;
 pub mod sweep_routes;

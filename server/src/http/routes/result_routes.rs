@@ -4,6 +4,7 @@
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use axum::Json;
+use axum::body::Body;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::Response;
@@ -17,15 +18,18 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use crate::http::app_state::AppState;
-use crate::http::edge::conditional::tagged;
+use crate::http::edge::conditional::{has, tagged};
 use crate::http::edge::extract::{Params, StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
+use crate::http::edge::room::Making;
+use crate::http::routes::sent_result;
 use crate::http::routes::study_routes::known;
 use service::point_views;
 use service::wire::examples;
 use service::wire::study_wire::{Evaluations, Layouts, Locations, MapView, ProblemDocument};
 use store::answers::ranked_rows::{self, Ranked};
 use store::answers::result_rows;
+use store::answers::result_text;
 use store::answers::trades;
 use store::{Store, StoreError};
 
@@ -54,11 +58,22 @@ async fn whole(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let found = ready(&state.store, &id, async |connection| {
-        result_rows::find_text(connection, &id).await
+        result_text::find(connection, &id).await
     });
-    let (text, sha256) = found.await?;
-    let kind = [(header::CONTENT_TYPE, "application/json")];
-    Ok(tagged(&headers, &sha256, "no-cache", (kind, text)))
+    let text = found.await?;
+    // A result never changes: what the client has was compared with its hash when it was sent, and the text needn't be read again.
+    let body = if has(&headers, &text.content_sha256) {
+        Body::empty()
+    } else {
+        let from = (&state.store, &state.room, &state.intact);
+        sent_result::body(from, &text).await?
+    };
+    let kind = [
+        (header::CONTENT_TYPE, "application/json".to_owned()),
+        (header::CONTENT_LENGTH, text.bytes.to_string()),
+    ];
+    let answer = (kind, body);
+    Ok(tagged(&headers, &text.content_sha256, "no-cache", answer))
 }
 
 /// Get the ranked locations
@@ -106,6 +121,7 @@ async fn ranked(store: &Store, id: &str) -> Result<Ranked, Problem> {
 async fn evaluations(
     State(state): State<AppState>,
     StudyId(id): StudyId,
+    _making: Making,
 ) -> Result<Json<Evaluations>, Problem> {
     let study = known(&state.store, &id).await?;
     let mut connection = state.store.read().await?;
@@ -131,6 +147,7 @@ async fn map(
     State(state): State<AppState>,
     StudyId(id): StudyId,
     Params(query): Params<MapQuery>,
+    _making: Making,
 ) -> Result<Json<MapView>, Problem> {
     let result: StudyResult = part(&state.store, &id).await?;
     let Some(map) = &result.map else {

@@ -72,10 +72,7 @@ pub(crate) async fn complete_rankings(connection: &mut SqliteConnection) -> Resu
 }
 
 /// The result of a study as its JSON text, and the hash of its content.
-///
-/// # Errors
-/// [`StoreError::Damaged`] when the row doesn't match its hash; when the database can't be read.
-pub async fn find_text(
+async fn find_text(
     connection: &mut SqliteConnection,
     study: &str,
 ) -> Result<Option<(String, String)>, StoreError> {
@@ -96,7 +93,7 @@ pub async fn find_text(
 /// The result of a study, or the part `R` of it, and the hash of its content.
 ///
 /// # Errors
-/// As for [`find_text`].
+/// [`StoreError::Damaged`] when the row doesn't match its hash; when the database can't be read.
 pub async fn find<R: DeserializeOwned>(
     connection: &mut SqliteConnection,
     study: &str,
@@ -108,7 +105,7 @@ pub async fn find<R: DeserializeOwned>(
     Ok(Some((result, content)))
 }
 
-fn damaged(study: &str) -> StoreError {
+pub(super) fn damaged(study: &str) -> StoreError {
     StoreError::Damaged {
         table: "results",
         row: study.to_owned(),
