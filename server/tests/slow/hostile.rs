@@ -8,7 +8,7 @@ use tokio::net::TcpStream;
 use crate::program::service::Program;
 use crate::timing::p99;
 
-/// Slow connections at once; the service takes 512.
+/// Slow connections at once; the service takes 384 of such, and closes further ones early.
 const SLOW: usize = 500;
 /// 100 ms on a quiet machine; tests share theirs with each other.
 const OTHERS: Duration = Duration::from_secs(2);

@@ -3,17 +3,20 @@
 use std::io;
 use std::net::SocketAddr;
 use std::pin::pin;
-use std::sync::Arc;
 use std::time::Duration;
 
 use axum::Router;
+use axum::body::Body;
+use hyper::body::Incoming;
 use hyper::server::conn::http1;
+use hyper::service::{Service, service_fn};
+use hyper::{Request, Response};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use tokio::net::{TcpListener, TcpSocket, TcpStream};
-use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
 
+use crate::http::edge::places::{Answer, HEARING, Place, Places};
 use crate::http::edge::reading::WhileRead;
 use crate::http::edge::refusals::Refusals;
 use service::shutdown::Shutdown;
@@ -30,7 +33,9 @@ const SEND_BUFFER: u32 = 128 << 10;
 const BACKLOG: u32 = 1024;
 /// Requests in flight may take this long when the service stops.
 const GRACE: Duration = Duration::from_secs(5);
-const MAX_CONNECTIONS: usize = 512;
+/// A connection that makes room for another one may finish this long what it is about. Strangers arrive as often at most as they are heard, so that there are no
+/// more of these than of strangers.
+const FAREWELL: Duration = HEARING;
 /// Beyond what the service takes, so that it can say so itself: hyper's refusal has no body.
 const MAX_HEADERS: usize = 1000;
 
@@ -54,51 +59,68 @@ pub fn bind(address: SocketAddr) -> io::Result<TcpListener> {
 
 /// Serves until `shutdown`, then waits for requests in flight, but not for long.
 pub async fn serve(listener: TcpListener, app: Router, mut shutdown: Shutdown) {
-    let places = Arc::new(Semaphore::new(MAX_CONNECTIONS));
+    let places = Places::default();
     let mut connections = JoinSet::new();
     loop {
-        let Ok(place) = places.clone().acquire_owned().await else {
-            break;
-        };
-        tokio::select! {
+        let (stream, place) = tokio::select! {
             () = shutdown.wait() => break,
-            accepted = listener.accept() => match accepted {
-                Ok((stream, _)) => {
-                    let (app, shutdown) = (app.clone(), shutdown.clone());
-                    connections.spawn(async move {
-                        converse(stream, app, shutdown).await;
-                        drop(place);
-                    });
-                }
-                Err(error) => {
-                    tracing::warn!(%error, "a connection could not be accepted");
-                    tokio::time::sleep(Duration::from_millis(100)).await;
-                }
-            },
-        }
+            next = next(&listener, &places) => next,
+        };
+        connections.spawn(converse(stream, app.clone(), place, shutdown.clone()));
         while connections.try_join_next().is_some() {}
     }
     drop(listener);
     while connections.join_next().await.is_some() {}
 }
 
-async fn converse(stream: TcpStream, app: Router, mut shutdown: Shutdown) {
+/// The next connection, with its place.
+async fn next(listener: &TcpListener, places: &Places) -> (TcpStream, Place) {
+    loop {
+        match listener.accept().await {
+            Ok((stream, _)) => return (stream, places.take().await),
+            Err(error) => {
+                tracing::warn!(%error, "a connection could not be accepted");
+                tokio::time::sleep(Duration::from_millis(100)).await;
+            }
+        }
+    }
+}
+
+async fn converse(stream: TcpStream, app: Router, mut place: Place, mut shutdown: Shutdown) {
     let stream = Refusals::on(WhileRead::new(stream, READ_TIMEOUT));
+    let (app, standing) = (TowerToHyperService::new(app), place.standing());
+    let answering = service_fn(|mut request: Request<Incoming>| {
+        let busy = standing.busy();
+        request.extensions_mut().insert(standing.clone());
+        let answer = app.call(request);
+        async move {
+            answer
+                .await
+                .map(|answer: Response<Body>| answer.map(|body| Answer::of(body, busy)))
+        }
+    });
     let mut connection = pin!(
         http1::Builder::new()
             .timer(TokioTimer::new())
             .header_read_timeout(HEADER_TIMEOUT)
             .max_headers(MAX_HEADERS)
             .max_buf_size(BUFFER)
-            .serve_connection(TokioIo::new(stream), TowerToHyperService::new(app))
+            .serve_connection(TokioIo::new(stream), answering)
     );
-    let ended = tokio::select! {
-        ended = connection.as_mut() => ended,
-        () = shutdown.wait() => {
-            connection.as_mut().graceful_shutdown();
-            tokio::time::timeout(GRACE, connection).await.unwrap_or(Ok(()))
-        }
+    let patience = tokio::select! {
+        ended = connection.as_mut() => return note(ended),
+        () = shutdown.wait() => GRACE,
+        () = place.asked_to_leave() => FAREWELL,
     };
+    connection.as_mut().graceful_shutdown();
+    note(
+        tokio::time::timeout(patience, connection)
+            .await
+            .unwrap_or(Ok(())),
+    );
+}
+
+fn note(ended: hyper::Result<()>) {
     if let Err(error) = ended {
         tracing::debug!(%error, "a connection ended early");
     }

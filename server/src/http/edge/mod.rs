@@ -9,7 +9,7 @@
 //! - [`conditional`]: answers that needn't be sent again
 //! - [`streams`]: places for event streams
 //! - [`room`]: room for large answers
-//! - [`listener`], [`reading`]: accepts connections, and drops those that nobody reads from
+//! - [`listener`], [`places`], [`reading`]: accepts connections, keeps places for those who belong, and drops those that nobody reads from
 //! - [`refusals`]: bodies for what hyper refuses
 
 pub mod access;
@@ -18,6 +18,7 @@ pub mod document_body;
 pub mod extract;
 pub mod guard;
 pub mod listener;
+pub mod places;
 pub mod problem_document;
 pub mod reading;
 pub mod refusals;
