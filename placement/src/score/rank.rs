@@ -175,13 +175,11 @@ fn sort_by_keys(order: &mut [usize], locations: &[RankedLocation], keys: &[Key<'
 /// Numbers what is in order; equals share the rank of the first of them. It is certain if they truly outrank all others, or are outranked,
 /// with the probability of [`gsa::judge::certainty`].
 fn number(ranked: &mut [RankedLocation], directions: Directions) {
-    let mut certain = places_are_certain(ranked, directions).into_iter();
+    let certain = places_are_certain(ranked, directions);
     let mut rank = 1;
-    for equals in ranked.chunk_by_mut(|a, b| are_equal(a, b)) {
-        let is_certain = certain
-            .by_ref()
-            .take(equals.len())
-            .fold(true, |all, one| all && one);
+    for equals in ranked.chunk_by_mut(are_equal) {
+        let of_equals = &certain[rank - 1..][..equals.len()];
+        let is_certain = of_equals.iter().all(|certain| *certain);
         for location in equals.iter_mut() {
             (location.rank, location.rank_certain) = (rank, is_certain);
         }

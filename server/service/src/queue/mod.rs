@@ -8,8 +8,10 @@
 //!
 //! - [`sweeps`]: many designs of a study as one
 //! - [`removal`]: taking studies and sweeps out
+//! - `submit_error`: why something was not taken in
 
 pub mod removal;
+mod submit_error;
 pub mod sweeps;
 
 use std::convert::Infallible;
@@ -25,8 +27,8 @@ use tokio::runtime::Handle;
 use tokio::sync::{Mutex, Notify, oneshot, watch};
 
 use crate::engine::{End, Engine};
-use crate::queue::sweeps::TooManyDesigns;
 use crate::shutdown::Shutdown;
+
 use store::file::upkeep;
 use store::points::crashes;
 use store::queue::event_rows;
@@ -34,6 +36,7 @@ use store::queue::idempotency;
 use store::queue::study_rows::{self, StudyRow};
 use store::queue::turns;
 use store::{Store, StoreError};
+pub use submit_error::{SubmitError, TooManyDesigns};
 
 /// How long to wait before the database is tried again.
 const RETRY: Duration = Duration::from_secs(1);
@@ -61,29 +64,6 @@ pub struct Queue {
 struct Current {
     study: String,
     stop: Arc<AtomicBool>,
-}
-
-/// Why a study was not taken in.
-#[derive(Debug, thiserror::Error)]
-pub enum SubmitError {
-    /// The key stands for another document.
-    #[error("the idempotency key was used with another document")]
-    KeyTaken,
-    /// So many wait that another one is not taken in.
-    #[error("at most {most} studies may wait: send it again when some are done")]
-    TooMany {
-        /// How many may wait.
-        most: u32,
-    },
-    /// The sweep would have more designs than one may.
-    #[error(transparent)]
-    TooManyDesigns(#[from] TooManyDesigns),
-    /// Its designs could not be read.
-    #[error("the designs of the sweep could not be read; the log says why")]
-    Broken,
-    /// The database failed.
-    #[error(transparent)]
-    Store(#[from] StoreError),
 }
 
 impl Queue {

@@ -77,9 +77,10 @@ impl Queue {
         self.store().commit(transaction, 0).await?;
         let cleared = tokio::spawn(remove_points(self.store().clone(), points)).await;
         match cleared {
-            Ok(cleared) => Ok(cleared?),
-            Err(_) => Ok(tracing::error!("points of a removed study were left")),
+            Ok(cleared) => cleared?,
+            Err(error) => tracing::error!(%error, "points of a removed study were left"),
         }
+        Ok(())
     }
 }
 

@@ -9,7 +9,8 @@ use placement::study::Study;
 use placement::sweep::{Design, MOST_DESIGNS, Sweep, nameless};
 use sqlx::SqliteConnection;
 
-use crate::queue::{Queue, SubmitError, enqueue};
+use crate::queue::submit_error::{SubmitError, TooManyDesigns};
+use crate::queue::{Queue, enqueue};
 use crate::study_document::stored_study;
 use store::content::sha256;
 use store::queue::study_rows::State;
@@ -23,18 +24,6 @@ pub struct Continuation {
     again: Vec<(i64, Study)>,
     /// Designs that it hasn't yet.
     new: Vec<Design>,
-}
-
-/// More designs than a sweep may have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "the sweep has {there} designs and would have {more} more; {MOST_DESIGNS} are the most of one sweep"
-)]
-pub struct TooManyDesigns {
-    /// Designs that it has.
-    pub there: usize,
-    /// Those to come.
-    pub more: usize,
 }
 
 impl Continuation {
