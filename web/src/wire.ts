@@ -777,7 +777,7 @@ export interface components {
             name: string;
             /** @description The input that is this location's own: the depth of the station below it. */
             input?: string | null;
-            /** @description 1 is best. Equal locations, as mirror images are, follow each other in the order of their names. */
+            /** @description 1 is best. Equal locations, as mirror images are, share the rank of the first of them, and follow each other in the order of their names. */
             rank: number;
             /**
              * Format: double
@@ -833,7 +833,7 @@ export interface components {
             rank_x?: number | null;
             /** @description Rank by the y strain alone, which equal locations share. */
             rank_y?: number | null;
-            /** @description Whether the errors leave no doubt about this rank; never where another location is equal. */
+            /** @description Whether the errors leave no doubt about this rank, which equal locations share. */
             rank_certain: boolean;
         };
         /** @description How far a failed solve got. */
