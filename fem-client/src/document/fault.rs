@@ -3,7 +3,7 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::document::visible::visible;
 
@@ -11,7 +11,7 @@ use crate::document::visible::visible;
 pub const MAX_FAULTS: usize = 100;
 
 /// One fault of a document: where it is, and what would be right.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Fault {
     /// JSON pointer (RFC 6901) to the faulty value; empty for the document itself.

@@ -54,6 +54,14 @@ pub trait Solver: Send + Sync {
     /// # Errors
     /// See [`SolveError`]; only [`SolveError::Broken`] is worth a retry at once.
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError>;
+
+    /// Solves one equilibrium where a crash doesn't end this program, if the solver knows such a place; the answer is the same to the bit.
+    ///
+    /// # Errors
+    /// As [`Solver::solve`], and [`SolveError::Crashed`].
+    fn solve_apart(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        self.solve(request)
+    }
 }
 
 /// What is asked of a solver.

@@ -5,22 +5,22 @@ use serde::{Deserialize, Serialize};
 use crate::solver::gauge::Gauge;
 
 /// Where the strain is read, beside P1-P5 and the section points that every response has.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Readout {
     /// Dense map of the inner surface; absent: no map.
     pub grid: Option<Grid>,
     /// Where the map's points lie, too: a picture needs it of one point of a study, and no other grows by it.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub shape: bool,
     /// Lines around the wheel at these meridional positions.
     pub rings: Vec<Position>,
     /// Single points, each with a direction.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub gauges: Vec<Gauge>,
 }
 
 /// A regular grid on the inner surface, centred on the contact, both ends included.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Grid {
     /// Points along the circumference, odd.
     pub circumferential: usize,

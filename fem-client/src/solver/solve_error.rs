@@ -32,6 +32,12 @@ pub enum SolveError {
         /// What happened.
         detail: String,
     },
+    /// The process in which it was solved alone ended by its own fault. No solver says so, only who started that process.
+    #[error("its process crashed: {detail}")]
+    Crashed {
+        /// What ended it, and what it said last.
+        detail: String,
+    },
     /// No answer came within the time that a solve may take. No solver says so, only who watches it.
     #[error("{}", over_time(*.limit_s, *.left_behind))]
     OverTime {

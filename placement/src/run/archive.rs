@@ -32,7 +32,7 @@ pub trait Archive: Sync {
         first: usize,
     ) -> Result<Vec<Option<(Outcome, Cost)>>, ArchiveError>;
 
-    /// Notes that a solve begins. Should the program die before it is saved or given up, that is a crash of this key.
+    /// Notes that a solve begins. Should the program die before it is saved or given up, this key is suspect.
     ///
     /// # Errors
     /// When the archive can't be written.
@@ -48,12 +48,20 @@ pub trait Archive: Sync {
         Ok(())
     }
 
-    /// How often the program died while this key was being solved.
+    /// What is known of this key's crashes.
     ///
     /// # Errors
     /// When the archive can't be read.
-    fn crashes(&self, _key: &str) -> Result<usize, ArchiveError> {
-        Ok(0)
+    fn crashes(&self, _key: &str) -> Result<Crashes, ArchiveError> {
+        Ok(Crashes::default())
+    }
+
+    /// Counts a crash of the process in which this key was solved alone, and returns how many there were.
+    ///
+    /// # Errors
+    /// When the archive can't be written.
+    fn crashed(&self, _key: &str, _cause: &str) -> Result<usize, ArchiveError> {
+        Ok(1)
     }
 
     /// Stores an outcome for good; storing under a present key is not an error and changes nothing.
@@ -67,6 +75,17 @@ pub trait Archive: Sync {
     /// # Errors
     /// As for [`Archive::load`].
     fn load_start(&self, key: &str) -> Result<Option<StartState>, ArchiveError>;
+}
+
+/// What is known of a point's crashes.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Crashes {
+    /// The program died while it was being solved, of whatever cause.
+    pub suspect: bool,
+    /// How often its own process crashed, in which it was solved alone.
+    pub own: usize,
+    /// What ended that process the last time.
+    pub cause: String,
 }
 
 /// One point and its outcome, to be stored as a whole.

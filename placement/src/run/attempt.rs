@@ -22,14 +22,27 @@ pub(super) struct Found {
     pub lasting: bool,
 }
 
+/// Where a point is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Process {
+    /// In this one.
+    Own,
+    /// In one that may crash without ending this one.
+    Apart,
+}
+
 /// One solve. A solver that broke is asked once more; breaking again, or not coming to an end, costs this point alone.
 ///
 /// # Errors
-/// [`SolveError::Refused`] and [`SolveError::Stopped`].
-pub(super) fn ask(solver: &dyn Solver, request: &SolveRequest<'_>) -> Result<Found, SolveError> {
+/// [`SolveError::Refused`], [`SolveError::Stopped`] and [`SolveError::Crashed`].
+pub(super) fn ask(
+    solver: &dyn Solver,
+    request: &SolveRequest<'_>,
+    process: Process,
+) -> Result<Found, SolveError> {
     let begun = Instant::now();
-    let found = match attempt(solver, request) {
-        Err(SolveError::Broken { .. }) => attempt(solver, request),
+    let found = match attempt(solver, request, process) {
+        Err(SolveError::Broken { .. }) => attempt(solver, request, process),
         other => other,
     };
     let stopped = request.stop.load(Ordering::Relaxed);
@@ -45,13 +58,21 @@ pub(super) fn ask(solver: &dyn Solver, request: &SolveRequest<'_>) -> Result<Fou
     }
 }
 
-fn attempt(solver: &dyn Solver, request: &SolveRequest<'_>) -> Result<Found, SolveError> {
+fn attempt(
+    solver: &dyn Solver,
+    request: &SolveRequest<'_>,
+    process: Process,
+) -> Result<Found, SolveError> {
     if request.stop.load(Ordering::Relaxed) {
         return Err(SolveError::Stopped);
     }
     let begun = Instant::now();
     // Nothing of ours is half-changed by an unwinding solve: it only reads what it was given.
-    let outcome = catch_unwind(AssertUnwindSafe(|| solver.solve(request)));
+    let solve = || match process {
+        Process::Own => solver.solve(request),
+        Process::Apart => solver.solve_apart(request),
+    };
+    let outcome = catch_unwind(AssertUnwindSafe(solve));
     let broken = |detail| SolveError::Broken { detail };
     let outcome = outcome.map_err(|panic| broken(format!("panic: {}", message(&*panic))))?;
     let found = found(outcome, begun)?;
@@ -84,6 +105,15 @@ fn found(outcome: Result<Solved, SolveError>, begun: Instant) -> Result<Found, S
 fn given_up(detail: String, begun: Instant) -> Found {
     let status = NoEquilibrium::SolverFailed;
     unsolved(status, detail, Reached::default(), begun)
+}
+
+/// What is said of a point that isn't solved any more.
+pub(super) fn quarantined(crashes: usize, cause: &str) -> Found {
+    let detail = format!(
+        "solved alone in a process of its own, it ended that {crashes} times, at last by {cause}; strainsite db release lets it be tried again"
+    );
+    let status = NoEquilibrium::Quarantined;
+    unsolved(status, detail, Reached::default(), Instant::now())
 }
 
 fn unsolved(status: NoEquilibrium, detail: String, reached: Reached, begun: Instant) -> Found {

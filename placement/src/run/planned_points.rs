@@ -9,15 +9,13 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use fem_client::scene::Scene;
-use fem_client::solver::{
-    Cost, NoEquilibrium, Reached, Readout, SolveError, SolveRequest, Solver, StartState,
-};
+use fem_client::solver::{Readout, SolveError, SolveRequest, Solver, StartState};
 
-use super::attempt::{Costed, Found, ask};
+use super::attempt::{Costed, Found, Process, ask, quarantined};
 use super::run_error::{RunError, refusals};
 use super::run_event::{Event, Observer};
 use crate::result::{Cause, FailedPoint};
-use crate::run::archive::{Archive, ArchiveError, PointRecord, Unsolved};
+use crate::run::archive::{Archive, ArchiveError, PointRecord};
 use crate::run::usage::{cpu_s, credit};
 use crate::study::sha256_hex;
 
@@ -83,27 +81,15 @@ fn readout_of(readout: &Readout, ordinal: usize) -> Readout {
     }
 }
 
-/// Times that the program may die of a point before it is left alone.
+/// Crashes of its own process after which a point is left alone.
 const QUARANTINE: usize = 3;
 
-/// Points by how often the program died of them.
+/// Points by what is known of their crashes.
 #[derive(Default)]
 struct Suspicion {
     clean: Vec<usize>,
     suspect: Vec<usize>,
     quarantined: Vec<Numbered<Costed>>,
-}
-
-/// What is said of a point that isn't solved any more.
-fn quarantined(crashes: usize) -> Costed {
-    let unsolved = Unsolved {
-        status: NoEquilibrium::Quarantined,
-        detail: format!(
-            "the program died {crashes} times while it was being solved, of memory perhaps; strainsite db release lets it be tried again"
-        ),
-        reached: Reached::default(),
-    };
-    (Err(unsolved), Cost::default())
 }
 
 /// Why one point has no answer.
@@ -138,11 +124,16 @@ impl Points<'_> {
         }
         let cut_failed = matches!(found[0], Some((Err(_), _)));
         if !lacking.is_empty() || cut_failed {
-            let start = self.cut_point(&mut found[0], &done)?;
-            // One that may end the program has no company that would be blamed with it, and nothing left to lose.
-            for (ordinals, threads) in [(clean, threads), (suspect, 1)] {
+            let of_cut = match suspect.first() {
+                Some(0) => Process::Apart,
+                _ => Process::Own,
+            };
+            let start = self.cut_point(&mut found[0], of_cut, &done)?;
+            // Those that may end the program come last, and each alone: only one process more takes memory.
+            let (own, apart) = ((clean, Process::Own), (suspect, Process::Apart));
+            for ((ordinals, process), threads) in [(own, threads), (apart, 1)] {
                 let rest: Vec<usize> = ordinals.into_iter().filter(|i| *i != 0).collect();
-                for (ordinal, answer) in self.others(&rest, &start, threads, &done)? {
+                for (ordinal, answer) in self.others(&rest, &start, process, threads, &done)? {
                     found[ordinal] = Some(answer);
                 }
             }
@@ -156,14 +147,18 @@ impl Points<'_> {
         Ok(Answers { points, reused })
     }
 
-    /// Sorts points by how often the program died while they were being solved.
+    /// Sorts points by what is known of their crashes.
     fn suspicion(&self, lacking: &[usize]) -> Result<Suspicion, ArchiveError> {
         let mut sorted = Suspicion::default();
         for &ordinal in lacking {
-            match self.archive.crashes(&self.keys[ordinal])? {
-                0 => sorted.clean.push(ordinal),
-                crashes if crashes < QUARANTINE => sorted.suspect.push(ordinal),
-                crashes => sorted.quarantined.push((ordinal, quarantined(crashes))),
+            let crashes = self.archive.crashes(&self.keys[ordinal])?;
+            if crashes.own >= QUARANTINE {
+                let found = quarantined(crashes.own, &crashes.cause);
+                sorted.quarantined.push((ordinal, found.answer));
+            } else if crashes.suspect {
+                sorted.suspect.push(ordinal);
+            } else {
+                sorted.clean.push(ordinal);
             }
         }
         Ok(sorted)
@@ -173,6 +168,7 @@ impl Points<'_> {
     fn cut_point(
         &self,
         found: &mut Option<Costed>,
+        process: Process,
         done: &Mutex<usize>,
     ) -> Result<StartState, RunError> {
         if found.is_none() {
@@ -180,7 +176,7 @@ impl Points<'_> {
                 answer,
                 state,
                 lasting,
-            } = match self.solved(0, None) {
+            } = match self.solved(0, None, process) {
                 Ok(solved) => solved,
                 Err(lack) => return Err(self.cut_error(lack, done)),
             };
@@ -225,6 +221,7 @@ impl Points<'_> {
         &self,
         ordinals: &[usize],
         start: &StartState,
+        process: Process,
         threads: usize,
         done: &Mutex<usize>,
     ) -> Result<Vec<Numbered<Costed>>, RunError> {
@@ -236,7 +233,7 @@ impl Points<'_> {
                 let Some(&ordinal) = ordinals.get(next.fetch_add(1, Ordering::Relaxed)) else {
                     return;
                 };
-                let outcome = self.point(ordinal, start, done);
+                let outcome = self.point(ordinal, start, process, done);
                 // Asked after a point, so that a run that is paused again and again still comes to its end.
                 let paused = self
                     .pause
@@ -276,9 +273,10 @@ impl Points<'_> {
         &self,
         ordinal: usize,
         start: &StartState,
+        process: Process,
         done: &Mutex<usize>,
     ) -> Result<Costed, Lack> {
-        match self.solved(ordinal, Some(start)) {
+        match self.solved(ordinal, Some(start), process) {
             Ok(Found {
                 answer, lasting, ..
             }) => {
@@ -323,7 +321,12 @@ impl Points<'_> {
     }
 
     /// One solve, from its note in the archive to its answer.
-    fn solved(&self, ordinal: usize, start: Option<&StartState>) -> Result<Found, Lack> {
+    fn solved(
+        &self,
+        ordinal: usize,
+        start: Option<&StartState>,
+        process: Process,
+    ) -> Result<Found, Lack> {
         let key = &self.keys[ordinal];
         self.archive.begin(key).map_err(Lack::Archive)?;
         let request = SolveRequest {
@@ -332,7 +335,18 @@ impl Points<'_> {
             start,
             stop: self.stop,
         };
-        let found = ask(self.solver, &request);
+        let found = loop {
+            match ask(self.solver, &request, process) {
+                Err(SolveError::Crashed { detail }) => {
+                    let crashes = self.archive.crashed(key, &detail);
+                    let crashes = crashes.map_err(Lack::Archive)?;
+                    if crashes >= QUARANTINE {
+                        break Ok(quarantined(crashes, &detail));
+                    }
+                }
+                other => break other,
+            }
+        };
         if !found.as_ref().is_ok_and(|found| found.lasting) {
             self.archive.give_up(key).map_err(Lack::Archive)?;
         }

@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use fem_client::solver::{Cost, StartState};
-use placement::run::archive::{Archive, ArchiveError, Outcome, PointRecord};
+use placement::run::archive::{Archive, ArchiveError, Crashes, Outcome, PointRecord};
 use sqlx::SqliteConnection;
 use tokio::runtime::Handle;
 use tracing::{Instrument, Span};
@@ -107,7 +107,16 @@ impl Archive for StoreArchive {
         self.write(async |connection| crashes::end(connection, key).await)
     }
 
-    fn crashes(&self, key: &str) -> Result<usize, ArchiveError> {
+    fn crashed(&self, key: &str, cause: &str) -> Result<usize, ArchiveError> {
+        let mut own = 0;
+        self.write(async |connection| {
+            own = crashes::count(connection, key, cause).await?;
+            Ok(())
+        })?;
+        Ok(own)
+    }
+
+    fn crashes(&self, key: &str) -> Result<Crashes, ArchiveError> {
         self.wait(async {
             let mut connection = self.store.read().await?;
             crashes::of(&mut connection, key).await

@@ -13,6 +13,8 @@ use crate::cli::terminal::files::Files;
 use crate::cli::terminal::help_examples;
 use crate::cli::terminal::output::{JsonTarget, warn};
 use crate::telemetry;
+use service::solving::apart::child::ARGUMENT;
+use service::solving::solver_choice::solve_for_parent;
 
 /// Ranks strain-sensor locations in a smart tire
 #[derive(Debug, Parser)]
@@ -73,6 +75,9 @@ enum Command {
 
 /// Runs the program: the one place that prints failures and chooses the exit code.
 pub fn main() -> ExitCode {
+    if std::env::args_os().skip(1).eq([ARGUMENT]) {
+        return solve_for_parent();
+    }
     let command = match settings::parse::<Cli>() {
         Ok(cli) => cli.command,
         Err(faults) => return ended(Err(Failure::Input(faults)), None),

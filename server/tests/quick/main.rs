@@ -1,5 +1,6 @@
 //! The program from outside: its command line, and the service over HTTP with the closed-form solver behind it.
 
+mod apart;
 mod api;
 mod app;
 mod cli;

@@ -1,13 +1,15 @@
 //! SIGKILL against the real program: what was stored survives, nothing is solved twice, the result is the same.
 
 use std::path::Path;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crate::program::service::{Program, draft, integrity, sql};
 use serde_json::{Value, json};
 
 /// Kills of one study after the first; each comes a different while after a start.
 const KILLS: u32 = 20;
+/// Far beyond the start of a solve or the end of a process.
+const PATIENCE: Duration = Duration::from_secs(60);
 /// Names how many kills there are to be in all.
 const MORE: &str = "STRAINSITE_KILLS";
 
@@ -22,15 +24,6 @@ async fn evaluations(database: &Path) -> Vec<(i64, String, String)> {
         .fetch_all(&mut sql(database).await)
         .await
         .expect("rows")
-}
-
-/// Takes the blame from the points that were in flight, as `db release` does: it was this test that killed the program. On a slow
-/// machine the same point might be there three times.
-async fn release(database: &Path) {
-    for table in ["delete from crashes", "delete from solves_in_flight"] {
-        let released = sqlx::query(table).execute(&mut sql(database).await).await;
-        released.expect("deletes");
-    }
 }
 
 /// The draft study with so many points that it isn't over before the last kill.
@@ -69,7 +62,6 @@ async fn killed_again_and_again(database: &Path, round: u32, expected: &str) {
         let wait = kill * 7 % 20 * 5 + round % 5;
         tokio::time::sleep(Duration::from_millis(u64::from(wait))).await;
         program.kill();
-        release(database).await;
         let now = evaluations(database).await;
         assert_eq!(
             now[..stored.len()],
@@ -99,6 +91,84 @@ async fn killed_again_and_again(database: &Path, round: u32, expected: &str) {
     .expect("rows");
     assert_eq!(twice, [], "no point is reported solved twice");
     assert_eq!(integrity(database).await, "ok");
+}
+
+/// A coarse cut point takes some tenths of a second, long enough to be met.
+fn coarse() -> Value {
+    let mut document = draft();
+    document["accuracy"] = json!({"preset": "coarse"});
+    document
+}
+
+/// Waits until a solve is in flight.
+async fn in_flight(database: &Path) {
+    let begun = Instant::now();
+    let counting = "select count(*) from solves_in_flight";
+    loop {
+        let mut sql = sql(database).await;
+        let count = sqlx::query_scalar(counting).fetch_one(&mut sql).await;
+        let count: i64 = count.expect("a count");
+        if count > 0 {
+            return;
+        }
+        assert!(begun.elapsed() < PATIENCE, "nothing is solved");
+        tokio::time::sleep(Duration::from_millis(2)).await;
+    }
+}
+
+/// Processes whose parent has this number.
+fn children(parent: u32) -> Vec<u32> {
+    let folders = std::fs::read_dir("/proc").expect("the kernel tells");
+    let numbers = folders.filter_map(|folder| folder.ok()?.file_name().to_str()?.parse().ok());
+    let is_child = |number: &u32| {
+        let status = std::fs::read_to_string(format!("/proc/{number}/status"));
+        status.is_ok_and(|status| status.contains(&format!("\nPPid:\t{parent}\n")))
+    };
+    numbers.filter(is_child).collect()
+}
+
+/// Waits for the one process in which the program solves.
+async fn child(program: &Program) -> u32 {
+    let begun = Instant::now();
+    loop {
+        if let [child] = children(program.number())[..] {
+            return child;
+        }
+        assert!(begun.elapsed() < PATIENCE, "it solves in its own process");
+        tokio::time::sleep(Duration::from_millis(2)).await;
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_study_killed_five_times_in_its_first_point_is_done_like_any_other() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let undisturbed = Program::start(&folder.path().join("undisturbed.db"));
+    let id = undisturbed.submit(&coarse()).await;
+    let expected = undisturbed.result_hash(&id).await;
+
+    let database = folder.path().join("killed.db");
+    let program = Program::start(&database);
+    let id = program.submit(&coarse()).await;
+    in_flight(&database).await;
+    program.kill();
+    for _ in 1..5 {
+        let program = Program::start(&database);
+        let child = child(&program).await;
+        program.kill();
+        let begun = Instant::now();
+        while Path::new(&format!("/proc/{child}")).exists() {
+            assert!(begun.elapsed() < PATIENCE, "a process outlives its parent");
+            tokio::time::sleep(Duration::from_millis(2)).await;
+        }
+    }
+    assert_eq!(evaluations(&database).await.len(), 0);
+    let program = Program::start(&database);
+    assert_eq!(program.result_hash(&id).await, expected);
+    let crashes: Vec<(i64, i64)> = sqlx::query_as("select count, own from crashes")
+        .fetch_all(&mut sql(&database).await)
+        .await
+        .expect("rows");
+    assert_eq!(crashes, [(5, 0)]);
 }
 
 async fn has_ended(database: &Path) -> bool {

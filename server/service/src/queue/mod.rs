@@ -354,11 +354,11 @@ pub async fn enqueue(
 /// When the database can't be written.
 pub async fn recover(store: &Store) -> Result<(), StoreError> {
     let mut transaction = store.begin().await?;
-    let blamed = crashes::count(&mut transaction).await?;
-    if blamed > 0 {
+    let suspect = crashes::suspect(&mut transaction).await?;
+    if suspect > 0 {
         tracing::warn!(
-            solves = blamed,
-            "the program died in the middle of solves; they are tried again by themselves"
+            solves = suspect,
+            "the program died in the middle of solves; each is tried again in a process of its own"
         );
     }
     let mut latest = 0;

@@ -1,6 +1,7 @@
 //! Which solver answers: chosen here and nowhere else.
 
 use std::path::Path;
+use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -8,6 +9,8 @@ use calculix::CalculixSolver;
 use fem_client::solver::Solver;
 use tire::embedded::EmbeddedSolver;
 
+use crate::solving::apart::child;
+use crate::solving::apart::parent::{Apart, own_program};
 use crate::solving::watched::Watched;
 
 pub use calculix::NotInstalled;
@@ -30,8 +33,17 @@ pub enum SolverName<'p> {
 /// When CalculiX is asked for and isn't installed.
 pub fn solver(name: SolverName<'_>, limit: Duration) -> Result<Arc<dyn Solver>, NotInstalled> {
     let solver: Arc<dyn Solver> = match name {
-        SolverName::Embedded => Arc::new(EmbeddedSolver::default()),
+        SolverName::Embedded => {
+            let solver = Arc::new(EmbeddedSolver::default());
+            Arc::new(Apart::new(solver, own_program))
+        }
+        // Its solves are in a process of their own already.
         SolverName::Calculix(program) => Arc::new(CalculixSolver::new(program, limit + GRACE)?),
     };
     Ok(Arc::new(Watched::new(solver, limit, GRACE)))
+}
+
+/// Solves for the parent process of this one, by this program's own finite elements.
+pub fn solve_for_parent() -> ExitCode {
+    child::answer(&EmbeddedSolver::default())
 }

@@ -45,4 +45,8 @@ impl Solver for Traced {
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
         self.span.in_scope(|| self.solver.solve(request))
     }
+
+    fn solve_apart(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        self.span.in_scope(|| self.solver.solve_apart(request))
+    }
 }

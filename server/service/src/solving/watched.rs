@@ -28,6 +28,8 @@ pub struct Watched {
 }
 
 type SolveResult = Result<Solved, SolveError>;
+/// Which of a solver's two ways it solves.
+type Way = fn(&dyn Solver, &SolveRequest<'_>) -> SolveResult;
 /// What a solve gave and the processor time of its thread, s.
 type Timed = (SolveResult, f64);
 
@@ -116,6 +118,17 @@ impl Solver for Watched {
     }
 
     fn solve(&self, request: &SolveRequest<'_>) -> SolveResult {
+        self.watch(request, |solver, request| solver.solve(request))
+    }
+
+    fn solve_apart(&self, request: &SolveRequest<'_>) -> SolveResult {
+        self.watch(request, |solver, request| solver.solve_apart(request))
+    }
+}
+
+impl Watched {
+    /// Has one thread solve, and waits for it.
+    fn watch(&self, request: &SolveRequest<'_>, way: Way) -> SolveResult {
         let (tell, answers) = sync_channel(1);
         let told = Arc::new(AtomicBool::new(request.stop.load(Ordering::Relaxed)));
         let (solver, stop) = (self.solver.clone(), told.clone());
@@ -131,7 +144,7 @@ impl Solver for Watched {
                 stop: &stop,
             };
             // Nobody listens any more to a solve that was left behind.
-            let answer = solver.solve(&request);
+            let answer = way(&*solver, &request);
             let _ = tell.send((answer, cpu_s()));
         };
         match thread::Builder::new().name("solve".to_owned()).spawn(solve) {

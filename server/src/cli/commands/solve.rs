@@ -120,7 +120,9 @@ fn failure(error: SolveError) -> Failure {
             known: json!({"reached": reached}),
         },
         SolveError::Stopped => Failure::Other("stopped on request; nothing was solved".to_owned()),
-        SolveError::Broken { .. } | SolveError::OverTime { .. } => Failure::other(error),
+        SolveError::Broken { .. } | SolveError::Crashed { .. } | SolveError::OverTime { .. } => {
+            Failure::other(error)
+        }
     }
 }
 

@@ -30,6 +30,7 @@ static CHANGES: &[(&str, &str)] = &changes![
     "0015_application_id"
     "0016_point_hashes"
     "0017_removal"
+    "0018_own_crashes"
     "0019_shared_ranks"
 ];
 

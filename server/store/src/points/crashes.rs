@@ -1,5 +1,6 @@
-//! Which solves were in flight when the program died, and how often.
+//! Which solves were in flight when the program died, and which of them crash by themselves.
 
+use placement::run::archive::Crashes;
 use sqlx::SqliteConnection;
 
 use crate::clock::now;
@@ -31,11 +32,12 @@ pub async fn end(connection: &mut SqliteConnection, key: &str) -> Result<(), Sto
     Ok(())
 }
 
-/// Counts a crash of every solve that is still in flight, and returns how many there were. Call it before anything runs.
+/// Suspects every solve that is still in flight, and returns how many there were: the program died, and whether one of them is to blame
+/// isn't known. Call it before anything runs.
 ///
 /// # Errors
 /// When the database can't be written.
-pub async fn count(connection: &mut SqliteConnection) -> Result<u64, StoreError> {
+pub async fn suspect(connection: &mut SqliteConnection) -> Result<u64, StoreError> {
     sqlx::query(
         "insert into crashes (key, count) select key, 1 from solves_in_flight where true
          on conflict (key) do update set count = count + 1",
@@ -48,16 +50,41 @@ pub async fn count(connection: &mut SqliteConnection) -> Result<u64, StoreError>
     Ok(ended.rows_affected())
 }
 
-/// How often the program died while this point was being solved.
+/// Counts a crash of the process in which a point was solved alone, and returns how many there were.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn count(
+    connection: &mut SqliteConnection,
+    key: &str,
+    cause: &str,
+) -> Result<usize, StoreError> {
+    let own: i64 = sqlx::query_scalar(
+        "insert into crashes (key, count, own, cause) values (?, 1, 1, ?)
+         on conflict (key) do update set own = own + 1, cause = excluded.cause returning own",
+    )
+    .bind(key)
+    .bind(cause)
+    .fetch_one(connection)
+    .await?;
+    Ok(counted(own).unwrap_or(0))
+}
+
+/// What is known of a point's crashes.
 ///
 /// # Errors
 /// When the database can't be read.
-pub async fn of(connection: &mut SqliteConnection, key: &str) -> Result<usize, StoreError> {
-    let count: Option<i64> = sqlx::query_scalar("select count from crashes where key = ?")
-        .bind(key)
-        .fetch_optional(connection)
-        .await?;
-    Ok(count.and_then(counted).unwrap_or(0))
+pub async fn of(connection: &mut SqliteConnection, key: &str) -> Result<Crashes, StoreError> {
+    let row: Option<(i64, Option<String>)> =
+        sqlx::query_as("select own, cause from crashes where key = ?")
+            .bind(key)
+            .fetch_optional(connection)
+            .await?;
+    Ok(row.map_or_else(Crashes::default, |(own, cause)| Crashes {
+        suspect: true,
+        own: counted(own).unwrap_or(0),
+        cause: cause.unwrap_or_default(),
+    }))
 }
 
 /// Forgets all crashes, and returns how many points had any.
@@ -77,20 +104,34 @@ mod tests {
     use crate::database::tests::fresh;
 
     #[tokio::test]
-    async fn only_what_was_in_flight_is_blamed_and_every_time() {
+    async fn what_was_in_flight_is_suspect_and_only_its_own_crashes_count() {
         let (_folder, store) = fresh().await;
         let mut tx = store.begin().await.expect("begins");
-        for crash in 1..=3 {
+        for kill in 1..=5 {
             for key in ["ended", "in flight"] {
                 begin(&mut tx, key).await.expect("begins");
             }
             end(&mut tx, "ended").await.expect("ends");
-            assert_eq!(count(&mut tx).await.expect("counts"), 1);
-            assert_eq!(of(&mut tx, "in flight").await.expect("reads"), crash);
-            assert_eq!(of(&mut tx, "ended").await.expect("reads"), 0);
+            assert_eq!(suspect(&mut tx).await.expect("suspects"), 1, "kill {kill}");
+            let blamed = of(&mut tx, "in flight").await.expect("reads");
+            assert!(blamed.suspect && blamed.own == 0, "kill {kill}: {blamed:?}");
+            let sound = of(&mut tx, "ended").await.expect("reads");
+            assert_eq!(sound, Crashes::default());
         }
-        assert_eq!(count(&mut tx).await.expect("counts"), 0);
+        assert_eq!(suspect(&mut tx).await.expect("suspects"), 0);
+        for own in 1..=3 {
+            let cause = format!("crash {own}");
+            let counted = count(&mut tx, "in flight", &cause).await;
+            assert_eq!(counted.expect("counts"), own);
+            let expected = Crashes {
+                suspect: true,
+                own,
+                cause,
+            };
+            assert_eq!(of(&mut tx, "in flight").await.expect("reads"), expected);
+        }
         assert_eq!(forget(&mut tx).await.expect("forgets"), 1);
-        assert_eq!(of(&mut tx, "in flight").await.expect("reads"), 0);
+        let forgotten = of(&mut tx, "in flight").await.expect("reads");
+        assert_eq!(forgotten, Crashes::default());
     }
 }

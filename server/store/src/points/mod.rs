@@ -3,7 +3,7 @@
 //! - [`evaluations`]: solved points and start states
 //! - [`study_points`]: which of them answer for the points of a study
 //! - `strain_fields`: their long lists of strains
-//! - [`crashes`]: solves that the program died of
+//! - [`crashes`]: solves that the program died in, and those that crash by themselves
 
 pub mod crashes;
 pub mod evaluations;

@@ -1,4 +1,4 @@
-//! A point that panics, never ends or brings the program down costs itself alone, the last after three times.
+//! A point that panics, never ends or brings the program down costs itself alone; the last after it has crashed three processes of its own.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -8,6 +8,7 @@ use std::time::Duration;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use serde_json::Value;
+use service::solving::apart::parent::Apart;
 use service::solving::watched::Watched;
 use store::file::{opening, upkeep};
 
@@ -15,19 +16,36 @@ use crate::app::{App, Home, serve, study};
 
 /// Names the database to the child.
 const DATABASE: &str = "STRAINSITE_CRASHING_TEST_DATABASE";
-/// Starts that the study may take: three that die, one that ends, and some to show that it isn't more.
+/// Starts that the study may take: one that dies, one that ends, and some to show that it isn't more.
 const MOST_STARTS: usize = 8;
 
 /// Does something at the deepest node of the middle station instead of solving.
 struct Trapped {
     solver: ClosedFormSolver,
     trap: fn(),
+    /// What becomes of a process in which that point is solved alone.
+    apart: Apart,
 }
 
 impl Trapped {
     fn new(trap: fn()) -> Self {
         let solver = ClosedFormSolver::new();
-        Self { solver, trap }
+        let aborting = || {
+            let mut shell = Command::new("sh");
+            shell.args(["-c", "echo lost >&2; kill -ABRT $$"]);
+            shell
+        };
+        let apart = Apart::new(Arc::new(solver.clone()), aborting);
+        Self {
+            solver,
+            trap,
+            apart,
+        }
+    }
+
+    fn is_trap(request: &SolveRequest<'_>) -> bool {
+        let depths = &request.scene.ground.depths_mm;
+        depths[2] > 1.25 && [0, 1, 3, 4].iter().all(|k| depths[*k] == 1.0)
     }
 }
 
@@ -37,11 +55,17 @@ impl Solver for Trapped {
     }
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
-        let depths = &request.scene.ground.depths_mm;
-        if depths[2] > 1.25 && [0, 1, 3, 4].iter().all(|k| depths[*k] == 1.0) {
+        if Self::is_trap(request) {
             (self.trap)();
         }
         self.solver.solve(request)
+    }
+
+    fn solve_apart(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        match Self::is_trap(request) {
+            true => self.apart.solve_apart(request),
+            false => self.solver.solve(request),
+        }
     }
 }
 
@@ -93,7 +117,7 @@ async fn service_that_dies() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_point_that_kills_the_program_is_left_alone_after_three_times() {
+async fn a_point_that_kills_the_program_once_is_left_alone_after_three_crashes_of_its_own() {
     let home = Home::new();
     let survives = || {
         let program = std::env::current_exe().expect("a path");
@@ -104,17 +128,18 @@ async fn a_point_that_kills_the_program_is_left_alone_after_three_times() {
         child.expect("starts").status.success()
     };
     let deaths = (0..MOST_STARTS).take_while(|_| !survives()).count();
-    assert_eq!(deaths, 3);
+    assert_eq!(deaths, 1);
 
     let app = home.start(ClosedFormSolver::new()).await;
     let id = first_study(&app).await.expect("the study");
     assert_whole(&home).await;
     let cause = failed_point(&app, &id).await;
     assert!(
-        cause.starts_with("quarantined: the program died 3 times"),
+        cause.starts_with("quarantined: solved alone")
+            && cause.contains("ended that 3 times, at last by SIGABRT: lost"),
         "{cause}"
     );
-    // The one that was being solved beside it at the first crash was tried again by itself, and is there.
+    // The one that was being solved beside it was tried again by itself, and is there.
     let points = app.json(&format!("/v1/studies/{id}/evaluations")).await;
     assert_eq!(points["evaluations"].as_array().map(Vec::len), Some(25));
 }

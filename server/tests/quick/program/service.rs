@@ -61,6 +61,11 @@ impl Program {
         self.child.wait().expect("ends");
     }
 
+    /// The process's number.
+    pub fn number(&self) -> u32 {
+        self.child.id()
+    }
+
     /// Where it listens, IP:PORT.
     pub fn address(&self) -> &str {
         self.url.strip_prefix("http://").expect("an address")

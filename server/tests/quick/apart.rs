@@ -1,0 +1,106 @@
+//! Solves in a process of their own, by the real program: the same to the bit as in this one.
+
+use std::process::Command;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+use fem_client::scene::Scene;
+use fem_client::solver::gauge::Gauge;
+use fem_client::solver::{
+    Grid, Position, Readout, SolveError, SolveRequest, Solved, Solver, StartState,
+};
+use serde_json::{Value, json};
+use service::solving::apart::child::ARGUMENT;
+use service::solving::apart::parent::Apart;
+use service::solving::solver_choice::{SolverName, solver};
+
+/// Far beyond what a draft takes.
+const LIMIT: Duration = Duration::from_secs(600);
+
+fn program() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_strainsite"));
+    command.arg(ARGUMENT);
+    command
+}
+
+fn scene(changes: &[(&str, Value)]) -> Scene {
+    let mut scene = Scene::preset("foot-tire").expect("ships");
+    let draft = json!("draft");
+    let mut changes: Vec<_> = changes.iter().map(|(path, value)| (*path, value)).collect();
+    changes.push(("model.level", &draft));
+    scene.set_all(&changes).expect("a scene");
+    scene
+}
+
+fn readout() -> Readout {
+    Readout {
+        grid: Some(Grid {
+            circumferential: 7,
+            meridional: 5,
+            half_width_deg: 40.0,
+        }),
+        shape: true,
+        rings: vec![Position::Shoulder],
+        gauges: vec![Gauge {
+            theta_deg: 3.1,
+            phi_deg: -7.7,
+            angle_deg: 1.0 / 3.0,
+        }],
+    }
+}
+
+/// What both ways answer.
+fn both(scene: &Scene, start: Option<&StartState>) -> [Result<Solved, SolveError>; 2] {
+    let here = solver(SolverName::Embedded, LIMIT).expect("a solver");
+    let apart = Apart::new(Arc::clone(&here), program);
+    let request = SolveRequest {
+        scene,
+        readout: &readout(),
+        start,
+        stop: &AtomicBool::new(false),
+    };
+    [here.solve(&request), apart.solve_apart(&request)]
+}
+
+/// The response as stored, in which every float has the digits of its bits, and the state's bytes.
+fn bits(solved: &Solved) -> (String, Vec<u8>) {
+    let text = serde_json::to_string(&solved.response).expect("JSON");
+    (text, solved.state.to_bytes())
+}
+
+#[test]
+fn an_answer_from_a_process_of_its_own_is_the_same_to_the_bit() {
+    let cut = scene(&[]);
+    let [here, apart] = both(&cut, None).map(|solved| solved.expect("an equilibrium"));
+    assert_eq!(bits(&apart), bits(&here));
+    let neighbours = [
+        scene(&[("ground.depths_mm", json!([1.1, 1.0, 1.2, 0.9, 0.7]))]),
+        scene(&[("contact.friction", json!(0.3))]),
+        scene(&[("geometry.wall_mm", json!(2.9))]),
+    ];
+    for neighbour in &neighbours {
+        let start = Some(&here.state);
+        let solved = both(neighbour, start).map(|solved| bits(&solved.expect("an equilibrium")));
+        assert_eq!(solved[1], solved[0]);
+    }
+}
+
+#[test]
+fn so_is_the_reason_why_there_is_none() {
+    let bare = scene(&[("carcass.stiffness_n_per_mm", json!(0.001))]);
+    let [here, apart] = both(&bare, None).map(|solved| solved.map(|_| ()));
+    assert!(
+        matches!(here, Err(SolveError::NoEquilibrium { .. })),
+        "{here:?}"
+    );
+    assert_eq!(apart, here);
+}
+
+#[test]
+fn what_is_no_order_gets_no_answer() {
+    let child = program().stdin(std::process::Stdio::null()).output();
+    let child = child.expect("the program runs");
+    assert_eq!(child.status.code(), Some(1));
+    assert!(child.stdout.is_empty());
+}
