@@ -22,9 +22,9 @@ const IMAGE_S: f64 = 0.003;
 const FRICTION: f64 = 24.0;
 /// The tangents that the points near a cut point share, in solves from nothing.
 const TANGENTS: f64 = 0.6;
-/// Peak memory: bytes of the program, of a solve on the draft mesh, exponent. The exponent and the share of a solve go through the draft (34 MB)
-/// and the reference mesh (1.2 GB); the standard mesh (322 MB) is met within a tenth, the coarse one (102 MB) is 80 MB.
-const MEMORY: (f64, f64, f64) = (25e6, 10e6, 1.4);
+/// Memory of a mesh in work: bytes on the draft mesh, exponent, through studies on the draft (34 MB) and the reference mesh (1.2 GB); the standard
+/// mesh (322 MB) is met within a tenth, the coarse one (102 MB) is 80 MB.
+const MEMORY: (f64, f64) = (10e6, 1.4);
 
 /// How a point is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -48,6 +48,9 @@ impl How {
     }
 }
 
+/// Solves that one factor corrects: a mesh and a kind of start.
+pub(crate) type TaskKind = (Level, How);
+
 /// A solve by what decides how long it takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Task {
@@ -56,16 +59,25 @@ pub(crate) struct Task {
     /// Cells between nodes in a quarter of the tire.
     pub cells: f64,
     pub friction: bool,
+    /// Whether it is expected to leave the shared tangent for one of its own: by friction, or by ground that comes further up than the wall is thick.
+    pub own_tangent: bool,
 }
 
 impl Task {
     pub fn of(scene: &Scene, solver: &dyn Solver, how: How) -> Self {
+        let deepest = scene.ground.depths_mm.iter().copied().fold(0.0, f64::max);
         Self {
             how,
             level: scene.model.level,
             cells: solver.cells(scene) as f64,
             friction: scene.contact.friction > 0.0,
+            own_tangent: scene.contact.friction > 0.0 || deepest > scene.geometry.wall_mm,
         }
+    }
+
+    /// Which factor corrects it.
+    pub fn kind(&self) -> TaskKind {
+        (self.level, self.how.law())
     }
 
     /// By the law alone, s.
@@ -85,14 +97,9 @@ impl Task {
 
     /// Peak memory of such a solve, bytes, without the program's own.
     pub fn memory_bytes(&self) -> f64 {
-        let (_, draft, exponent) = MEMORY;
+        let (draft, exponent) = MEMORY;
         draft * (self.cells / CELLS).powf(exponent)
     }
-}
-
-/// Memory of the program without a mesh, bytes.
-pub(crate) fn base_memory_bytes() -> f64 {
-    MEMORY.0
 }
 
 /// A solve that this machine has made.
@@ -113,8 +120,25 @@ pub struct Machine {
     pub threads: usize,
     /// Solves by which the law was corrected.
     pub samples: usize,
-    factors: BTreeMap<(Level, How), f64>,
+    factors: BTreeMap<TaskKind, f64>,
     overall: f64,
+}
+
+/// What solves of one kind took.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Taken {
+    pub solves: usize,
+    /// By the law alone, s.
+    law_s: f64,
+    wall_s: f64,
+}
+
+impl Taken {
+    pub fn add(&mut self, task: &Task, wall_s: f64) {
+        self.solves += 1;
+        self.law_s += task.law_s();
+        self.wall_s += wall_s;
+    }
 }
 
 impl Machine {
@@ -130,11 +154,11 @@ impl Machine {
     }
 
     fn corrected(threads: usize, measured: Vec<(Task, f64)>) -> Self {
-        let mut ratios: BTreeMap<(Level, How), Vec<f64>> = BTreeMap::new();
+        let mut ratios: BTreeMap<TaskKind, Vec<f64>> = BTreeMap::new();
         for (task, wall_s) in measured {
             let ratio = wall_s / task.law_s();
             if ratio.is_finite() && ratio > 0.0 {
-                let of_kind = ratios.entry((task.level, task.how.law())).or_default();
+                let of_kind = ratios.entry(task.kind()).or_default();
                 of_kind.push(ratio);
             }
         }
@@ -150,10 +174,54 @@ impl Machine {
         }
     }
 
+    /// The same machine at a study whose solves took this: a kind that wasn't come to yet is off as much as its like on another mesh or, without
+    /// any, as all. Sums correct it, not medians: a few long solves may be most of a study.
+    pub(crate) fn revised(&self, taken: &BTreeMap<TaskKind, Taken>) -> Self {
+        let all = self.off(taken, |_| true).unwrap_or(1.0);
+        let mut factors = BTreeMap::new();
+        for level in [
+            Level::Draft,
+            Level::Coarse,
+            Level::Standard,
+            Level::Reference,
+        ] {
+            for how in [How::Near, How::Afresh] {
+                let kind = (level, how);
+                let factor = match taken.get(&kind) {
+                    Some(own) => own.wall_s / own.law_s,
+                    None => self.factor(&kind) * self.off(taken, |like| like == how).unwrap_or(all),
+                };
+                factors.insert(kind, factor);
+            }
+        }
+        Self {
+            factors,
+            overall: self.overall * all,
+            ..self.clone()
+        }
+    }
+
+    /// Time taken over time expected, of the solves that start in such a way; None of none.
+    pub(crate) fn off(
+        &self,
+        taken: &BTreeMap<TaskKind, Taken>,
+        starts: impl Fn(How) -> bool,
+    ) -> Option<f64> {
+        let own = taken.iter().filter(|((_, how), _)| starts(*how));
+        let (wall_s, expected_s) = own.fold((0.0, 0.0), |(wall_s, expected_s), (kind, own)| {
+            let expected = own.law_s * self.factor(kind);
+            (wall_s + own.wall_s, expected_s + expected)
+        });
+        (expected_s > 0.0).then(|| wall_s / expected_s)
+    }
+
+    fn factor(&self, kind: &TaskKind) -> f64 {
+        *self.factors.get(kind).unwrap_or(&self.overall)
+    }
+
     /// Expected wall-clock time of a solve, s.
     pub(crate) fn solve_s(&self, task: &Task) -> f64 {
-        let factor = self.factors.get(&(task.level, task.how.law()));
-        task.law_s() * factor.unwrap_or(&self.overall)
+        task.law_s() * self.factor(&task.kind())
     }
 
     /// Expected time of the tangents that points near such a cut point share, s.

@@ -49,6 +49,18 @@ pub(crate) struct Stage {
     pub extra: Extra,
 }
 
+impl Stage {
+    /// Points on both meshes, those included that an adaptive method is expected to ask for.
+    pub fn points(&self) -> usize {
+        self.own.len() + self.coarser.len() + self.meshes() * self.extra.expected
+    }
+
+    /// On how many its points are solved.
+    pub fn meshes(&self) -> usize {
+        1 + usize::from(!self.coarser.is_empty() || self.extra.coarser)
+    }
+}
+
 /// How many more points there may be.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Extra {
@@ -178,9 +190,13 @@ impl Workload {
 
     /// The content keys of all its points.
     pub fn keys(&self) -> impl Iterator<Item = &str> {
+        self.points().map(|point| point.key.as_str())
+    }
+
+    pub(crate) fn points(&self) -> impl Iterator<Item = &Point> {
         self.stages.iter().flat_map(|stage| {
             let series = [&stage.own, &stage.coarser, &stage.effects];
-            series.into_iter().flatten().map(|point| point.key.as_str())
+            series.into_iter().flatten()
         })
     }
 }

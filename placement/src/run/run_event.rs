@@ -1,5 +1,7 @@
 //! What a run tells its caller on the way.
 
+use crate::result::Estimate;
+
 /// What happens during a run, as it happens.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Event {
@@ -38,6 +40,8 @@ pub enum Event {
     },
     /// All points are there.
     Analysing,
+    /// The study takes another time than was said. No run says so, only who measures its solves.
+    Revised(Box<Estimate>),
 }
 
 /// Is told of events, from the solving threads, one at a time for points.

@@ -9,6 +9,7 @@ use tokio::runtime::Handle;
 use tracing::{Instrument, Span};
 
 use crate::metrics::{Metrics, PointOutcome};
+use crate::solving::timekeeper::Timekeeper;
 use store::points::crashes;
 use store::points::evaluations::{self, Evaluation};
 use store::points::study_points;
@@ -20,18 +21,26 @@ pub struct StoreArchive {
     runtime: Handle,
     study: String,
     metrics: Arc<Metrics>,
+    timekeeper: Arc<Timekeeper>,
     span: Span,
     unwritable: Mutex<Option<StoreError>>,
 }
 
 impl StoreArchive {
     /// The archive of this study, whose span is the current one.
-    pub fn new(store: Arc<Store>, runtime: Handle, study: &str, metrics: Arc<Metrics>) -> Self {
+    pub fn new(
+        store: Arc<Store>,
+        runtime: Handle,
+        study: &str,
+        metrics: Arc<Metrics>,
+        timekeeper: Arc<Timekeeper>,
+    ) -> Self {
         Self {
             store,
             runtime,
             study: study.to_owned(),
             metrics,
+            timekeeper,
             span: Span::current(),
             unwritable: Mutex::new(None),
         }
@@ -130,6 +139,7 @@ impl Archive for StoreArchive {
             crashes::end(connection, point.key).await
         })?;
         self.metrics.solve(point.cost.wall_s);
+        self.timekeeper.solved(point.key, point.cost.wall_s);
         Ok(())
     }
 

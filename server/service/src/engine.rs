@@ -8,8 +8,9 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use fem_client::solver::Solver;
+use placement::estimate::Pace;
 use placement::ladder::climb;
-use placement::result::{Estimate, FailedPoint, StudyResult};
+use placement::result::{FailedPoint, StudyResult};
 use placement::run::usage::{cpu_s, peak_memory_bytes};
 use placement::run::{Event, RunContext, RunError};
 use placement::score::assemble::version;
@@ -20,8 +21,9 @@ use tokio::runtime::Handle;
 
 use crate::answered::{Answered, answered};
 use crate::database_archive::StoreArchive;
-use crate::forecast::forecast;
+use crate::forecast::pace;
 use crate::metrics::{Metrics, PointOutcome};
+use crate::solving::timekeeper::Timekeeper;
 use crate::solving::traced::Traced;
 use crate::study_document::stored_plan;
 use store::answers::result_rows;
@@ -102,19 +104,29 @@ impl Engine {
             Ok(planned) => Arc::new(planned),
             Err(error) => return End::failed(error),
         };
+        let begun = (Instant::now(), cpu_s());
+        let timekeeper = Timekeeper::new(runtime.block_on(self.expected(row, &planned)));
+        let timekeeper = Arc::new(timekeeper);
         let archive = StoreArchive::new(
             self.store.clone(),
             runtime.clone(),
             &row.id,
             self.metrics.clone(),
+            timekeeper.clone(),
         );
-        let observer = |event: Event| {
+        let tell = |event: Event| {
             let _entered = span.enter();
             if let Err(error) = runtime.block_on(self.record(&row.id, &event)) {
                 tracing::warn!(study = row.id, %error, "an event could not be recorded");
             }
             self.metrics.event(&event);
             progress(&event);
+        };
+        let observer = |event: Event| {
+            tell(event);
+            if let Some(estimate) = timekeeper.revised() {
+                tell(Event::Revised(Box::new(estimate)));
+            }
         };
         let solver = Traced::new(self.solver.clone(), span.clone());
         let context = RunContext {
@@ -125,9 +137,8 @@ impl Engine {
             pause,
             observer: &observer,
         };
-        let begun = (Instant::now(), cpu_s());
         let PlannedStudy { study, plan } = &*planned;
-        let estimate = runtime.block_on(self.estimated(row, &planned));
+        let estimate = timekeeper.estimate();
         if let Some(Answered { mut result, points }) = runtime.block_on(self.answered(row, study)) {
             observer(Event::Started {
                 points,
@@ -171,10 +182,10 @@ impl Engine {
     }
 
     /// What the study is expected to take, stored with it. Not worth a study: without it the study runs too.
-    async fn estimated(&self, row: &StudyRow, planned: &Arc<PlannedStudy>) -> Option<Estimate> {
+    async fn expected(&self, row: &StudyRow, planned: &Arc<PlannedStudy>) -> Option<Pace> {
         let store = Some(&*self.store);
-        let estimate = match forecast(store, &self.solver, self.threads, planned).await {
-            Ok(estimate) => estimate,
+        let pace = match pace(store, &self.solver, self.threads, planned).await {
+            Ok(pace) => pace,
             Err(error) => {
                 tracing::warn!(%error, "the study's cost could not be estimated");
                 return None;
@@ -182,13 +193,13 @@ impl Engine {
         };
         let stored = async {
             let mut transaction = self.store.begin().await?;
-            study_rows::set_estimate(&mut transaction, &row.id, &estimate).await?;
+            study_rows::set_estimate(&mut transaction, &row.id, pace.estimate()).await?;
             self.store.commit(transaction, 0).await
         };
         if let Err(error) = stored.await {
             tracing::warn!(%error, "the study's estimate could not be stored");
         }
-        Some(estimate)
+        Some(pace)
     }
 
     async fn record(&self, study: &str, event: &Event) -> Result<(), StoreError> {
@@ -199,6 +210,9 @@ impl Engine {
         }
         if let Some((total, done)) = progress_of(event) {
             study_rows::set_progress(&mut transaction, study, total, done).await?;
+        }
+        if let Event::Revised(estimate) = event {
+            study_rows::set_estimate(&mut transaction, study, estimate).await?;
         }
         let (kind, payload) = wire(event);
         let id = event_rows::insert(&mut transaction, study, kind, &payload).await?;
@@ -249,7 +263,7 @@ fn progress_of(event: &Event) -> Option<(usize, usize)> {
         Event::PointSolved { done, of, .. } | Event::PointFailed { done, of, .. } => {
             Some((of, done))
         }
-        Event::Analysing => None,
+        Event::Analysing | Event::Revised(_) => None,
     }
 }
 
@@ -284,5 +298,9 @@ fn wire(event: &Event) -> (&'static str, Value) {
             json!({"ordinal": ordinal, "done": done, "of": of, "cause": cause}),
         ),
         Event::Analysing => ("analysing", json!({})),
+        Event::Revised(estimate) => (
+            "estimate-revised",
+            json!({"wall_s": estimate.wall_s, "reason": estimate.reasons.last()}),
+        ),
     }
 }

@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 use std::sync::Arc;
 
 use fem_client::solver::Solver;
-use placement::estimate::{Machine, Workload, estimate};
+use placement::estimate::{Machine, Pace, Workload, estimate};
 use placement::result::Estimate;
 use placement::study::Study;
 use placement::study::plan::{Estimable, PlanError, PlannedStudy};
@@ -52,6 +52,20 @@ pub async fn forecast(
     threads: usize,
     planned: &Arc<PlannedStudy>,
 ) -> Result<Estimate, ForecastError> {
+    let pace = pace(store, solver, threads, planned).await?;
+    Ok(pace.estimate().clone())
+}
+
+/// The same, to be corrected while the study runs.
+///
+/// # Errors
+/// See [`ForecastError`].
+pub async fn pace(
+    store: Option<&Store>,
+    solver: &Arc<dyn Solver>,
+    threads: usize,
+    planned: &Arc<PlannedStudy>,
+) -> Result<Pace, ForecastError> {
     let work = workload(solver, planned, Workload::of).await?;
     let (mut known, mut samples) = (HashSet::new(), Vec::new());
     if let Some(store) = store {
@@ -61,7 +75,7 @@ pub async fn forecast(
         samples = evaluations::samples(&mut connection).await?;
     }
     let machine = Machine::measured(solves_at_once(threads), &samples, solver.as_ref());
-    Ok(estimate(&work, &known, &machine))
+    Ok(Pace::new(work, known, machine))
 }
 
 /// What a study would cost that need not be planned for that.

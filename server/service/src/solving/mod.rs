@@ -3,9 +3,11 @@
 //! - [`solver_choice`]: which solver answers
 //! - [`watched`]: solves that come to an end in time
 //! - [`apart`]: solves in a process of their own
+//! - [`timekeeper`]: how long they take beside what was expected
 //! - [`traced`]: solves whose lines in the log say for which study
 
 pub mod apart;
 pub mod solver_choice;
+pub mod timekeeper;
 pub mod traced;
 pub mod watched;

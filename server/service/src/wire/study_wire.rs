@@ -64,7 +64,7 @@ pub struct StudyDetail {
     /// The canonical document: every default filled in, the scene inline.
     #[schema(value_type = Object)]
     pub document: Value,
-    /// What it was expected to take when it last started; null before.
+    /// What it is expected to take: as expected when it last started, or as revised since by what its own solves took; null before.
     pub estimate: Option<Estimate>,
     /// Hash of the result's content; null before there is one. The result's ETag.
     pub result_sha256: Option<String>,

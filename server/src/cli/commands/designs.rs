@@ -198,7 +198,8 @@ impl<'b> Progress<'b> {
                 self.set(index, *done, *of);
                 say_failed(self.bar, *ordinal, cause);
             }
-            Event::Analysing => {}
+            // A sweep has a bar for all of its designs.
+            Event::Analysing | Event::Revised(_) => {}
         }
     }
 

@@ -117,6 +117,13 @@ fn megabytes(bytes: u64) -> u64 {
     bytes / 1_000_000
 }
 
+/// One line that says what a study is expected to take now, and why.
+pub fn revised(estimate: &Estimate) -> String {
+    let time = estimate.wall_s.as_ref().map_or("unknown".to_owned(), range);
+    let why = estimate.reasons.last().map_or("", String::as_str);
+    format!("expected now: {time} in all; {why}")
+}
+
 /// One line that compares what was expected with what it took; nothing where nobody expected anything.
 pub fn comparison(result: &StudyResult) -> String {
     let (Some(estimate), cost) = (&result.estimate, &result.cost) else {

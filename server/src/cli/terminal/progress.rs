@@ -6,6 +6,7 @@ use anstream::{AutoStream, ColorChoice};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use placement::run::Event;
 
+use crate::cli::terminal::estimate_text::revised;
 use crate::cli::terminal::paint::{BAD, painted};
 
 /// A bar on standard error, on a terminal only, after a label.
@@ -121,5 +122,6 @@ pub fn show(bar: &ProgressBar, event: &Event) {
             say_failed(bar, *ordinal, cause);
         }
         Event::Analysing => bar.set_message("analysing"),
+        Event::Revised(estimate) => bar.println(revised(estimate)),
     }
 }

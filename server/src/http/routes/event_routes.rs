@@ -45,7 +45,7 @@ pub fn router() -> OpenApiRouter<AppState> {
 
 /// Follow a study
 ///
-/// Server-sent events: `queued`, `started`, `point-solved`, `point-failed`, `analysing`, then one of `done`, `failed` and `cancelled`, which ends the stream. Each
+/// Server-sent events: `queued`, `started`, `point-solved`, `point-failed`, `estimate-revised`, `analysing`, then one of `done`, `failed` and `cancelled`, which ends the stream. Each
 /// has a number; a client that comes back with `Last-Event-ID` gets what it missed, and one whose number is beyond the newest of this database gets all.
 #[utoipa::path(get, path = "/v1/studies/{id}/events", tag = "studies",
     params(StudyPath, ("Last-Event-ID" = Option<String>, Header, description = "Number of the last event seen; all come again where it is beyond the newest", example = "17")),

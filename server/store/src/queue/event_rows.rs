@@ -12,7 +12,7 @@ use crate::store_error::StoreError;
 pub struct EventRow {
     /// Grows with time, over all studies.
     pub id: i64,
-    /// What happened: `queued`, `started`, `point-solved`, `point-failed`, `analysing`, `done`, `failed`, `cancelled`.
+    /// What happened: `queued`, `started`, `point-solved`, `point-failed`, `estimate-revised`, `analysing`, `done`, `failed`, `cancelled`.
     pub kind: String,
     /// Its particulars, a JSON object.
     pub payload: String,

@@ -343,7 +343,7 @@ pub async fn set_progress(
     Ok(())
 }
 
-/// Notes what a study that starts is expected to take.
+/// Notes what a study that starts or runs is expected to take.
 ///
 /// # Errors
 /// [`StoreError::NotFinite`] when a number isn't finite; when the database can't be written.

@@ -1,0 +1,105 @@
+//! What a study takes of memory.
+//!
+//! An upper bound rather than a mean, because a study is refused by it: measured peaks are two fifths to all of it. Fitted to the peaks of whole
+//! studies by all methods on the draft, coarse and standard meshes, with and without maps of up to 40 602 numbers.
+
+use super::law::{How, Machine};
+use super::workload::{Point, Stage, Workload};
+
+/// The program without a study, bytes.
+const PROGRAM: f64 = 25e6;
+/// A point's response, and its row on the way to the database, without its numbers, bytes.
+const RESPONSE: f64 = 60e3;
+/// A number read of one point: the response's, the row's, and those of the analysis, bytes.
+const READING: f64 = 32.0;
+/// A number's indices and errors, in the analysis, the result and its text, on one mesh, bytes: by a method with a plan, and by one that adapts,
+/// which keeps the surrogates that it chooses from.
+const OUTPUT: [f64; 2] = [3e3, 30e3];
+/// What solves leave in the allocator's pools, in meshes in work: that of few points, how many these are, points for another one, at most.
+const POOLS: (f64, f64, f64, f64) = (1.7, 26.0, 40.0, 3.5);
+
+/// Largest memory of the process while these stages of a workload run, bytes: the program, the meshes in work, the responses of all
+/// points, and their analysis.
+pub(super) fn memory_bytes(work: &Workload, stages: &[Stage], machine: &Machine) -> u64 {
+    let largest = |part: &dyn Fn(&Stage) -> f64| stages.iter().map(part).fold(0.0, f64::max);
+    let points: usize = stages.iter().map(Stage::points).sum();
+    let responses = points as f64 * (RESPONSE + READING * work.readings as f64);
+    let analysed = |stage: &Stage| {
+        let output = OUTPUT[usize::from(stage.extra.most > 0)];
+        output * (stage.meshes() * work.readings) as f64
+    };
+    let solving = |stage: &Stage| solving(stage, machine);
+    (PROGRAM + largest(&solving) + responses + largest(&analysed)) as u64
+}
+
+fn solving(stage: &Stage, machine: &Machine) -> f64 {
+    let (few, few_points, another, most) = POOLS;
+    let solves = (stage.own.len() + stage.extra.expected) as f64;
+    let pools = (few + (solves - few_points).max(0.0) / another).min(most);
+    let of_series = |series: &Vec<Point>| {
+        let own = |point: &&Point| point.task.how == How::Afresh || point.task.own_tangent;
+        // Those near a cut point share its factor.
+        let at_once = (1 + series.iter().filter(own).count()).min(machine.threads);
+        let largest = series.iter().map(|point| point.task.memory_bytes());
+        largest.fold(0.0, f64::max) * at_once as f64
+    };
+    let series = [&stage.own, &stage.coarser, &stage.effects];
+    pools * series.into_iter().map(of_series).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use fem_client::document::Format;
+    use tire::embedded::EmbeddedSolver;
+
+    use super::*;
+    use crate::study::plan::PlannedStudy;
+    use crate::study::{Study, presets};
+
+    /// The shipped study with another map, method and mesh.
+    fn megabytes(grid: Option<[usize; 2]>, method: &str, level: &str) -> f64 {
+        let map = "grid = { circumferential = 61, meridional = 21 }";
+        let other = grid.map_or(String::new(), |[x, y]| {
+            format!("grid = {{ circumferential = {x}, meridional = {y} }}")
+        });
+        let mdrm = "kind = \"mdrm\"\nnodes = 5\ncheck_points = 5";
+        let text = presets()[0].1.replace(map, &other);
+        let text = text.replace(mdrm, method);
+        let text = text.replace("preset = \"standard\"", &format!("preset = \"{level}\""));
+        let study = Study::from_document(&text, Format::Toml, &|path| Err(path.to_owned()));
+        let planned = PlannedStudy::new(study.expect("a study")).expect("a plan");
+        let work = Workload::of(&planned, &EmbeddedSolver::default());
+        memory_bytes(&work, &work.stages, &Machine::new(2)) as f64 / 1e6
+    }
+
+    #[test]
+    fn measured_peaks_are_met_and_no_study_is_refused_for_thrice_what_it_takes() {
+        let mdrm = "kind = \"mdrm\"\nnodes = 5\ncheck_points = 5";
+        let (pce, auto) = ("kind = \"pce\"\nsamples = 60", "kind = \"auto\"");
+        // Largest resident memory of `strainsite run` on two threads, MB, the larger of two runs.
+        let measured = [
+            (None, mdrm, "draft", 41.7),
+            (Some([61, 21]), mdrm, "draft", 49.6),
+            (Some([101, 101]), mdrm, "draft", 109.6),
+            (Some([201, 101]), mdrm, "draft", 183.1),
+            (Some([61, 21]), pce, "draft", 59.5),
+            (Some([101, 101]), pce, "draft", 120.5),
+            (None, auto, "draft", 89.7),
+            (Some([61, 21]), auto, "draft", 152.0),
+            (Some([101, 101]), auto, "draft", 573.8),
+            (None, mdrm, "coarse", 147.7),
+            (Some([61, 21]), mdrm, "coarse", 197.2),
+            (Some([101, 101]), mdrm, "coarse", 284.4),
+            (Some([61, 21]), auto, "coarse", 462.6),
+            (None, mdrm, "standard", 408.9),
+            (Some([61, 21]), mdrm, "standard", 384.4),
+        ];
+        for (grid, method, level, peak) in measured {
+            let ratio = megabytes(grid, method, level) / peak;
+            assert!(
+                (1.0..3.0).contains(&ratio),
+                "{grid:?} {method} {level}: {ratio:.2} times {peak} MB"
+            );
+        }
+    }
+}
