@@ -6,5 +6,6 @@ mod app;
 mod cli;
 mod interrupted;
 mod long_results;
+mod numerics;
 mod own_models;
 mod program;

@@ -11,6 +11,7 @@ use tire::embedded::EmbeddedSolver;
 
 use crate::solving::apart::child;
 use crate::solving::apart::parent::{Apart, own_program};
+use crate::solving::numerics::Fingerprinted;
 use crate::solving::watched::Watched;
 
 pub use calculix::NotInstalled;
@@ -35,7 +36,8 @@ pub fn solver(name: SolverName<'_>, limit: Duration) -> Result<Arc<dyn Solver>, 
     let solver: Arc<dyn Solver> = match name {
         SolverName::Embedded => {
             let solver = Arc::new(EmbeddedSolver::default());
-            Arc::new(Apart::new(solver, own_program))
+            let apart = Apart::new(solver, own_program);
+            Arc::new(Fingerprinted::new(Arc::new(apart)))
         }
         // Its solves are in a process of their own already.
         SolverName::Calculix(program) => Arc::new(CalculixSolver::new(program, limit + GRACE)?),
