@@ -86,7 +86,7 @@ test-unit: setup-build
 
 # Lints have compiled the examples already.
 test-rust: setup-rust
-	$(CARGO) test $(ALL) --tests
+	MAKEFLAGS= tests/rust/run $(ALL) --tests
 	$(CARGO) test $(ALL) --doc
 
 # Every case whose answer is known; the Rust tests ran the extremes.

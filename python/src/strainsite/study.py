@@ -111,6 +111,7 @@ class Study:
 
         Raises:
             ProblemError: It is a design of a sweep, with which it can be removed (409).
+
         """
         self._transport.request("DELETE", f"{self._path}?purge")
 

@@ -111,7 +111,7 @@ class Sweep:
         return self
 
     def remove(self) -> None:
-        """Removes it for good, with the studies of its designs, their results and the points that no other study has."""
+        """Removes it for good, with its designs, their results and the points that no other study has."""
         self._transport.request("DELETE", f"{self._path}?purge")
 
     def resume(self) -> Sweep:

@@ -20,6 +20,7 @@ pub struct Store {
     keeper: Mutex<Option<SqliteConnection>>,
     presence: Presence,
     latest_event: watch::Sender<i64>,
+    is_bounded: bool,
     // Last: its descriptor is closed after all of SQLite's.
     _lock: lock::DatabaseLock,
 }
@@ -50,6 +51,7 @@ impl Store {
             readers,
             keeper: Mutex::new(Some(keeper)),
             latest_event: watch::Sender::new(0),
+            is_bounded: most_bytes.is_some(),
             _lock: lock,
         })
     }
@@ -57,6 +59,11 @@ impl Store {
     /// The database file.
     pub fn path(&self) -> &Path {
         &self.place.named
+    }
+
+    /// Whether the file may only grow so far.
+    pub fn is_bounded(&self) -> bool {
+        self.is_bounded
     }
 
     /// Size of the file and its write-ahead log; 0 for what can't be looked at.
