@@ -42,7 +42,7 @@ def test_the_result_is_the_services(study: Study, service: Service, result: Resu
     assert result.study.id == study.id
     assert result.locations == study.locations()
     assert result.layouts == study.layouts()
-    assert [location.rank for location in result.locations] == [1, 2, 3, 4, 5]
+    assert [location.rank for location in result.locations] == [1, 2, 2, 4, 4]
     best = result.locations[0]
     assert best.name == "P3"
     centre = result.output("P3", "x")
