@@ -3,9 +3,10 @@
 //! A study that was interrupted anywhere is run again as if it were new: its plan is the same, the archive has the
 //! points that were solved, and what is lacking is solved from the same start.
 
+use std::pin::pin;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-use std::time::Instant;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 use fem_client::solver::Solver;
 use placement::estimate::Pace;
@@ -18,10 +19,11 @@ use placement::study::Study;
 use placement::study::plan::PlannedStudy;
 use serde_json::{Value, json};
 use tokio::runtime::Handle;
+use tokio::time::timeout;
 
 use crate::answered::{Answered, answered};
 use crate::database_archive::StoreArchive;
-use crate::forecast::pace;
+use crate::forecast::{ForecastError, pace};
 use crate::metrics::{Metrics, PointOutcome};
 use crate::solving::timekeeper::Timekeeper;
 use crate::solving::traced::Traced;
@@ -31,6 +33,9 @@ use store::queue::event_rows;
 use store::queue::study_rows::{self, State, StudyRow};
 use store::queue::turns;
 use store::{Store, StoreError};
+
+/// How often a study that is being planned looks whether it is to stop.
+const LOOK: Duration = Duration::from_millis(50);
 
 /// What a study is run with.
 #[derive(Clone)]
@@ -100,13 +105,14 @@ impl Engine {
         // Of the highest level, so that no filter takes the study's name from a line that it lets through.
         let span = tracing::error_span!("study", study = row.id);
         let _entered = span.enter();
-        let planned = match stored_plan(row) {
-            Ok(planned) => Arc::new(planned),
-            Err(error) => return End::failed(error),
-        };
         let begun = (Instant::now(), cpu_s());
-        let timekeeper = Timekeeper::new(runtime.block_on(self.expected(row, &planned)));
-        let timekeeper = Arc::new(timekeeper);
+        let preparing = unless_stopped(stop, self.prepared(row));
+        let (planned, pace) = match runtime.block_on(preparing) {
+            Some(Ok(prepared)) => prepared,
+            Some(Err(error)) => return End::failed(error),
+            None => return End::Stopped,
+        };
+        let timekeeper = Arc::new(Timekeeper::new(pace));
         let archive = StoreArchive::new(
             self.store.clone(),
             runtime.clone(),
@@ -166,6 +172,16 @@ impl Engine {
                 },
             },
         }
+    }
+
+    /// The plan of a study, and what it is expected to take.
+    async fn prepared(&self, row: &StudyRow) -> Result<(Arc<PlannedStudy>, Option<Pace>), String> {
+        let own = row.clone();
+        let planned = tokio::task::spawn_blocking(move || stored_plan(&own)).await;
+        let planned = planned.map_err(|_| ForecastError::Broken.to_string())??;
+        let planned = Arc::new(planned);
+        let pace = self.expected(row, &planned).await;
+        Ok((planned, pace))
     }
 
     /// The answer of an earlier study of the same document. Where there is none, or it can't be had, the study is computed.
@@ -254,6 +270,17 @@ impl Engine {
         self.store.commit(transaction, id).await?;
         Ok(true)
     }
+}
+
+/// What work gives that takes seconds for a large design, unless the study is to stop before: then nobody waits for it any more.
+async fn unless_stopped<T>(stop: &AtomicBool, work: impl Future<Output = T>) -> Option<T> {
+    let mut work = pin!(work);
+    while !stop.load(Ordering::Relaxed) {
+        if let Ok(done) = timeout(LOOK, work.as_mut()).await {
+            return Some(done);
+        }
+    }
+    None
 }
 
 /// Total and finished points, when the event changes them.

@@ -34,10 +34,10 @@ def ask(port, request, patience_s=2):
     return answer
 
 
-def posted(port, path, kind, body):
+def posted(port, path, kind, body, patience_s=2):
     """The answer to a document."""
     head = f"POST {path} HTTP/1.1\r\nHOST\r\nContent-Type: {kind}\r\nContent-Length: {len(body)}\r\nConnection: close\r\n\r\n"
-    return ask(port, head.encode() + body.encode()).decode()
+    return ask(port, head.encode() + body.encode(), patience_s).decode()
 
 
 def unread(port, request):

@@ -98,7 +98,10 @@ impl Serve {
     pub fn execute(&self) -> Result<(), Failure> {
         let (parts, drawn) = self.parts().map_err(Failure::Input)?;
         let runtime = tokio::runtime::Runtime::new().map_err(Failure::other)?;
-        runtime.block_on(serve(parts, drawn))
+        let served = runtime.block_on(serve(parts, drawn));
+        // What was stored is stored: nobody waits for the plan of a study that was stopped.
+        runtime.shutdown_background();
+        served
     }
 
     /// What the service is made of, and a token that nobody knows yet; or every setting that can't be used with the others or on this
