@@ -79,6 +79,14 @@ fn pulled(stress: f64) -> Problem {
     problem
 }
 
+/// All of the dead forces.
+fn full_pull() -> Loads {
+    Loads {
+        traction_factor: 1.0,
+        ..Loads::default()
+    }
+}
+
 fn run(
     newton: &mut Newton<'_>,
     state: &mut State,
@@ -127,11 +135,7 @@ fn dead_forces_stretch_a_cube_as_its_law_says() {
     let problem = pulled(uniaxial(STRETCH));
     let mut newton = Newton::new(&problem).expect("a valid mesh");
     let mut state = State::reference(&problem);
-    let target = Loads {
-        traction_factor: 1.0,
-        ..Loads::default()
-    };
-    run(&mut newton, &mut state, &target, false).expect("an equilibrium");
+    run(&mut newton, &mut state, &full_pull(), false).expect("an equilibrium");
     check_uniaxial(&problem, &state, STRETCH);
     let range = newton.stretch_range(&state);
     assert!(
@@ -155,11 +159,7 @@ fn a_path_that_fails_says_how_far_it_came_and_leaves_an_equilibrium() {
     newton.settings.max_iterations = 5;
     newton.settings.smallest_load_step = 0.125;
     let mut state = State::reference(&problem);
-    let target = Loads {
-        traction_factor: 1.0,
-        ..Loads::default()
-    };
-    let failure = run(&mut newton, &mut state, &target, false).expect_err("too few steps");
+    let failure = run(&mut newton, &mut state, &full_pull(), false).expect_err("too few steps");
     assert_eq!(failure.cause, Cause::Iterations);
     assert!(failure.reached < 1.0, "{failure:?}");
     assert_eq!(failure.loads.traction_factor, failure.reached);
@@ -177,11 +177,7 @@ fn a_stopped_path_leaves_the_state_as_it_was() {
     let problem = pulled(uniaxial(STRETCH));
     let mut newton = Newton::new(&problem).expect("a valid mesh");
     let mut state = State::reference(&problem);
-    let target = Loads {
-        traction_factor: 1.0,
-        ..Loads::default()
-    };
-    let failure = run(&mut newton, &mut state, &target, true).expect_err("told to stop");
+    let failure = run(&mut newton, &mut state, &full_pull(), true).expect_err("told to stop");
     assert_eq!((failure.reached, failure.cause), (0.0, Cause::Stopped));
     assert_eq!(state, State::reference(&problem));
 }
@@ -216,17 +212,13 @@ fn a_mesh_that_is_inside_out_is_refused_by_its_first_brick() {
 #[test]
 fn efforts_add_up() {
     let problem = pulled(uniaxial(STRETCH));
-    let target = Loads {
-        traction_factor: 1.0,
-        ..Loads::default()
-    };
     let mut sum = Effort::default();
     let mut all = Newton::new(&problem).expect("a valid mesh");
     for _ in 0..2 {
         let mut one = Newton::new(&problem).expect("a valid mesh");
         for newton in [&mut one, &mut all] {
             let mut state = State::reference(&problem);
-            run(newton, &mut state, &target, false).expect("an equilibrium");
+            run(newton, &mut state, &full_pull(), false).expect("an equilibrium");
         }
         sum += one.effort;
     }

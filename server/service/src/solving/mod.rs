@@ -13,3 +13,26 @@ pub mod solver_choice;
 pub mod timekeeper;
 pub mod traced;
 pub mod watched;
+
+/// What a solver around another one, its field `solver`, has that one tell of scenes.
+macro_rules! inner_tells {
+    () => {
+        fn coarser(&self, scene: &fem_client::scene::Scene) -> Option<fem_client::solver::Coarser> {
+            self.solver.coarser(scene)
+        }
+
+        fn omissions(&self, scene: &fem_client::scene::Scene) -> Vec<fem_client::solver::Omission> {
+            self.solver.omissions(scene)
+        }
+
+        fn cells(&self, scene: &fem_client::scene::Scene) -> usize {
+            self.solver.cells(scene)
+        }
+
+        fn has_time_law(&self) -> bool {
+            self.solver.has_time_law()
+        }
+    };
+}
+
+use inner_tells;

@@ -7,7 +7,9 @@ use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, OnceLock};
 
 use fem_client::scene::{Level, Scene};
-use fem_client::solver::{Coarser, Omission, Readout, SolveError, SolveRequest, Solved, Solver};
+use fem_client::solver::{Readout, SolveError, SolveRequest, Solved, Solver};
+
+use crate::solving::inner_tells;
 use store::content::sha256;
 
 /// Of the version and the numerics that points were stored with before keys told numerics apart: their keys stay as they are. Any
@@ -70,21 +72,7 @@ impl Solver for Fingerprinted {
         self.version.get_or_init(version).clone()
     }
 
-    fn coarser(&self, scene: &Scene) -> Option<Coarser> {
-        self.solver.coarser(scene)
-    }
-
-    fn omissions(&self, scene: &Scene) -> Vec<Omission> {
-        self.solver.omissions(scene)
-    }
-
-    fn cells(&self, scene: &Scene) -> usize {
-        self.solver.cells(scene)
-    }
-
-    fn has_time_law(&self) -> bool {
-        self.solver.has_time_law()
-    }
+    inner_tells!();
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
         self.solver.solve(request)

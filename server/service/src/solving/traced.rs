@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use fem_client::scene::Scene;
-use fem_client::solver::Coarser;
-use fem_client::solver::Omission;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use tracing::Span;
+
+use crate::solving::inner_tells;
 
 /// Another solver, whose every line in the log says what it is at work for.
 pub struct Traced {
@@ -26,21 +25,7 @@ impl Solver for Traced {
         self.solver.version()
     }
 
-    fn coarser(&self, scene: &Scene) -> Option<Coarser> {
-        self.solver.coarser(scene)
-    }
-
-    fn omissions(&self, scene: &Scene) -> Vec<Omission> {
-        self.solver.omissions(scene)
-    }
-
-    fn cells(&self, scene: &Scene) -> usize {
-        self.solver.cells(scene)
-    }
-
-    fn has_time_law(&self) -> bool {
-        self.solver.has_time_law()
-    }
+    inner_tells!();
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
         self.span.in_scope(|| self.solver.solve(request))

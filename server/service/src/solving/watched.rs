@@ -11,11 +11,10 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use fem_client::scene::Scene;
-use fem_client::solver::Coarser;
-use fem_client::solver::Omission;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use placement::run::usage::{cpu_s, credit};
+
+use crate::solving::inner_tells;
 
 /// How often the caller's wish to stop is looked at. An answer is taken at once.
 const LOOK: Duration = Duration::from_millis(10);
@@ -101,21 +100,7 @@ impl Solver for Watched {
         self.solver.version()
     }
 
-    fn coarser(&self, scene: &Scene) -> Option<Coarser> {
-        self.solver.coarser(scene)
-    }
-
-    fn omissions(&self, scene: &Scene) -> Vec<Omission> {
-        self.solver.omissions(scene)
-    }
-
-    fn cells(&self, scene: &Scene) -> usize {
-        self.solver.cells(scene)
-    }
-
-    fn has_time_law(&self) -> bool {
-        self.solver.has_time_law()
-    }
+    inner_tells!();
 
     fn solve(&self, request: &SolveRequest<'_>) -> SolveResult {
         self.watch(request, |solver, request| solver.solve(request))
@@ -162,6 +147,7 @@ mod tests {
 
     use super::*;
     use fem_client::closed_form::ClosedFormSolver;
+    use fem_client::scene::Scene;
     use fem_client::solver::Readout;
 
     /// Takes what it is made to take, heeding its stop flag or not.

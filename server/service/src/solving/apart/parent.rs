@@ -9,15 +9,13 @@ use std::thread;
 use std::time::Duration;
 
 use fem_client::document::visible::visible;
-use fem_client::scene::Scene;
-use fem_client::solver::Coarser;
-use fem_client::solver::Omission;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use placement::run::usage::credit;
 
 use super::child::ARGUMENT;
 use super::ending::{Blame, blame, memory_kills};
 use super::messages::{Answer, Order};
+use crate::solving::inner_tells;
 
 /// How often it is looked whether the process has ended or is to end.
 const LOOK: Duration = Duration::from_millis(10);
@@ -64,21 +62,7 @@ impl Solver for Apart {
         self.solver.version()
     }
 
-    fn coarser(&self, scene: &Scene) -> Option<Coarser> {
-        self.solver.coarser(scene)
-    }
-
-    fn omissions(&self, scene: &Scene) -> Vec<Omission> {
-        self.solver.omissions(scene)
-    }
-
-    fn cells(&self, scene: &Scene) -> usize {
-        self.solver.cells(scene)
-    }
-
-    fn has_time_law(&self) -> bool {
-        self.solver.has_time_law()
-    }
+    inner_tells!();
 
     fn solve(&self, request: &SolveRequest<'_>) -> SolveResult {
         self.solver.solve(request)
@@ -220,6 +204,7 @@ mod tests {
 
     use super::*;
     use fem_client::closed_form::ClosedFormSolver;
+    use fem_client::scene::Scene;
     use fem_client::solver::Readout;
 
     /// What comes of a process that does this instead of solving.
