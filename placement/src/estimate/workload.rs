@@ -81,7 +81,7 @@ impl Workload {
     /// What a study asks of a solver.
     pub fn of(planned: &PlannedStudy, solver: &dyn Solver) -> Self {
         let readout = planned.study.readout();
-        let keys = |scenes: &[Scene]| keys(scenes, solver, &readout);
+        let keys = |scenes: &[Scene]| keys(scenes, solver, &readout).collect();
         Self::with_keys(planned, solver, &keys, &|points| points)
     }
 

@@ -1,5 +1,7 @@
 //! Where solved points are kept, so that none is solved twice.
 
+use std::collections::HashMap;
+
 use fem_client::solver::{Cost, NoEquilibrium, Reached, Response, StartState};
 use serde::{Deserialize, Serialize};
 
@@ -48,12 +50,12 @@ pub trait Archive: Sync {
         Ok(())
     }
 
-    /// What is known of this key's crashes.
+    /// The suspect keys, whichever study they belong to: the program died while they were being solved, of whatever cause.
     ///
     /// # Errors
     /// When the archive can't be read.
-    fn crashes(&self, _key: &str) -> Result<Crashes, ArchiveError> {
-        Ok(Crashes::default())
+    fn crashes(&self) -> Result<HashMap<String, Crashes>, ArchiveError> {
+        Ok(HashMap::new())
     }
 
     /// Counts a crash of the process in which this key was solved alone, and returns how many there were.
@@ -77,11 +79,9 @@ pub trait Archive: Sync {
     fn load_start(&self, key: &str) -> Result<Option<StartState>, ArchiveError>;
 }
 
-/// What is known of a point's crashes.
+/// What is known of a suspect point.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Crashes {
-    /// The program died while it was being solved, of whatever cause.
-    pub suspect: bool,
     /// How often its own process crashed, in which it was solved alone.
     pub own: usize,
     /// What ended that process the last time.

@@ -9,7 +9,7 @@ mod run_error;
 mod run_event;
 pub mod usage;
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use fem_client::scene::Scene;
@@ -141,6 +141,11 @@ fn answers_of(
     place: Place,
     context: RunContext<'_>,
 ) -> Result<Answers, RunError> {
+    let unless_stopped = |key| match context.stop.load(Ordering::Relaxed) {
+        true => Err(RunError::Stopped),
+        false => Ok(key),
+    };
+    let keys = keys(scenes, context.solver, readout).map(unless_stopped);
     let points = Points {
         scenes,
         values,
@@ -150,7 +155,7 @@ fn answers_of(
         stop: context.stop,
         pause: context.pause,
         observer: context.observer,
-        keys: keys(scenes, context.solver, readout),
+        keys: keys.collect::<Result<_, _>>()?,
         place,
     };
     points.answers(context.threads)

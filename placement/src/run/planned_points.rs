@@ -57,9 +57,13 @@ pub(crate) struct Answers {
 
 /// Content keys: SHA-256 over all that determines an outcome to the bit, which is the solver's version, the scene, the
 /// readout and the start. The cut point starts from scratch, the others from the cut point, which its key stands for.
-pub(crate) fn keys(scenes: &[Scene], solver: &dyn Solver, readout: &Readout) -> Vec<String> {
+pub(crate) fn keys(
+    scenes: &[Scene],
+    solver: &dyn Solver,
+    readout: &Readout,
+) -> impl Iterator<Item = String> {
     let version = solver.version();
-    let key = |ordinal: usize, start: &str| {
+    let key = move |ordinal: usize, start: &str| {
         let (scene, readout) = (scenes[ordinal].to_value(), readout_of(readout, ordinal));
         let content = serde_json::json!({
             "solver": version, "scene": scene, "readout": readout, "start": start,
@@ -67,10 +71,10 @@ pub(crate) fn keys(scenes: &[Scene], solver: &dyn Solver, readout: &Readout) -> 
         sha256_hex(&content.to_string())
     };
     let cut = key(0, "scratch");
-    let others: Vec<String> = (1..scenes.len())
-        .map(|ordinal| key(ordinal, &cut))
-        .collect();
-    std::iter::once(cut).chain(others).collect()
+    (0..scenes.len()).map(move |ordinal| match ordinal {
+        0 => cut.clone(),
+        _ => key(ordinal, &cut),
+    })
 }
 
 /// What is read of a point: of the cut point also where its map lies.
@@ -80,6 +84,9 @@ fn readout_of(readout: &Readout, ordinal: usize) -> Readout {
         ..readout.clone()
     }
 }
+
+/// Points looked up in the archive before the run asks whether it is to stop.
+const AT_ONCE: usize = 4096;
 
 /// Crashes of its own process after which a point is left alone.
 const QUARANTINE: usize = 3;
@@ -105,7 +112,7 @@ enum Lack {
 impl Points<'_> {
     /// Loads or solves every point; the cut point's outcome is a response.
     pub fn answers(&self, threads: usize) -> Result<Answers, RunError> {
-        let mut found = self.archive.load(&self.keys, self.place.first)?;
+        let mut found = self.loaded()?;
         let reused = found.iter().flatten().count();
         (self.observer)(Event::Started {
             points: self.place.of,
@@ -147,18 +154,30 @@ impl Points<'_> {
         Ok(Answers { points, reused })
     }
 
+    /// What the archive has of them.
+    fn loaded(&self) -> Result<Vec<Option<Costed>>, RunError> {
+        let mut found = Vec::with_capacity(self.keys.len());
+        for keys in self.keys.chunks(AT_ONCE) {
+            if self.stop.load(Ordering::Relaxed) {
+                return Err(RunError::Stopped);
+            }
+            found.extend(self.archive.load(keys, self.place.first + found.len())?);
+        }
+        Ok(found)
+    }
+
     /// Sorts points by what is known of their crashes.
     fn suspicion(&self, lacking: &[usize]) -> Result<Suspicion, ArchiveError> {
+        let suspects = self.archive.crashes()?;
         let mut sorted = Suspicion::default();
         for &ordinal in lacking {
-            let crashes = self.archive.crashes(&self.keys[ordinal])?;
-            if crashes.own >= QUARANTINE {
-                let found = quarantined(crashes.own, &crashes.cause);
-                sorted.quarantined.push((ordinal, found.answer));
-            } else if crashes.suspect {
-                sorted.suspect.push(ordinal);
-            } else {
-                sorted.clean.push(ordinal);
+            match suspects.get(&self.keys[ordinal]) {
+                None => sorted.clean.push(ordinal),
+                Some(crashes) if crashes.own >= QUARANTINE => {
+                    let found = quarantined(crashes.own, &crashes.cause);
+                    sorted.quarantined.push((ordinal, found.answer));
+                }
+                Some(_) => sorted.suspect.push(ordinal),
             }
         }
         Ok(sorted)

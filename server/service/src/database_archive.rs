@@ -1,5 +1,6 @@
 //! The database as the place where solved points are kept.
 
+use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use fem_client::solver::{Cost, StartState};
@@ -125,10 +126,10 @@ impl Archive for StoreArchive {
         Ok(own)
     }
 
-    fn crashes(&self, key: &str) -> Result<Crashes, ArchiveError> {
+    fn crashes(&self) -> Result<HashMap<String, Crashes>, ArchiveError> {
         self.wait(async {
             let mut connection = self.store.read().await?;
-            crashes::of(&mut connection, key).await
+            crashes::all(&mut connection).await
         })
     }
 

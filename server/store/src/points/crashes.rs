@@ -1,5 +1,7 @@
 //! Which solves were in flight when the program died, and which of them crash by themselves.
 
+use std::collections::HashMap;
+
 use placement::run::archive::Crashes;
 use sqlx::SqliteConnection;
 
@@ -70,21 +72,23 @@ pub async fn count(
     Ok(counted(own).unwrap_or(0))
 }
 
-/// What is known of a point's crashes.
+/// The suspect points and what is known of them, by key.
 ///
 /// # Errors
 /// When the database can't be read.
-pub async fn of(connection: &mut SqliteConnection, key: &str) -> Result<Crashes, StoreError> {
-    let row: Option<(i64, Option<String>)> =
-        sqlx::query_as("select own, cause from crashes where key = ?")
-            .bind(key)
-            .fetch_optional(connection)
+pub async fn all(
+    connection: &mut SqliteConnection,
+) -> Result<HashMap<String, Crashes>, StoreError> {
+    let rows: Vec<(String, i64, Option<String>)> =
+        sqlx::query_as("select key, own, cause from crashes")
+            .fetch_all(connection)
             .await?;
-    Ok(row.map_or_else(Crashes::default, |(own, cause)| Crashes {
-        suspect: true,
-        own: counted(own).unwrap_or(0),
-        cause: cause.unwrap_or_default(),
-    }))
+    let suspect = |(key, own, cause): (String, i64, Option<String>)| {
+        let own = counted(own).unwrap_or(0);
+        let cause = cause.unwrap_or_default();
+        (key, Crashes { own, cause })
+    };
+    Ok(rows.into_iter().map(suspect).collect())
 }
 
 /// Forgets all crashes, and returns how many points had any.
@@ -103,6 +107,10 @@ mod tests {
     use super::*;
     use crate::database::tests::fresh;
 
+    async fn known(connection: &mut SqliteConnection) -> Vec<(String, Crashes)> {
+        all(connection).await.expect("reads").into_iter().collect()
+    }
+
     #[tokio::test]
     async fn what_was_in_flight_is_suspect_and_only_its_own_crashes_count() {
         let (_folder, store) = fresh().await;
@@ -113,25 +121,23 @@ mod tests {
             }
             end(&mut tx, "ended").await.expect("ends");
             assert_eq!(suspect(&mut tx).await.expect("suspects"), 1, "kill {kill}");
-            let blamed = of(&mut tx, "in flight").await.expect("reads");
-            assert!(blamed.suspect && blamed.own == 0, "kill {kill}: {blamed:?}");
-            let sound = of(&mut tx, "ended").await.expect("reads");
-            assert_eq!(sound, Crashes::default());
+            assert_eq!(
+                known(&mut tx).await,
+                [("in flight".to_owned(), Crashes::default())],
+                "kill {kill}"
+            );
         }
         assert_eq!(suspect(&mut tx).await.expect("suspects"), 0);
         for own in 1..=3 {
             let cause = format!("crash {own}");
             let counted = count(&mut tx, "in flight", &cause).await;
             assert_eq!(counted.expect("counts"), own);
-            let expected = Crashes {
-                suspect: true,
-                own,
-                cause,
-            };
-            assert_eq!(of(&mut tx, "in flight").await.expect("reads"), expected);
+            assert_eq!(
+                known(&mut tx).await,
+                [("in flight".to_owned(), Crashes { own, cause })]
+            );
         }
         assert_eq!(forget(&mut tx).await.expect("forgets"), 1);
-        let forgotten = of(&mut tx, "in flight").await.expect("reads");
-        assert_eq!(forgotten, Crashes::default());
+        assert_eq!(known(&mut tx).await, []);
     }
 }
