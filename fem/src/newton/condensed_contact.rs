@@ -9,6 +9,8 @@
 //! which open and close cost no sparse factorisation. For a flat ground this is the minimum of a convex energy: Newton's
 //! method with a line search on its slope always gets there, and does so where whole steps didn't.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Col, ColRef, Mat, Side};
 
@@ -87,8 +89,8 @@ impl<'a> CondensedContact<'a> {
     }
 
     /// Increments `x` of the border with S x + f(u + x) = `rhs`, up to a residual of `tolerance`, N, or round-off. Where
-    /// the ground's curvature leaves several solutions or none, the last iterate.
-    pub(crate) fn solve(&self, rhs: &Col<f64>, tolerance: f64) -> Col<f64> {
+    /// the ground's curvature leaves several solutions or none, or once `stop` is set, the last iterate.
+    pub(crate) fn solve(&self, rhs: &Col<f64>, tolerance: f64, stop: &AtomicBool) -> Col<f64> {
         let mut x = Col::<f64>::zeros(rhs.nrows());
         let mut tangent = Mat::zeros(rhs.nrows(), rhs.nrows());
         let (mut smallest, mut in_vain) = (f64::INFINITY, 0);
@@ -109,7 +111,8 @@ impl<'a> CondensedContact<'a> {
             } else {
                 smallest.min(size)
             };
-            if size <= tolerance.max(round_off) || in_vain == PATIENCE {
+            let stopped = stop.load(Ordering::Relaxed);
+            if size <= tolerance.max(round_off) || in_vain == PATIENCE || stopped {
                 break;
             }
             if self.has_friction() {

@@ -210,10 +210,13 @@ impl<'p> Newton<'p> {
                 kept = 0;
             }
             let before = residual.worst();
-            residual = self.step(state, loads)?;
+            residual = self.step(state, loads, stop)?;
             while self.residuals.touches_outside {
+                if stop.load(Ordering::Relaxed) {
+                    return Err(Cause::Stopped);
+                }
                 self.widen_focus(state, loads)?;
-                residual = self.step(state, loads)?;
+                residual = self.step(state, loads, stop)?;
             }
             kept += 1;
             let grown = residual.worst().is_nan() || residual.worst() > SETBACK * before;

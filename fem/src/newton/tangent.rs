@@ -5,6 +5,7 @@
 //! are added to the border before the factorisation and taken off its Schur complement.
 
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use faer::Mat;
 
@@ -16,6 +17,16 @@ use crate::load::obstacle::HeightField;
 use crate::newton::condensed_contact::{CondensedContact, inertia, solve_free};
 use crate::newton::focus::Focus;
 use crate::problem::{Problem, State};
+
+/// The ground that a step works against.
+pub(crate) struct Pressing<'a> {
+    pub ground: &'a HeightField,
+    pub focus: &'a Focus,
+    /// Residual up to which the contact is solved, N.
+    pub tolerance: f64,
+    /// Set by the caller to end the step early.
+    pub stop: &'a AtomicBool,
+}
 
 /// Tangent of everything but contact at one state, factorised.
 #[derive(Debug)]
@@ -79,25 +90,32 @@ impl Tangent {
     }
 
     /// Solves for the displacement increments of all equations, in place of the right-hand side: minus the condensed
-    /// residual of all but contact. The contact is solved up to a residual of `tolerance`, N.
+    /// residual of all but contact.
     pub(crate) fn solve(
         &self,
         problem: &Problem,
         state: &State,
-        contact: Option<(&HeightField, &Focus)>,
+        pressing: Option<Pressing<'_>>,
         rhs: &mut [f64],
-        tolerance: f64,
         workspace: &mut Workspace,
     ) {
         self.factor.eliminate(rhs, workspace);
         let border = &mut rhs[self.setup.equations.interior..];
         if !border.is_empty() {
-            let focused = contact.and_then(|(ground, focus)| {
-                CondensedContact::new(problem, &self.setup, focus, state, ground).zip(Some(focus))
+            let pressed = pressing.and_then(|pressing| {
+                let Pressing { ground, focus, .. } = pressing;
+                let contact = CondensedContact::new(problem, &self.setup, focus, state, ground);
+                contact.zip(Some(pressing))
             });
-            match focused {
-                Some((contact, focus)) => {
-                    let increments = contact.solve(&focus.reduce(border), tolerance);
+            match pressed {
+                Some((contact, pressing)) => {
+                    let Pressing {
+                        focus,
+                        tolerance,
+                        stop,
+                        ..
+                    } = pressing;
+                    let increments = contact.solve(&focus.reduce(border), tolerance, stop);
                     focus.expand(&increments, border);
                 }
                 None => solve_free(&self.schur, border),

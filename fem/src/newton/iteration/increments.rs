@@ -1,10 +1,12 @@
 //! One step of Newton's method: increments by the present tangent, and how much of them is applied.
 
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::{Cause, Newton};
 use crate::linear::sparsity::NONE;
 use crate::linear::system::Imbalance;
+use crate::newton::tangent::Pressing;
 use crate::problem::{Loads, State};
 
 /// Halvings of a step that would invert an element, before the iteration is given up.
@@ -14,8 +16,13 @@ const CONTACT_SHARE: f64 = 1e-4;
 
 impl Newton<'_> {
     /// One iteration with the present tangent: increments and update. Returns the residual there.
-    pub(super) fn step(&mut self, state: &mut State, loads: &Loads) -> Result<Imbalance, Cause> {
-        self.solve_displacements(state, loads)?;
+    pub(super) fn step(
+        &mut self,
+        state: &mut State,
+        loads: &Loads,
+        stop: &AtomicBool,
+    ) -> Result<Imbalance, Cause> {
+        self.solve_displacements(state, loads, stop)?;
         let start = Instant::now();
         self.collect_increments()?;
         self.accelerate();
@@ -28,6 +35,7 @@ impl Newton<'_> {
         &mut self,
         state: &State,
         loads: &Loads,
+        stop: &AtomicBool,
     ) -> Result<(), Cause> {
         let tangent = self.tangent.clone().ok_or(Cause::Diverged)?;
         let start = Instant::now();
@@ -49,12 +57,18 @@ impl Newton<'_> {
         let imbalance: f64 = forces.iter().map(|f| f * f).sum::<f64>().sqrt();
         let (rhs, workspace) = (&mut self.rhs, &mut self.workspace);
         let tolerance = CONTACT_SHARE * imbalance;
-        let contact = loads.ground.as_ref().map(|ground| {
+        let pressing = loads.ground.as_ref().map(|ground| {
             let faces = &self.focused_faces;
             let focus = || tangent.focus(self.problem, faces.clone());
-            (ground, &*self.focus.get_or_insert_with(focus))
+            let focus = &*self.focus.get_or_insert_with(focus);
+            Pressing {
+                ground,
+                focus,
+                tolerance,
+                stop,
+            }
         });
-        tangent.solve(self.problem, state, contact, rhs, tolerance, workspace);
+        tangent.solve(self.problem, state, pressing, rhs, workspace);
         self.effort.substitution += start.elapsed();
         self.effort.iterations += 1;
         Ok(())

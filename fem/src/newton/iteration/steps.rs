@@ -1,5 +1,7 @@
 //! Newton's iteration step by step, for methods that add equations of their own.
 
+use std::sync::atomic::AtomicBool;
+
 use super::{Cause, Newton};
 use crate::linear::factor::Inertia;
 use crate::linear::sparsity::Equations;
@@ -24,9 +26,14 @@ impl Newton<'_> {
 
     /// Renews the tangent, and solves it for the increments of the free displacements that belong to the last residual:
     /// [`Newton::increments_mut`].
-    pub(crate) fn linearise(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
+    pub(crate) fn linearise(
+        &mut self,
+        state: &State,
+        loads: &Loads,
+        stop: &AtomicBool,
+    ) -> Result<Inertia, Cause> {
         let inertia = self.renew(state, loads)?;
-        self.solve_displacements(state, loads)?;
+        self.solve_displacements(state, loads, stop)?;
         Ok(inertia)
     }
 
@@ -38,7 +45,7 @@ impl Newton<'_> {
     /// Solves with the present tangent, without ground, in place.
     pub(crate) fn solve_linear(&mut self, state: &State, rhs: &mut [f64]) -> Result<(), Cause> {
         let tangent = self.tangent.clone().ok_or(Cause::Diverged)?;
-        tangent.solve(self.problem, state, None, rhs, 0.0, &mut self.workspace);
+        tangent.solve(self.problem, state, None, rhs, &mut self.workspace);
         Ok(())
     }
 

@@ -136,7 +136,7 @@ impl<'p> VolumeControl<'p> {
             if let Some(cause) = cause {
                 return Err(fail(cause));
             }
-            let inertia = self.newton.linearise(&state, &loads).map_err(fail)?;
+            let inertia = self.newton.linearise(&state, &loads, stop).map_err(fail)?;
             let border = self.border(&state).map_err(fail)?;
             if worst <= settings.tolerance {
                 return Ok(Inflated {

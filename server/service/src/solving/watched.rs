@@ -1,8 +1,8 @@
 //! A solver whose every solve comes to an end in time, as far as its caller can tell.
 //!
-//! A solve runs on a thread of its own. When the time is over it is asked to stop, which takes a Newton iteration; one that
-//! doesn't heed that is left behind, and its point goes without an answer. A thread can't be ended from outside: what is left
-//! behind takes a core until the program ends.
+//! A solve runs on a thread of its own. When the time is over it is asked to stop; one that doesn't heed that is left behind, and its point goes without
+//! an answer. A thread can't be ended from outside: what is left behind takes a core until the program ends. When the caller wishes to stop, nobody waits
+//! for a factorisation, which is the longest that a solve goes without looking at its flag: 7 s of contact all over the reference mesh.
 
 use std::panic::resume_unwind;
 use std::sync::Arc;
@@ -18,6 +18,9 @@ use crate::solving::inner_tells;
 
 /// How often the caller's wish to stop is looked at. An answer is taken at once.
 const LOOK: Duration = Duration::from_millis(10);
+
+/// How long a caller that wishes to stop waits for a solve.
+const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Another solver, watched.
 pub struct Watched {
@@ -70,7 +73,11 @@ impl Watched {
                 told.store(true, Ordering::Relaxed);
                 stopping = Some(Instant::now());
             }
-            if stopping.is_some_and(|since| since.elapsed() >= self.grace) {
+            let waited = stopping.map_or(Duration::ZERO, |since| since.elapsed());
+            if wished && waited >= PATIENCE {
+                return Err(SolveError::Stopped);
+            }
+            if waited >= self.grace {
                 tracing::error!("a solve did not heed its stop flag; its thread is left behind");
                 return Err(self.over_time(true));
             }
@@ -227,6 +234,16 @@ mod tests {
             let answer = solve.join().expect("no panic");
             assert_eq!(answer.map(|_| ()), Err(SolveError::Stopped));
         });
+    }
+
+    #[test]
+    fn a_caller_that_wishes_to_stop_waits_for_no_deaf_solve() {
+        let stop = AtomicBool::new(true);
+        let begun = Instant::now();
+        let solver = Watched::new(Arc::new(Stuck::Deaf), LONG, LONG);
+        let answer = ask(&solver, &stop);
+        assert_eq!(answer.map(|_| ()), Err(SolveError::Stopped));
+        assert!(begun.elapsed() >= PATIENCE);
     }
 
     #[test]
