@@ -26,6 +26,11 @@ const TANGENTS: f64 = 0.6;
 /// mesh (322 MB) is met within a tenth, the coarse one (102 MB) is 80 MB.
 const MEMORY: (f64, f64) = (10e6, 1.4);
 
+/// A study's solves may be off what is expected of its machine by this factor, as far as is known before them.
+const UNKNOWN: f64 = 3.0;
+/// A clock's resolution, s.
+const SHORTEST_S: f64 = 1e-6;
+
 /// How a point is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum How {
@@ -131,13 +136,29 @@ pub(crate) struct Taken {
     /// By the law alone, s.
     law_s: f64,
     wall_s: f64,
+    /// Sum and sum of squares of the logarithms of time over law.
+    logs: [f64; 2],
 }
 
 impl Taken {
     pub fn add(&mut self, task: &Task, wall_s: f64) {
+        let log = (wall_s.max(SHORTEST_S) / task.law_s()).ln();
         self.solves += 1;
         self.law_s += task.law_s();
         self.wall_s += wall_s;
+        self.logs[0] += log;
+        self.logs[1] += log * log;
+    }
+
+    /// Factor by which such solves are expected to be off a time of so many times the law, from those made: sums corrected by Bayes' rule for normal
+    /// logarithms. Solves that agree are believed, few that scatter by more than [`UNKNOWN`] hardly.
+    fn correction(&self, factor: f64) -> f64 {
+        let n = self.solves as f64;
+        let variance =
+            (self.logs[1] - self.logs[0] * self.logs[0] / n).max(0.0) / (n - 1.0).max(1.0);
+        let prior = UNKNOWN.ln().powi(2);
+        let weight = prior / (prior + variance / n);
+        (self.wall_s / (self.law_s * factor)).powf(weight)
     }
 }
 
@@ -175,9 +196,12 @@ impl Machine {
     }
 
     /// The same machine at a study whose solves took this: a kind that wasn't come to yet is off as much as its like on another mesh or, without
-    /// any, as all. Sums correct it, not medians: a few long solves may be most of a study.
+    /// any, as all.
     pub(crate) fn revised(&self, taken: &BTreeMap<TaskKind, Taken>) -> Self {
-        let all = self.off(taken, |_| true).unwrap_or(1.0);
+        let correction = |starts: &dyn Fn(How) -> bool| {
+            self.mean_over(taken, starts, |own, factor| own.correction(factor))
+        };
+        let all = correction(&|_| true).unwrap_or(1.0);
         let mut factors = BTreeMap::new();
         for level in [
             Level::Draft,
@@ -187,11 +211,12 @@ impl Machine {
         ] {
             for how in [How::Near, How::Afresh] {
                 let kind = (level, how);
-                let factor = match taken.get(&kind) {
-                    Some(own) => own.wall_s / own.law_s,
-                    None => self.factor(&kind) * self.off(taken, |like| like == how).unwrap_or(all),
+                let factor = self.factor(&kind);
+                let off = match taken.get(&kind) {
+                    Some(own) => own.correction(factor),
+                    None => correction(&|like| like == how).unwrap_or(all),
                 };
-                factors.insert(kind, factor);
+                factors.insert(kind, factor * off);
             }
         }
         Self {
@@ -201,18 +226,26 @@ impl Machine {
         }
     }
 
-    /// Time taken over time expected, of the solves that start in such a way; None of none.
-    pub(crate) fn off(
+    /// Time taken over time expected; 1 before the first solve.
+    pub(crate) fn off(&self, taken: &BTreeMap<TaskKind, Taken>) -> f64 {
+        let ratio = |own: &Taken, factor: f64| own.wall_s / (own.law_s * factor);
+        self.mean_over(taken, &|_| true, ratio).unwrap_or(1.0)
+    }
+
+    /// Mean of something of the solves that start in such a way, weighed by their expected time; None of none.
+    fn mean_over(
         &self,
         taken: &BTreeMap<TaskKind, Taken>,
-        starts: impl Fn(How) -> bool,
+        starts: &dyn Fn(How) -> bool,
+        of: impl Fn(&Taken, f64) -> f64,
     ) -> Option<f64> {
         let own = taken.iter().filter(|((_, how), _)| starts(*how));
-        let (wall_s, expected_s) = own.fold((0.0, 0.0), |(wall_s, expected_s), (kind, own)| {
-            let expected = own.law_s * self.factor(kind);
-            (wall_s + own.wall_s, expected_s + expected)
+        let (sum, expected_s) = own.fold((0.0, 0.0), |(sum, expected_s), (kind, own)| {
+            let factor = self.factor(kind);
+            let expected = own.law_s * factor;
+            (sum + expected * of(own, factor), expected_s + expected)
         });
-        (expected_s > 0.0).then(|| wall_s / expected_s)
+        (expected_s > 0.0).then(|| sum / expected_s)
     }
 
     fn factor(&self, kind: &TaskKind) -> f64 {
@@ -339,6 +372,27 @@ mod tests {
             Machine::measured(2, &samples, &ClosedFormSolver::new()),
             Machine::new(2)
         );
+    }
+
+    #[test]
+    fn few_solves_that_scatter_correct_less_than_many_or_than_solves_that_agree() {
+        let near = task(Level::Coarse, How::Near);
+        let after = |factors: &[f64], times: usize| {
+            let mut taken = Taken::default();
+            for factor in factors.repeat(times) {
+                taken.add(&near, factor * near.law_s());
+            }
+            taken.correction(1.0)
+        };
+        for factor in [0.1, 1.0, 70.0] {
+            assert!((after(&[factor; 3], 1) / factor - 1.0).abs() < 1e-12);
+        }
+        // Deep contact: the first three solves near the cut point took so many times the law, all of the study 13 times.
+        let deep = [18.0, 18.0, 174.0];
+        let mean = deep.iter().sum::<f64>() / 3.0;
+        let (few, many) = (after(&deep, 1), after(&deep, 30));
+        assert!((13.0 / 3.0..13.0 * 3.0).contains(&few), "{few}");
+        assert!((many / mean - 1.0).abs() < 0.1, "{many}");
     }
 
     #[test]

@@ -135,7 +135,7 @@ impl Pace {
             "the time is revised after {} solves of this study, which took {:.1} times what was expected of them: at first {first_s:.1} s were \
              expected in all",
             self.solves,
-            self.machine.off(&self.taken, |_| true).unwrap_or(1.0)
+            self.machine.off(&self.taken)
         )
     }
 }
