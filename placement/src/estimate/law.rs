@@ -64,8 +64,9 @@ pub(crate) struct Task {
     /// Cells between nodes in a quarter of the tire.
     pub cells: f64,
     pub friction: bool,
-    /// Whether it is expected to leave the shared tangent for one of its own: by friction, or by ground that comes further up than the wall is thick.
-    pub own_tangent: bool,
+    /// Whether the ground comes further up than the wall is thick: the solve then leaves the shared tangent for tangents of its own, as one with friction
+    /// does, and prepares for contact that grows.
+    pub deep: bool,
 }
 
 impl Task {
@@ -76,7 +77,7 @@ impl Task {
             level: scene.model.level,
             cells: solver.cells(scene) as f64,
             friction: scene.contact.friction > 0.0,
-            own_tangent: scene.contact.friction > 0.0 || deepest > scene.geometry.wall_mm,
+            deep: deepest > scene.geometry.wall_mm,
         }
     }
 
