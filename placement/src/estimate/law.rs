@@ -28,6 +28,8 @@ const MEMORY: (f64, f64) = (10e6, 1.4);
 
 /// A study's solves may be off what is expected of its machine by this factor, as far as is known before them.
 const UNKNOWN: f64 = 3.0;
+/// Depth of the ground over the section's radius up to which solves near a cut point keep its tangent, however thin the wall.
+const DEEP: f64 = 0.2;
 /// A clock's resolution, s.
 const SHORTEST_S: f64 = 1e-6;
 
@@ -64,7 +66,7 @@ pub(crate) struct Task {
     /// Cells between nodes in a quarter of the tire.
     pub cells: f64,
     pub friction: bool,
-    /// Whether the ground comes further up than the wall is thick: the solve then leaves the shared tangent for tangents of its own, as one with friction
+    /// Whether the ground comes further up than the wall is thick, and than [`DEEP`] of the section's radius: the solve then leaves the shared tangent for tangents of its own, as one with friction
     /// does, and prepares for contact that grows.
     pub deep: bool,
 }
@@ -77,7 +79,11 @@ impl Task {
             level: scene.model.level,
             cells: solver.cells(scene) as f64,
             friction: scene.contact.friction > 0.0,
-            deep: deepest > scene.geometry.wall_mm,
+            deep: deepest
+                > scene
+                    .geometry
+                    .wall_mm
+                    .max(DEEP * scene.geometry.section_radius_mm),
         }
     }
 
