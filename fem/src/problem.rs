@@ -36,6 +36,8 @@ pub struct Loads {
     pub pressure: f64,
     /// Ground below the contact surface; `None` is no ground.
     pub ground: Option<HeightField>,
+    /// Vertical force with which the ground presses, N: it rises until it does ([`State::rise`]). `None`: it stands at its own height.
+    pub ground_force: Option<f64>,
     /// Factor of the held displacements.
     pub support_factor: f64,
     /// Factor of the dead forces.
@@ -67,6 +69,9 @@ impl Loads {
         Self {
             pressure: mix(self.pressure, target.pressure),
             ground,
+            ground_force: target
+                .ground_force
+                .map(|force| mix(self.ground_force.unwrap_or(0.0), force)),
             support_factor: mix(self.support_factor, target.support_factor),
             traction_factor: mix(self.traction_factor, target.traction_factor),
         }
@@ -85,6 +90,15 @@ impl Loads {
             ..self.clone()
         }
     }
+
+    /// The ground where it stands in a state.
+    pub fn ground_in(&self, state: &State) -> Option<HeightField> {
+        let ground = self.ground.as_ref()?;
+        Some(HeightField {
+            base: ground.base + state.rise,
+            ..ground.clone()
+        })
+    }
 }
 
 /// Unknowns of a problem.
@@ -96,6 +110,8 @@ pub struct State {
     pub pressure: Vec<f64>,
     /// Anchors of friction on the ground, mm: contact face, point; none before a path with friction begins.
     pub anchors: Vec<[f64; 2]>,
+    /// How far the ground stands above its own height, mm: an unknown where it presses with a force, else 0.
+    pub rise: f64,
 }
 
 impl Clone for State {
@@ -104,6 +120,7 @@ impl Clone for State {
             displacement: self.displacement.clone(),
             pressure: self.pressure.clone(),
             anchors: self.anchors.clone(),
+            rise: self.rise,
         }
     }
 
@@ -112,6 +129,7 @@ impl Clone for State {
         self.displacement.clone_from(&source.displacement);
         self.pressure.clone_from(&source.pressure);
         self.anchors.clone_from(&source.anchors);
+        self.rise = source.rise;
     }
 }
 
@@ -122,6 +140,7 @@ impl State {
             displacement: vec![[0.0; 3]; problem.mesh.nodes.len()],
             pressure: vec![0.0; problem.mesh.brick_count() * problem.mesh.order.pressure_modes()],
             anchors: Vec::new(),
+            rise: 0.0,
         }
     }
 
@@ -153,7 +172,8 @@ impl State {
         }
     }
 
-    /// All unknowns in one list: displacements (mm), then pressures (MPa). Friction's anchors are no unknowns.
+    /// All unknowns of the body in one list: displacements (mm), then pressures (MPa). Friction's anchors are no unknowns, and where the ground stands
+    /// can be said by its own height.
     pub fn to_flat(&self) -> Vec<f64> {
         self.displacement
             .iter()

@@ -220,6 +220,11 @@ export interface components {
             reaction_n: number;
             /**
              * Format: double
+             * @description How far the ground at the contact centre stands above the inflated outer radius, mm; absent from results of earlier versions.
+             */
+            depth_mm?: number | null;
+            /**
+             * Format: double
              * @description Outer radius after inflation, mm.
              */
             inflated_outer_radius_mm: number;
@@ -303,6 +308,11 @@ export interface components {
              * @description Vertical force, N; null without an equilibrium.
              */
             reaction_n?: number | null;
+            /**
+             * Format: double
+             * @description How far the ground at the contact centre stands above the inflated outer radius, mm; absent without an equilibrium.
+             */
+            depth_mm?: number | null;
             /** @description Strains at P1, P2, ...; null without an equilibrium. */
             locations?: components["schemas"]["LocationStrain"][] | null;
             /** @description Newton iterations; null without an equilibrium. */
@@ -845,6 +855,11 @@ export interface components {
             pressure_mpa: number;
             /** @description Station depths of the last equilibrium, mm. */
             depths_mm?: number[];
+            /**
+             * Format: double
+             * @description Vertical force of the ground at the last equilibrium, N, where it is to press with one.
+             */
+            load_n?: number | null;
         };
         /** @description The service can work. */
         Readiness: {

@@ -115,6 +115,7 @@ impl<'s> Case<'s> {
             reached: Reached {
                 pressure_mpa,
                 depths_mm,
+                load_n: None,
             },
         }
     }

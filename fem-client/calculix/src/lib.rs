@@ -28,7 +28,9 @@ use self::program::Program;
 use fem_client::scene::Scene;
 use fem_client::solver::Coarser;
 use fem_client::solver::gauge;
-use fem_client::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
+use fem_client::solver::{
+    Cost, SolveError, SolveRequest, Solved, Solver, StartState, by_depth_only,
+};
 use tire::mesh::tire_grid::MeshPlan;
 use tire::mesh_error;
 use tire::model::mesh_plan;
@@ -64,6 +66,7 @@ impl CalculixSolver {
     ) -> Result<Solved, SolveError> {
         let begin = Instant::now();
         let mut faults = limits::faults(request.scene);
+        faults.extend(by_depth_only(request.scene));
         faults.extend(gauge::faults(&request.readout.gauges, request.scene));
         if !faults.is_empty() {
             return Err(SolveError::Refused { faults });

@@ -12,7 +12,9 @@ use std::time::{Duration, Instant};
 
 use self::field::Field;
 use crate::scene::Scene;
-use crate::solver::{Cost, NoEquilibrium, Reached, SolveError, SolveRequest, Solved, Solver};
+use crate::solver::{
+    Cost, NoEquilibrium, Reached, SolveError, SolveRequest, Solved, Solver, by_depth_only,
+};
 
 /// How often a delayed solve looks at the caller's flag.
 const SLICE: Duration = Duration::from_millis(2);
@@ -70,6 +72,7 @@ impl ClosedFormSolver {
                 "no equilibrium beyond a depth of {limit} mm; the deepest station asks for {deepest} mm"
             ),
             reached: Reached {
+                load_n: None,
                 pressure_mpa: scene.pressure.internal_mpa,
                 depths_mm: scene
                     .ground
@@ -89,6 +92,10 @@ impl Solver for ClosedFormSolver {
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
         let begun = Instant::now();
+        let faults = by_depth_only(request.scene);
+        if !faults.is_empty() {
+            return Err(SolveError::Refused { faults });
+        }
         self.wait(request)?;
         self.check_depths(request.scene)?;
         let field = Field::new(request.scene, request.start);

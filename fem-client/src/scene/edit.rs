@@ -31,10 +31,12 @@ impl Scene {
     pub fn set_all(&mut self, changes: &[(&str, &Value)]) -> Result<(), Vec<Fault>> {
         let mut document = self.to_value();
         let mut faults = Vec::new();
-        let sets = |field| changes.iter().any(|(path, _)| *path == field);
-        if sets("ground.depths_mm") && !sets("ground.stations") {
-            forget_stations(&mut document);
-        }
+        let sets = |field: &str| changes.iter().any(|(path, _)| *path == field);
+        let ground = ["depths_mm", "load_n", "stations"];
+        forget_ground(
+            &mut document,
+            ground.map(|field| sets(&format!("ground.{field}"))),
+        );
         if let Some((_, model)) = changes.iter().find(|(path, _)| *path == "material.model") {
             forget_parameters(&mut document, &self.material.law, model);
         }
@@ -58,11 +60,8 @@ impl Scene {
     ) -> Option<Self> {
         let mut document = self.to_value();
         let ground = overrides.get("ground");
-        if ground.is_some_and(|ground| {
-            ground.get("depths_mm").is_some() && ground.get("stations").is_none()
-        }) {
-            forget_stations(&mut document);
-        }
+        let sets = |field: &str| ground.is_some_and(|ground| ground.get(field).is_some());
+        forget_ground(&mut document, ["depths_mm", "load_n", "stations"].map(sets));
         if let Some(model) = overrides.get("material").and_then(|m| m.get("model")) {
             forget_parameters(&mut document, &self.material.law, model);
         }
@@ -212,9 +211,19 @@ fn put(document: &mut Value, steps: &[Step<'_>], value: Value, faults: &mut Vec<
     *target = value;
 }
 
-fn forget_stations(document: &mut Value) {
-    if let Some(ground) = document.get_mut("ground").and_then(Value::as_object_mut) {
+/// Depths say how many stations there are, and stand in place of a load, as it does of them: which of depths, load and stations are set.
+fn forget_ground(document: &mut Value, [depths, load, stations]: [bool; 3]) {
+    let Some(ground) = document.get_mut("ground").and_then(Value::as_object_mut) else {
+        return;
+    };
+    if depths && !stations {
         ground.shift_remove("stations");
+    }
+    if depths && !load {
+        ground.shift_remove("load_n");
+    }
+    if load && !depths {
+        ground.shift_remove("depths_mm");
     }
 }
 
@@ -281,6 +290,26 @@ mod tests {
     }
 
     #[test]
+    fn a_load_takes_the_place_of_depths_and_depths_that_of_a_load() {
+        let mut scene = Scene::default();
+        scene.set("ground.load_n", &json!(13)).unwrap();
+        assert_eq!(
+            (scene.ground.load_n, scene.ground.stations),
+            (Some(13.0), 5)
+        );
+        assert!(scene.ground.depths_mm.is_empty());
+        assert_eq!(scene.number_at("ground.load_n"), Ok(13.0));
+        let text = scene.canonical_json();
+        assert_eq!(Scene::from_json(&text).unwrap(), scene);
+        scene.set("ground.depths_mm", &json!([1, 2, 1])).unwrap();
+        assert_eq!((scene.ground.load_n, scene.ground.stations), (None, 3));
+        let overrides = json!({"ground": {"load_n": 5, "stations": 7}});
+        let overrides = overrides.as_object().unwrap();
+        let scene = scene.overlaid(overrides, "", &mut Vec::new()).unwrap();
+        assert_eq!((scene.ground.load_n, scene.ground.stations), (Some(5.0), 7));
+    }
+
+    #[test]
     fn an_absent_table_appears_when_a_field_of_it_is_set() {
         let mut scene = Scene::default();
         scene.set("carcass.angle_deg", &json!(40)).unwrap();
@@ -332,6 +361,8 @@ mod tests {
             ("ground.depths_mm[5]", json!(1), "5 entries"),
             ("ground.depths_mm[0].x", json!(1), "there is 1.0 here"),
             ("ground.depths_mm[0]", json!(-1), "from 0 to"),
+            ("ground.load_n", json!(-1), "from 0 to"),
+            ("ground.load_n", json!("heavy"), "must be a number"),
             ("geometry.wall_mm", json!(20), "section_radius_mm"),
             ("tyre", json!(1), "the fields here are geometry"),
             ("", json!(1), "isn't a path"),

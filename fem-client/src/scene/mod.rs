@@ -96,14 +96,18 @@ pub struct Pressure {
 /// Rigid height field over stations along the circumference, each pressed in by its own depth.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Ground {
-    /// Number of stations, equal to the length of `depths_mm`; odd.
+    /// Number of stations, equal to the length of `depths_mm` where there is one; odd.
     pub stations: usize,
     /// Horizontal distance of neighbouring stations, mm.
     pub station_spacing_mm: f64,
     /// Shape functions of the height field.
     pub station_functions: StationFunctions,
-    /// Depth of each station below the inflated outer radius, mm.
+    /// Depth of each station below the inflated outer radius, mm; none where a load is given.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub depths_mm: Vec<f64>,
+    /// Vertical force with which a flat ground presses on the whole tire, N, in place of depths.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub load_n: Option<f64>,
 }
 
 impl Ground {
@@ -111,6 +115,15 @@ impl Ground {
     pub fn is_symmetric(&self) -> bool {
         let depths = &self.depths_mm;
         depths.iter().zip(depths.iter().rev()).all(|(a, b)| a == b)
+    }
+
+    /// The same stations at these depths, mm.
+    pub fn at_depths(&self, depths_mm: Vec<f64>) -> Self {
+        Self {
+            depths_mm,
+            load_n: None,
+            ..self.clone()
+        }
     }
 }
 
@@ -219,6 +232,7 @@ impl Default for Ground {
             station_spacing_mm: 5.5,
             station_functions: StationFunctions::Bspline,
             depths_mm: vec![1.0; 5],
+            load_n: None,
         }
     }
 }

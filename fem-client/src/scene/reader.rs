@@ -240,6 +240,23 @@ mod tests {
     }
 
     #[test]
+    fn a_load_and_depths_exclude_each_other() {
+        let read = |ground: &str| Scene::from_toml(&format!("[ground]\n{ground}"));
+        let loaded = read("load_n = 13").unwrap().ground;
+        assert_eq!((loaded.load_n, loaded.stations), (Some(13.0), 5));
+        assert!(loaded.depths_mm.is_empty());
+        assert_eq!(read("load_n = 0\nstations = 3").unwrap().ground.stations, 3);
+        assert_eq!(
+            pointers("[ground]\nload_n = 13\ndepths_mm = [1]"),
+            ["/ground/load_n"]
+        );
+        assert_eq!(
+            pointers("[ground]\nload_n = nan\nstations = 4"),
+            ["/ground/load_n", "/ground/stations"]
+        );
+    }
+
+    #[test]
     fn stations_follow_the_depths() {
         assert_eq!(
             Scene::from_toml("[ground]\ndepths_mm = [1, 2, 3]")

@@ -13,6 +13,7 @@ use std::sync::atomic::AtomicBool;
 
 use serde::{Deserialize, Serialize};
 
+use crate::document::fault::Fault;
 use crate::scene::{Level, Scene};
 pub use crate::solver::readout::{Grid, Position, Readout};
 pub use crate::solver::response::{
@@ -20,6 +21,15 @@ pub use crate::solver::response::{
     ModelSummary, Response, ResponseError, Ring, Section, StrainMap,
 };
 pub use crate::solver::solve_error::{NoEquilibrium, Reached, SolveError};
+
+/// The fault of a scene that a solver which presses by depth alone can't solve.
+pub fn by_depth_only(scene: &Scene) -> Vec<Fault> {
+    let fault = |_| Fault {
+        pointer: "/ground/load_n".to_owned(),
+        detail: "isn't what this solver knows, which presses by depth: give depths_mm".to_owned(),
+    };
+    scene.ground.load_n.map(fault).into_iter().collect()
+}
 
 /// Answers for one equilibrium of a scene.
 pub trait Solver: Send + Sync {

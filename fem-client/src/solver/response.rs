@@ -16,6 +16,9 @@ use crate::solver::readout::Position;
 pub struct Response {
     /// Vertical force of the ground on the whole tire, N.
     pub reaction_n: f64,
+    /// How far the ground at the contact centre stands above the inflated outer radius, mm; absent from answers of earlier versions.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub depth_mm: Option<f64>,
     /// P1, P2, ... in order.
     pub locations: Vec<LocationStrain>,
     /// Crown, shoulder and sidewall above the contact centre.

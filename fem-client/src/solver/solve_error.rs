@@ -119,4 +119,7 @@ pub struct Reached {
     /// Station depths of the last equilibrium, mm.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub depths_mm: Vec<f64>,
+    /// Vertical force of the ground at the last equilibrium, N, where it is to press with one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub load_n: Option<f64>,
 }

@@ -10,11 +10,11 @@ use sha2::{Digest, Sha256};
 
 use crate::mesh::tire_grid::{Extent, MeshPlan};
 use crate::mesh_error;
-use crate::model::{TireModel, ground, mesh_plan};
+use crate::model::{TireModel, depth_of_load, ground, mesh_plan};
 use crate::neighbourhood::{Neighbourhood, Neighbourhoods, Pressed};
 use crate::omission;
 use crate::readout::surface_reader::{Diagnostics, Reader};
-use crate::session::Session;
+use crate::session::{Session, standing};
 use fem_client::hexadecimal::hexadecimal;
 use fem_client::scene::Scene;
 use fem_client::solver::Coarser;
@@ -147,16 +147,10 @@ fn solve_near(
     newton.settings = settings;
     let mut session = session(request, &near.model, newton);
     let target = session.target(&near.inflated);
-    let (depths, mirrored) = near.canonical(&request.scene.ground.depths_mm);
-    let pressed = match near.recall(&depths) {
-        Some(pressed) => pressed,
-        None => {
-            let canonical = target.with_depths(&depths);
-            let pressed = press_near(&mut session, near, &canonical);
-            let pressed = Arc::new(pressed.map_err(|error| error.mirrored(mirrored))?);
-            near.remember(depths, pressed.clone());
-            pressed
-        }
+    let (pressed, mirrored) = match target.ground_force {
+        // Its own mirror image.
+        Some(_) => (Arc::new(press_near(&mut session, near, &target)?), false),
+        None => press_to_depths(&mut session, near, &target)?,
     };
     let state = if mirrored {
         let image = near.model.grid.mirror_half(&pressed.state.to_flat());
@@ -165,6 +159,7 @@ fn solve_near(
     } else {
         pressed.state.clone()
     };
+    let target = standing(&target, &pressed.state);
     let key = near.inflated_key.clone();
     let found = Found {
         inflated_key: key,
@@ -174,6 +169,27 @@ fn solve_near(
         iterations: pressed.iterations,
     };
     Ok(session.answer(request, begin, found, &target))
+}
+
+/// One of two mirrored grounds is solved; whether it is the other one.
+fn press_to_depths(
+    session: &mut Session<'_>,
+    near: &Neighbourhood,
+    target: &Loads,
+) -> Result<(Arc<Pressed>, bool), SolveError> {
+    let depths = target
+        .ground
+        .as_ref()
+        .map(|ground| ground.depths.as_slice());
+    let (depths, mirrored) = near.canonical(depths.unwrap_or_default());
+    if let Some(pressed) = near.recall(&depths) {
+        return Ok((pressed, mirrored));
+    }
+    let canonical = target.with_depths(&depths);
+    let pressed = press_near(session, near, &canonical);
+    let pressed = Arc::new(pressed.map_err(|error| error.mirrored(mirrored))?);
+    near.remember(depths, pressed.clone());
+    Ok((pressed, mirrored))
 }
 
 fn press_near(
@@ -214,6 +230,7 @@ fn solve_afresh(
     let near = near_equilibrium.as_ref().zip(near_loads.as_ref());
     let near = near.filter(|_| request.scene.contact.friction == 0.0);
     let pressed = session.press(&inflated, &target, near)?;
+    let target = standing(&target, &pressed.state);
     let found = Found {
         inflated_key: inflated_key(request.scene, plan),
         inflated,
@@ -226,7 +243,8 @@ fn solve_afresh(
 
 /// The scene's ground below the undeformed tire, raised a little: inflation moves wall and ground alike.
 fn expected_contact(scene: &Scene) -> Loads {
-    let radius = scene.geometry.outer_radius_mm - CONTACT_MARGIN * scene.geometry.wall_mm;
+    let margin = CONTACT_MARGIN * scene.geometry.wall_mm + depth_of_load(scene);
+    let radius = scene.geometry.outer_radius_mm - margin;
     Loads {
         ground: Some(ground(&scene.ground, radius)),
         ..Loads::default()
@@ -287,7 +305,10 @@ impl Session<'_> {
             inflated_key: found.inflated_key,
             inflated: inflated.to_flat(),
             pressure_mpa: scene.pressure.internal_mpa,
-            depths_mm: scene.ground.depths_mm.clone(),
+            depths_mm: loads
+                .ground
+                .as_ref()
+                .map_or(Vec::new(), |ground| ground.depths.clone()),
             equilibrium: equilibrium.to_flat(),
         };
         Solved {

@@ -163,7 +163,7 @@ impl Session<'_> {
         };
         let reached = Reached {
             pressure_mpa: pressure,
-            depths_mm: Vec::new(),
+            ..Reached::default()
         };
         no_equilibrium(status, detail, reached, cause)
     }
@@ -178,13 +178,12 @@ fn broken(error: SetupError) -> SolveError {
 const REMEDY: &str = "use a thicker wall, a stiffer rubber, a carcass or less pressure";
 
 fn ended(status: NoEquilibrium, detail: String, pressure_mpa: f64) -> SolveError {
-    let depths_mm = Vec::new();
     SolveError::NoEquilibrium {
         status,
         detail,
         reached: Reached {
             pressure_mpa,
-            depths_mm,
+            ..Reached::default()
         },
     }
 }

@@ -17,7 +17,7 @@ use sha2::{Digest, Sha256};
 use crate::mesh::tire_grid::{Extent, MeshPlan};
 use crate::model::{TireModel, ground};
 use fem_client::hexadecimal::hexadecimal;
-use fem_client::scene::{Ground, Scene};
+use fem_client::scene::Scene;
 use fem_client::solver::StartState;
 
 /// Neighbourhoods that are kept; the oldest goes first. Each holds a factor: 60 MB for a standard half model.
@@ -56,10 +56,7 @@ impl Neighbourhood {
         let inflated = model.fit(&start.inflated)?;
         let equilibrium = model.fit(&start.equilibrium)?;
         let radius = model.crown_radius(&inflated);
-        let depths = Ground {
-            depths_mm: start.depths_mm.clone(),
-            ..scene.ground.clone()
-        };
+        let depths = scene.ground.at_depths(start.depths_mm.clone());
         let loads = Loads {
             pressure: start.pressure_mpa,
             ground: Some(ground(&depths, radius)),
@@ -153,10 +150,7 @@ impl Neighbourhoods {
 
 /// Hash of all that a neighbourhood is made of.
 fn key(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> String {
-    let ground = Ground {
-        depths_mm: start.depths_mm.clone(),
-        ..scene.ground.clone()
-    };
+    let ground = scene.ground.at_depths(start.depths_mm.clone());
     let scene = Scene {
         ground,
         ..scene.clone()

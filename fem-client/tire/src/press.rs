@@ -4,7 +4,7 @@ use fem::newton::iteration::NewtonSettings;
 use fem::newton::path::{PathReport, Stability};
 use fem::problem::{Loads, State};
 
-use crate::model::FRICTION_STEPS;
+use crate::model::{FRICTION_STEPS, load_step};
 use crate::neighbourhood::Pressed;
 use crate::press_failure::{pressing_failure, self_contact};
 use crate::self_contact::touches_itself;
@@ -19,7 +19,8 @@ impl Session<'_> {
         target: &Loads,
         near: Option<(&State, &Loads)>,
     ) -> Result<Pressed, SolveError> {
-        self.newton.settings.smallest_load_step = NewtonSettings::default().smallest_load_step;
+        let smallest = NewtonSettings::default().smallest_load_step;
+        self.newton.settings.smallest_load_step = smallest * load_step(self.scene);
         let before = self.newton.effort.iterations;
         let (mut state, mut report) = self.follow_depths(inflated, target, near)?;
         if touches_itself(self.model, &state) {
@@ -40,13 +41,13 @@ impl Session<'_> {
     ) -> Result<(State, PathReport), SolveError> {
         let ignored = Stability::Ignored;
         if let Some((equilibrium, loads)) = near {
-            let mut state = equilibrium.clone();
-            let path = self.follow(&mut state, loads, target, ignored);
+            let (mut state, loads) = self.leaving(equilibrium, loads, target);
+            let path = self.follow(&mut state, &loads, target, ignored);
             if let Ok(report) = path {
                 return Ok((state, report));
             }
         }
-        let mut state = inflated.clone();
+        let mut state = self.above_ground(inflated);
         let unpressed = self.inflation();
         if self.scene.contact.friction > 0.0 {
             self.newton.settings.largest_load_step = 1.0 / FRICTION_STEPS as f64;

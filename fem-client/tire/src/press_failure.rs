@@ -6,6 +6,7 @@ use fem::newton::iteration::Cause;
 use fem::newton::path::{PathFailure, PathReport, Stability};
 use fem::problem::{Loads, State};
 
+use crate::model::{TireModel, load_step};
 use crate::self_contact::touches_itself;
 use crate::session::Session;
 use fem_client::scene::Scene;
@@ -16,8 +17,12 @@ const NEARBY: f64 = 1.0 / 64.0;
 /// Principal stretch below which a missing equilibrium is put down to compression: mixed elements lose their stability at
 /// 0.68 on a distorted mesh.
 const CRUSHED: f64 = 0.6;
-/// Halvings of the way to the depths in the search of the first self-contact.
+/// Halvings of the way to the target in the search of the first self-contact.
 const SELF_CONTACT_STEPS: usize = 7;
+/// Reach of a search over what a tire may bear, or over the end of the search before.
+const SELF_CONTACT_REACH: f64 = 4.0;
+/// Searches, each beyond the end of the one before.
+const SELF_CONTACT_ROUNDS: usize = 4;
 
 /// Why pressing ended at this state, the last equilibrium; or the equilibrium at the target, if the end was another
 /// branch's, on which the tire touches itself.
@@ -34,74 +39,127 @@ pub(crate) fn pressing_failure(
     let inertia = session.newton.inertia_at(state, &failure.loads);
     let buckled = inertia.is_ok_and(|inertia| !inertia.is_positive());
     let squeezed = session.newton.stretch_range(state).smallest;
-    Err(pressing_error(session.scene, failure, buckled, squeezed))
+    let reached = loads_reached(session.model, &failure.loads, state);
+    Err(pressing_error(
+        session.scene,
+        failure,
+        reached,
+        buckled,
+        squeezed,
+    ))
+}
+
+/// So far the search goes beyond a share of the way, at most to the target.
+fn beyond(share: f64) -> f64 {
+    (SELF_CONTACT_REACH * share).min(1.0)
+}
+
+/// The state on the way between two loads, from one share of it to another, with the path there; `None` where the tire touches itself then, or isn't found.
+///
+/// # Errors
+/// A path that was stopped says nothing of contact.
+fn apart_at(
+    session: &mut Session<'_>,
+    state: &State,
+    [unpressed, target]: [&Loads; 2],
+    [from, to]: [f64; 2],
+) -> Result<Option<(State, PathReport)>, SolveError> {
+    let mut trial = state.clone();
+    let [from, to] = [from, to].map(|share| unpressed.towards(target, share));
+    let path = session.follow(&mut trial, &from, &to, Stability::Ignored);
+    if session.stop.load(Ordering::Relaxed) {
+        return Err(SolveError::Stopped);
+    }
+    let found = path.ok().filter(|_| !touches_itself(session.model, &trial));
+    Ok(found.map(|report| (trial, report)))
+}
+
+/// What was asked for, in words.
+fn asked(scene: &Scene) -> String {
+    match scene.ground.load_n {
+        Some(load) => format!("the load of {load} N"),
+        None => format!("the depths {:?} mm", scene.ground.depths_mm),
+    }
+}
+
+/// Two shares of the way, in words.
+fn between(scene: &Scene, shares: [f64; 2]) -> String {
+    let asked = asked(scene);
+    match scene.ground.load_n {
+        Some(load) => {
+            let [from, to] = shares.map(|share| share * load);
+            format!("{from:.4} and {to:.4} N, short of {asked}")
+        }
+        None => {
+            let [from, to] = shares.map(|share| 100.0 * share);
+            format!("{from:.1} and {to:.1} % of the way to {asked}")
+        }
+    }
+}
+
+/// Loads of an equilibrium on the way.
+fn loads_reached(model: &TireModel, loads: &Loads, state: &State) -> Reached {
+    // Without any force the ground touches, wherever the search for more began.
+    let rise = if loads.ground_force == Some(0.0) {
+        0.0
+    } else {
+        state.rise
+    };
+    let depths = loads.ground.as_ref().map_or(Vec::new(), |ground| {
+        ground.depths.iter().map(|depth| depth + rise).collect()
+    });
+    Reached {
+        pressure_mpa: loads.pressure,
+        depths_mm: depths,
+        load_n: loads.ground_force.map(|force| model.multiplicity() * force),
+    }
 }
 
 /// Presses in small steps a tire that touches itself at the target when it is pressed in large ones.
 ///
 /// # Errors
-/// How far it can be pressed from its inflated state before it touches itself. Large steps may end on another branch: where no
-/// smaller one touches, the target itself is tried again from nearby.
+/// How far it can be pressed from its inflated state before it touches itself. Large steps may end on another branch: the smallest way at which one touches
+/// is tried again from nearby, and the search goes on beyond it where it doesn't.
 pub(crate) fn self_contact(
     session: &mut Session<'_>,
     inflated: &State,
     target: &Loads,
 ) -> Result<(State, PathReport), SolveError> {
     let unpressed = session.inflation();
-    let (mut apart, mut touching) = (0.0, 1.0);
-    let mut state = inflated.clone();
-    for _ in 0..SELF_CONTACT_STEPS {
-        let middle = 0.5 * (apart + touching);
-        let mut trial = state.clone();
-        let [from, to] = [apart, middle].map(|t| unpressed.towards(target, t));
-        let path = session.follow(&mut trial, &from, &to, Stability::Ignored);
-        if path.is_ok() && !touches_itself(session.model, &trial) {
-            (apart, state) = (middle, trial);
-        } else {
-            touching = middle;
+    let (mut apart, mut touching) = (0.0, beyond(load_step(session.scene)));
+    let mut state = session.above_ground(inflated);
+    for _ in 0..SELF_CONTACT_ROUNDS {
+        for _ in 0..SELF_CONTACT_STEPS {
+            let middle = 0.5 * (apart + touching);
+            match apart_at(session, &state, [&unpressed, target], [apart, middle])? {
+                Some((trial, _)) => (apart, state) = (middle, trial),
+                None => touching = middle,
+            }
         }
-        // A path that was stopped says nothing of contact.
-        if session.stop.load(Ordering::Relaxed) {
-            return Err(SolveError::Stopped);
-        }
-    }
-    if touching == 1.0 {
-        let from = unpressed.towards(target, apart);
-        let path = session.follow(&mut state, &from, target, Stability::Ignored);
-        if let Some(report) = path.ok().filter(|_| !touches_itself(session.model, &state)) {
-            return Ok((state, report));
+        match apart_at(session, &state, [&unpressed, target], [apart, touching])? {
+            Some(found) if touching == 1.0 => return Ok(found),
+            Some((trial, _)) => (apart, state, touching) = (touching, trial, beyond(touching)),
+            None => break,
         }
     }
-    let depths = |loads: &Loads| loads.ground.as_ref().map(|ground| ground.depths.clone());
     let reached = unpressed.towards(target, apart);
     Err(SolveError::NoEquilibrium {
         status: NoEquilibrium::SelfContact,
         detail: format!(
-            "the inner surface touches itself between {:.1} and {:.1} % of the way to the depths {:?} mm: press less, or \
-             inflate more",
-            100.0 * apart,
-            100.0 * touching,
-            depths(target).unwrap_or_default()
+            "the inner surface touches itself between {}: press less, or inflate more",
+            between(session.scene, [apart, touching])
         ),
-        reached: Reached {
-            pressure_mpa: reached.pressure,
-            depths_mm: depths(&reached).unwrap_or_default(),
-        },
+        reached: loads_reached(session.model, &reached, &state),
     })
 }
 
 fn pressing_error(
     scene: &Scene,
     failure: &PathFailure,
+    reached: Reached,
     buckled: bool,
     squeezed: f64,
 ) -> SolveError {
-    let depths = failure
-        .loads
-        .ground
-        .as_ref()
-        .map(|ground| ground.depths.clone())
-        .unwrap_or_default();
     let (status, why) = if buckled {
         let why = "the equilibrium there is unstable: the wall buckles";
         (NoEquilibrium::LimitPoint, why.to_owned())
@@ -113,14 +171,16 @@ fn pressing_error(
     } else {
         (NoEquilibrium::NotConverged, unconverged(failure))
     };
-    let detail = format!(
-        "pressing stopped at {:.1} % of the way to the depths {:?} mm ({why})",
-        100.0 * failure.reached,
-        scene.ground.depths_mm,
-    );
-    let reached = Reached {
-        pressure_mpa: failure.loads.pressure,
-        depths_mm: depths,
+    let detail = match reached.load_n {
+        Some(load) => format!(
+            "pressing stopped at {load:.4} N, short of {} ({why})",
+            asked(scene)
+        ),
+        None => format!(
+            "pressing stopped at {:.1} % of the way to {} ({why})",
+            100.0 * failure.reached,
+            asked(scene)
+        ),
     };
     no_equilibrium(status, detail, reached, failure.cause)
 }

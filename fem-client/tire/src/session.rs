@@ -2,11 +2,12 @@
 
 use std::sync::atomic::AtomicBool;
 
+use fem::load::obstacle::HeightField;
 use fem::newton::iteration::Newton;
 use fem::newton::path::{PathFailure, PathReport, Stability, follow};
 use fem::problem::{Loads, State};
 
-use crate::model::{TireModel, ground};
+use crate::model::{TireModel, depth_of_load, ground};
 use fem_client::scene::Scene;
 
 /// A scene's model with its Newton method.
@@ -41,7 +42,67 @@ impl Session<'_> {
         let radius = self.model.crown_radius(inflated);
         Loads {
             ground: Some(ground(&self.scene.ground, radius)),
+            ground_force: self.load().map(|load| load / self.model.multiplicity()),
             ..self.inflation()
         }
+    }
+
+    /// The force with which the ground is to press on the whole tire, N; no force is a ground that just touches.
+    fn load(&self) -> Option<f64> {
+        self.scene.ground.load_n.filter(|load| *load > 0.0)
+    }
+
+    /// An equilibrium with its loads, as the beginning of a path to other loads: on ground that presses with a force, with the one it has there.
+    pub(crate) fn leaving(&self, state: &State, loads: &Loads, target: &Loads) -> (State, Loads) {
+        let (mut state, mut loads) = (state.clone(), loads.clone());
+        if target.ground_force.is_some() {
+            loads.ground_force = Some(self.ground_force(&state, &loads));
+            state.rise = loads.ground.as_ref().map_or(0.0, mean_depth);
+            loads.ground = target.ground.clone();
+        }
+        (state, loads)
+    }
+
+    /// The inflated tire as the beginning of a path to the ground.
+    pub(crate) fn above_ground(&self, inflated: &State) -> State {
+        let mut state = inflated.clone();
+        if self.load().is_some() {
+            state.rise = depth_of_load(self.scene);
+        }
+        state
+    }
+
+    /// Vertical force on the meshed part, N.
+    fn ground_force(&self, state: &State, loads: &Loads) -> f64 {
+        let (Some(contact), Some(ground)) = (&self.model.problem.contact, loads.ground_in(state))
+        else {
+            return 0.0;
+        };
+        let mesh = &self.model.problem.mesh;
+        contact
+            .resultant(&ground, |node| state.position(mesh, node))
+            .force[2]
+    }
+}
+
+/// Of all stations, mm.
+fn mean_depth(ground: &HeightField) -> f64 {
+    ground.depths.iter().sum::<f64>() / ground.depths.len() as f64
+}
+
+/// Loads whose ground stands where it stands in a state.
+pub(crate) fn standing(loads: &Loads, state: &State) -> Loads {
+    let ground = loads.ground.as_ref().map(|ground| HeightField {
+        depths: ground
+            .depths
+            .iter()
+            .map(|depth| depth + state.rise)
+            .collect(),
+        ..ground.clone()
+    });
+    Loads {
+        ground,
+        ground_force: None,
+        ..loads.clone()
     }
 }

@@ -27,6 +27,7 @@ const ROUND_OFF: f64 = 1e-13;
 pub(crate) const HELD: Loads = Loads {
     pressure: 0.0,
     ground: None,
+    ground_force: None,
     support_factor: 1.0,
     traction_factor: 0.0,
 };

@@ -14,6 +14,8 @@ use crate::tensor::Vector;
 /// Share of the body's natural force below which forces count as round-off: a body that nothing loads is in balance
 /// although its forces, each rounded, are as large as their sum.
 const ROUND_OFF_SHARE: f64 = 1e-5;
+/// Weight of what the ground's force lacks, see [`Imbalance::ground`].
+const GROUND_SHARE: f64 = 0.01;
 
 /// Sums element contributions, with the buffers that this takes.
 #[derive(Debug)]
@@ -102,7 +104,7 @@ impl<'p> Assembler<'p> {
             }
         }
         self.add_contact(state, loads, served, target);
-        self.imbalance(target)
+        self.imbalance(target, loads)
     }
 
     fn add_solid_residuals(&mut self, state: &State, target: &mut Residuals) {
@@ -139,7 +141,7 @@ impl<'p> Assembler<'p> {
         served: &[bool],
         target: &mut Residuals,
     ) {
-        let (Some(surface), Some(ground)) = (&self.problem.contact, &loads.ground) else {
+        let (Some(surface), Some(ground)) = (&self.problem.contact, loads.ground_in(state)) else {
             return;
         };
         for (index, nodes) in surface.surface.iter().enumerate() {
@@ -150,7 +152,7 @@ impl<'p> Assembler<'p> {
                 positions,
                 ..
             } = &mut self.face;
-            if surface.integrate(ground, index, positions, &state.anchors, residual, None) {
+            if surface.integrate(&ground, index, positions, &state.anchors, residual, None) {
                 target.add_contact(&self.setup.equations, nodes, residual);
                 target.touches_outside |= !served[index];
             }
@@ -218,7 +220,7 @@ impl<'p> Assembler<'p> {
         }
     }
 
-    fn imbalance(&self, residuals: &Residuals) -> Imbalance {
+    fn imbalance(&self, residuals: &Residuals, loads: &Loads) -> Imbalance {
         let norm = |values: &[f64]| values.iter().map(|v| v * v).sum::<f64>().sqrt();
         let ratio = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
         let bricks = self.problem.mesh.brick_count();
@@ -230,6 +232,9 @@ impl<'p> Assembler<'p> {
         Imbalance {
             force: ratio(norm(&residuals.forces), forces),
             volume: ratio(norm(&residuals.volumes), volumes),
+            ground: loads.ground_force.map_or(0.0, |force| {
+                GROUND_SHARE * ratio((residuals.ground_force - force).abs(), force)
+            }),
         }
     }
 

@@ -120,9 +120,9 @@ impl Setup {
 
 /// Contact faces that may touch the ground from a state.
 pub(crate) fn contact_faces(problem: &Problem, state: &State, loads: &Loads) -> Vec<bool> {
-    match (&problem.contact, &loads.ground) {
+    match (&problem.contact, loads.ground_in(state)) {
         (Some(contact), Some(ground)) => {
-            contact.faces_near(ground, |node| state.position(&problem.mesh, node))
+            contact.faces_near(&ground, |node| state.position(&problem.mesh, node))
         }
         (Some(contact), None) => vec![false; contact.surface.face_count()],
         _ => Vec::new(),

@@ -17,6 +17,8 @@ pub struct Residuals {
     pub min_volume_ratio: f64,
     /// Whether a face that the solver isn't ready for touches the ground.
     pub touches_outside: bool,
+    /// Vertical force of the ground, N.
+    pub ground_force: f64,
     /// Forces that meet at held displacements, N: node, axis; 0 at free ones.
     held: Vec<Vector>,
     /// Sum of the absolute forces that meet at each displacement, held ones included, N.
@@ -30,12 +32,15 @@ pub struct Imbalance {
     pub force: f64,
     /// Norm of the volume residuals over the norm of the volumes.
     pub volume: f64,
+    /// What the ground's force lacks of the one it is to press with, relative to that, times a hundredth: an equilibrium to 1e-8 is pressed with its force to
+    /// 1e-6.
+    pub ground: f64,
 }
 
 impl Imbalance {
-    /// The larger of the two relative residuals.
+    /// The largest of the relative residuals.
     pub fn worst(&self) -> f64 {
-        self.force.max(self.volume)
+        self.force.max(self.volume).max(self.ground)
     }
 }
 
@@ -48,6 +53,7 @@ impl Residuals {
             volumes: vec![0.0; pressures],
             min_volume_ratio: 1.0,
             touches_outside: false,
+            ground_force: 0.0,
             held: vec![[0.0; 3]; nodes],
             magnitudes: vec![0.0; 3 * nodes],
         }
@@ -60,6 +66,7 @@ impl Residuals {
         self.magnitudes.fill(0.0);
         self.min_volume_ratio = f64::INFINITY;
         self.touches_outside = false;
+        self.ground_force = 0.0;
     }
 
     /// Adds nodal forces of an element.
@@ -85,6 +92,7 @@ impl Residuals {
     /// Adds nodal forces of a touching face.
     pub(crate) fn add_contact(&mut self, equations: &Equations, nodes: &[u32], forces: &[f64]) {
         self.add(equations, nodes, forces);
+        self.ground_force -= forces.iter().skip(2).step_by(3).sum::<f64>();
         for (equation, force) in equations.of(nodes).zip(forces) {
             if equation != NONE {
                 self.contact[equation as usize] += force;

@@ -38,18 +38,20 @@ const LINE_STEPS: usize = 6;
 
 /// Contact of the border's faces with the ground, around one state.
 pub(crate) struct CondensedContact<'a> {
-    contact: &'a ContactSurface,
-    ground: &'a HeightField,
+    pub(super) contact: &'a ContactSurface,
+    pub(super) ground: &'a HeightField,
     /// Faces, each with its nodal positions and the places of its unknowns in the border.
-    faces: Vec<BorderFace>,
-    anchors: &'a [[f64; 2]],
-    schur: &'a Mat<f64>,
+    pub(super) faces: Vec<BorderFace>,
+    pub(super) anchors: &'a [[f64; 2]],
+    pub(super) schur: &'a Mat<f64>,
+    /// Whether the body holds without the ground, so that an iterate may leave it.
+    pub(super) may_leave: bool,
 }
 
-struct BorderFace {
+pub(super) struct BorderFace {
     index: usize,
-    positions: Vec<Vector>,
-    places: Vec<Option<usize>>,
+    pub(super) positions: Vec<Vector>,
+    pub(super) places: Vec<Option<usize>>,
 }
 
 impl<'a> CondensedContact<'a> {
@@ -85,18 +87,35 @@ impl<'a> CondensedContact<'a> {
             faces,
             anchors: &state.anchors,
             schur: &focus.schur,
+            may_leave: true,
         })
     }
 
     /// Increments `x` of the border with S x + f(u + x) = `rhs`, up to a residual of `tolerance`, N, or round-off. Where
     /// the ground's curvature leaves several solutions or none, or once `stop` is set, the last iterate.
     pub(crate) fn solve(&self, rhs: &Col<f64>, tolerance: f64, stop: &AtomicBool) -> Col<f64> {
-        let mut x = Col::<f64>::zeros(rhs.nrows());
+        self.solve_from(Col::zeros(rhs.nrows()), rhs, tolerance, stop)
+    }
+
+    /// As [`Self::solve`], from other increments; where the body mustn't leave the ground, they touch it.
+    pub(super) fn solve_from(
+        &self,
+        mut x: Col<f64>,
+        rhs: &Col<f64>,
+        tolerance: f64,
+        stop: &AtomicBool,
+    ) -> Col<f64> {
+        let mut touching = x.clone();
         let mut tangent = Mat::zeros(rhs.nrows(), rhs.nrows());
         let (mut smallest, mut in_vain) = (f64::INFINITY, 0);
         for iteration in 0..MAX_ITERATIONS {
             tangent.copy_from(self.schur);
             let forces = self.forces(&x, Some(&mut tangent));
+            if !self.may_leave && forces.norm_l2() == 0.0 {
+                x = faer::Scale(0.5) * (&x + &touching);
+                continue;
+            }
+            touching.copy_from(&x);
             let residual = self.schur * &x + &forces - rhs;
             let round_off = ROUND_OFF * (forces.norm_l2() + rhs.norm_l2());
             let size = residual.norm_l2();
@@ -195,7 +214,7 @@ impl<'a> CondensedContact<'a> {
     }
 
     /// Contact forces at the increments `x`; their derivative is added to `stiffness`.
-    fn forces(&self, x: &Col<f64>, mut stiffness: Option<&mut Mat<f64>>) -> Col<f64> {
+    pub(super) fn forces(&self, x: &Col<f64>, mut stiffness: Option<&mut Mat<f64>>) -> Col<f64> {
         let mut forces = Col::<f64>::zeros(x.nrows());
         let unknowns = self.faces.first().map_or(0, |face| face.places.len());
         let mut residual = vec![0.0; unknowns];

@@ -46,6 +46,8 @@ pub struct Newton<'p> {
     rhs: Vec<f64>,
     increments: Vec<Vector>,
     pressure_increments: Vec<f64>,
+    /// Increment of the ground's height, mm.
+    rise: f64,
     pending: Vec<Vector>,
     previous: State,
     /// Contact faces that the present solve may touch, and their part of the tangent's border.
@@ -105,6 +107,7 @@ impl<'p> Newton<'p> {
             setup,
             increments: vec![[0.0; 3]; nodes],
             pressure_increments: vec![0.0; previous.pressure.len()],
+            rise: 0.0,
             pending: vec![[0.0; 3]; nodes],
             previous,
             focused_faces: Vec::new(),

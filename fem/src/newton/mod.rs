@@ -1,6 +1,6 @@
 //! Equilibrium, in reading order:
 //!
-//! - `focus`, `condensed_contact`, [`tangent`]: linear body, nonlinear contact
+//! - `focus`, `condensed_contact`, `pressing_ground`, [`tangent`]: linear body, nonlinear contact
 //! - `acceleration`, [`iteration`]: Newton's method under given loads
 //! - [`volume_control`]: equilibrium at a given volume of a cavity, and limit points
 //! - [`path`]: load stepping with automatic cut-back
@@ -10,5 +10,6 @@ pub(crate) mod condensed_contact;
 pub(crate) mod focus;
 pub mod iteration;
 pub mod path;
+pub(crate) mod pressing_ground;
 pub mod tangent;
 pub mod volume_control;

@@ -100,7 +100,8 @@ pub fn follow(
         match newton.solve(&mut trial, &loads, stop) {
             Ok(converged) if stability.accepts(newton, &trial, &loads) => {
                 *state = trial;
-                state.settle(newton.problem(), loads.ground.as_ref());
+                let ground = loads.ground_in(state);
+                state.settle(newton.problem(), ground.as_ref());
                 reached = next;
                 // A step that has just been cut back is kept once, or it would fail again at once.
                 if !std::mem::take(&mut cut) {
@@ -135,7 +136,8 @@ pub fn follow(
 /// Settles friction's anchors, and prepares for the contact that the start has.
 fn begin(newton: &mut Newton<'_>, state: &mut State, start: &Loads) -> Result<(), NotConverged> {
     if state.anchors.is_empty() {
-        state.settle(newton.problem(), start.ground.as_ref());
+        let ground = start.ground_in(state);
+        state.settle(newton.problem(), ground.as_ref());
     }
     newton
         .start_from(state, start)

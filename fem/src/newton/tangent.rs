@@ -21,6 +21,8 @@ use crate::problem::{Problem, State};
 /// The ground that a step works against.
 pub(crate) struct Pressing<'a> {
     pub ground: &'a HeightField,
+    /// With which it presses, N; `None` where it stands still.
+    pub force: Option<f64>,
     pub focus: &'a Focus,
     /// Residual up to which the contact is solved, N.
     pub tolerance: f64,
@@ -90,7 +92,7 @@ impl Tangent {
     }
 
     /// Solves for the displacement increments of all equations, in place of the right-hand side: minus the condensed
-    /// residual of all but contact.
+    /// residual of all but contact. Returns by how much the ground rises, mm.
     pub(crate) fn solve(
         &self,
         problem: &Problem,
@@ -98,7 +100,8 @@ impl Tangent {
         pressing: Option<Pressing<'_>>,
         rhs: &mut [f64],
         workspace: &mut Workspace,
-    ) {
+    ) -> f64 {
+        let mut rise = 0.0;
         self.factor.eliminate(rhs, workspace);
         let border = &mut rhs[self.setup.equations.interior..];
         if !border.is_empty() {
@@ -115,13 +118,19 @@ impl Tangent {
                         stop,
                         ..
                     } = pressing;
-                    let increments = contact.solve(&focus.reduce(border), tolerance, stop);
+                    let reduced = focus.reduce(border);
+                    let increments;
+                    (increments, rise) = match pressing.force {
+                        Some(force) => contact.solve_pressing(&reduced, force, tolerance, stop),
+                        None => (contact.solve(&reduced, tolerance, stop), 0.0),
+                    };
                     focus.expand(&increments, border);
                 }
                 None => solve_free(&self.schur, border),
             }
         }
         self.factor.complete(rhs, workspace);
+        rise
     }
 
     /// The part of the border that serves these contact faces.

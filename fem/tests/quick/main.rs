@@ -8,6 +8,7 @@ mod law_contract;
 mod mixed_solid;
 mod plane_strain;
 mod pressed_cube;
+mod pressing_ground;
 mod sphere_inflation;
 mod stretched_cube;
 mod surface_law_contract;

@@ -140,6 +140,7 @@ fn loaded_block(order: Order) -> (Problem, Loads, f64) {
     let loads = Loads {
         pressure: -0.02,
         ground: Some(ground.clone()),
+        ground_force: None,
         support_factor: 1.0,
         traction_factor: 0.0,
     };

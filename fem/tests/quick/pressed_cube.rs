@@ -22,7 +22,7 @@ const PRESSED: f64 = 0.1;
 /// Newton's tolerance here; forces are compared to ten times that.
 const TOLERANCE: f64 = 1e-11;
 
-fn flat(depth: f64) -> HeightField {
+pub fn flat(depth: f64) -> HeightField {
     HeightField {
         base: 0.0,
         spacing: 1.0,
@@ -33,7 +33,7 @@ fn flat(depth: f64) -> HeightField {
 
 /// A distorted cube of 8 bricks whose face z = 0 may touch the ground; the top moves down by [`PRESSED`] and along x by
 /// `slide`, both at support factor 1.
-fn pressed(order: Order, friction: Friction, slide: Option<f64>) -> Problem {
+pub fn pressed(order: Order, friction: Friction, slide: Option<f64>) -> Problem {
     let mut problem = problem(order, 2, true, 0.1);
     let mut contact = ContactSurface::new(&problem.mesh, bottom(order, 2), PENALTY);
     contact.friction = friction;

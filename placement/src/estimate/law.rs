@@ -304,13 +304,20 @@ fn recognised(samples: &[Sample], solver: &dyn Solver) -> Vec<(Task, f64)> {
 pub(crate) fn tire(scene: &Scene) -> String {
     let mut plain = scene.clone();
     plain.ground.depths_mm.clear();
+    plain.ground.load_n = None;
     plain.contact.friction = 0.0;
     format!("{plain:?}")
 }
 
-/// The ground's depths, the same for a ground and its mirror image.
+/// The ground's depths or load, the same for a ground and its mirror image.
 pub(crate) fn mirror_class(scene: &Scene) -> Vec<u64> {
-    let depths: Vec<u64> = scene.ground.depths_mm.iter().map(|d| d.to_bits()).collect();
+    let ground = &scene.ground;
+    let depths: Vec<u64> = ground
+        .depths_mm
+        .iter()
+        .chain(&ground.load_n)
+        .map(|d| d.to_bits())
+        .collect();
     let mirrored: Vec<u64> = depths.iter().rev().copied().collect();
     depths.min(mirrored)
 }

@@ -80,7 +80,7 @@ fn depth_differences<'r>(
              there is no derivative to the depth"
                 .to_owned(),
         ),
-        Some(list) if list.len() < study.scene.ground.depths_mm.len() => Err(
+        Some(list) if list.len() < study.scene.ground.stations => Err(
             "not every station's depth is an input, so there is no derivative to a uniform depth"
                 .to_owned(),
         ),

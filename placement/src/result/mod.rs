@@ -92,6 +92,9 @@ pub struct CutPoint {
     pub values: Vec<f64>,
     /// Vertical force, N.
     pub reaction_n: f64,
+    /// How far the ground at the contact centre stands above the inflated outer radius, mm; absent from results of earlier versions.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub depth_mm: Option<f64>,
     /// Outer radius after inflation, mm.
     pub inflated_outer_radius_mm: f64,
     /// Strains at P1, P2, ...

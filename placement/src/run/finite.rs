@@ -11,7 +11,11 @@ pub(crate) fn not_finite(outcome: &Outcome) -> Option<&'static str> {
         Ok(response) => in_response(response),
         Err(unsolved) => {
             let reached = &unsolved.reached;
-            let mut loads = reached.depths_mm.iter().chain([&reached.pressure_mpa]);
+            let mut loads = reached
+                .depths_mm
+                .iter()
+                .chain([&reached.pressure_mpa])
+                .chain(&reached.load_n);
             loads.any(|x| !x.is_finite()).then_some("a load reached")
         }
     }
@@ -34,6 +38,7 @@ fn in_response(response: &Response) -> Option<&'static str> {
     let around = |ring: &Ring| finite(&ring.theta_deg) && finite(ring.strain.iter().flatten());
     let checks = [
         ("the reaction", response.reaction_n.is_finite()),
+        ("the depth", response.depth_mm.is_none_or(f64::is_finite)),
         (
             "a strain or stress at a location",
             response.locations.iter().all(at_location),

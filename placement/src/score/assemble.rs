@@ -57,6 +57,7 @@ pub fn assemble(
         cut_point: CutPoint {
             values: plan.values()[0].clone(),
             reaction_n: cut.reaction_n,
+            depth_mm: cut.depth_mm,
             inflated_outer_radius_mm: cut.inflated.outer_radius_mm,
             locations: cut.locations.clone(),
             residual_history: cut.residual_history.clone(),

@@ -45,7 +45,8 @@ impl Mirror {
 
 /// By input, which one varies the station on the other side; others are their own.
 fn mirrored_inputs(study: &Study) -> Option<Vec<usize>> {
-    let depths = &study.scene.ground.depths_mm;
+    let ground = &study.scene.ground;
+    let depth = |station: usize| ground.depths_mm.get(station);
     let of_station = |station| {
         study
             .inputs
@@ -53,11 +54,11 @@ fn mirrored_inputs(study: &Study) -> Option<Vec<usize>> {
             .position(|i| i.station() == Some(station))
     };
     let mut exchange: Vec<usize> = (0..study.inputs.len()).collect();
-    for station in 0..depths.len() {
-        let other = depths.len() - 1 - station;
+    for station in 0..ground.stations {
+        let other = ground.stations - 1 - station;
         match (of_station(station), of_station(other)) {
             (Some(input), Some(image)) => exchange[input] = image,
-            (None, None) if depths[station] == depths[other] => {}
+            (None, None) if depth(station) == depth(other) => {}
             _ => return None,
         }
     }

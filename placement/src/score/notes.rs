@@ -252,8 +252,12 @@ fn without_location(study: &Study, cut: &Response) -> Option<String> {
         .map(|i| study.inputs[i].name.as_str())
         .collect();
     (!names.is_empty()).then(|| {
+        let has = match names.len() {
+            1 => "varies: it has",
+            _ => "vary: they have",
+        };
         format!(
-            "No location lies above what {} varies: it has indices, but no part in the ranking.",
+            "No location lies above what {} {has} indices, but no part in the ranking.",
             listed(&names)
         )
     })
@@ -264,7 +268,7 @@ fn without_location(study: &Study, cut: &Response) -> Option<String> {
 fn contact_edges(study: &Study, plan: &Plan, cut: &Response) -> Option<String> {
     let radius = cut.inflated.outer_radius_mm;
     let ground = &study.scene.ground;
-    let middle = (ground.depths_mm.len() - 1) as f64 / 2.0;
+    let middle = (ground.stations - 1) as f64 / 2.0;
     let mut edges = Vec::new();
     for (input, line) in study.inputs.iter().zip(plan.campaign().design()?.lines()) {
         let Some(station) = input.station() else {

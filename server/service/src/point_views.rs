@@ -26,6 +26,9 @@ pub struct EvaluationView {
     pub values: Option<Vec<f64>>,
     /// Vertical force, N; null without an equilibrium.
     pub reaction_n: Option<f64>,
+    /// How far the ground at the contact centre stands above the inflated outer radius, mm; absent without an equilibrium.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub depth_mm: Option<f64>,
     /// Strains at P1, P2, ...; null without an equilibrium.
     pub locations: Option<Vec<LocationStrain>>,
     /// Newton iterations; null without an equilibrium.
@@ -44,6 +47,8 @@ pub struct EvaluationView {
 #[derive(Deserialize)]
 struct Shown {
     reaction_n: f64,
+    #[serde(default)]
+    depth_mm: Option<f64>,
     locations: Vec<LocationStrain>,
 }
 
@@ -88,6 +93,7 @@ fn view(
         level: scene.as_ref().and_then(level),
         values: scene.as_ref().and_then(|scene| values_of(scene, inputs)),
         reaction_n: response.as_ref().map(|response| response.reaction_n),
+        depth_mm: response.as_ref().and_then(|response| response.depth_mm),
         locations: response.map(|response| response.locations),
         newton_iterations: solved.then_some(evaluation.cost.newton_iterations),
         wall_s: evaluation.cost.wall_s,

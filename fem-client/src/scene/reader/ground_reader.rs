@@ -7,6 +7,8 @@ use crate::document::fault::{Fault, entry};
 use crate::document::fields::{Fields, Range, number, plain, shown};
 use crate::scene::{Geometry, Ground, StationFunctions};
 
+const LOAD: Range = Range::new(0.0, 1e9, "N");
+
 /// Most stations of the ground.
 pub const MAX_STATIONS: usize = 21;
 
@@ -16,6 +18,7 @@ pub(super) fn ground(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> O
         "station_spacing_mm",
         "station_functions",
         "depths_mm",
+        "load_n",
     ];
     let fields = Fields::open(value, pointer, &known, faults)?;
     let default = Ground::default();
@@ -39,13 +42,23 @@ pub(super) fn ground(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> O
         None => Some(None),
         Some((value, pointer)) => depths(value, &pointer, faults).map(Some),
     };
+    let load = match fields.get("load_n") {
+        None => Some(None),
+        Some((value, pointer)) => number(value, &pointer, LOAD, faults).map(Some),
+    };
+    if let (Some((_, pointer)), Some(_)) = (fields.get("load_n"), fields.get("depths_mm")) {
+        let detail = "stands in place of depths_mm, which is given too: leave one of them out";
+        Fault::add(faults, &pointer, detail.to_owned());
+    }
     let length = depths.as_ref().map_or(default.stations, |given| {
         given.as_ref().map_or(default.stations, Vec::len)
     });
     let stations =
         fields.integer("stations", (1, MAX_STATIONS as u64), length as u64, faults)? as usize;
-    let depths = depths?.unwrap_or_else(|| vec![1.0; stations]);
-    if depths.len() != stations {
+    let depths = depths?;
+    let given = depths.is_some() || fields.get("load_n").is_none();
+    let depths = depths.unwrap_or_else(|| vec![1.0; if given { stations } else { 0 }]);
+    if given && depths.len() != stations {
         let detail = format!(
             "must equal the length of depths_mm, which is {}; it is {stations}",
             depths.len()
@@ -62,6 +75,7 @@ pub(super) fn ground(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> O
         station_spacing_mm: spacing?,
         station_functions: functions?,
         depths_mm: depths,
+        load_n: load?,
     })
 }
 

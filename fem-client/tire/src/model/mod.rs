@@ -16,5 +16,5 @@ mod tire_model;
 
 pub use cords_and_film::{cord_families, film_law};
 pub use dimensions::{mesh_plan, shape};
-pub use resting_ground::{FRICTION_STEPS, ground};
+pub use resting_ground::{FRICTION_STEPS, depth_of_load, ground, load_step};
 pub use tire_model::TireModel;

@@ -1,5 +1,7 @@
 //! The ground of a scene, and how the tread meets it.
 
+use std::f64::consts::TAU;
+
 use fem::load::contact::Penalty;
 use fem::load::friction::Friction;
 use fem::load::obstacle::{self, HeightField};
@@ -17,7 +19,7 @@ const PENALTY_RAMP: f64 = 1e-4;
 /// depths up to 2 mm; the error falls with the step.
 pub const FRICTION_STEPS: usize = 16;
 
-/// The ground of a scene below a tire whose inflated outer radius is given, mm.
+/// The ground of a scene below a tire whose inflated outer radius is given, mm; one that presses with a force begins where it would touch.
 pub fn ground(ground: &Ground, inflated_radius: f64) -> HeightField {
     HeightField {
         base: -inflated_radius,
@@ -26,8 +28,43 @@ pub fn ground(ground: &Ground, inflated_radius: f64) -> HeightField {
             StationFunctions::Bspline => obstacle::StationFunctions::BSpline,
             StationFunctions::Hat => obstacle::StationFunctions::Hat,
         },
-        depths: ground.depths_mm.clone(),
+        depths: match ground.load_n {
+            Some(_) => vec![0.0; ground.stations],
+            None => ground.depths_mm.clone(),
+        },
     }
+}
+
+/// Depth at which the ground presses with about the scene's load, mm; the solve goes on from there.
+pub fn depth_of_load(scene: &Scene) -> f64 {
+    let load = scene.ground.load_n.unwrap_or(0.0);
+    (load / load_per_mm(scene)).min(deepest(scene))
+}
+
+/// Smallest step of the way to the scene's load, relative to that of a load which the tire may bear: one beyond all bounds is approached in steps as small.
+pub fn load_step(scene: &Scene) -> f64 {
+    let bearable = deepest(scene) * load_per_mm(scene);
+    let load = scene.ground.load_n.unwrap_or(0.0);
+    if load > bearable {
+        bearable / load
+    } else {
+        1.0
+    }
+}
+
+/// Half of the section, mm.
+fn deepest(scene: &Scene) -> f64 {
+    0.5 * scene.geometry.section_radius_mm
+}
+
+/// About the load that a millimetre of depth adds, N/mm: the patch in which two circles meet a plane grows by 2 pi sqrt(R r) mm^2 per mm, and two fifths of
+/// what the pressure and the bending wall bear there reach the ground. On the reference tire it is within a half to twice of the truth from 1 to 30 N.
+fn load_per_mm(scene: &Scene) -> f64 {
+    let geometry = &scene.geometry;
+    let slenderness = geometry.wall_mm / geometry.section_radius_mm;
+    let bending = scene.material.law.shear_modulus_mpa() * slenderness * slenderness;
+    let bearing = 0.4 * (scene.pressure.internal_mpa + bending);
+    TAU * bearing * (geometry.outer_radius_mm * geometry.section_radius_mm).sqrt()
 }
 
 /// The penalty that the scene gives, or one to its wall.

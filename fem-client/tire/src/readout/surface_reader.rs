@@ -71,6 +71,7 @@ impl<'m> Reader<'m> {
         let locations = self.locations();
         Response {
             reaction_n: self.reaction().0,
+            depth_mm: Some(self.depth()),
             error: self.error(&locations),
             locations,
             section: Section {
@@ -114,6 +115,12 @@ impl<'m> Reader<'m> {
             self.model.multiplicity() * resultant.force[2],
             resultant.mean_penetration,
         )
+    }
+
+    /// Of the ground at the contact centre, mm.
+    fn depth(&self) -> f64 {
+        let ground = self.loads.ground.as_ref();
+        ground.map_or(0.0, |ground| ground.height(0.0)[0] - ground.base)
     }
 
     fn locations(&self) -> Vec<LocationStrain> {
@@ -200,15 +207,11 @@ impl<'m> Reader<'m> {
             largest.zip(error.strain).map(|(a, b): (f64, f64)| a.max(b))
         });
         let (reaction, penetration) = self.reaction();
-        let depth = self
-            .scene
-            .ground
-            .depths_mm
-            .iter()
-            .copied()
-            .fold(0.0, f64::max);
+        let depths = self.loads.ground.iter().flat_map(|ground| &ground.depths);
+        let depth = depths.copied().fold(0.0, f64::max);
+        let by_depth = self.scene.ground.load_n.is_none();
         ResponseError {
-            reaction_n: if depth > 0.0 {
+            reaction_n: if by_depth && depth > 0.0 {
                 DEPTH_EXPONENT * reaction * penetration / depth
             } else {
                 0.0

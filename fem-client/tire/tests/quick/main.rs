@@ -1,5 +1,6 @@
 //! The embedded solver against limit cases and symmetries, and what its version stands for.
 
 mod foot_tire;
+mod pressed_by_force;
 mod solver_sources;
 mod whole_tire;

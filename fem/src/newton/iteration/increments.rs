@@ -57,18 +57,20 @@ impl Newton<'_> {
         let imbalance: f64 = forces.iter().map(|f| f * f).sum::<f64>().sqrt();
         let (rhs, workspace) = (&mut self.rhs, &mut self.workspace);
         let tolerance = CONTACT_SHARE * imbalance;
-        let pressing = loads.ground.as_ref().map(|ground| {
+        let ground = loads.ground_in(state);
+        let pressing = ground.as_ref().map(|ground| {
             let faces = &self.focused_faces;
             let focus = || tangent.focus(self.problem, faces.clone());
             let focus = &*self.focus.get_or_insert_with(focus);
             Pressing {
                 ground,
+                force: loads.ground_force,
                 focus,
                 tolerance,
                 stop,
             }
         });
-        tangent.solve(self.problem, state, pressing, rhs, workspace);
+        self.rise = tangent.solve(self.problem, state, pressing, rhs, workspace);
         self.effort.substitution += start.elapsed();
         self.effort.iterations += 1;
         Ok(())
@@ -115,9 +117,11 @@ impl Newton<'_> {
         self.flat.clear();
         self.flat.extend_from_slice(self.increments.as_flattened());
         self.flat.extend_from_slice(&self.pressure_increments);
+        self.flat.push(self.rise);
         let depth = self.settings.acceleration_depth;
         self.acceleration
             .correct(&mut self.flat, displacements, depth);
+        self.rise = self.flat.pop().unwrap_or_default();
         let (displacement, pressure) = self.flat.split_at(displacements);
         self.increments
             .as_flattened_mut()
@@ -136,6 +140,7 @@ impl Newton<'_> {
         let mut factor = 1.0;
         for _ in 0..MAX_HALVINGS {
             state.add(factor, &self.increments, &self.pressure_increments);
+            state.rise += factor * self.rise;
             let residual = self.residual(state, loads);
             if self.residuals.min_volume_ratio > self.settings.min_volume_ratio {
                 for pending in self.pending.iter_mut().flatten() {

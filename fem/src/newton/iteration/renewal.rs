@@ -54,7 +54,7 @@ impl Newton<'_> {
         self.effort.factorisations += 1;
         self.focus = None;
         self.acceleration.reset();
-        let inertia = tangent.inertia(self.problem, state, loads.ground.as_ref());
+        let inertia = tangent.inertia(self.problem, state, loads.ground_in(state).as_ref());
         self.tangent = Some(Arc::new(tangent));
         self.indefinite |= !inertia.is_positive();
         Ok(inertia)

@@ -33,6 +33,8 @@ class CutPoint:
     reaction_n: float
     inflated_outer_radius_mm: float
     locations: tuple[LocationStrain, ...]
+    depth_mm: float | None = None
+    """Of the ground at the contact centre, above the inflated outer radius."""
 
 
 @dataclass(frozen=True)
@@ -50,6 +52,8 @@ class Evaluation:
     newton_iterations: int | None
     wall_s: float
     reason: str | None
+    depth_mm: float | None = None
+    """Of the ground at the contact centre, above the inflated outer radius."""
 
 
 @dataclass(frozen=True)

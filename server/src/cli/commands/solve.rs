@@ -157,6 +157,9 @@ fn report(solved: &Solved) -> String {
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = writeln!(text, "reaction            {:12.4} N", response.reaction_n);
+    if let Some(depth) = response.depth_mm {
+        let _ = writeln!(text, "depth               {depth:12.4} mm");
+    }
     let _ = writeln!(
         text,
         "inflated radius     {:12.4} mm",
@@ -321,7 +324,7 @@ mod tests {
     fn a_missing_equilibrium_says_how_far_it_got() {
         let reached = Reached {
             pressure_mpa: 0.11,
-            depths_mm: Vec::new(),
+            ..Reached::default()
         };
         let status = NoEquilibrium::LimitPoint;
         let failure = failure(SolveError::NoEquilibrium {

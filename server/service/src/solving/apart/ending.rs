@@ -73,7 +73,8 @@ mod tests {
             ("kill -FPE $$", false, Blame::Itself("SIGFPE")),
             ("kill -KILL $$", false, Blame::Outside(9)),
             ("kill -TERM $$", true, Blame::Outside(15)),
-            ("kill -INT $$", false, Blame::Outside(2)),
+            // No shell leaves this one ignored.
+            ("kill -USR1 $$", false, Blame::Outside(10)),
         ];
         for (script, lacked_memory, expected) in cases {
             assert_eq!(blame(ended(script), lacked_memory), expected, "{script}");

@@ -113,6 +113,7 @@ async fn a_point_without_equilibrium_is_an_answer_like_any_other() {
         reached: Reached {
             pressure_mpa: 0.2,
             depths_mm: vec![0.1 + 0.2; 5],
+            load_n: Some(13.1),
         },
     };
     let (_, cost, state) = solved();
