@@ -10,6 +10,8 @@ pub mod reader;
 use serde::Serialize;
 use serde_json::Value;
 
+use crate::film::amplifier::Amplifier;
+use crate::film::piezo::Piezo;
 pub use material::{Law, Material, OgdenTerm};
 
 /// What is pressed on which ground, by how much, and how finely it is modelled.
@@ -84,6 +86,10 @@ pub struct Film {
     pub length_mm: f64,
     /// Extent along the meridian, mm.
     pub width_mm: f64,
+    /// What makes charge of its tension.
+    pub piezo: Piezo,
+    /// What it is wired to.
+    pub amplifier: Amplifier,
 }
 
 /// Loads of the cavity.
@@ -221,6 +227,8 @@ impl Default for Film {
             thickness_mm: 0.05,
             length_mm: 5.0,
             width_mm: 5.0,
+            piezo: Piezo::default(),
+            amplifier: Amplifier::default(),
         }
     }
 }

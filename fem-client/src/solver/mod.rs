@@ -17,8 +17,8 @@ use crate::document::fault::Fault;
 use crate::scene::{Level, Scene};
 pub use crate::solver::readout::{Grid, Position, Readout};
 pub use crate::solver::response::{
-    CarcassState, Choice, Extremes, FilmState, Inflated, LocationError, LocationStrain, MapShape,
-    ModelSummary, Response, ResponseError, Ring, Section, StrainMap,
+    CarcassState, Choice, Extremes, FilmCondition, FilmSignal, FilmState, Inflated, LocationError,
+    LocationStrain, MapShape, ModelSummary, Response, ResponseError, Ring, Section, StrainMap,
 };
 pub use crate::solver::solve_error::{NoEquilibrium, Reached, SolveError};
 

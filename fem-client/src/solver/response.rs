@@ -95,6 +95,45 @@ pub struct FilmState {
     /// Tension (second Piola-Kirchhoff), N/mm.
     #[serde(flatten, with = "TensionFields")]
     pub tension_n_per_mm: PerDirection<Extremes>,
+    /// What the contact adds; absent from answers of earlier versions.
+    #[serde(flatten, skip_serializing_if = "Option::is_none", default)]
+    pub signal: Option<FilmSignal>,
+}
+
+/// What the contact adds to a film since inflation: means over its area, and what its amplifier reads of them. 1 is along its length, 2 across.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FilmSignal {
+    /// Mean strain along: stretch relative to the inflated state minus one.
+    pub mean_strain_1: f64,
+    /// Mean strain across.
+    pub mean_strain_2: f64,
+    /// Mean tension along, N/mm.
+    pub mean_tension_1_n_per_mm: f64,
+    /// Mean tension across, N/mm.
+    pub mean_tension_2_n_per_mm: f64,
+    /// Charge, nC.
+    pub charge_nc: f64,
+    /// Capacitance of the film, pF.
+    pub capacitance_pf: f64,
+    /// Voltage where nothing draws charge, V.
+    pub open_circuit_v: f64,
+    /// Amplitude at the amplifier, for presses of its frequency, V.
+    pub output_v: f64,
+    /// Time in which the reading of a held press falls to 1/e, s; absent where it stays.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub time_constant_s: Option<f64>,
+    /// Whether the film bears that.
+    pub state: FilmCondition,
+}
+
+/// Whether a film bears its mean tension.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FilmCondition {
+    /// It is elastic.
+    Ok,
+    /// Its mean stress is beyond yield: the signal isn't that of an elastic film.
+    BeyondYield,
 }
 
 /// Least and greatest value of a field.

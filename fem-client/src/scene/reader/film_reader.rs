@@ -1,13 +1,22 @@
 //! Reads the film.
 
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use super::shared_ranges::{LENGTH, MODULUS};
-use crate::document::fault::Fault;
+use crate::document::fault::{Fault, member};
 use crate::document::fields::{Fields, Range, plain};
+use crate::film::amplifier::{Amplifier, Circuit};
+use crate::film::piezo::Piezo;
 use crate::scene::{Film, Geometry};
 
 const POISSON: Range = Range::new(0.0, 0.5, "");
+/// Poled films charge either way round.
+const CHARGE_PER_FORCE: Range = Range::new(-1e4, 1e4, "pC/N");
+const PERMITTIVITY: Range = Range::new(1.0, 1e6, "pF/m");
+const FREQUENCY: Range = Range::new(1e-6, 1e6, "Hz");
+const RESISTANCE: Range = Range::new(1e-6, 1e9, "megohm");
+const CABLE: Range = Range::new(0.0, 1e6, "pF");
+const CAPACITANCE: Range = Range::new(1e-6, 1e6, "nF");
 /// Thickest film, in walls: a membrane has no bending stiffness.
 const THICKEST: f64 = 0.1;
 
@@ -20,8 +29,103 @@ pub(super) fn film(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Opt
         ("length_mm", LENGTH, &mut film.length_mm),
         ("width_mm", LENGTH, &mut film.width_mm),
     ];
-    Fields::of_numbers(value, pointer, &[], numbers, faults)?;
+    let tables = ["piezo", "amplifier"];
+    let read = Fields::of_numbers(value, pointer, &tables, numbers, faults);
+    let table = |name: &str| {
+        (
+            value.get(name).unwrap_or(&Value::Null).clone(),
+            member(pointer, name),
+        )
+    };
+    let (values, at) = table("piezo");
+    let piezo = piezo(&values, &at, faults);
+    let (values, at) = table("amplifier");
+    let amplifier = amplifier(&values, &at, faults);
+    read?;
+    (film.piezo, film.amplifier) = (piezo?, amplifier?);
     Some(film)
+}
+
+/// An absent table is an empty one.
+fn or_empty(value: &Value) -> Value {
+    match value {
+        Value::Null => Value::Object(Map::new()),
+        given => given.clone(),
+    }
+}
+
+fn piezo(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Piezo> {
+    let mut piezo = Piezo::default();
+    let numbers = [
+        ("d31_pc_per_n", CHARGE_PER_FORCE, &mut piezo.d31_pc_per_n),
+        ("d32_pc_per_n", CHARGE_PER_FORCE, &mut piezo.d32_pc_per_n),
+        (
+            "permittivity_pf_per_m",
+            PERMITTIVITY,
+            &mut piezo.permittivity_pf_per_m,
+        ),
+        ("yield_mpa", MODULUS, &mut piezo.yield_mpa),
+    ];
+    Fields::of_numbers(&or_empty(value), pointer, &[], numbers, faults)?;
+    Some(piezo)
+}
+
+fn amplifier(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Amplifier> {
+    let value = or_empty(value);
+    let kinds = [
+        ("open-circuit", Circuit::OpenCircuit),
+        ("voltage", Circuit::VOLTAGE),
+        ("charge", Circuit::CHARGE),
+    ];
+    let mut amplifier = Amplifier::default();
+    let kind = value.get("kind").and_then(Value::as_str);
+    if let Some((_, circuit)) = kinds.iter().find(|(name, _)| Some(*name) == kind) {
+        amplifier.circuit = *circuit;
+    }
+    // The fields of its own kind; of an unknown kind, of none, so that the kind alone is at fault.
+    let own: &[&str] = match amplifier.circuit {
+        Circuit::Voltage { .. } => &["input_mohm", "cable_pf"],
+        Circuit::Charge { .. } => &["feedback_nf", "feedback_mohm"],
+        Circuit::OpenCircuit => &[],
+    };
+    let known = [&["kind", "press_hz"], own].concat();
+    let fields = Fields::open(&value, pointer, &known, faults)?;
+    let kind = fields.choice("kind", &kinds, Circuit::OpenCircuit, faults);
+    let press = fields.number("press_hz", FREQUENCY, amplifier.press_hz, faults);
+    let circuit = match amplifier.circuit {
+        Circuit::OpenCircuit => Some(Circuit::OpenCircuit),
+        Circuit::Voltage {
+            input_mohm,
+            cable_pf,
+        } => {
+            let input = fields.number("input_mohm", RESISTANCE, input_mohm, faults);
+            let cable = fields.number("cable_pf", CABLE, cable_pf, faults);
+            input
+                .zip(cable)
+                .map(|(input_mohm, cable_pf)| Circuit::Voltage {
+                    input_mohm,
+                    cable_pf,
+                })
+        }
+        Circuit::Charge {
+            feedback_nf,
+            feedback_mohm,
+        } => {
+            let capacitance = fields.number("feedback_nf", CAPACITANCE, feedback_nf, faults);
+            let resistance = fields.number("feedback_mohm", RESISTANCE, feedback_mohm, faults);
+            capacitance
+                .zip(resistance)
+                .map(|(feedback_nf, feedback_mohm)| Circuit::Charge {
+                    feedback_nf,
+                    feedback_mohm,
+                })
+        }
+    };
+    kind?;
+    Some(Amplifier {
+        circuit: circuit?,
+        press_hz: press?,
+    })
 }
 
 /// The film is thin, and it ends within the inner surface.
@@ -60,17 +164,14 @@ pub(super) fn check_film_on(
                 plain(most),
                 plain(value)
             );
-            Fault::add(
-                faults,
-                &crate::document::fault::member(pointer, name),
-                detail,
-            );
+            Fault::add(faults, &member(pointer, name), detail);
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use crate::film::amplifier::Circuit;
     use crate::scene::{Film, Scene};
 
     #[test]
@@ -78,6 +179,43 @@ mod tests {
         let read = |text| Scene::from_toml(text).expect("reads").film;
         assert_eq!(read("[film]"), Some(Film::default()));
         assert_eq!(read(""), None);
+    }
+
+    #[test]
+    fn a_film_s_tables_have_defaults_of_their_kind_and_every_fault_has_its_place() {
+        let film = |text: &str| Scene::from_toml(text).map(|scene| scene.film.expect("a film"));
+        let charge = film("[film.amplifier]\nkind = \"charge\"\nfeedback_nf = 2").expect("reads");
+        let expected = Circuit::Charge {
+            feedback_nf: 2.0,
+            feedback_mohm: 1000.0,
+        };
+        assert_eq!(charge.amplifier.circuit, expected);
+        let scene = Scene {
+            film: Some(charge),
+            ..Scene::default()
+        };
+        assert_eq!(Scene::from_json(&scene.canonical_json()), Ok(scene));
+        let pointers = |text: &str| -> Vec<String> {
+            let faults = film(text).expect_err(text);
+            faults.into_iter().map(|fault| fault.pointer).collect()
+        };
+        assert_eq!(
+            pointers(
+                "[film]\nmodulus_mpa = 0\n[film.piezo]\nd31_pc_per_n = nan\npermittivity_pf_per_m = -1\n[film.amplifier]\nkind = \"voltage\"\ncable_pf = -1\nfeedback_nf = 1"
+            ),
+            [
+                "/film/modulus_mpa",
+                "/film/piezo/d31_pc_per_n",
+                "/film/piezo/permittivity_pf_per_m",
+                "/film/amplifier/feedback_nf",
+                "/film/amplifier/cable_pf"
+            ]
+        );
+        assert_eq!(
+            pointers("[film.amplifier]\nkind = \"tube\""),
+            ["/film/amplifier/kind"]
+        );
+        assert_eq!(pointers("[film]\npiezo = 3"), ["/film/piezo"]);
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! Strains of an equilibrium with their errors: of a point ([`probe`]), and all that a request asks for ([`surface_reader`]).
+//! Strains of an equilibrium with their errors: of a point ([`probe`]), of cords and film (`glued_layers`), and all that a request asks for ([`surface_reader`]).
 
+mod glued_layers;
 pub mod probe;
 pub mod surface_reader;

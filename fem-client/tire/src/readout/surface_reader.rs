@@ -2,18 +2,17 @@
 
 use fem::problem::{Loads, State};
 use fem::surface::chart::Recovery;
-use fem::surface::membrane::Membrane;
-use fem::surface::surface_law::{InPlane, SurfaceLaw};
 use fem::tensor::Vector;
 
-use crate::model::{TireModel, cord_families, film_law};
+use crate::model::TireModel;
+use crate::readout::glued_layers;
 use crate::readout::probe::{Probe, States};
 use fem_client::scene::Scene;
 use fem_client::solver::direction::PerDirection;
 use fem_client::solver::gauge::{Gauge, GaugeError, GaugeReading};
 use fem_client::solver::{
-    CarcassState, Extremes, FilmState, Grid, Inflated, LocationError, LocationStrain, MapShape,
-    ModelSummary, Position, Readout, Response, ResponseError, Ring, Section, StrainMap,
+    Grid, Inflated, LocationError, LocationStrain, MapShape, ModelSummary, Position, Readout,
+    Response, ResponseError, Ring, Section, StrainMap,
 };
 
 /// Bound of the exponent n in "reaction proportional to depth^n": 1 for a membrane under pressure, 1.5 for a Hertz sphere.
@@ -37,6 +36,7 @@ pub struct Reader<'m> {
     model: &'m TireModel,
     inflated: Recovery<'m>,
     current: Recovery<'m>,
+    inflated_state: &'m State,
     equilibrium: &'m State,
     loads: &'m Loads,
     inflated_radius: f64,
@@ -60,6 +60,7 @@ impl<'m> Reader<'m> {
             model,
             inflated: recover(inflated),
             current: recover(equilibrium),
+            inflated_state: inflated,
             equilibrium,
             loads,
             inflated_radius,
@@ -98,8 +99,12 @@ impl<'m> Reader<'m> {
                 .iter()
                 .map(|&gauge| self.gauge(gauge))
                 .collect(),
-            carcass: self.carcass(),
-            film: self.film(),
+            carcass: glued_layers::carcass(self.scene, self.model, self.equilibrium),
+            film: glued_layers::film(
+                self.scene,
+                self.model,
+                [self.inflated_state, self.equilibrium],
+            ),
         }
     }
 
@@ -218,53 +223,6 @@ impl<'m> Reader<'m> {
             },
             strain,
         }
-    }
-
-    /// Extremes over all integration points of the textile layer and both families.
-    fn carcass(&self) -> Option<CarcassState> {
-        let families = cord_families(self.scene.carcass.as_ref()?);
-        let membrane = self.model.carcass()?;
-        let (mut stretch, mut tension) = (Extremes::NONE, Extremes::NONE);
-        for strain in self.layer_strains(membrane) {
-            for family in &families {
-                stretch.include(family.stretch(&strain));
-                tension.include(family.tension(&strain));
-            }
-        }
-        Some(CarcassState {
-            fibre_stretch: stretch,
-            tension_n_per_mm: tension,
-        })
-    }
-
-    /// Extremes over all integration points of the film.
-    fn film(&self) -> Option<FilmState> {
-        let law = film_law(self.scene.film.as_ref()?);
-        let membrane = self.model.film()?;
-        let (mut stretches, mut tensions) = ([Extremes::NONE; 2], [Extremes::NONE; 2]);
-        for strain in self.layer_strains(membrane) {
-            let (tension, _) = law.tensions(&strain);
-            for k in 0..2 {
-                stretches[k].include((1.0 + 2.0 * strain[k]).sqrt());
-                tensions[k].include(tension[k]);
-            }
-        }
-        Some(FilmState {
-            stretch: stretches.into(),
-            tension_n_per_mm: tensions.into(),
-        })
-    }
-
-    /// Strains at all integration points of a layer.
-    fn layer_strains(&self, membrane: &'m Membrane) -> impl Iterator<Item = InPlane> {
-        let faces = membrane.surface.iter().enumerate();
-        faces.flat_map(|(face, nodes)| {
-            let displacement: Vec<[f64; 3]> = nodes
-                .iter()
-                .map(|&node| self.equilibrium.displacement[node as usize])
-                .collect();
-            membrane.strains(face, &displacement).collect::<Vec<_>>()
-        })
     }
 
     fn inflated_summary(&self) -> Inflated {

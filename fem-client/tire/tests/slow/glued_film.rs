@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use fem_client::scene::{Film, Level, Scene};
-use fem_client::solver::{Readout, Response, SolveRequest, Solver};
+use fem_client::solver::{FilmSignal, Readout, Response, SolveRequest, Solver};
 use tire::embedded::EmbeddedSolver;
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
@@ -77,6 +77,60 @@ fn a_film_is_the_same_on_the_quarter_and_on_the_half() {
     for (a, b) in half.locations.iter().zip(&quarter.locations) {
         assert!((a.strain.y - b.strain.y).abs() < SOLVER_TOLERANCE);
     }
+    let [a, b] = [&half, &quarter].map(signal);
+    assert!(
+        (a.charge_nc / b.charge_nc - 1.0).abs() < 1e-4,
+        "{a:?} {b:?}"
+    );
+    assert!((a.capacitance_pf / b.capacitance_pf - 1.0).abs() < 1e-12);
+}
+
+fn signal(response: &Response) -> FilmSignal {
+    let film = response.film.expect("a film");
+    film.signal.expect("what the contact adds")
+}
+
+/// Without stiffness the film reads the bare surface, and has neither tension nor charge.
+#[test]
+fn a_film_without_stiffness_reads_the_bare_surface() {
+    let bare = solve(Level::Draft, FLAT, film(1e-6));
+    let softer = solve(Level::Draft, FLAT, film(1e-5));
+    let [bare_means, softer_means] = [&bare, &softer].map(signal);
+    let change = (bare_means.mean_strain_2 - softer_means.mean_strain_2).abs();
+    assert!(change < SOLVER_TOLERANCE, "{change}");
+    assert!(bare_means.mean_tension_2_n_per_mm.abs() < 1e-6 && bare_means.charge_nc.abs() < 1e-3);
+    // The crown's strain falls away from the centre: the mean over 5 x 5 mm is two thirds of it, the least at the corners.
+    let centre = bare.locations[2].strain.y;
+    assert!(
+        (0.5..1.0).contains(&(bare_means.mean_strain_2 / centre)),
+        "{bare_means:?}"
+    );
+}
+
+/// Figures of an independent reading of the program's own reference mesh: 0.150 N/mm across, 0.070 along, 19 V.
+#[test]
+fn a_stiff_film_is_pulled_by_what_the_wall_gives() {
+    let film_of = |thickness_mm| {
+        let film = Film {
+            thickness_mm,
+            ..Film::default()
+        };
+        signal(&solve(Level::Reference, FLAT, Some(film)))
+    };
+    let [thin, thick] = [0.028, 0.05].map(film_of);
+    assert!(
+        (thin.mean_tension_2_n_per_mm / 0.150 - 1.0).abs() < 0.05,
+        "{thin:?}"
+    );
+    assert!(
+        (thin.mean_tension_1_n_per_mm / 0.070 - 1.0).abs() < 0.05,
+        "{thin:?}"
+    );
+    assert!((thin.open_circuit_v / 19.0 - 1.0).abs() < 0.1, "{thin:?}");
+    // Nearly twice as stiff, nearly the same pull.
+    assert!((thick.mean_tension_2_n_per_mm / thin.mean_tension_2_n_per_mm - 1.0).abs() < 0.05);
+    assert!((thick.open_circuit_v / thin.open_circuit_v - 1.0).abs() < 0.05);
+    assert!((thick.mean_strain_2 / thin.mean_strain_2 - 0.028 / 0.05).abs() < 0.05);
 }
 
 /// A PVDF film resists 40 times as much as the rubber of the wall under it (modulus times thickness), so that it hardly strains

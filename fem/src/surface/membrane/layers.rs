@@ -107,6 +107,11 @@ impl Membrane {
         self.areas.iter().sum()
     }
 
+    /// Reference areas of the integration points of one face, mm^2.
+    pub fn point_areas(&self, face: usize) -> &[f64] {
+        &self.areas[face * self.points_per_face..(face + 1) * self.points_per_face]
+    }
+
     /// Green-Lagrange strains at the integration points of one face.
     pub fn strains(&self, face: usize, displacement: &[Vector]) -> impl Iterator<Item = InPlane> {
         (0..self.points_per_face).map(move |point| self.kinematics(face, point, displacement).1)

@@ -7,7 +7,9 @@ use clap::Args;
 use fem_client::scene::Scene;
 use fem_client::solver::direction::Direction;
 use fem_client::solver::gauge::{Gauge, GaugeReading};
-use fem_client::solver::{LocationStrain, Readout, SolveError, SolveRequest, Solved};
+use fem_client::solver::{
+    FilmCondition, FilmSignal, LocationStrain, Readout, SolveError, SolveRequest, Solved,
+};
 use placement::sweep::typed_settings;
 use serde_json::{Value, json};
 use vtu::solved_body::Body;
@@ -152,6 +154,27 @@ fn document(solved: &Solved) -> Result<Value, Failure> {
     Ok(document)
 }
 
+fn film_signal(signal: &FilmSignal) -> String {
+    let beyond = match signal.state {
+        FilmCondition::Ok => "",
+        FilmCondition::BeyondYield => {
+            "; beyond yield: an elastic film's signal, which this one won't give"
+        }
+    };
+    format!(
+        "film, since inflation: strain along {:.0}, across {:.0} microstrain; tension {:.4}, {:.4} N/mm\n\
+         film: {:.3} nC on {:.1} pF, {:.2} V open circuit, {:.4} V at the amplifier{beyond}\n",
+        1e6 * signal.mean_strain_1,
+        1e6 * signal.mean_strain_2,
+        signal.mean_tension_1_n_per_mm,
+        signal.mean_tension_2_n_per_mm,
+        signal.charge_nc,
+        signal.capacitance_pf,
+        signal.open_circuit_v,
+        signal.output_v
+    )
+}
+
 fn report(solved: &Solved) -> String {
     let response = &solved.response;
     let mut text = String::new();
@@ -188,6 +211,9 @@ fn report(solved: &Solved) -> String {
             "\nfilm: stretch x {:.4} to {:.4}, y {:.4} to {:.4}",
             x.min, x.max, y.min, y.max
         );
+    }
+    if let Some(signal) = response.film.as_ref().and_then(|film| film.signal) {
+        text.push_str(&film_signal(&signal));
     }
     if let Some(carcass) = &response.carcass {
         let (stretch, tension) = (carcass.fibre_stretch, carcass.tension_n_per_mm);

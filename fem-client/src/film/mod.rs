@@ -1,0 +1,7 @@
+//! What a piezoelectric film and its amplifier make of the film's tension. Pure: numbers in, numbers out.
+//!
+//! - [`piezo`]: the film's charge and capacitance
+//! - [`amplifier`]: what is left of the charge where it is read
+
+pub mod amplifier;
+pub mod piezo;
