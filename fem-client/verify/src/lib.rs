@@ -11,6 +11,7 @@
 //! - `cook`: Cook's membrane
 //! - `hertz`: contact of a cylinder and of a ball with a plane
 //! - `ring`: a ring between plates
+//! - `strip`: a stiff strip glued on a stretched half plane
 //! - [`extremes`]: the ends of what can be asked
 //!
 //! Each builds on `body` (blocks of rubber), `plate` (bodies pressed on a plane) and `mesh_refinement` (errors on finer meshes), and answers with
@@ -28,17 +29,19 @@ pub(crate) mod mesh_refinement;
 pub(crate) mod plate;
 mod ring;
 pub(crate) mod sphere;
+mod strip;
 
 pub use family::{Family, Solve, Unsolved};
 pub use known_case::{Case, Measure, Slope, Verdict};
 
 /// All families, roughly from the quickest to the slowest.
-pub const FAMILIES: [Family; 9] = [
+pub const FAMILIES: [Family; 10] = [
     Family::new("homogeneous", homogeneous::stretches),
     Family::new("patch", homogeneous::others),
     Family::new("cook", cook::cases),
     Family::new("cylinder", cylinder::cases),
     Family::new("ring", ring::cases),
+    Family::new("strip", strip::cases),
     Family::new("hertz-line", hertz::line),
     Family::new("sphere", sphere::mooney_rivlin),
     Family::new("hertz-ball", hertz::ball),
