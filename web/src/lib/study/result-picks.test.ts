@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Output, RankedLocation, StudyResult } from "../../wire.ts";
 import { paperPercent } from "./paper-table.ts";
-import { bars, byRank, centreName, centreOutput, largest, locationNames, mdrmGap, paperGap, productFormBroken, scoreOf } from "./result-picks.ts";
+import { bars, byRank, centreName, centreOutput, isRanked, largest, locationNames, mdrmGap, paperGap, productFormBroken, scoreOf } from "./result-picks.ts";
 
 const output = (location: string, direction: "x" | "y"): Output => ({
   location, direction, mean: 0.01, std: 0.001, first_order: [0.1, 0.8, 0.1], total: [0.1, 0.8, 0.1],
@@ -31,6 +31,12 @@ test("bars follow the service's ranks and carry their own error in percentage po
     { name: "P1", percent: 12, error: 0.6, mdrm: 6 },
     { name: "P3", percent: 8, error: 0.4, mdrm: 4 },
   ]);
+});
+
+test("places above no depth that varies have no ranking", () => {
+  const above = (input: string | null) => ({ ...result, locations: result.locations.map((place) => ({ ...place, input })) });
+  assert.equal(isRanked(above("depth")), true);
+  assert.equal(isRanked(above(null)), false);
 });
 
 test("a broken product form is seen per direction", () => {

@@ -48,6 +48,11 @@ export function scoreOf(location: RankedLocation, score: Score, direction: Direc
   return location[`${score}_${direction}_percent`] ?? null;
 }
 
+/** Whether any location has a figure to be ranked by: its own depth varies. */
+export function isRanked(result: StudyResult): boolean {
+  return result.locations.some((location) => location.input != null);
+}
+
 /** Bars of one direction, best location first. */
 export function bars(result: StudyResult, direction: Direction): Bar[] {
   return byRank(result).map((location) => ({

@@ -1,4 +1,4 @@
-import { byRank, centreName } from "../../../lib/study/result-picks.ts";
+import { byRank, centreName, isRanked } from "../../../lib/study/result-picks.ts";
 import type { StudyResult } from "../../../wire.ts";
 import { BarKey, Bars } from "./bars.tsx";
 import { ProductFormNotice } from "./product-form.tsx";
@@ -7,6 +7,7 @@ import { RankingTable } from "./ranking-table.tsx";
 /** Where to glue first: the ranking, its bars, and what its order means. */
 export function RankingPanel({ result }: { result: StudyResult }) {
   if (result.locations.length === 0) return <p class="quiet">The study ranked no location.</p>;
+  if (!isRanked(result)) return <Unranked />;
   return (
     <section class="panel" aria-labelledby="ranking-title">
       <h2 id="ranking-title">Ranking</h2>
@@ -25,6 +26,16 @@ export function RankingPanel({ result }: { result: StudyResult }) {
         about the rank.
       </p>
       <Meaning centre={centreName(result) ?? "the centre"} />
+    </section>
+  );
+}
+
+function Unranked() {
+  return (
+    <section class="panel" aria-labelledby="ranking-title">
+      <h2 id="ranking-title">Ranking</h2>
+      <p class="headline">Nothing here ranks the places: a place is ranked by the contact depth below it, and no such depth varies.</p>
+      <p class="quiet">How much each input tells at each place stands under "All outputs by all inputs".</p>
     </section>
   );
 }
