@@ -9,6 +9,7 @@
 mod film_reader;
 mod geometry_reader;
 mod ground_reader;
+mod inner_table;
 mod material_reader;
 mod shared_ranges;
 
@@ -20,6 +21,7 @@ use crate::document::{Format, parse};
 use crate::scene::reader::film_reader::{check_film_on, film};
 use crate::scene::reader::geometry_reader::geometry;
 use crate::scene::reader::ground_reader::{check_ground_under, ground};
+use crate::scene::reader::inner_table::section;
 use crate::scene::reader::material_reader::material;
 use crate::scene::{Carcass, Contact, Level, Model, Pressure, Scene};
 
@@ -102,20 +104,6 @@ fn say_where_accuracy_is(fields: &Fields<'_>, faults: &mut [Fault]) {
     if let Some(fault) = faults.iter_mut().find(|fault| fault.pointer == at) {
         let detail = "belongs to a study; a scene says how finely it is modelled by model.level, as in [model] level = \"draft\"";
         fault.detail = detail.to_owned();
-    }
-}
-
-/// Reads a table of the scene; an absent one is read as an empty one, so that defaults are in one place.
-fn section<T>(
-    fields: &Fields<'_>,
-    name: &str,
-    faults: &mut Vec<Fault>,
-    read: fn(&Value, &str, &mut Vec<Fault>) -> Option<T>,
-) -> Option<T> {
-    let empty = Value::Object(serde_json::Map::new());
-    match fields.get(name) {
-        Some((value, pointer)) => read(value, &pointer, faults),
-        None => read(&empty, &fields.at(name), faults),
     }
 }
 

@@ -1,7 +1,8 @@
 //! Reads the film.
 
-use serde_json::{Map, Value};
+use serde_json::Value;
 
+use super::inner_table::section;
 use super::shared_ranges::{LENGTH, MODULUS};
 use crate::document::fault::{Fault, member};
 use crate::document::fields::{Fields, Range, plain};
@@ -29,29 +30,18 @@ pub(super) fn film(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Opt
         ("length_mm", LENGTH, &mut film.length_mm),
         ("width_mm", LENGTH, &mut film.width_mm),
     ];
-    let tables = ["piezo", "amplifier"];
-    let read = Fields::of_numbers(value, pointer, &tables, numbers, faults);
-    let table = |name: &str| {
-        (
-            value.get(name).unwrap_or(&Value::Null).clone(),
-            member(pointer, name),
-        )
-    };
-    let (values, at) = table("piezo");
-    let piezo = piezo(&values, &at, faults);
-    let (values, at) = table("amplifier");
-    let amplifier = amplifier(&values, &at, faults);
+    let known = [
+        &["piezo", "amplifier"],
+        &numbers.each_ref().map(|number| number.0)[..],
+    ]
+    .concat();
+    let fields = Fields::open(value, pointer, &known, faults)?;
+    let read = fields.numbers(numbers, faults);
+    let piezo = section(&fields, "piezo", faults, piezo);
+    let amplifier = section(&fields, "amplifier", faults, amplifier);
     read?;
     (film.piezo, film.amplifier) = (piezo?, amplifier?);
     Some(film)
-}
-
-/// An absent table is an empty one.
-fn or_empty(value: &Value) -> Value {
-    match value {
-        Value::Null => Value::Object(Map::new()),
-        given => given.clone(),
-    }
 }
 
 fn piezo(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Piezo> {
@@ -66,12 +56,11 @@ fn piezo(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Piezo>
         ),
         ("yield_mpa", MODULUS, &mut piezo.yield_mpa),
     ];
-    Fields::of_numbers(&or_empty(value), pointer, &[], numbers, faults)?;
+    Fields::of_numbers(value, pointer, &[], numbers, faults)?;
     Some(piezo)
 }
 
 fn amplifier(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Amplifier> {
-    let value = or_empty(value);
     let kinds = [
         ("open-circuit", Circuit::OpenCircuit),
         ("voltage", Circuit::VOLTAGE),
@@ -89,43 +78,34 @@ fn amplifier(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Am
         Circuit::OpenCircuit => &[],
     };
     let known = [&["kind", "press_hz"], own].concat();
-    let fields = Fields::open(&value, pointer, &known, faults)?;
+    let fields = Fields::open(value, pointer, &known, faults)?;
     let kind = fields.choice("kind", &kinds, Circuit::OpenCircuit, faults);
-    let press = fields.number("press_hz", FREQUENCY, amplifier.press_hz, faults);
-    let circuit = match amplifier.circuit {
-        Circuit::OpenCircuit => Some(Circuit::OpenCircuit),
+    let press = fields.numbers([("press_hz", FREQUENCY, &mut amplifier.press_hz)], faults);
+    let circuit = match &mut amplifier.circuit {
+        Circuit::OpenCircuit => Some(()),
         Circuit::Voltage {
             input_mohm,
             cable_pf,
-        } => {
-            let input = fields.number("input_mohm", RESISTANCE, input_mohm, faults);
-            let cable = fields.number("cable_pf", CABLE, cable_pf, faults);
-            input
-                .zip(cable)
-                .map(|(input_mohm, cable_pf)| Circuit::Voltage {
-                    input_mohm,
-                    cable_pf,
-                })
-        }
+        } => fields.numbers(
+            [
+                ("input_mohm", RESISTANCE, input_mohm),
+                ("cable_pf", CABLE, cable_pf),
+            ],
+            faults,
+        ),
         Circuit::Charge {
             feedback_nf,
             feedback_mohm,
-        } => {
-            let capacitance = fields.number("feedback_nf", CAPACITANCE, feedback_nf, faults);
-            let resistance = fields.number("feedback_mohm", RESISTANCE, feedback_mohm, faults);
-            capacitance
-                .zip(resistance)
-                .map(|(feedback_nf, feedback_mohm)| Circuit::Charge {
-                    feedback_nf,
-                    feedback_mohm,
-                })
-        }
+        } => fields.numbers(
+            [
+                ("feedback_nf", CAPACITANCE, feedback_nf),
+                ("feedback_mohm", RESISTANCE, feedback_mohm),
+            ],
+            faults,
+        ),
     };
-    kind?;
-    Some(Amplifier {
-        circuit: circuit?,
-        press_hz: press?,
-    })
+    kind.and(press).and(circuit)?;
+    Some(amplifier)
 }
 
 /// The film is thin, and it ends within the inner surface.
