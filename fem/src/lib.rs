@@ -17,7 +17,7 @@
 //! - [`tensor`]: 3 x 3 algebra
 //! - [`cell`]: reference cells, meshes, structured blocks
 //! - [`material`]: hyperelastic laws: neo-Hookean, Mooney-Rivlin, Yeoh, Ogden
-//! - [`surface`]: stretches of a surface; fibre families and films embedded in it
+//! - [`surface`]: stretches of a surface; fibre families embedded in it, and a film glued on it
 //! - [`load`]: live pressure, dead forces, rigid ground with friction
 //! - [`solid`]: the mixed displacement-pressure element
 //! - [`problem`]: a boundary value problem, its loads and its state

@@ -6,6 +6,7 @@ use crate::load::obstacle::HeightField;
 use crate::load::pressure::PressureSurface;
 use crate::solid::SolidModel;
 use crate::surface::membrane::Membrane;
+use crate::surface::sheet::Sheet;
 use crate::tensor::Vector;
 
 /// What is solved: a body, how it is held, and where it can be loaded.
@@ -19,6 +20,8 @@ pub struct Problem {
     pub solid: SolidModel,
     /// Reinforcement.
     pub membranes: Vec<Membrane>,
+    /// A sheet glued on; its control points are the mesh's last nodes.
+    pub sheet: Option<Sheet>,
     /// Held displacements per node and axis, at support factor 1; `None` is free.
     pub supports: Vec<[Option<f64>; 3]>,
     /// Surface under live pressure.

@@ -14,12 +14,12 @@
 
 use std::f64::consts::PI;
 
-use crate::scene::{Geometry, Scene};
+use crate::scene::{Film, Geometry, Scene};
 use crate::solver::direction::PerDirection;
 use crate::solver::gauge::{Gauge, GaugeReading};
 use crate::solver::{
-    Choice, Grid, Inflated, LocationStrain, MapShape, ModelSummary, Position, Response,
-    ResponseError, Ring, Section, SolveRequest, StartState, StrainMap,
+    Choice, FilmMeans, FilmSignal, Grid, Inflated, LocationStrain, MapShape, ModelSummary,
+    Position, Response, ResponseError, Ring, Section, SolveRequest, StartState, StrainMap,
 };
 
 const REFERENCE_PRESSURE_MPA: f64 = 0.2;
@@ -132,6 +132,12 @@ impl Field {
                 .iter()
                 .map(|gauge| self.gauge(*gauge))
                 .collect(),
+            films: request
+                .readout
+                .films
+                .iter()
+                .map(|film| self.film(film))
+                .collect(),
             carcass: None,
             film: None,
         }
@@ -150,6 +156,28 @@ impl Field {
             von_mises_mpa: 1.08 * strain.abs(),
             error: None,
         }
+    }
+
+    /// A small film that follows the strain at its middle.
+    fn film(&self, film: &Film) -> FilmSignal {
+        let along = |turn_deg: f64| {
+            let gauge = Gauge {
+                theta_deg: film.theta_deg,
+                phi_deg: film.phi_deg,
+                angle_deg: film.angle_deg + turn_deg,
+            };
+            self.gauge(gauge).strain
+        };
+        let strain = [along(0.0), along(90.0)];
+        let added = [strain[0], strain[1], 0.0];
+        let means = FilmMeans {
+            area: film.length_mm * film.width_mm,
+            strain,
+            added,
+            total: added,
+            ..FilmMeans::default()
+        };
+        FilmSignal::of(film, &means)
     }
 
     /// P1 to P5, one station's angle apart.

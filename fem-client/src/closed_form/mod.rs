@@ -143,6 +143,7 @@ mod tests {
             shape: true,
             rings: vec![Position::Crown, Position::Sidewall],
             gauges: Vec::new(),
+            films: Vec::new(),
         };
         solver.solve(&SolveRequest {
             scene,

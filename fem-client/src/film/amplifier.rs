@@ -15,6 +15,12 @@ pub struct Amplifier {
     pub circuit: Circuit,
     /// Presses per second, Hz.
     pub press_hz: f64,
+    /// Standard deviation of what it shows without a film, mV.
+    pub noise_mv: f64,
+    /// Standard deviation of film and amplifier's gain from one to the next, as a share.
+    pub gain_std: f64,
+    /// Standard deviation of the film's temperature within a press, K.
+    pub temperature_k: f64,
 }
 
 /// Circuits that read a film.
@@ -57,6 +63,9 @@ impl Default for Amplifier {
         Self {
             circuit: Circuit::OpenCircuit,
             press_hz: 1.0,
+            noise_mv: 0.0,
+            gain_std: 0.05,
+            temperature_k: 0.0,
         }
     }
 }
@@ -82,6 +91,14 @@ impl Amplifier {
             output_v: share * held_v,
             time_constant_s,
         }
+    }
+
+    /// Standard deviation of a reading, V, by noise, gain and temperature; `warming` is the charge of a kelvin, nC/K.
+    pub fn reading_std_v(&self, charge_nc: f64, capacitance_pf: f64, warming: f64) -> f64 {
+        let of = |charge_nc| self.reading(charge_nc, capacitance_pf).output_v;
+        let gain = self.gain_std * of(charge_nc);
+        let warmed = of(self.temperature_k * warming);
+        (1e-3 * self.noise_mv).hypot(gain).hypot(warmed)
     }
 
     /// Voltage, V, so long after a press that came at once and stays, s.
@@ -121,7 +138,11 @@ mod tests {
     use super::*;
 
     fn amplifier(circuit: Circuit, press_hz: f64) -> Amplifier {
-        Amplifier { circuit, press_hz }
+        Amplifier {
+            circuit,
+            press_hz,
+            ..Amplifier::default()
+        }
     }
 
     #[test]
@@ -150,6 +171,19 @@ mod tests {
         assert!((slow.output_v / (10e6 * TAU * 1e-6 * 2e-9) - 1.0).abs() < 1e-10);
         let charge = amplifier(Circuit::CHARGE, 1e6).reading(2.0, 100.0);
         assert!((charge.output_v / 0.2 - 1.0).abs() < 1e-10);
+    }
+
+    #[test]
+    fn a_reading_is_as_sure_as_its_three_causes_together() {
+        let amplifier = Amplifier {
+            noise_mv: 300.0,
+            gain_std: 0.02,
+            temperature_k: 0.1,
+            ..Amplifier::default()
+        };
+        // 2 nC on 100 pF is 20 V: 0.3 V of noise, 0.4 V of gain, 1.2 V of 0.12 nC.
+        let std = amplifier.reading_std_v(2.0, 100.0, 1.2);
+        assert!((std / 1.69_f64.sqrt() - 1.0).abs() < 1e-10, "{std}");
     }
 
     /// The ODE C dV/dt + V/R = dQ/dt, by Richardson's extrapolation of the implicit midpoint rule, whose error falls as the step squared.

@@ -1,4 +1,4 @@
-//! Charge of a stretched piezoelectric film, and its capacitance.
+//! Charge of a stressed piezoelectric film, and its capacitance.
 //!
 //! The film lies in plane stress, polarised through its thickness. Its charge is the integral of d31 S1 + d32 S2 over its area, S the stresses along and across
 //! its length (IEEE Std 176-1987, the direct effect at zero field). Default constants: Measurement Specialties, Piezo Film Sensors Technical Manual, but for d32,
@@ -13,8 +13,12 @@ pub struct Piezo {
     pub d31_pc_per_n: f64,
     /// Charge by stress across, pC/N.
     pub d32_pc_per_n: f64,
+    /// Charge by stress through the thickness, pC/N.
+    pub d33_pc_per_n: f64,
     /// Permittivity, pF/m.
     pub permittivity_pf_per_m: f64,
+    /// Charge by area and warming, uC/(m2 K).
+    pub pyro_uc_per_m2_k: f64,
     /// Stress at which it yields, MPa.
     pub yield_mpa: f64,
 }
@@ -25,17 +29,30 @@ impl Default for Piezo {
         Self {
             d31_pc_per_n: 23.0,
             d32_pc_per_n: 3.0,
+            d33_pc_per_n: -33.0,
             permittivity_pf_per_m: 110.0,
+            pyro_uc_per_m2_k: 30.0,
             yield_mpa: 45.0,
         }
     }
 }
 
 impl Piezo {
-    /// Charge of a film with these mean tensions along and across its length, nC. Tensions in N/mm, area in mm^2, thickness in mm.
-    pub fn charge_nc(&self, tension: [f64; 2], area: f64, thickness: f64) -> f64 {
-        let density = self.d31_pc_per_n * tension[0] + self.d32_pc_per_n * tension[1];
-        1e-3 * density * area / thickness
+    /// Charge of a film of this area, mm^2, with these mean stresses along and across its length, MPa; nC.
+    pub fn charge_nc(&self, stress: [f64; 2], area: f64) -> f64 {
+        1e-3 * (self.d31_pc_per_n * stress[0] + self.d32_pc_per_n * stress[1]) * area
+    }
+
+    /// Charge by which a rise of the cavity's pressure changes that, nC/kPa.
+    pub fn charge_by_pressure_nc_per_kpa(&self, area: f64) -> f64 {
+        // 1 kPa is 1e-3 MPa of compression through the thickness.
+        -1e-6 * self.d33_pc_per_n * area
+    }
+
+    /// Charge by which warming changes that, nC/K.
+    pub fn charge_by_warming_nc_per_k(&self, area: f64) -> f64 {
+        // 1 uC/m^2 is 1e-3 nC/mm^2.
+        1e-3 * self.pyro_uc_per_m2_k * area
     }
 
     /// Capacitance, pF, of this area (mm^2) and thickness (mm).
@@ -43,10 +60,10 @@ impl Piezo {
         1e-3 * self.permittivity_pf_per_m * area / thickness
     }
 
-    /// Whether a film of this thickness, mm, yields under these tensions along, across and in shear, N/mm, by von Mises' criterion.
-    pub fn yields(&self, [s1, s2, s12]: [f64; 3], thickness: f64) -> bool {
+    /// Whether it yields under these stresses along, across and in shear, MPa, by von Mises' criterion.
+    pub fn yields(&self, [s1, s2, s12]: [f64; 3]) -> bool {
         let squared = s1 * s1 - s1 * s2 + s2 * s2 + 3.0 * s12 * s12;
-        squared.sqrt() > self.yield_mpa * thickness
+        squared.sqrt() > self.yield_mpa
     }
 }
 
@@ -64,15 +81,18 @@ mod tests {
         let per_cm2 = piezo.capacitance_pf(100.0, thickness);
         assert!((per_cm2 - 392.857_142_857_142_9).abs() < 1e-10);
         // 1 MPa along, 2 MPa across: 23 + 6 pC/N on 300 mm^2.
-        let charge = piezo.charge_nc([thickness, 2.0 * thickness], area, thickness);
+        let charge = piezo.charge_nc([1.0, 2.0], area);
         assert!((charge - 8.7).abs() < 1e-10 * 8.7, "{charge}");
+        // A kelvin on 250 mm^2 gives 7.5 nC, 1 kPa 33 pC/N x 1e3 Pa x 250 mm^2.
+        assert!((piezo.charge_by_warming_nc_per_k(250.0) / 7.5 - 1.0).abs() < 1e-10);
+        assert!((piezo.charge_by_pressure_nc_per_kpa(250.0) / 8.25e-3 - 1.0).abs() < 1e-10);
     }
 
     #[test]
     fn the_open_circuit_voltage_of_a_tension_does_not_depend_on_the_thickness() {
         let piezo = Piezo::default();
         let volts = |thickness| {
-            1e3 * piezo.charge_nc([0.07, 0.15], 25.0, thickness)
+            1e3 * piezo.charge_nc([0.07 / thickness, 0.15 / thickness], 25.0)
                 / piezo.capacitance_pf(25.0, thickness)
         };
         // (d31 N1 + d32 N2) / permittivity.
@@ -85,9 +105,7 @@ mod tests {
     #[test]
     fn a_film_yields_by_von_mises() {
         let piezo = Piezo::default();
-        let at = |factor: f64, tension: [f64; 3]| {
-            piezo.yields(tension.map(|t| factor * 45.0 * 0.05 * t), 0.05)
-        };
+        let at = |factor: f64, tension: [f64; 3]| piezo.yields(tension.map(|t| factor * 45.0 * t));
         let shear = 1.0 / 3.0_f64.sqrt();
         for tension in [
             [1.0, 0.0, 0.0],

@@ -9,6 +9,7 @@ use serde_json::{Map, Value};
 
 use crate::document::fault::{Fault, entry, member};
 use crate::document::fields::shown;
+use crate::scene::reader::film_reader::OF_ONE_LAYER;
 use crate::scene::{Law, Scene};
 
 impl Scene {
@@ -37,6 +38,7 @@ impl Scene {
             &mut document,
             ground.map(|field| sets(&format!("ground.{field}"))),
         );
+        forget_layers(&mut document, sets("film.layers"));
         if let Some((_, model)) = changes.iter().find(|(path, _)| *path == "material.model") {
             forget_parameters(&mut document, &self.material.law, model);
         }
@@ -62,6 +64,11 @@ impl Scene {
         let ground = overrides.get("ground");
         let sets = |field: &str| ground.is_some_and(|ground| ground.get(field).is_some());
         forget_ground(&mut document, ["depths_mm", "load_n", "stations"].map(sets));
+        let film = overrides.get("film");
+        forget_layers(
+            &mut document,
+            film.is_some_and(|film| film.get("layers").is_some()),
+        );
         if let Some(model) = overrides.get("material").and_then(|m| m.get("model")) {
             forget_parameters(&mut document, &self.material.law, model);
         }
@@ -224,6 +231,18 @@ fn forget_ground(document: &mut Value, [depths, load, stations]: [bool; 3]) {
     }
     if load && !depths {
         ground.shift_remove("depths_mm");
+    }
+}
+
+/// A film's layers stand in place of the fields of one.
+fn forget_layers(document: &mut Value, is_set: bool) {
+    let Some(film) = document.get_mut("film").and_then(Value::as_object_mut) else {
+        return;
+    };
+    if is_set {
+        for name in OF_ONE_LAYER {
+            film.shift_remove(name);
+        }
     }
 }
 

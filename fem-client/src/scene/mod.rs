@@ -6,13 +6,13 @@
 pub mod edit;
 mod material;
 pub mod reader;
+mod sensor_film;
 
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::film::amplifier::Amplifier;
-use crate::film::piezo::Piezo;
 pub use material::{Law, Material, OgdenTerm};
+pub use sensor_film::{Film, FilmLayer, Glue};
 
 /// What is pressed on which ground, by how much, and how finely it is modelled.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -71,25 +71,6 @@ pub struct Carcass {
     pub position: f64,
     /// Stiffness in compression over that in tension.
     pub compression_ratio: f64,
-}
-
-/// A rectangular film glued to the inner surface of the uninflated tire, centred on the crown at the contact centre (P3).
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Film {
-    /// Young's modulus, MPa.
-    pub modulus_mpa: f64,
-    /// Poisson's ratio.
-    pub poisson_ratio: f64,
-    /// Thickness, mm.
-    pub thickness_mm: f64,
-    /// Extent along the circumference, mm at the crown; it covers the same wheel angles on its whole width.
-    pub length_mm: f64,
-    /// Extent along the meridian, mm.
-    pub width_mm: f64,
-    /// What makes charge of its tension.
-    pub piezo: Piezo,
-    /// What it is wired to.
-    pub amplifier: Amplifier,
 }
 
 /// Loads of the cavity.
@@ -214,21 +195,6 @@ impl Default for Carcass {
             stiffness_n_per_mm: 100.0,
             position: 0.5,
             compression_ratio: 0.01,
-        }
-    }
-}
-
-impl Default for Film {
-    /// PVDF, as piezoelectric films are made of.
-    fn default() -> Self {
-        Self {
-            modulus_mpa: 2500.0,
-            poisson_ratio: 0.34,
-            thickness_mm: 0.05,
-            length_mm: 5.0,
-            width_mm: 5.0,
-            piezo: Piezo::default(),
-            amplifier: Amplifier::default(),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! The one trait between the product and any solver.
 
 pub mod direction;
+pub mod film_comparison;
+pub mod film_state;
 pub mod gauge;
 #[cfg(feature = "openapi")]
 pub mod object_schema;
@@ -8,6 +10,7 @@ pub mod readout;
 pub mod response;
 pub mod solve_error;
 pub mod start_state;
+pub mod value_range;
 
 use std::sync::atomic::AtomicBool;
 
@@ -15,12 +18,14 @@ use serde::{Deserialize, Serialize};
 
 use crate::document::fault::Fault;
 use crate::scene::{Level, Scene};
+pub use crate::solver::film_state::{FilmCondition, FilmError, FilmMeans, FilmSignal, FilmState};
 pub use crate::solver::readout::{Grid, Position, Readout};
 pub use crate::solver::response::{
-    CarcassState, Choice, Extremes, FilmCondition, FilmSignal, FilmState, Inflated, LocationError,
-    LocationStrain, MapShape, ModelSummary, Response, ResponseError, Ring, Section, StrainMap,
+    CarcassState, Choice, Inflated, LocationError, LocationStrain, MapShape, ModelSummary,
+    Response, ResponseError, Ring, Section, StrainMap,
 };
 pub use crate::solver::solve_error::{NoEquilibrium, Reached, SolveError};
+pub use crate::solver::value_range::Extremes;
 
 /// The fault of a scene that a solver which presses by depth alone can't solve.
 pub fn by_depth_only(scene: &Scene) -> Vec<Fault> {

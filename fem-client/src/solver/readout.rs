@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::scene::Film;
 use crate::solver::gauge::Gauge;
 
 /// Where the strain is read, beside P1-P5 and the section points that every response has.
@@ -17,6 +18,9 @@ pub struct Readout {
     /// Single points, each with a direction.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub gauges: Vec<Gauge>,
+    /// Films without stiffness that follow the wall: what they would read of it.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub films: Vec<Film>,
 }
 
 /// A regular grid on the inner surface, centred on the contact, both ends included.

@@ -2,11 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::solver::direction::{
-    CrownStretchFields, PerDirection, StrainFields, StretchFields, TensionFields,
-};
+use crate::solver::direction::{CrownStretchFields, PerDirection, StrainFields};
+use crate::solver::film_state::{FilmSignal, FilmState};
 use crate::solver::gauge::GaugeReading;
 use crate::solver::readout::Position;
+use crate::solver::value_range::Extremes;
 
 /// Strains, forces and diagnostics of one equilibrium.
 ///
@@ -42,6 +42,9 @@ pub struct Response {
     /// One reading per gauge asked for, in the order asked.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub gauges: Vec<GaugeReading>,
+    /// What one film without stiffness reads for each asked for, in the order asked.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub films: Vec<FilmSignal>,
     /// State of the textile layer; absent without one.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub carcass: Option<CarcassState>,
@@ -84,79 +87,6 @@ pub struct CarcassState {
     pub fibre_stretch: Extremes,
     /// Tension along the fibres: force per reference length across a family, N/mm; negative in compression.
     pub tension_n_per_mm: Extremes,
-}
-
-/// Least and greatest values over the whole film, relative to its unstressed state in the undeformed tire.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct FilmState {
-    /// Stretch.
-    #[serde(flatten, with = "StretchFields")]
-    pub stretch: PerDirection<Extremes>,
-    /// Tension (second Piola-Kirchhoff), N/mm.
-    #[serde(flatten, with = "TensionFields")]
-    pub tension_n_per_mm: PerDirection<Extremes>,
-    /// What the contact adds; absent from answers of earlier versions.
-    #[serde(flatten, skip_serializing_if = "Option::is_none", default)]
-    pub signal: Option<FilmSignal>,
-}
-
-/// What the contact adds to a film since inflation: means over its area, and what its amplifier reads of them. 1 is along its length, 2 across.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct FilmSignal {
-    /// Mean strain along: stretch relative to the inflated state minus one.
-    pub mean_strain_1: f64,
-    /// Mean strain across.
-    pub mean_strain_2: f64,
-    /// Mean tension along, N/mm.
-    pub mean_tension_1_n_per_mm: f64,
-    /// Mean tension across, N/mm.
-    pub mean_tension_2_n_per_mm: f64,
-    /// Charge, nC.
-    pub charge_nc: f64,
-    /// Capacitance of the film, pF.
-    pub capacitance_pf: f64,
-    /// Voltage where nothing draws charge, V.
-    pub open_circuit_v: f64,
-    /// Amplitude at the amplifier, for presses of its frequency, V.
-    pub output_v: f64,
-    /// Time in which the reading of a held press falls to 1/e, s; absent where it stays.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub time_constant_s: Option<f64>,
-    /// Whether the film bears that.
-    pub state: FilmCondition,
-}
-
-/// Whether a film bears its mean tension.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum FilmCondition {
-    /// It is elastic.
-    Ok,
-    /// Its mean stress is beyond yield: the signal isn't that of an elastic film.
-    BeyondYield,
-}
-
-/// Least and greatest value of a field.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Extremes {
-    /// Least value.
-    pub min: f64,
-    /// Greatest value.
-    pub max: f64,
-}
-
-impl Extremes {
-    /// The range without values.
-    pub const NONE: Self = Self {
-        min: f64::INFINITY,
-        max: f64::NEG_INFINITY,
-    };
-
-    /// Widens the range to a value.
-    pub fn include(&mut self, value: f64) {
-        self.min = self.min.min(value);
-        self.max = self.max.max(value);
-    }
 }
 
 /// Strains over the section above the contact centre.

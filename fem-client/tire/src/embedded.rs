@@ -10,7 +10,7 @@ use sha2::{Digest, Sha256};
 
 use crate::mesh::tire_grid::{Extent, MeshPlan};
 use crate::mesh_error;
-use crate::model::{TireModel, depth_of_load, ground, mesh_plan};
+use crate::model::{Place, TireModel, depth_of_load, ground, mesh_plan, mesh_plan_for, shape};
 use crate::neighbourhood::{Neighbourhood, Neighbourhoods, Pressed};
 use crate::omission;
 use crate::readout::surface_reader::{Diagnostics, Reader};
@@ -69,7 +69,8 @@ impl Solver for EmbeddedSolver {
     }
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
-        let plan = mesh_plan(request.scene, request.scene.model.level);
+        let scene = request.scene;
+        let plan = mesh_plan_for(scene, scene.model.level, &request.readout.films);
         self.solve_on(request, &plan)
     }
 }
@@ -120,13 +121,15 @@ impl EmbeddedSolver {
     }
 }
 
-/// The smallest part of the tire that the ground's symmetry allows.
+/// The smallest part of the tire that the symmetry of ground and film allows.
 pub fn extent(scene: &Scene) -> Extent {
-    if scene.ground.is_symmetric() {
-        Extent::Quarter
-    } else {
-        Extent::Half
-    }
+    let film = scene.film.as_ref();
+    let of_film = film.map(|film| Place::of(film, &shape(scene)).extent());
+    let of_ground = match scene.ground.is_symmetric() {
+        true => Extent::Quarter,
+        false => Extent::Half,
+    };
+    of_film.map_or(of_ground, |of_film| of_film.max(of_ground))
 }
 
 fn broken(error: impl std::fmt::Display) -> SolveError {
@@ -153,8 +156,7 @@ fn solve_near(
         None => press_to_depths(&mut session, near, &target)?,
     };
     let state = if mirrored {
-        let image = near.model.grid.mirror_half(&pressed.state.to_flat());
-        let image = image.and_then(|flat| State::from_flat(&near.model.problem, &flat));
+        let image = near.model.exchanged(&pressed.state);
         image.ok_or_else(|| broken("the mirrored state doesn't fit its mesh"))?
     } else {
         pressed.state.clone()

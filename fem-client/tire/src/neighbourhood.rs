@@ -17,7 +17,7 @@ use sha2::{Digest, Sha256};
 use crate::mesh::tire_grid::{Extent, MeshPlan};
 use crate::model::{TireModel, ground};
 use fem_client::hexadecimal::hexadecimal;
-use fem_client::scene::Scene;
+use fem_client::scene::{Film, Scene};
 use fem_client::solver::StartState;
 
 /// Neighbourhoods that are kept; the oldest goes first. Each holds a factor: 60 MB for a standard half model.
@@ -62,6 +62,8 @@ impl Neighbourhood {
             ground: Some(ground(&depths, radius)),
             ..Loads::default()
         };
+        let film = scene.film.as_ref();
+        let film_is_symmetric = film.is_none_or(Film::is_own_mirror_image);
         let deepest = start.depths_mm.iter().copied().fold(0.0, f64::max);
         let reach = REACH[0] * deepest + REACH[1] * scene.geometry.wall_mm;
         let raised = Loads {
@@ -77,7 +79,7 @@ impl Neighbourhood {
             equilibrium,
             loads,
             tangent,
-            symmetric: extent == Extent::Half && depths.is_symmetric(),
+            symmetric: extent == Extent::Half && depths.is_symmetric() && film_is_symmetric,
             pressed: Mutex::default(),
         })
     }

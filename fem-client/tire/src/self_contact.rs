@@ -6,6 +6,7 @@
 
 use fem::problem::State;
 
+use crate::mesh::tire_grid::Extent;
 use crate::model::TireModel;
 
 /// Share of the section's radius that the polyline may cross the middle plane by: the crown lies on it, up to round-off.
@@ -16,12 +17,14 @@ pub(crate) fn touches_itself(model: &TireModel, state: &State) -> bool {
     let tolerance = ROUND_OFF * model.grid.crown_radius();
     (0..model.grid.theta_nodes()).any(|theta| {
         let line = section(model, state, theta);
-        let beyond = line.iter().any(|p| p[1] < -tolerance);
+        // A whole section's other half is meshed: it crosses itself there.
+        let is_halved = model.grid.extent != Extent::Full;
+        let beyond = is_halved && line.iter().any(|p| p[1] < -tolerance);
         beyond || crosses_itself(&line)
     })
 }
 
-/// Radial and lateral coordinates of the inner surface's nodes in one meridional section, from crown to bead.
+/// Radial and lateral coordinates of the inner surface's nodes in one meridional section, from crown (or bead) to bead.
 fn section(model: &TireModel, state: &State, theta: usize) -> Vec<[f64; 2]> {
     let mesh = &model.problem.mesh;
     let nodes = (0..model.grid.phi_nodes()).map(|phi| model.grid.inner_node(phi, theta));

@@ -41,6 +41,7 @@ pub(crate) fn free(mesh: Mesh, layout: Vec<[f64; 3]>, solid: SolidModel) -> Prob
         layout,
         solid,
         membranes: vec![],
+        sheet: None,
         pressure: None,
         contact: None,
         dead_forces: vec![],

@@ -11,6 +11,7 @@
 //! - `cook`: Cook's membrane
 //! - `hertz`: contact of a cylinder and of a ball with a plane
 //! - `ring`: a ring between plates
+//! - `glued_bar`: a bar on glue on a stretched body
 //! - `strip`: a stiff strip glued on a stretched half plane
 //! - [`extremes`]: the ends of what can be asked
 //!
@@ -22,6 +23,7 @@ mod cook;
 pub(crate) mod cylinder;
 pub mod extremes;
 pub mod family;
+mod glued_bar;
 pub(crate) mod hertz;
 pub(crate) mod homogeneous;
 pub mod known_case;
@@ -35,13 +37,14 @@ pub use family::{Family, Solve, Unsolved};
 pub use known_case::{Case, Measure, Slope, Verdict};
 
 /// All families, roughly from the quickest to the slowest.
-pub const FAMILIES: [Family; 10] = [
+pub const FAMILIES: [Family; 11] = [
     Family::new("homogeneous", homogeneous::stretches),
     Family::new("patch", homogeneous::others),
     Family::new("cook", cook::cases),
     Family::new("cylinder", cylinder::cases),
     Family::new("ring", ring::cases),
     Family::new("strip", strip::cases),
+    Family::new("glue", glued_bar::cases),
     Family::new("hertz-line", hertz::line),
     Family::new("sphere", sphere::mooney_rivlin),
     Family::new("hertz-ball", hertz::ball),

@@ -11,7 +11,7 @@ use fem::cell::element::Order;
 use fem::cell::mesh::Surface;
 use fem::problem::{Loads, Problem, State};
 use fem::surface::membrane::Membrane;
-use fem::surface::surface_law::{Film, SurfaceLaw};
+use fem::surface::surface_law::{FibreFamily, SurfaceLaw};
 
 use crate::body::{RUBBER, SHEAR_MODULUS, free_block, hold_coordinate_planes, load, rubber};
 use crate::family::Unsolved;
@@ -64,10 +64,10 @@ fn glued(cells: usize) -> Problem {
     };
     let faces = top.iter().filter(under).flatten().copied().collect();
     let surface = Surface { faces, ..top };
-    let film: Box<dyn SurfaceLaw> = Box::new(Film {
-        modulus: STIFFER * MODULUS,
-        poisson_ratio: 0.0,
-        thickness: HALF,
+    let film: Box<dyn SurfaceLaw> = Box::new(FibreFamily {
+        angle: 0.0,
+        stiffness: STIFFER * MODULUS * HALF,
+        compression_ratio: 1.0,
     });
     let strip = Membrane::new(&problem.mesh, surface, &|_, _| [1.0, 0.0, 0.0], vec![film]);
     problem.membranes.push(strip);

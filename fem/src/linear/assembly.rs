@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use crate::cell::element::Order;
-use crate::linear::face_buffers::{FaceBuffers, gather};
+use crate::linear::face_buffers::{FaceBuffers, gather, gathered};
 use crate::linear::setup::Setup;
 use crate::linear::system::{Entries, Imbalance, Residuals};
 use crate::problem::{Loads, Problem, State};
 use crate::solid::{SolidContribution, SolidGeometry};
+use crate::surface::sheet::Buffers;
 use crate::surface::stretch::StretchRange;
 use crate::tensor::Vector;
 
@@ -25,6 +26,8 @@ pub struct Assembler<'p> {
     solid: SolidContribution,
     pub(super) displacement: Vec<Vector>,
     face: FaceBuffers,
+    /// Displacements at which the sheet's tangent was last taken.
+    linearised_at: Option<Vec<Vector>>,
 }
 
 impl<'p> Assembler<'p> {
@@ -37,6 +40,7 @@ impl<'p> Assembler<'p> {
             solid: SolidContribution::new(order),
             displacement: vec![[0.0; 3]; order.brick_nodes()],
             face: FaceBuffers::new(order),
+            linearised_at: None,
         }
     }
 
@@ -84,6 +88,7 @@ impl<'p> Assembler<'p> {
                 target.add(&setup.equations, nodes, &self.face.residual);
             }
         }
+        self.add_sheet_residuals(state, target);
         if let Some(surface) = problem.pressure.as_ref().filter(|_| loads.pressure != 0.0) {
             for nodes in surface.surface.iter() {
                 self.face.clear(false);
@@ -117,6 +122,46 @@ impl<'p> Assembler<'p> {
             let nodes = self.problem.mesh.brick(element);
             target.add(&self.setup.equations, nodes, &self.solid.residual);
         }
+    }
+
+    fn add_sheet_residuals(&mut self, state: &State, target: &mut Residuals) {
+        let Some(sheet) = &self.problem.sheet else {
+            return;
+        };
+        for element in 0..sheet.element_count() {
+            let nodes = sheet.nodes(element);
+            let displacement = gathered(&state.displacement, nodes);
+            let mut residual = vec![0.0; 3 * nodes.len()];
+            let buffers = Buffers {
+                residual: &mut residual,
+                stiffness: None,
+            };
+            sheet.integrate(element, &displacement, None, buffers);
+            target.add(&self.setup.equations, nodes, &residual);
+        }
+    }
+
+    fn add_sheet_tangents(&mut self, state: &State, pending: &[Vector], entries: &mut Entries) {
+        let Some(sheet) = &self.problem.sheet else {
+            return;
+        };
+        let before = self.linearised_at.take();
+        for element in 0..sheet.element_count() {
+            let nodes = sheet.nodes(element);
+            let displacement = gathered(&state.displacement, nodes);
+            let before = before.as_ref().map(|before| gathered(before, nodes));
+            let unknowns = 3 * nodes.len();
+            let (mut residual, mut stiffness) =
+                (vec![0.0; unknowns], vec![0.0; unknowns * unknowns]);
+            let buffers = Buffers {
+                residual: &mut residual,
+                stiffness: Some(&mut stiffness),
+            };
+            sheet.integrate(element, &displacement, before.as_deref(), buffers);
+            let scatter = &self.setup.sheet_scatter[element];
+            entries.add(&self.setup.equations, nodes, &stiffness, scatter, pending);
+        }
+        self.linearised_at = Some(state.displacement.clone());
     }
 
     fn integrate_solid(&mut self, state: &State, element: usize, tangent: bool) {
@@ -182,6 +227,7 @@ impl<'p> Assembler<'p> {
                     .scatter(&setup, nodes, index, scatter, pending, entries);
             }
         }
+        self.add_sheet_tangents(state, pending, entries);
         if let Some(surface) = problem.pressure.as_ref().filter(|_| loads.pressure != 0.0) {
             for (index, nodes) in surface.surface.iter().enumerate() {
                 self.face.clear(true);

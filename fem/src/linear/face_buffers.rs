@@ -69,3 +69,8 @@ pub(super) fn gather(values: &[Vector], nodes: &[u32], local: &mut [Vector]) {
         *target = values[node as usize];
     }
 }
+
+/// The values of these nodes.
+pub(super) fn gathered(values: &[Vector], nodes: &[u32]) -> Vec<Vector> {
+    nodes.iter().map(|&node| values[node as usize]).collect()
+}

@@ -4,37 +4,27 @@
 //! the separator and come last (A. George, SIAM J. Numer. Anal. 10 (1973) 345). On a regular chart each separator is one
 //! layer of nodes.
 
-use crate::cell::mesh::Mesh;
+use crate::linear::coupled::Cell;
 
 /// Parts of no more bricks than this are not dissected further.
 const LEAF_BRICKS: usize = 4;
 
-/// Order in which the nodes are eliminated: `order[k]` is the k-th node.
-///
-/// # Panics
-/// When `layout` doesn't have one position per brick.
-pub fn nested_dissection(mesh: &Mesh, layout: &[[f64; 3]]) -> Vec<u32> {
-    assert_eq!(
-        layout.len(),
-        mesh.brick_count(),
-        "one chart position per brick"
-    );
-    let mut bricks: Vec<u32> = (0..layout.len() as u32).collect();
+/// Order in which so many nodes are eliminated: `order[k]` is the k-th node.
+pub(crate) fn nested_dissection(nodes: usize, cells: &[Cell<'_>]) -> Vec<u32> {
+    let mut bricks: Vec<u32> = (0..cells.len() as u32).collect();
     let mut dissection = Dissection {
-        mesh,
-        layout,
-        taken: vec![false; mesh.nodes.len()],
-        mark: vec![0; mesh.nodes.len()],
+        cells,
+        taken: vec![false; nodes],
+        mark: vec![0; nodes],
         stamp: 0,
-        order: Vec::with_capacity(mesh.nodes.len()),
+        order: Vec::with_capacity(nodes),
     };
     dissection.dissect(&mut bricks);
     dissection.order
 }
 
 struct Dissection<'a> {
-    mesh: &'a Mesh,
-    layout: &'a [[f64; 3]],
+    cells: &'a [Cell<'a>],
     /// Nodes that are ordered already, or belong to an enclosing separator.
     taken: Vec<bool>,
     /// Stamp of the last half that touched a node.
@@ -63,7 +53,7 @@ impl Dissection<'_> {
 
     /// Sorts the bricks along the axis with most layers and returns the layer boundary nearest the middle.
     fn halve(&self, bricks: &mut [u32]) -> Option<usize> {
-        let position = |brick: &u32, axis: usize| self.layout[*brick as usize][axis];
+        let position = |brick: &u32, axis: usize| self.cells[*brick as usize].position[axis];
         let extent = |axis: usize| {
             let low = bricks
                 .iter()
@@ -94,13 +84,13 @@ impl Dissection<'_> {
     fn separator(&mut self, left: &[u32], right: &[u32]) -> Vec<u32> {
         self.stamp += 1;
         for &brick in left {
-            for &node in self.mesh.brick(brick as usize) {
+            for &node in self.cells[brick as usize].nodes {
                 self.mark[node as usize] = self.stamp;
             }
         }
         let mut separator = Vec::new();
         for &brick in right {
-            for &node in self.mesh.brick(brick as usize) {
+            for &node in self.cells[brick as usize].nodes {
                 if self.mark[node as usize] == self.stamp && !self.taken[node as usize] {
                     self.taken[node as usize] = true;
                     separator.push(node);
@@ -112,7 +102,7 @@ impl Dissection<'_> {
 
     fn order_rest(&mut self, bricks: &[u32]) {
         for &brick in bricks {
-            for &node in self.mesh.brick(brick as usize) {
+            for &node in self.cells[brick as usize].nodes {
                 if !self.taken[node as usize] {
                     self.taken[node as usize] = true;
                     self.order.push(node);
@@ -125,7 +115,6 @@ impl Dissection<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::element::Order;
 
     #[test]
     fn every_node_is_ordered_once() {
@@ -133,13 +122,15 @@ mod tests {
         let bricks = (0..9u32)
             .flat_map(|k| (0..8).map(move |a| 4 * k + a))
             .collect();
-        let mesh = Mesh {
-            order: Order::Linear,
-            nodes: vec![[0.0; 3]; 40],
-            bricks,
-        };
-        let layout: Vec<_> = (0..9).map(|k| [f64::from(k), 0.0, 0.0]).collect();
-        let order = nested_dissection(&mesh, &layout);
+        let bricks: Vec<u32> = bricks;
+        let cells = bricks.chunks_exact(8).enumerate();
+        let cells: Vec<Cell> = cells
+            .map(|(k, nodes)| Cell {
+                nodes,
+                position: [k as f64, 0.0, 0.0],
+            })
+            .collect();
+        let order = nested_dissection(40, &cells);
         let mut sorted = order.clone();
         sorted.sort_unstable();
         assert_eq!(sorted, (0..40).collect::<Vec<_>>());

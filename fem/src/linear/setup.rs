@@ -4,11 +4,13 @@
 use std::sync::Arc;
 
 use crate::cell::mesh::Surface;
+use crate::linear::coupled::cells;
 use crate::linear::sparsity::{Equations, NONE, Pattern};
 use crate::linear::symbolic::{LinearError, Symbolic};
 use crate::problem::{Loads, Problem, State};
 use crate::solid::{InvalidReference, SolidGeometry};
 use crate::surface::membrane::Membrane;
+use crate::surface::sheet::Sheet;
 
 /// Setting up a problem failed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -31,6 +33,8 @@ pub struct Setup {
     pub(crate) geometry: Arc<SolidGeometry>,
     pub(crate) brick_scatter: Vec<u32>,
     pub(crate) membrane_scatter: Vec<Vec<u32>>,
+    /// Of each element of the sheet.
+    pub(crate) sheet_scatter: Vec<Vec<u32>>,
     pub(crate) pressure_scatter: Vec<u32>,
     /// Shear modulus times volume^(2/3), and fibre stiffnesses times the root of their area, N.
     pub(crate) natural_force: f64,
@@ -79,8 +83,9 @@ impl Setup {
         border_faces: Vec<bool>,
     ) -> Result<Self, SetupError> {
         let mesh = &problem.mesh;
-        let equations = Equations::new(mesh, &problem.layout, &problem.supports, &border);
-        let pattern = Pattern::new(mesh, &equations);
+        let cells = cells(problem);
+        let equations = Equations::new(&cells, &problem.supports, &border);
+        let pattern = Pattern::new(&cells, &equations);
         let scatter = |nodes: &[u32]| pattern.scatter(&equations.of(nodes).collect::<Vec<_>>());
         let of_surface = |surface: &Surface| surface.iter().flat_map(scatter).collect::<Vec<_>>();
         let brick_scatter = (0..mesh.brick_count())
@@ -88,6 +93,11 @@ impl Setup {
             .collect();
         let membranes = problem.membranes.iter();
         let membrane_scatter = membranes.map(|m| of_surface(&m.surface)).collect();
+        let sheet = problem.sheet.iter();
+        let sheet_scatter = sheet.flat_map(|sheet| {
+            (0..sheet.element_count()).map(|element| scatter(sheet.nodes(element)))
+        });
+        let sheet_scatter = sheet_scatter.collect();
         let pressure = problem.pressure.as_ref();
         let pressure_scatter = pressure.map_or_else(Vec::new, |p| of_surface(&p.surface));
         let symbolic = Symbolic::new(pattern, equations.interior)?;
@@ -98,6 +108,7 @@ impl Setup {
             geometry,
             brick_scatter,
             membrane_scatter,
+            sheet_scatter,
             pressure_scatter,
             border_faces,
         })
@@ -149,5 +160,6 @@ fn natural_force(problem: &Problem, geometry: &SolidGeometry) -> f64 {
         .map(|e| geometry.volume(e))
         .sum();
     let fibres: f64 = problem.membranes.iter().map(Membrane::natural_force).sum();
-    problem.solid.material.shear_modulus() * volume.powf(2.0 / 3.0) + fibres
+    let sheet = problem.sheet.as_ref().map_or(0.0, Sheet::natural_force);
+    problem.solid.material.shear_modulus() * volume.powf(2.0 / 3.0) + fibres + sheet
 }

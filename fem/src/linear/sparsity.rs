@@ -1,6 +1,6 @@
 //! Equation numbers and the pattern of the tangent.
 
-use crate::cell::mesh::Mesh;
+use crate::linear::coupled::Cell;
 use crate::linear::ordering::nested_dissection;
 
 /// Marks a held displacement in [`Equations`], and an absent entry in a scatter list.
@@ -19,14 +19,13 @@ pub struct Equations {
 
 impl Equations {
     /// Numbers the free displacements by nested dissection, last those that `border` marks.
-    pub fn new(
-        mesh: &Mesh,
-        layout: &[[f64; 3]],
+    pub(crate) fn new(
+        cells: &[Cell<'_>],
         supports: &[[Option<f64>; 3]],
         border: &[[bool; 3]],
     ) -> Self {
-        let mut of_node = vec![[NONE; 3]; mesh.nodes.len()];
-        let order = nested_dissection(mesh, layout);
+        let mut of_node = vec![[NONE; 3]; supports.len()];
+        let order = nested_dissection(supports.len(), cells);
         let mut count = 0;
         let mut number = |in_border: bool| {
             for &node in &order {
@@ -65,9 +64,9 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// Pattern in which all unknowns of a brick are coupled.
-    pub fn new(mesh: &Mesh, equations: &Equations) -> Self {
-        let neighbours = node_neighbours(mesh);
+    /// Pattern in which all unknowns of a cell are coupled.
+    pub(crate) fn new(cells: &[Cell<'_>], equations: &Equations) -> Self {
+        let neighbours = node_neighbours(equations.of_node.len(), cells);
         let mut column_starts = vec![0; equations.count + 1];
         let mut columns: Vec<Vec<u32>> = vec![Vec::new(); equations.count];
         for (node, neighbours) in neighbours.iter().enumerate() {
@@ -119,17 +118,17 @@ impl Pattern {
         let range = self.column_starts[column]..self.column_starts[column + 1];
         let offset = self.rows[range.clone()]
             .binary_search(&row)
-            .expect("all unknowns of a brick are coupled");
+            .expect("all unknowns of a cell are coupled");
         (range.start + offset) as u32
     }
 }
 
-/// Nodes that share a brick with each node, itself included, or are `shared` with it, ascending.
-fn node_neighbours(mesh: &Mesh) -> Vec<Vec<u32>> {
-    let mut neighbours: Vec<Vec<u32>> = vec![Vec::new(); mesh.nodes.len()];
-    for element in 0..mesh.brick_count() {
-        for &node in mesh.brick(element) {
-            neighbours[node as usize].extend_from_slice(mesh.brick(element));
+/// Nodes that share a cell with each node, itself included, ascending.
+fn node_neighbours(nodes: usize, cells: &[Cell<'_>]) -> Vec<Vec<u32>> {
+    let mut neighbours: Vec<Vec<u32>> = vec![Vec::new(); nodes];
+    for cell in cells {
+        for &node in cell.nodes {
+            neighbours[node as usize].extend_from_slice(cell.nodes);
         }
     }
     for list in &mut neighbours {

@@ -63,6 +63,7 @@ pub fn problem(order: Order, n: usize, distorted: bool, compliance: f64) -> Prob
         layout,
         solid,
         membranes: vec![],
+        sheet: None,
         supports,
         pressure: None,
         contact: None,

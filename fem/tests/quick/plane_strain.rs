@@ -47,6 +47,7 @@ fn problem(block: Block, compliance: f64) -> Problem {
             compliance,
         },
         membranes: vec![],
+        sheet: None,
         supports,
         pressure: None,
         contact: None,

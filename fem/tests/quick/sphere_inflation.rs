@@ -58,6 +58,7 @@ fn octant(n: usize, radial: usize, material: MooneyRivlin) -> Problem {
             compliance: 0.0,
         },
         membranes: vec![],
+        sheet: None,
         pressure: Some(PressureSurface::new(surface)),
         contact: None,
         dead_forces: vec![],

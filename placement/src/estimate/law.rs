@@ -7,7 +7,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use fem_client::scene::{Level, Scene};
+use fem_client::scene::{Film, Level, Scene};
 use fem_client::solver::Solver;
 
 /// Cells of the draft mesh of the reference tire.
@@ -318,6 +318,9 @@ pub(crate) fn mirror_class(scene: &Scene) -> Vec<u64> {
         .chain(&ground.load_n)
         .map(|d| d.to_bits())
         .collect();
+    if !scene.film.as_ref().is_none_or(Film::is_own_mirror_image) {
+        return depths;
+    }
     let mirrored: Vec<u64> = depths.iter().rev().copied().collect();
     depths.min(mirrored)
 }

@@ -116,6 +116,7 @@ impl Study {
             shape: false,
             rings,
             gauges: Vec::new(),
+            films: Vec::new(),
         }
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-use fem_client::scene::Scene;
+use fem_client::scene::{Film, Scene};
 use fem_client::solver::gauge::Gauge;
 use fem_client::solver::{
     Grid, Position, Readout, SolveError, SolveRequest, Solved, Solver, StartState,
@@ -46,6 +46,10 @@ fn readout() -> Readout {
             theta_deg: 3.1,
             phi_deg: -7.7,
             angle_deg: 1.0 / 3.0,
+        }],
+        films: vec![Film {
+            phi_deg: 45.0,
+            ..Film::default()
         }],
     }
 }

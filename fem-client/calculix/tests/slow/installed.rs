@@ -18,6 +18,7 @@ static NO_READOUT: Readout = Readout {
     shape: false,
     rings: Vec::new(),
     gauges: Vec::new(),
+    films: Vec::new(),
 };
 
 /// One integration point against mean dilatation, the same mesh of some 2 000 nodes, in programs of others: 1.2 % of the

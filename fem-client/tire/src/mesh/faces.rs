@@ -1,7 +1,6 @@
 //! Surfaces of a tire mesh: inner surface, carcass and tread, and the points of the inner surface by their angles.
 
 use fem::cell::mesh::{Surface, SurfacePoint};
-use fem::surface::membrane::Window;
 
 use crate::mesh::grid_lines::locate;
 use crate::mesh::tire_grid::{Extent, TireGrid};
@@ -31,25 +30,6 @@ impl TireGrid {
     /// The inner surface.
     pub fn inner_surface(&self) -> Surface {
         self.layer(0, |_| true)
-    }
-
-    /// Faces of the inner surface that reach into the wheel angles within `theta` of the contact centre and the section
-    /// angles within `phi` of the crown (rad), each with the part of it that lies inside.
-    pub fn inner_windows(&self, theta: f64, phi: f64) -> (Surface, Vec<Window>) {
-        let inner = self.inner_surface();
-        let (mut faces, mut windows) = (Vec::new(), Vec::new());
-        for row in 0..self.theta.len() - 1 {
-            for column in 0..self.phi.len() - 1 {
-                let along_phi = window(self.phi[column], self.phi[column + 1], phi);
-                let along_theta = window(self.theta[row], self.theta[row + 1], theta);
-                if let (Some(along_phi), Some(along_theta)) = (along_phi, along_theta) {
-                    faces.extend(inner.face(row * (self.phi.len() - 1) + column));
-                    windows.push([along_phi, along_theta]);
-                }
-            }
-        }
-        let order = self.order;
-        (Surface { order, faces }, windows)
     }
 
     /// The layer boundary that carries the carcass.
@@ -100,6 +80,11 @@ impl TireGrid {
         self.extent == Extent::Quarter && wrapped(theta) < 0.0
     }
 
+    /// Whether the section angle (rad) lies beyond the plane y = 0 of a mesh that ends there.
+    pub fn is_mirrored_across(&self, phi: f64) -> bool {
+        self.extent != Extent::Full && phi < 0.0
+    }
+
     /// The point of the inner surface at these angles (rad); mirrored into the meshed part.
     pub fn inner_point(&self, theta: f64, phi: f64) -> SurfacePoint {
         let theta = if self.extent == Extent::Quarter {
@@ -108,19 +93,16 @@ impl TireGrid {
             wrapped(theta)
         };
         let (row, local_theta) = locate(&self.theta, theta);
-        let (column, local_phi) = locate(&self.phi, phi.abs());
+        let phi = match self.extent {
+            Extent::Full => phi,
+            Extent::Half | Extent::Quarter => phi.abs(),
+        };
+        let (column, local_phi) = locate(&self.phi, phi);
         SurfacePoint {
             face: row * (self.phi.len() - 1) + column,
             local: [local_phi, local_theta],
         }
     }
-}
-
-/// The part of a brick's angles that lies between -half and half, in the brick's own coordinate; `None` without one.
-fn window(low: f64, high: f64, half: f64) -> Option<[f64; 2]> {
-    let local = |angle: f64| (2.0 * (angle - low) / (high - low) - 1.0).clamp(-1.0, 1.0);
-    let window = [local(-half), local(half)];
-    (window[0] < window[1]).then_some(window)
 }
 
 /// A wheel angle (rad), between minus and plus half a turn.
@@ -132,31 +114,9 @@ fn wrapped(theta: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use fem::cell::element::Order;
-    use fem::surface::membrane::Membrane;
 
     use super::*;
     use crate::mesh::tire_grid::tests::{SHAPE, plan};
-
-    #[test]
-    fn windows_cover_the_angles_asked_for() {
-        let (theta, phi): (f64, f64) = (0.11, 0.3);
-        // Both signs of y: twice the meshed half, four times the quarter.
-        let exact = 2.0 * phi * 2.0 * theta * 9.5 * (37.5 + 9.5 * phi.sin() / phi);
-        for (extent, copies) in [(Extent::Half, 2.0), (Extent::Quarter, 4.0)] {
-            let grid = TireGrid::new(SHAPE, &plan(Order::Quadratic), extent);
-            let (mesh, _) = grid.mesh();
-            let (surface, windows) = grid.inner_windows(theta, phi);
-            let along_y = |_: &[f64; 3], _: &[f64; 3]| [0.0, 1.0, 0.0];
-            let membrane = Membrane::on_windows(&mesh, surface, &windows, &along_y, vec![]);
-            // Within a brick of the angle a, 0.24 rad, a quadratic face runs along its arc at a speed that varies by a^2 / 24, so a
-            // window that ends within it is off by up to that much.
-            let area = copies * membrane.area();
-            assert!(
-                (area / exact - 1.0).abs() < 2e-3,
-                "{extent:?}: {area} {exact}"
-            );
-        }
-    }
 
     #[test]
     fn a_point_of_the_inner_surface_is_where_its_angles_say() {

@@ -61,6 +61,71 @@ pub fn graded(start: f64, end: f64, n: usize, growth: f64) -> Vec<f64> {
     edges
 }
 
+/// These edges with one at each end of the interval from `low` to `high`, and the intervals between no longer than `most`; all in the edges' unit. Edges at zero and at
+/// both ends stay; the others make room.
+pub fn fitted(edges: &[f64], [low, high]: [f64; 2], most: f64) -> Vec<f64> {
+    let (first, last) = (edges[0], edges[edges.len() - 1]);
+    let inside = |target: &f64| first < *target && *target < last && *target != 0.0;
+    let mut anchors = vec![(0, first), (edges.len() - 1, last)];
+    if let Some(zero) = edges.iter().position(|&edge| edge == 0.0) {
+        anchors.push((zero, 0.0));
+    }
+    // The next line outward comes to the end, so that the interval has more lines, not fewer.
+    let outward = [
+        (
+            low,
+            edges.partition_point(|&edge| edge <= low).checked_sub(1),
+        ),
+        (high, Some(edges.partition_point(|&edge| edge < high))),
+    ];
+    for (target, line) in outward.into_iter().filter(|(target, _)| inside(target)) {
+        let is_taken = |line: usize| anchors.iter().any(|anchor| anchor.0 == line);
+        if let Some(line) = line.filter(|&line| line < edges.len() && !is_taken(line)) {
+            anchors.push((line, target));
+        }
+    }
+    anchors.sort_by_key(|anchor| anchor.0);
+    let mut moved = warped(edges, &anchors);
+    let extra = [low, high].into_iter().filter(|target| inside(target));
+    for target in extra.collect::<Vec<_>>() {
+        if !moved.contains(&target) {
+            moved.insert(moved.partition_point(|&edge| edge < target), target);
+        }
+    }
+    split(&moved, [low, high], most)
+}
+
+/// Edges with these lines at these places, and the others between them in proportion.
+fn warped(edges: &[f64], anchors: &[(usize, f64)]) -> Vec<f64> {
+    let mut moved = edges.to_vec();
+    for pair in anchors.windows(2) {
+        let ((i, from), (j, to)) = (pair[0], pair[1]);
+        let (start, end) = (edges[i], edges[j]);
+        for line in i + 1..j {
+            moved[line] = from + (to - from) * (edges[line] - start) / (end - start);
+        }
+        (moved[i], moved[j]) = (from, to);
+    }
+    moved
+}
+
+/// Edges with the intervals that reach into the one from `low` to `high` cut into equal parts no longer than `most`.
+pub fn split(edges: &[f64], [low, high]: [f64; 2], most: f64) -> Vec<f64> {
+    let mut cut = vec![edges[0]];
+    for pair in edges.windows(2) {
+        let (start, end) = (pair[0], pair[1]);
+        // An interval that only touches is left alone; round-off isn't a part.
+        let reaches = end > low && start < high;
+        let parts = ((end - start) / most - 1e-9).ceil().max(1.0);
+        if reaches {
+            let step = (end - start) / parts;
+            cut.extend((1..parts as usize).map(|k| start + step * k as f64));
+        }
+        cut.push(end);
+    }
+    cut
+}
+
 /// Section radii of the boundaries of `n` layers between inner and outer radius, one of them at the carcass.
 pub fn layers(inner: f64, outer: f64, carcass: Option<f64>, n: usize) -> Vec<f64> {
     let wall = outer - inner;
@@ -79,5 +144,53 @@ pub fn layers(inner: f64, outer: f64, carcass: Option<f64>, n: usize) -> Vec<f64
             edges
         }
         _ => graded(inner, outer, n, 1.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EDGES: [f64; 6] = [-4.0, -2.0, 0.0, 1.0, 3.0, 6.0];
+
+    #[test]
+    fn lines_come_to_the_ends_of_an_interval_and_others_make_room() {
+        assert_eq!(
+            fitted(&EDGES, [-2.0, 2.0], 9.0),
+            [-4.0, -2.0, 0.0, 2.0 / 3.0, 2.0, 6.0]
+        );
+        // Around zero, which stays.
+        assert_eq!(
+            fitted(&EDGES, [-0.5, 0.5], 9.0),
+            [-4.0, -0.5, 0.0, 0.5, 2.7, 6.0]
+        );
+        // Between two lines: one of them comes, and where both ends want the same one, a line is added.
+        let both = fitted(&EDGES, [3.5, 4.0], 9.0);
+        assert!(
+            both.contains(&3.5) && both.contains(&4.0) && both.contains(&6.0),
+            "{both:?}"
+        );
+        assert!(both.windows(2).all(|pair| pair[1] > pair[0]), "{both:?}");
+    }
+
+    #[test]
+    fn what_an_interval_reaches_is_cut() {
+        assert_eq!(
+            split(&EDGES, [0.0, 1.5], 1.0),
+            [-4.0, -2.0, 0.0, 1.0, 2.0, 3.0, 6.0]
+        );
+        assert_eq!(split(&EDGES, [7.0, 8.0], 0.1), EDGES);
+    }
+
+    #[test]
+    fn mirrored_intervals_have_mirrored_lines() {
+        let edges = [-5.0, -3.0, -1.0, 0.0, 1.0, 3.0, 5.0];
+        let right = fitted(&edges, [0.5, 2.0], 0.6);
+        let left = fitted(&edges, [-2.0, -0.5], 0.6);
+        let mirrored: Vec<f64> = left.iter().rev().map(|edge| -edge).collect();
+        assert_eq!(right.len(), mirrored.len());
+        for (a, b) in right.iter().zip(mirrored) {
+            assert!((a - b).abs() < 1e-15);
+        }
     }
 }

@@ -8,7 +8,7 @@
 use fem::cell::element::Order;
 use fem::cell::mesh::Mesh;
 
-use crate::mesh::grid_lines::{graded, half_circle, layers};
+use crate::mesh::grid_lines::{fitted, graded, half_circle, layers, split};
 
 /// How finely a tire is meshed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,15 +52,26 @@ pub struct TireShape {
     pub carcass: Option<f64>,
 }
 
-/// Which part of the tire is meshed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// Which part of the tire is meshed, small to large.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Extent {
-    /// All of it: no scene needs it, tests compare with it.
-    Full,
-    /// y >= 0, all around the wheel.
-    Half,
     /// y >= 0 and x >= 0.
     Quarter,
+    /// y >= 0, all around the wheel.
+    Half,
+    /// All of it: for films that lie askew across the middle plane.
+    Full,
+}
+
+/// A part of the inner surface that asks for lines of its own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Patch {
+    /// Its ends around the wheel and along the section, rad.
+    pub(crate) ends: [[f64; 2]; 2],
+    /// Largest bricks in it, rad.
+    pub(crate) most: [f64; 2],
+    /// Whether its ends are lines.
+    pub(crate) is_fitted: bool,
 }
 
 /// Grid lines of the mesh: edges of the bricks along each direction.
@@ -109,6 +120,20 @@ impl TireGrid {
             phi,
             rho: layers(shape.inner, shape.outer, shape.carcass, plan.layers),
         }
+    }
+
+    /// This grid with lines at the ends of these wheel and section angles, rad, and bricks between them no larger than that; without lines at the ends where
+    /// they don't fit anything.
+    pub(crate) fn around(mut self, patch: &Patch) -> Self {
+        for k in 0..2 {
+            let edges = [&self.theta, &self.phi][k];
+            let edges = match patch.is_fitted {
+                true => fitted(edges, patch.ends[k], patch.most[k]),
+                false => split(edges, patch.ends[k], patch.most[k]),
+            };
+            *[&mut self.theta, &mut self.phi][k] = edges;
+        }
+        self
     }
 
     pub(crate) fn bricks(&self) -> [usize; 3] {

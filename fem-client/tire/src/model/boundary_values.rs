@@ -6,16 +6,20 @@ use fem::problem::Problem;
 use fem::solid::SolidModel;
 use fem_client::scene::Scene;
 
-use super::cords_and_film::membranes;
+use super::carcass_layer::membranes;
+use super::glued_film::glued_film;
 use super::resting_ground::{friction, penalty};
 use crate::mesh::tire_grid::TireGrid;
 use crate::rubber::isochoric;
 
 /// The boundary value problem of a scene on a grid.
 pub(super) fn problem(scene: &Scene, grid: &TireGrid) -> Problem {
-    let (mesh, layout) = grid.mesh();
-    let supports = supports(grid, mesh.nodes.len());
+    let (mut mesh, layout) = grid.mesh();
     let membranes = membranes(scene, grid, &mesh);
+    let sheet = glued_film(scene, grid, &mesh);
+    mesh.nodes
+        .extend(sheet.iter().flat_map(|sheet| &sheet.positions));
+    let supports = supports(grid, mesh.nodes.len());
     let mut contact = ContactSurface::new(&mesh, grid.tread_surface(), penalty(scene));
     contact.friction = friction(scene);
     let pressure = PressureSurface::new(grid.inner_surface());
@@ -24,6 +28,7 @@ pub(super) fn problem(scene: &Scene, grid: &TireGrid) -> Problem {
         layout,
         solid: solid(scene),
         membranes,
+        sheet,
         supports,
         pressure: Some(pressure),
         contact: Some(contact),

@@ -1,9 +1,11 @@
 //! What the model of a scene has, and what it leaves out.
 
 use fem::cell::element::Order;
-use fem_client::scene::Scene;
+use fem_client::scene::{Film, Scene};
 use fem_client::solver::Choice;
 
+use super::dimensions::shape;
+use super::glued_film::Place;
 use super::resting_ground::FRICTION_STEPS;
 use crate::mesh::tire_grid::Extent;
 use crate::omission::omissions;
@@ -48,13 +50,7 @@ pub(super) fn modelled(scene: &Scene, order: Order) -> Vec<Choice> {
         list.push(choice("friction", why));
     }
     if let Some(film) = &scene.film {
-        list.push(choice(
-            "film",
-            format!(
-                "isotropic membrane in plane stress, {} x {} mm at P3, glued on before inflation",
-                film.length_mm, film.width_mm
-            ),
-        ));
+        list.push(choice("film", film_text(scene, film)));
     }
     if scene.carcass.is_some() {
         list.push(choice(
@@ -63,6 +59,32 @@ pub(super) fn modelled(scene: &Scene, order: Order) -> Vec<Choice> {
         ));
     }
     list
+}
+
+fn film_text(scene: &Scene, film: &Film) -> String {
+    let layers = match film.layers.len() {
+        1 => "one layer".to_owned(),
+        more => format!("{more} layers"),
+    };
+    let glue = match &film.glue {
+        None => "that can't slide".to_owned(),
+        Some(glue) => format!(
+            "on glue of {} MPa and {} mm",
+            glue.shear_modulus_mpa, glue.thickness_mm
+        ),
+    };
+    let twin = match Place::of(film, &shape(scene)).has_twin() {
+        true => format!(
+            "; its mirror image at {} degrees from the crown is there too",
+            -film.phi_deg
+        ),
+        false => String::new(),
+    };
+    format!(
+        "a thin shell of {layers}, {} x {} mm at {} degrees around the wheel and {} from the crown, its length at {} degrees to the circumference, glued on before \
+         inflation {glue}{twin}",
+        film.length_mm, film.width_mm, film.theta_deg, film.phi_deg, film.angle_deg
+    )
 }
 
 fn element(order: Order) -> &'static str {

@@ -1,19 +1,29 @@
 //! Dimensions of a scene's uninflated tire, and the mesh of a level.
 
 use fem::cell::element::Order;
-use fem_client::scene::{Level, Scene};
+use fem_client::scene::{Film, Level, Scene};
 
+use super::glued_film::Place;
 use crate::mesh::tire_grid::{MeshPlan, TireShape};
 
 /// The mesh of a level. The fine sector covers the stations and at least 18 degrees; its bricks keep their size when it
 /// grows.
 pub fn mesh_plan(scene: &Scene, level: Level) -> MeshPlan {
+    mesh_plan_for(scene, level, &[])
+}
+
+/// The mesh of a level whose fine sector covers the films that are read, too.
+pub fn mesh_plan_for(scene: &Scene, level: Level, films: &[Film]) -> MeshPlan {
     const SMALLEST_SECTOR: f64 = 18.0;
     const LARGEST_SECTOR: f64 = 80.0;
     let ground = &scene.ground;
     let half_width = 0.5 * ground.stations as f64 * ground.station_spacing_mm;
-    let sector_deg = (half_width / scene.geometry.outer_radius_mm)
-        .to_degrees()
+    let of_ground = (half_width / scene.geometry.outer_radius_mm).to_degrees();
+    let shape = shape(scene);
+    let reaches = films.iter().map(|film| Place::of(film, &shape).farthest());
+    let sector_deg = reaches
+        .map(f64::to_degrees)
+        .fold(of_ground, f64::max)
         .clamp(SMALLEST_SECTOR, LARGEST_SECTOR);
     let plan = |order, fine: f64, coarse, meridional, meridional_growth, layers| MeshPlan {
         order,

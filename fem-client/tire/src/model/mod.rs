@@ -1,20 +1,25 @@
 //! A scene as a boundary value problem, in reading order:
 //!
 //! - `dimensions`: the uninflated tire, and the mesh of a level
-//! - `cords_and_film`: cords and film as membranes
+//! - `carcass_layer`: the textile layer as a membrane
+//! - `glued_film`: the film as a sheet of its own
 //! - `resting_ground`: the ground and how the tread meets it
 //! - `boundary_values`: the problem
 //! - `choices`: what is modelled, and what is left out
 //! - `tire_model`: a scene ready to be solved
+//! - `mirrored_state`: its states with left and right exchanged
 
 mod boundary_values;
+mod carcass_layer;
 mod choices;
-mod cords_and_film;
 mod dimensions;
+mod glued_film;
+mod mirrored_state;
 mod resting_ground;
 mod tire_model;
 
-pub use cords_and_film::{cord_families, film_law};
-pub use dimensions::{mesh_plan, shape};
+pub use carcass_layer::cord_families;
+pub use dimensions::{mesh_plan, mesh_plan_for, shape};
+pub(crate) use glued_film::{Place, following_film};
 pub use resting_ground::{FRICTION_STEPS, depth_of_load, ground, load_step};
 pub use tire_model::TireModel;

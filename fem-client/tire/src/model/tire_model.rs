@@ -3,12 +3,14 @@
 use fem::problem::{Problem, State};
 use fem::surface::chart::Chart;
 use fem::surface::membrane::Membrane;
+use fem::surface::sheet::Sheet;
 use fem_client::scene::Scene;
 use fem_client::solver::ModelSummary;
 
 use super::boundary_values::problem;
 use super::choices::{left_out, modelled};
 use super::dimensions::shape;
+use super::glued_film::Place;
 use crate::mesh::tire_grid::{Extent, MeshPlan, TireGrid};
 
 /// A tire scene, ready to be solved.
@@ -25,7 +27,8 @@ pub struct TireModel {
 impl TireModel {
     /// Builds the problem of a scene.
     pub fn new(scene: &Scene, plan: &MeshPlan, extent: Extent) -> Self {
-        Self::on_grid(scene, TireGrid::new(shape(scene), plan, extent))
+        let grid = TireGrid::new(shape(scene), plan, extent);
+        Self::on_grid(scene, around_film(scene, grid))
     }
 
     /// Builds the problem of a scene on a grid of its tire's shape.
@@ -51,21 +54,14 @@ impl TireModel {
         -state.position(&self.problem.mesh, self.grid.lowest_node())[2]
     }
 
-    /// A flat state (mm, then MPa) fitted to this mesh: its own, or a quarter's, mirrored to the half. `None` for any other length.
-    pub fn fit(&self, flat: &[f64]) -> Option<State> {
-        State::from_flat(&self.problem, flat)
-            .or_else(|| State::from_flat(&self.problem, &self.grid.mirror_quarter(flat)?))
-    }
-
     /// The textile layer, when the scene has one.
     pub fn carcass(&self) -> Option<&Membrane> {
         self.grid.shape.carcass.and(self.problem.membranes.first())
     }
 
     /// The film, when the scene has one.
-    pub fn film(&self) -> Option<&Membrane> {
-        let layers = usize::from(self.grid.shape.carcass.is_some());
-        self.problem.membranes.get(layers)
+    pub fn film(&self) -> Option<&Sheet> {
+        self.problem.sheet.as_ref()
     }
 
     /// What is modelled and what is left out, with reasons.
@@ -84,6 +80,16 @@ impl TireModel {
             left_out: left_out(scene, self.grid.extent),
         }
     }
+}
+
+/// A grid with lines for the film, where there is one.
+fn around_film(scene: &Scene, grid: TireGrid) -> TireGrid {
+    let Some(film) = &scene.film else {
+        return grid;
+    };
+    let place = Place::of(film, &grid.shape);
+    let patch = place.patch(scene.model.level, grid.extent);
+    grid.around(&patch)
 }
 
 /// Chart of the inner surface: lengths along the crown and the section, mm.

@@ -5,8 +5,8 @@ use fem::surface::chart::Recovery;
 use fem::tensor::Vector;
 
 use crate::model::TireModel;
-use crate::readout::glued_layers;
 use crate::readout::probe::{Probe, States};
+use crate::readout::{carcass_reading, film_reading};
 use fem_client::scene::Scene;
 use fem_client::solver::direction::PerDirection;
 use fem_client::solver::gauge::{Gauge, GaugeError, GaugeReading};
@@ -70,6 +70,7 @@ impl<'m> Reader<'m> {
     /// The response, with what its solver says of the way there.
     pub fn response(&self, readout: &Readout, diagnostics: Diagnostics) -> Response {
         let locations = self.locations();
+        let states = [self.inflated_state, self.equilibrium];
         Response {
             reaction_n: self.reaction().0,
             depth_mm: Some(self.depth()),
@@ -99,12 +100,13 @@ impl<'m> Reader<'m> {
                 .iter()
                 .map(|&gauge| self.gauge(gauge))
                 .collect(),
-            carcass: glued_layers::carcass(self.scene, self.model, self.equilibrium),
-            film: glued_layers::film(
-                self.scene,
-                self.model,
-                [self.inflated_state, self.equilibrium],
-            ),
+            films: readout
+                .films
+                .iter()
+                .map(|film| film_reading::following(film, self.model, states))
+                .collect(),
+            carcass: carcass_reading::carcass(self.scene, self.model, self.equilibrium),
+            film: film_reading::glued(self.scene, self.model, states),
         }
     }
 
@@ -155,7 +157,7 @@ impl<'m> Reader<'m> {
 
     fn gauge(&self, gauge: Gauge) -> GaugeReading {
         let probe = self.probe(gauge.theta_deg.to_radians(), gauge.phi_deg.to_radians());
-        // Only y >= 0 (and x >= 0 on a quarter) is meshed: beyond a symmetry plane directions are mirrored.
+        // Beyond a symmetry plane of the mesh directions are mirrored.
         let angle = self.mirrored_angle(&gauge);
         let strain = probe.estimate(|states| states.signal(angle));
         let stretch = probe.estimate(|states| states.current.along(angle));
@@ -180,7 +182,9 @@ impl<'m> Reader<'m> {
     fn mirrored_angle(&self, gauge: &Gauge) -> f64 {
         let angle = gauge.angle_deg.to_radians();
         let theta = gauge.theta_deg.to_radians();
-        if (gauge.phi_deg < 0.0) != self.model.grid.is_mirrored(theta) {
+        let grid = &self.model.grid;
+        let across = grid.is_mirrored_across(gauge.phi_deg);
+        if across != grid.is_mirrored(theta) {
             -angle
         } else {
             angle
@@ -287,7 +291,7 @@ impl<'m> Reader<'m> {
         let mirrored = |is_mirrored, value: f64| if is_mirrored { -value } else { value };
         [
             mirrored(grid.is_mirrored(theta), x),
-            mirrored(phi < 0.0, y),
+            mirrored(grid.is_mirrored_across(phi), y),
             z,
         ]
     }

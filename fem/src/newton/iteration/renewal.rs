@@ -12,12 +12,19 @@ use crate::problem::{Loads, State};
 /// Steps over which the rate of convergence is taken.
 const RATE_STEPS: usize = 2;
 
+/// Residual above which a body with a sheet takes a new tangent for each step: that of a stiff sheet foresees one step alone. 12 to 18 iterations in the time of 14 without
+/// a sheet, where a tangent that is kept takes 20 to 60.
+const FORESEEN: f64 = 1e-3;
+
 impl Newton<'_> {
     /// Whether the steps that the tangent still needs cost more than a new one, at the mean rate of the last two of the
     /// `kept` steps that it has made: a point that opens or closes can spoil a single one.
     pub(super) fn wants_renewal(&self, history: &[Imbalance], kept: usize) -> bool {
         if self.tangent.is_none() || kept == 0 {
             return self.tangent.is_none();
+        }
+        if self.problem.sheet.is_some() && history[history.len() - 1].worst() > FORESEEN {
+            return true;
         }
         let steps = kept.min(RATE_STEPS);
         let (before, now) = (

@@ -1,6 +1,7 @@
 //! Polynomials fitted to samples around a corner of a surface mesh.
 
 use crate::cell::element::Order;
+use crate::surface::small_system::solve_spd;
 
 /// Samples of a patch: position relative to its corner, and (s1, s2, shear) there.
 pub type Sample = ([f64; 2], [f64; 3]);
@@ -75,29 +76,6 @@ impl Patch {
             }
         }
         value
-    }
-}
-
-/// Gaussian elimination of a small symmetric positive definite system with three right-hand sides.
-fn solve_spd(matrix: &mut [Vec<f64>], rhs: &mut [[f64; 3]]) {
-    let n = rhs.len();
-    for pivot in 0..n {
-        for row in pivot + 1..n {
-            let factor = matrix[row][pivot] / matrix[pivot][pivot];
-            let (upper, lower) = matrix.split_at_mut(row);
-            for (value, above) in lower[0][pivot..].iter_mut().zip(&upper[pivot][pivot..]) {
-                *value -= factor * above;
-            }
-            for k in 0..3 {
-                rhs[row][k] -= factor * rhs[pivot][k];
-            }
-        }
-    }
-    for row in (0..n).rev() {
-        for k in 0..3 {
-            let known: f64 = (row + 1..n).map(|c| matrix[row][c] * rhs[c][k]).sum();
-            rhs[row][k] = (rhs[row][k] - known) / matrix[row][row];
-        }
     }
 }
 

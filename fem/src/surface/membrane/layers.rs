@@ -1,15 +1,12 @@
 //! Where the layers of a membrane lie, and how they strain.
 
-use crate::cell::element::{FacePoint, face_point, face_rule};
+use crate::cell::element::{FacePoint, face_points};
 use crate::cell::mesh::{Mesh, Surface};
 use crate::surface::surface_law::{InPlane, SurfaceLaw};
 use crate::tensor::{Vector, cross, dot, norm};
 
 /// First axis of the layers as a function of reference position and unit normal; its tangential part is taken.
 pub type Direction<'d> = &'d dyn Fn(&Vector, &Vector) -> Vector;
-
-/// A part of a face: the intervals of its two reference coordinates within -1 and 1.
-pub type Window = [[f64; 2]; 2];
 
 /// Layers on a surface of the mesh, ready to be integrated.
 #[derive(Debug)]
@@ -34,39 +31,20 @@ impl Membrane {
         first_axis: Direction<'_>,
         laws: Vec<Box<dyn SurfaceLaw>>,
     ) -> Self {
-        let windows = vec![[[-1.0, 1.0]; 2]; surface.face_count()];
-        Self::on_windows(mesh, surface, &windows, first_axis, laws)
-    }
-
-    /// Puts layers on parts of a surface, one window for each face: its Gauss points are moved into the window.
-    ///
-    /// # Panics
-    /// When there are more windows than faces.
-    pub fn on_windows(
-        mesh: &Mesh,
-        surface: Surface,
-        windows: &[Window],
-        first_axis: Direction<'_>,
-        laws: Vec<Box<dyn SurfaceLaw>>,
-    ) -> Self {
-        let rule = face_rule(mesh.order, mesh.order.edge_nodes());
+        let points = face_points(mesh.order, mesh.order.edge_nodes());
         let mut membrane = Self {
             laws,
-            points_per_face: rule.len(),
+            points_per_face: points.len(),
             gradients: Vec::new(),
             areas: Vec::new(),
             axes: Vec::new(),
             surface,
         };
-        for (face, [first, second]) in windows.iter().enumerate() {
+        for face in 0..membrane.surface.face_count() {
             let nodes = membrane.surface.face(face).iter();
             let nodes: Vec<Vector> = nodes.map(|&n| mesh.nodes[n as usize]).collect();
-            let within = |[low, high]: &[f64; 2], x: f64| 0.5 * ((high + low) + (high - low) * x);
-            let share = 0.25 * (first[1] - first[0]) * (second[1] - second[0]);
-            for (local, weight) in &rule {
-                let local = [within(first, local[0]), within(second, local[1])];
-                let point = face_point(mesh.order, local, share * weight);
-                membrane.add_point(&nodes, &point, first_axis);
+            for point in &points {
+                membrane.add_point(&nodes, point, first_axis);
             }
         }
         membrane

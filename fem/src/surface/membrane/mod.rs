@@ -13,4 +13,4 @@
 mod layers;
 mod membrane_forces;
 
-pub use layers::{Direction, Membrane, Window};
+pub use layers::{Direction, Membrane};

@@ -1,4 +1,4 @@
-//! Elastic laws of layers without thickness or bending: fibre families and thin films.
+//! Elastic laws of layers without thickness or bending: fibre families.
 //!
 //! A law gives the energy W per reference area as a function of the Green-Lagrange strain of the surface in two
 //! orthonormal reference axes. Its derivatives are the second Piola-Kirchhoff tensions S = dW/dE, force per length.
@@ -11,8 +11,6 @@
 
 mod elastic_layer;
 mod fibre_family;
-mod film;
 
 pub use elastic_layer::{InPlane, SurfaceLaw};
 pub use fibre_family::FibreFamily;
-pub use film::Film;

@@ -6,9 +6,10 @@ use std::path::PathBuf;
 use clap::Args;
 use fem_client::scene::Scene;
 use fem_client::solver::direction::Direction;
+use fem_client::solver::film_comparison::compare_film;
 use fem_client::solver::gauge::{Gauge, GaugeReading};
 use fem_client::solver::{
-    FilmCondition, FilmSignal, LocationStrain, Readout, SolveError, SolveRequest, Solved,
+    FilmCondition, FilmSignal, FilmState, LocationStrain, Readout, SolveError, SolveRequest, Solved,
 };
 use placement::sweep::typed_settings;
 use serde_json::{Value, json};
@@ -77,7 +78,10 @@ impl Solve {
             stop: &stop,
         };
         let waiting = clock("solving");
-        let solved = solver.solve(&request);
+        let solved = solver.solve(&request).and_then(|mut solved| {
+            compare_film(&*solver, &request, &mut solved)?;
+            Ok(solved)
+        });
         waiting.finish_and_clear();
         let solved = solved.map_err(failure)?;
         if let Some(path) = &self.vtu {
@@ -154,24 +158,39 @@ fn document(solved: &Solved) -> Result<Value, Failure> {
     Ok(document)
 }
 
-fn film_signal(signal: &FilmSignal) -> String {
+fn film_signal(film: &FilmState, signal: &FilmSignal) -> String {
     let beyond = match signal.state {
         FilmCondition::Ok => "",
         FilmCondition::BeyondYield => {
             "; beyond yield: an elastic film's signal, which this one won't give"
         }
+        FilmCondition::Wrinkled => "; compressed beyond the strain at which it folds",
     };
+    let volts = film.error.map_or(String::new(), |error| {
+        format!(" +- {:.2}", error.open_circuit_v)
+    });
+    let bare = film.bare.map_or(String::new(), |bare| {
+        format!(
+            "film without stiffness: strain along {:.0}, across {:.0} microstrain, {:.2} V open circuit\n",
+            1e6 * bare.mean_strain_1,
+            1e6 * bare.mean_strain_2,
+            bare.open_circuit_v
+        )
+    });
     format!(
-        "film, since inflation: strain along {:.0}, across {:.0} microstrain; tension {:.4}, {:.4} N/mm\n\
-         film: {:.3} nC on {:.1} pF, {:.2} V open circuit, {:.4} V at the amplifier{beyond}\n",
+        "film, since inflation: strain along {:.0}, across {:.0} microstrain; tension {:.4}, {:.4} N/mm; curvature {:.4}, {:.4} /mm\n\
+         film: {:.3} nC on {:.1} pF, {:.2}{volts} V open circuit, {:.4} +- {:.4} V at the amplifier{beyond}\n{bare}",
         1e6 * signal.mean_strain_1,
         1e6 * signal.mean_strain_2,
         signal.mean_tension_1_n_per_mm,
         signal.mean_tension_2_n_per_mm,
+        signal.curvature_change_1_per_mm,
+        signal.curvature_change_2_per_mm,
         signal.charge_nc,
         signal.capacitance_pf,
         signal.open_circuit_v,
-        signal.output_v
+        signal.output_v,
+        signal.output_std_v
     )
 }
 
@@ -212,8 +231,8 @@ fn report(solved: &Solved) -> String {
             x.min, x.max, y.min, y.max
         );
     }
-    if let Some(signal) = response.film.as_ref().and_then(|film| film.signal) {
-        text.push_str(&film_signal(&signal));
+    if let Some((film, signal)) = response.film.as_ref().and_then(|f| Some((f, f.signal?))) {
+        text.push_str(&film_signal(film, &signal));
     }
     if let Some(carcass) = &response.carcass {
         let (stretch, tension) = (carcass.fibre_stretch, carcass.tension_n_per_mm);

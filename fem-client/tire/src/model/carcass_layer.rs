@@ -1,20 +1,18 @@
-//! Cords and film of a scene as membranes on its grid.
+//! Cords of a scene as a membrane on its grid.
 
 use fem::cell::mesh::Mesh;
 use fem::surface::membrane::Membrane;
-use fem::surface::surface_law::{FibreFamily, Film, SurfaceLaw};
+use fem::surface::surface_law::{FibreFamily, SurfaceLaw};
 use fem::tensor::Vector;
-use fem_client::scene::{self, Carcass, Scene};
+use fem_client::scene::{Carcass, Scene};
 
 use crate::mesh::tire_grid::TireGrid;
 
-/// The carcass first, then the film, as far as the scene has them.
+/// The carcass, as far as the scene has one.
 pub(super) fn membranes(scene: &Scene, grid: &TireGrid, mesh: &Mesh) -> Vec<Membrane> {
     let carcass = scene.carcass.iter();
     let carcass = carcass.filter_map(|carcass| membrane(carcass, grid, mesh));
-    let film = scene.film.iter();
-    let film = film.map(|film| film_membrane(film, grid, mesh));
-    carcass.chain(film).collect()
+    carcass.collect()
 }
 
 /// The unit vector along the circumference, in the rolling direction.
@@ -40,21 +38,4 @@ fn membrane(carcass: &Carcass, grid: &TireGrid, mesh: &Mesh) -> Option<Membrane>
         &circumferential,
         laws.into(),
     ))
-}
-
-/// The film's law.
-pub fn film_law(film: &scene::Film) -> Film {
-    Film {
-        modulus: film.modulus_mpa,
-        poisson_ratio: film.poisson_ratio,
-        thickness: film.thickness_mm,
-    }
-}
-
-fn film_membrane(film: &scene::Film, grid: &TireGrid, mesh: &Mesh) -> Membrane {
-    let theta = 0.5 * film.length_mm / grid.crown_radius();
-    let phi = 0.5 * film.width_mm / grid.shape.inner;
-    let (surface, windows) = grid.inner_windows(theta, phi);
-    let law: Box<dyn SurfaceLaw> = Box::new(film_law(film));
-    Membrane::on_windows(mesh, surface, &windows, &circumferential, vec![law])
 }
