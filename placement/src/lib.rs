@@ -9,6 +9,7 @@
 //! - [`score`]: responses to indices and ranked locations
 //! - [`layout`]: strain rings to ranked layouts
 //! - [`ladder`]: meshes times methods, from quick to accurate
+//! - [`signals`]: films' voltages over load, pressure and contact angle
 //! - [`compare`]: studies side by side, and which differences are real
 //! - [`estimate`]: what a study will cost, before anything is solved
 //! - [`own_model`]: inputs and outputs of models that others run
@@ -21,5 +22,6 @@ pub mod own_model;
 pub mod result;
 pub mod run;
 pub mod score;
+pub mod signals;
 pub mod study;
 pub mod sweep;

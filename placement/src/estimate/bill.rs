@@ -51,6 +51,7 @@ pub fn estimate(work: &Workload, known: &HashSet<String>, machine: &Machine) -> 
             own: count(&bills[..expected], |bill| bill.own),
             coarser: count(&bills[..expected], |bill| bill.coarser),
             effects: count(&bills[..expected], |bill| bill.effects),
+            signals: count(&bills[..expected], |bill| bill.signals),
             known: count(&bills[..expected], |bill| bill.known),
             left: CountForecast {
                 least: bills[0].left,
@@ -144,6 +145,7 @@ struct Bill {
     own: usize,
     coarser: usize,
     effects: usize,
+    signals: usize,
     known: usize,
     left: usize,
     planned_s: f64,
@@ -155,21 +157,23 @@ struct Bill {
 
 impl Bill {
     fn of(stage: &Stage, known: &HashSet<String>, machine: &Machine) -> Self {
-        let series = [&stage.own, &stage.coarser, &stage.effects];
-        let lacking = series.map(|series| {
+        let lacking = stage.series().map(|series| {
             let lacking = series.iter().filter(|point| !known.contains(&point.key));
             lacking.collect::<Vec<_>>()
         });
-        let all: usize = series.iter().map(|series| series.len()).sum();
+        let lacking: Vec<_> = lacking.collect();
+        let all: usize = stage.series().map(Vec::len).sum();
         let left: usize = lacking.iter().map(Vec::len).sum();
         let meshes = 1 + usize::from(stage.extra.coarser);
-        let extra_s = series[..meshes]
-            .iter()
+        let extra_s = [&stage.own, &stage.coarser]
+            .into_iter()
+            .take(meshes)
             .map(|series| mean_s(series, machine));
         Self {
             own: stage.own.len(),
             coarser: stage.coarser.len(),
             effects: stage.effects.len(),
+            signals: stage.signals.iter().map(Vec::len).sum(),
             known: all - left,
             left,
             planned_s: lacking.iter().map(|series| series_s(series, machine)).sum(),

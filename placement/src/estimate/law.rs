@@ -20,6 +20,8 @@ const NEAR: (f64, f64) = (0.011, 1.24);
 const IMAGE_S: f64 = 0.003;
 /// Pressing by steps from the inflated state, as friction asks for, in solves from a neighbour.
 const FRICTION: f64 = 24.0;
+/// A solve with a glued film, in solves without.
+const FILM: f64 = 2.0;
 /// The tangents that the points near a cut point share, in solves from nothing.
 const TANGENTS: f64 = 0.6;
 /// Memory of a mesh in work: bytes on the draft mesh, exponent, through studies on the draft (34 MB) and the reference mesh (1.2 GB); the standard
@@ -66,6 +68,8 @@ pub(crate) struct Task {
     /// Cells between nodes in a quarter of the tire.
     pub cells: f64,
     pub friction: bool,
+    /// Whether a film is glued on.
+    pub film: bool,
     /// Whether the ground comes further up than the wall is thick, and than [`DEEP`] of the section's radius: the solve then leaves the shared tangent for tangents of its own, as one with friction
     /// does, and prepares for contact that grows.
     pub deep: bool,
@@ -79,6 +83,7 @@ impl Task {
             level: scene.model.level,
             cells: solver.cells(scene) as f64,
             friction: scene.contact.friction > 0.0,
+            film: scene.film.is_some(),
             deep: deepest
                 > scene
                     .geometry
@@ -100,9 +105,10 @@ impl Task {
         } else {
             0.0
         };
+        let glued = if self.film { FILM } else { 1.0 };
         match self.how {
-            How::Cut | How::Afresh => power(AFRESH) + slip,
-            How::Near => power(NEAR) + slip,
+            How::Cut | How::Afresh => glued * power(AFRESH) + slip,
+            How::Near => glued * power(NEAR) + slip,
             How::Image => IMAGE_S,
         }
     }

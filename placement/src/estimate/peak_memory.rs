@@ -51,8 +51,7 @@ fn solving(stage: &Stage, machine: &Machine) -> f64 {
         let contact = if is_deep { DEEP * at_once as f64 } else { 0.0 };
         pools * largest.fold(0.0, f64::max) * meshes as f64 + contact
     };
-    let series = [&stage.own, &stage.coarser, &stage.effects];
-    series.into_iter().map(of_series).fold(0.0, f64::max)
+    stage.series().map(of_series).fold(0.0, f64::max)
 }
 
 #[cfg(test)]

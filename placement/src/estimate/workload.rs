@@ -4,14 +4,15 @@ use std::cell::Cell;
 use std::collections::HashSet;
 
 use fem_client::scene::{Level, Scene};
-use fem_client::solver::Solver;
 use fem_client::solver::direction::Direction;
+use fem_client::solver::{Readout, Solver};
 use gsa::method::{Kind, Method};
 
 use super::law::{How, Task, mirror_class, tire};
 use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
 use crate::run::keys;
+use crate::signals::measuring::signal_series;
 use crate::study::plan::{Plan, PlanError, PlannedStudy};
 use crate::study::{Accuracy, Study};
 
@@ -45,11 +46,20 @@ pub(crate) struct Stage {
     pub coarser: Vec<Point>,
     /// What shows the effects of what the model leaves out.
     pub effects: Vec<Point>,
+    /// What shows films' signals: each series starts from an equilibrium of its own.
+    pub signals: Vec<Vec<Point>>,
     /// Points that an adaptive method may ask for beyond its first.
     pub extra: Extra,
 }
 
 impl Stage {
+    /// Points that start from one equilibrium each.
+    pub fn series(&self) -> impl Iterator<Item = &Vec<Point>> {
+        [&self.own, &self.coarser, &self.effects]
+            .into_iter()
+            .chain(&self.signals)
+    }
+
     /// Points on both meshes, those included that an adaptive method is expected to ask for.
     pub fn points(&self) -> usize {
         self.own.len() + self.coarser.len() + self.meshes() * self.extra.expected
@@ -80,8 +90,7 @@ pub(crate) struct Point {
 impl Workload {
     /// What a study asks of a solver.
     pub fn of(planned: &PlannedStudy, solver: &dyn Solver) -> Self {
-        let readout = planned.study.readout();
-        let keys = |scenes: &[Scene]| keys(scenes, solver, &readout).collect();
+        let keys = |scenes: &[Scene], readout: &Readout| keys(scenes, solver, readout).collect();
         Self::with_keys(planned, solver, &keys, &|points| points)
     }
 
@@ -128,7 +137,7 @@ impl Workload {
     fn with_keys(
         planned: &PlannedStudy,
         solver: &dyn Solver,
-        keys: &dyn Fn(&[Scene]) -> Vec<String>,
+        keys: Keys<'_>,
         of_own_method: &dyn Fn(Vec<Point>) -> Vec<Point>,
     ) -> Self {
         let study = &planned.study;
@@ -145,11 +154,13 @@ impl Workload {
                 break;
             };
             let is_own_method = raised.method == study.method;
-            let mut fresh = |scenes: &[Scene]| -> Vec<Point> {
-                let mut points = points(scenes, solver, keys);
+            let readout = study.readout();
+            let mut fresh_of = |scenes: &[Scene], readout: &Readout| -> Vec<Point> {
+                let mut points = points(scenes, readout, solver, keys);
                 points.retain(|point| known.insert(point.key.clone()));
                 points
             };
+            let mut fresh = |scenes: &[Scene]| fresh_of(scenes, &readout);
             let sized = |points| {
                 if is_own_method {
                     of_own_method(points)
@@ -165,6 +176,14 @@ impl Workload {
                 effects_due = false;
                 effects = fresh(&effect_scenes(&plan, solver));
             }
+            let signals = match stages.is_empty() {
+                true => signal_series(study, &planned.plan, solver),
+                false => Vec::new(),
+            };
+            let signals = signals
+                .iter()
+                .map(|(scenes, readout)| fresh_of(scenes, readout));
+            let signals = signals.collect();
             let solved_there =
                 |stage: &Stage| Some(stage.fidelity.level) == coarser_level && stage.extra.most > 0;
             let extra = Extra {
@@ -176,6 +195,7 @@ impl Workload {
                 own,
                 coarser: coarser.unwrap_or_default(),
                 effects,
+                signals,
                 extra,
             });
         }
@@ -194,17 +214,19 @@ impl Workload {
     }
 
     pub(crate) fn points(&self) -> impl Iterator<Item = &Point> {
-        self.stages.iter().flat_map(|stage| {
-            let series = [&stage.own, &stage.coarser, &stage.effects];
-            series.into_iter().flatten()
-        })
+        self.stages
+            .iter()
+            .flat_map(|stage| stage.series().flatten())
     }
 }
 
+/// Gives the content keys of scenes that are read so.
+type Keys<'k> = &'k dyn Fn(&[Scene], &Readout) -> Vec<String>;
+
 /// Different keys for all points that they are asked for.
-fn numbers() -> impl Fn(&[Scene]) -> Vec<String> {
+fn numbers() -> impl Fn(&[Scene], &Readout) -> Vec<String> {
     let next = Cell::new(0_usize);
-    move |scenes| {
+    move |scenes, _| {
         let first = next.get();
         next.set(first + scenes.len());
         (first..next.get()).map(|key| key.to_string()).collect()
@@ -256,15 +278,11 @@ fn effect_scenes(plan: &Plan, solver: &dyn Solver) -> Vec<Scene> {
 }
 
 /// Points that start from the first one; none of no scenes.
-fn points(
-    scenes: &[Scene],
-    solver: &dyn Solver,
-    keys: &dyn Fn(&[Scene]) -> Vec<String>,
-) -> Vec<Point> {
+fn points(scenes: &[Scene], readout: &Readout, solver: &dyn Solver, keys: Keys<'_>) -> Vec<Point> {
     let Some(cut) = scenes.first() else {
         return Vec::new();
     };
-    let keys = keys(scenes);
+    let keys = keys(scenes, readout);
     let (tire_of_cut, symmetric) = (tire(cut), cut.ground.is_symmetric());
     let mut classes = HashSet::new();
     let how = |ordinal: usize, scene: &Scene, classes: &mut HashSet<Vec<u64>>| {

@@ -15,6 +15,7 @@ use crate::ladder::fidelity::Fidelity;
 use crate::result::{Climb, ClimbRung, Output, StudyResult};
 use crate::run::usage::cpu_s;
 use crate::run::{RunContext, RunError, run_from};
+use crate::signals::measuring;
 use crate::study::directions::Directions;
 use crate::study::plan::Plan;
 use crate::study::{Accuracy, Study};
@@ -34,6 +35,8 @@ const OF_REST: f64 = 0.8;
 const GROWTH: f64 = 1.5;
 /// Times as many solves as the plan of the lines that the adaptive method is expected to take.
 const OF_ADAPTING: f64 = 3.0;
+const SIGNALS_LEFT_OUT: &str =
+    "The budget left no time for the films' signals: a study with accuracy.preset solves them.";
 /// How often a run looks whether its time is up.
 const LOOK: Duration = Duration::from_millis(10);
 
@@ -49,7 +52,7 @@ pub fn answer(
     match study.accuracy {
         Accuracy::Preset => {
             let (mut result, points) = run_from(0, study, plan, context)?;
-            with_effects(points, study, plan, &mut result, context)?;
+            with_further_solves(points, study, plan, &mut result, context)?;
             Ok(result)
         }
         Accuracy::Tolerance(_) => Climber::new(study, plan, context).climb(),
@@ -57,8 +60,8 @@ pub fn answer(
     }
 }
 
-/// Adds the effects of what is left out, and the time that they took.
-fn with_effects(
+/// Adds the effects of what is left out and films' signals, and the time that they took.
+fn with_further_solves(
     first: usize,
     study: &Study,
     plan: &Plan,
@@ -67,6 +70,8 @@ fn with_effects(
 ) -> Result<(), RunError> {
     let (begun, cpu_before) = (Instant::now(), cpu_s());
     effects::measure(first, study, plan, result, context)?;
+    let first = first + result.cost.effect_solves;
+    measuring::measure(first, study, plan, result, context)?;
     result.cost.wall_s += begun.elapsed().as_secs_f64();
     result.cost.cpu_s += (cpu_s() - cpu_before).max(0.0);
     Ok(())
@@ -154,9 +159,13 @@ impl<'c> Climber<'c> {
                 Err(error) => return Err(error),
             }
         }
-        match with_effects(self.points, self.study, self.plan, &mut best, self.context) {
+        match with_further_solves(self.points, self.study, self.plan, &mut best, self.context) {
             // They are worth knowing, not worth the answer.
-            Err(RunError::Stopped) if self.is_late() => {}
+            Err(RunError::Stopped) if self.is_late() => {
+                if self.study.signals.is_some() {
+                    best.notes.push(SIGNALS_LEFT_OUT.to_owned());
+                }
+            }
             other => other?,
         }
         best.climb = Some(Climb {

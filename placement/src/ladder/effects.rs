@@ -10,7 +10,7 @@ use fem_client::solver::{Choice, Omission, Response};
 
 use crate::result::StudyResult;
 use crate::run::archive::Outcome;
-use crate::run::{RunContext, RunError, outcomes_of};
+use crate::run::{Place, RunContext, RunError, outcomes_of};
 use crate::score::quantity::at_locations;
 use crate::study::Study;
 use crate::study::plan::Plan;
@@ -47,7 +47,11 @@ pub(crate) fn measure(
         .chain(richer.iter().map(|(_, scene)| scene.clone()))
         .collect();
     let values = vec![plan.values()[0].clone(); scenes.len()];
-    let outcomes = match outcomes_of(&scenes, &values, &study.readout(), first, context) {
+    let place = Place {
+        first,
+        of: first + scenes.len(),
+    };
+    let outcomes = match outcomes_of(&scenes, &values, &study.readout(), place, context) {
         Ok(outcomes) => outcomes,
         // Without the coarse mesh there is nothing to compare with: that costs the effects, not the study.
         Err(RunError::PointsFailed { .. } | RunError::Refused { .. }) => return Ok(()),

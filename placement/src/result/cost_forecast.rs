@@ -32,6 +32,9 @@ pub struct SolveForecast {
     pub coarser: usize,
     /// Solves that show what the model leaves out.
     pub effects: usize,
+    /// Solves of films' signals, on both meshes.
+    #[serde(default)]
+    pub signals: usize,
     /// How many of these the database has already: they cost nothing.
     pub known: usize,
     /// How many are left to solve.

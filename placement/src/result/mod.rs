@@ -5,22 +5,28 @@
 mod climb_report;
 mod cost_forecast;
 mod failed_point;
+mod film_signals;
 mod index_map;
 mod indexed_output;
 pub mod named;
 mod ranked_layout;
 mod ranked_location;
+mod signal_words;
 mod study_cost;
 
 pub use climb_report::{Climb, ClimbRung};
 pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast};
 pub use failed_point::{Cause, FailedPoint};
 use fem_client::solver::ModelSummary;
+pub use film_signals::{
+    ClaimRow, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth,
+};
 pub use index_map::{IndexMap, MapLayer};
 pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};
 pub use ranked_layout::{LayoutScore, RankedLayout};
 pub use ranked_location::RankedLocation;
 use serde::{Deserialize, Serialize};
+pub use signal_words::{Claim, FilmModel, Holds, SignalAxis, Trend};
 pub use study_cost::StudyCost;
 
 /// The whole answer.
@@ -41,6 +47,9 @@ pub struct StudyResult {
     pub layouts: Vec<RankedLayout>,
     /// First-order indices over the dense grid, when asked for.
     pub map: Option<IndexMap>,
+    /// Films' signals over load, pressure and contact angle; absent where the study asks for none.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub signals: Option<Signals>,
     /// What the user must know before believing the numbers, whole sentences.
     pub notes: Vec<String>,
     /// Points that have no equilibrium, with their causes; the indices are taken from the others.

@@ -14,6 +14,9 @@ pub struct StudyCost {
     /// Solves that show what the model leaves out.
     #[serde(default)]
     pub effect_solves: usize,
+    /// Solves of films' signals, on both meshes.
+    #[serde(default)]
+    pub signal_solves: usize,
     /// Wall-clock time of each rung of the climb, s.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub rungs_wall_s: Vec<f64>,

@@ -1,7 +1,7 @@
 //! Guards the archive and the result against numbers that no document can hold.
 
 use fem_client::solver::direction::PerDirection;
-use fem_client::solver::{LocationStrain, Response, Ring, Section, StrainMap};
+use fem_client::solver::{FilmSignal, LocationStrain, Response, Ring, Section, StrainMap};
 
 use crate::run::archive::Outcome;
 
@@ -35,6 +35,45 @@ fn in_response(response: &Response) -> Option<&'static str> {
     let over_map = |map: &StrainMap| {
         finite(map.theta_deg.iter().chain(&map.phi_deg)) && finite(map.strain.iter().flatten())
     };
+    let of_film = |signal: &FilmSignal| {
+        let FilmSignal {
+            mean_strain_1,
+            mean_strain_2,
+            mean_tension_1_n_per_mm,
+            mean_tension_2_n_per_mm,
+            curvature_change_1_per_mm,
+            curvature_change_2_per_mm,
+            charge_nc,
+            capacitance_pf,
+            open_circuit_v,
+            output_v,
+            output_std_v,
+            charge_by_pressure_nc_per_kpa,
+            charge_by_warming_nc_per_k,
+            time_constant_s,
+            state: _,
+        } = signal;
+        finite(
+            [
+                mean_strain_1,
+                mean_strain_2,
+                mean_tension_1_n_per_mm,
+                mean_tension_2_n_per_mm,
+                curvature_change_1_per_mm,
+                curvature_change_2_per_mm,
+                charge_nc,
+                capacitance_pf,
+                open_circuit_v,
+                output_v,
+                output_std_v,
+                charge_by_pressure_nc_per_kpa,
+                charge_by_warming_nc_per_k,
+            ]
+            .into_iter()
+            .chain(time_constant_s),
+        )
+    };
+    let glued = response.film.and_then(|film| film.signal);
     let around = |ring: &Ring| finite(&ring.theta_deg) && finite(ring.strain.iter().flatten());
     let checks = [
         ("the reaction", response.reaction_n.is_finite()),
@@ -66,6 +105,21 @@ fn in_response(response: &Response) -> Option<&'static str> {
         ),
         ("a strain of the map", response.map.iter().all(over_map)),
         ("a strain of a ring", response.rings.iter().all(around)),
+        (
+            "a strain or stress of a gauge",
+            response.gauges.iter().all(|gauge| {
+                finite([
+                    &gauge.strain,
+                    &gauge.stretch,
+                    &gauge.green_lagrange,
+                    &gauge.von_mises_mpa,
+                ])
+            }),
+        ),
+        (
+            "a film's signal",
+            response.films.iter().chain(&glued).all(of_film),
+        ),
     ];
     checks
         .into_iter()

@@ -16,8 +16,9 @@ use fem_client::scene::Scene;
 use fem_client::solver::{Cost, Readout, Solver};
 use gsa::method::analysis::Status;
 
+pub(crate) use self::planned_points::Place;
 pub(crate) use self::planned_points::keys;
-use self::planned_points::{Answers, Place, Points};
+use self::planned_points::{Answers, Points};
 pub use self::run_error::RunError;
 pub use self::run_event::{Event, Observer};
 use crate::result::{StudyCost, StudyResult};
@@ -161,18 +162,14 @@ fn answers_of(
     points.answers(context.threads)
 }
 
-/// What further scenes answer that are no points of the plan: they have ordinals from `first` on.
+/// What further scenes answer that are no points of the plan.
 pub(crate) fn outcomes_of(
     scenes: &[Scene],
     values: &[Vec<f64>],
     readout: &Readout,
-    first: usize,
+    place: Place,
     context: RunContext<'_>,
 ) -> Result<Vec<Outcome>, RunError> {
-    let place = Place {
-        first,
-        of: first + scenes.len(),
-    };
     let answers = answers_of(scenes, values, readout, place, context)?;
     Ok(answers
         .points

@@ -52,6 +52,7 @@ pub fn assemble(
         locations,
         layouts,
         map: scores.map,
+        signals: None,
         notes,
         failed_points,
         cut_point: CutPoint {

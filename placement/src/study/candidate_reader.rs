@@ -120,7 +120,7 @@ fn spacing(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<f64>
 }
 
 /// Reads a list whose entries differ; all entries are read before the first fault ends it.
-fn list<T: PartialEq>(
+pub(crate) fn list<T: PartialEq>(
     value: &Value,
     pointer: &str,
     longest: usize,

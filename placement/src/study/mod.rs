@@ -1,8 +1,8 @@
 //! The study document: what varies, what is asked.
 //!
 //! - [`directions`]: which strains are asked for, and what follows from that
-//! - [`study_reader`] and, for its parts, `candidate_reader`, [`distribution_reader`], `input_reader`, `method_reader`: read a study,
-//!   with every fault at once
+//! - [`study_reader`] and, for its parts, `candidate_reader`, [`distribution_reader`], `input_reader`, `method_reader`, [`scene_reader`],
+//!   `signal_reader`: read a study, with every fault at once
 //! - [`plan`]: the design points of a study, a pure function of the document
 
 pub(crate) mod candidate_reader;
@@ -11,6 +11,8 @@ pub mod distribution_reader;
 pub(crate) mod input_reader;
 pub(crate) mod method_reader;
 pub mod plan;
+pub mod scene_reader;
+pub(crate) mod signal_reader;
 pub mod study_reader;
 
 use fem_client::hexadecimal::hexadecimal;
@@ -21,6 +23,7 @@ use gsa::method::{Kind, Method};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
+use crate::signals::signal_settings::SignalSettings;
 use crate::study::directions::Directions;
 
 /// A checked study. Build it with [`Study::from_document`].
@@ -44,6 +47,8 @@ pub struct Study {
     pub level: Level,
     /// What is asked of the answer.
     pub accuracy: Accuracy,
+    /// Films' signals over loads, pressures and contact angles; absent: none are solved.
+    pub signals: Option<SignalSettings>,
 }
 
 /// What is asked of the answer.
@@ -143,7 +148,7 @@ impl Study {
             .positions
             .iter()
             .map(|position| position_name(*position));
-        json!({
+        let mut document = json!({
             "name": self.name,
             "scene": self.scene.to_value(),
             "inputs": self.inputs.iter().map(Input::to_value).collect::<Vec<_>>(),
@@ -158,8 +163,11 @@ impl Study {
                 Accuracy::Tolerance(tolerance) => json!({"tolerance": tolerance}),
                 Accuracy::Budget(seconds) => json!({"budget_s": seconds}),
             },
-        })
-        .to_string()
+        });
+        if let (Some(document), Some(signals)) = (document.as_object_mut(), &self.signals) {
+            document.insert("signals".to_owned(), signals.to_value());
+        }
+        document.to_string()
     }
 
     /// SHA-256 of the canonical text, in hexadecimal digits.

@@ -3,10 +3,10 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use fem_client::document::fault::{Fault, member};
-use fem_client::document::fields::{Fields, Range, alternatives, choice, shown};
+use fem_client::document::fault::Fault;
+use fem_client::document::fields::{Fields, Range, alternatives};
 use fem_client::document::{Format, parse};
-use fem_client::scene::{Level, PRESETS, Scene};
+use fem_client::scene::{Level, Scene};
 use gsa::method::{Kind, Method};
 use serde_json::Value;
 
@@ -14,10 +14,9 @@ use crate::study::candidate_reader::{candidates, layouts};
 use crate::study::input_reader::{read_inputs, read_name};
 use crate::study::method_reader::{Limits, read_method};
 use crate::study::plan::{Estimable, PlanError, PlannedStudy};
+use crate::study::scene_reader::{Resolve, scene};
+use crate::study::signal_reader::signals;
 use crate::study::{Accuracy, Study};
-
-/// Gives the text of a scene file, or says why it can't be had.
-pub type Resolve<'r> = &'r dyn Fn(&str) -> Result<String, String>;
 
 /// Longest name of a study, characters.
 pub(crate) const LONGEST_NAME: usize = 200;
@@ -125,6 +124,7 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         "layouts",
         "method",
         "accuracy",
+        "signals",
     ];
     let fields = Fields::open(value, "", &known, faults)?;
     let name = read_name(&fields, "name", LONGEST_NAME, faults);
@@ -137,8 +137,13 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         .as_ref()
         .map_or(Method::of(Kind::Mdrm).nodes, |method| method.nodes);
     let inputs = read_inputs(&fields, scene.as_ref(), nodes, faults);
+    let signals = signals(&fields, scene.as_ref(), resolve, faults);
     let (mut scene, (accuracy, level)) = (scene?, accuracy?);
     scene.model.level = level;
+    let mut signals = signals?;
+    for tire in signals.iter_mut().flat_map(|signals| &mut signals.tires) {
+        tire.scene.model.level = level;
+    }
     let (directions, grid) = candidates?;
     Some(Study {
         name: name?,
@@ -150,6 +155,7 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         method: method?,
         level,
         accuracy,
+        signals,
     })
 }
 
@@ -199,61 +205,6 @@ fn check_map(study: &Study, points: usize, faults: &mut Vec<Fault>) {
             "this map has {strains} strains over the study's {points} points; at most {MOST_MAP_STRAINS} are kept"
         );
         Fault::add(faults, "/candidates/grid", detail);
-    }
-}
-
-fn scene(fields: &Fields<'_>, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<Scene> {
-    let what = "a path, a table, or { preset = \"foot-tire\" }";
-    let (value, pointer) = fields.required("scene", what, faults)?;
-    match value {
-        Value::String(path) => scene_file(path, &pointer, resolve, faults),
-        Value::Object(object) if object.contains_key("preset") => {
-            let names = PRESETS.map(|(name, _)| (name, name));
-            let name = choice(
-                &object["preset"],
-                &member(&pointer, "preset"),
-                &names,
-                faults,
-            )?;
-            let mut overrides = object.clone();
-            overrides.shift_remove("preset");
-            Scene::preset(name)?.overlaid(&overrides, &pointer, faults)
-        }
-        Value::Object(_) => Scene::from_value(value, &pointer, faults),
-        other => {
-            Fault::add(
-                faults,
-                &pointer,
-                format!("must be {what}; it is {}", shown(other)),
-            );
-            None
-        }
-    }
-}
-
-fn scene_file(
-    path: &str,
-    pointer: &str,
-    resolve: Resolve<'_>,
-    faults: &mut Vec<Fault>,
-) -> Option<Scene> {
-    let text = match resolve(path) {
-        Ok(text) => text,
-        Err(detail) => {
-            Fault::add(faults, pointer, detail);
-            return None;
-        }
-    };
-    let name = path.escape_debug();
-    match Scene::from_text(&text, Format::of_path(path)) {
-        Ok(scene) => Some(scene),
-        Err(found) => {
-            for fault in found {
-                let at = format!("{pointer}{}", fault.pointer);
-                Fault::add(faults, &at, format!("in {name}: {}", fault.detail));
-            }
-            None
-        }
     }
 }
 

@@ -24,7 +24,8 @@ use wish::{Wish, field_of, name, names, of_grid, of_list};
 use crate::study::Study;
 use crate::study::input_reader::read_name;
 use crate::study::plan::PlannedStudy;
-use crate::study::study_reader::{LONGEST_NAME, Resolve};
+use crate::study::scene_reader::Resolve;
+use crate::study::study_reader::LONGEST_NAME;
 
 /// Most solves that all designs of a document ask for at first: each is planned before anything is stored.
 const MOST_SOLVES: usize = 100_000;

@@ -12,4 +12,5 @@ mod fuzzed;
 mod mirrored;
 mod paper_choice;
 mod running;
+mod signals;
 mod support;

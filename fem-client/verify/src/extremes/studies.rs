@@ -94,6 +94,7 @@ fn study(
         },
         method,
         accuracy: Accuracy::Preset,
+        signals: None,
     })
 }
 
