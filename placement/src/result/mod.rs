@@ -11,7 +11,7 @@ mod indexed_output;
 pub mod named;
 mod ranked_layout;
 mod ranked_location;
-mod signal_words;
+pub mod signal_words;
 mod study_cost;
 
 pub use climb_report::{Climb, ClimbRung};

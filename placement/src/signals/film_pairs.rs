@@ -3,11 +3,11 @@
 use fem_client::solver::Position;
 
 use crate::result::{FilmModel, FilmPair};
+use crate::signals::curve_trend::{CurvePoint, trend};
 use crate::signals::series::PAIR_DEG;
 use crate::signals::signal_curves::line;
 use crate::signals::signal_rows::TireAnswers;
 use crate::signals::signal_settings::SignalSettings;
-use crate::signals::trend::{CurvePoint, trend};
 
 impl TireAnswers<'_> {
     /// The pairs of a tire: bare films and coupled ones, in each direction; none without a film at the crown.

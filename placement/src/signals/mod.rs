@@ -6,9 +6,10 @@
 //! - [`answers`]: what one mesh answers, read as bare, transferred and coupled films; [`tension_transfer`] is the matrix between them
 //! - [`signal_rows`], [`signal_curves`], [`signal_claims`]: readings with their errors, their curves, and what holds of what is claimed
 //! - [`film_pairs`], [`stress_widths`]: two films against each other, and how wide the contact is felt
-//! - [`line_fit`], [`gaussian_fit`], [`trend`]: the mathematics
+//! - [`line_fit`], [`gaussian_fit`], [`curve_trend`]: the mathematics
 
 pub(crate) mod answers;
+pub(crate) mod curve_trend;
 pub(crate) mod film_pairs;
 pub(crate) mod gaussian_fit;
 pub(crate) mod line_fit;
@@ -20,4 +21,3 @@ pub(crate) mod signal_rows;
 pub mod signal_settings;
 pub(crate) mod stress_widths;
 pub(crate) mod tension_transfer;
-pub(crate) mod trend;

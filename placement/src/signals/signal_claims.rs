@@ -3,8 +3,8 @@
 //! A film's sign is that of its wires, so that a voltage counts with the sign that makes the largest of its curve positive.
 
 use crate::result::{Claim, ClaimRow, Holds, SignalAxis, SignalRow};
+use crate::signals::curve_trend::{CurvePoint, Step, steps};
 use crate::signals::signal_curves::{line, of_curves, points};
-use crate::signals::trend::{CurvePoint, Step, steps};
 
 /// Share of the variance that a line explains where a curve counts as linear.
 const LINEAR_R2: f64 = 0.9;

@@ -1,8 +1,8 @@
 //! The rows as curves of the open circuit's voltage.
 
 use crate::result::{SignalAxis, SignalCurve, SignalRow};
+use crate::signals::curve_trend::{CurvePoint, trend};
 use crate::signals::line_fit::LineFit;
-use crate::signals::trend::{CurvePoint, trend};
 
 /// The curves of rows, whose points follow one another.
 pub fn curves(rows: &[SignalRow]) -> Vec<SignalCurve> {

@@ -255,8 +255,7 @@ fn every_fault_of_signals_has_its_place() {
         ["/signals/loads_n"]
     );
     let tire = |name: &str, scene: Value| json!({"name": name, "scene": scene});
-    let named =
-        json!({"tires": [tire("own", json!({})), tire("a", json!({})), tire("a", json!({"geometry": {"wall_mm": 4}}))]});
+    let named = json!({"tires": [tire("own", json!({})), tire("a", json!({})), tire("a", json!({"geometry": {"wall_mm": 4}}))]});
     assert_eq!(
         pointers(named),
         ["/signals/tires/0/name", "/signals/tires/2/name"]

@@ -5,6 +5,7 @@ use serde::de::DeserializeOwned;
 use sqlx::SqliteConnection;
 
 use crate::answers::ranked_rows::{self, Ranked};
+use crate::answers::stored_signals;
 use crate::clock::now;
 use crate::content::{encode, sha256};
 use crate::store_error::StoreError;
@@ -35,7 +36,11 @@ pub async fn insert(
     if inserted.rows_affected() == 0 {
         return Ok(());
     }
-    ranked_rows::insert(connection, study, &result.locations, &result.layouts).await
+    ranked_rows::insert(connection, study, &result.locations, &result.layouts).await?;
+    match &result.signals {
+        Some(signals) => stored_signals::insert(connection, study, signals).await,
+        None => Ok(()),
+    }
 }
 
 /// SHA-256 of what a result says: without what it cost, what it was expected to cost, and without the identifier of its study, so that equal

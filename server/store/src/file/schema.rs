@@ -32,6 +32,7 @@ static CHANGES: &[(&str, &str)] = &changes![
     "0017_removal"
     "0018_own_crashes"
     "0019_shared_ranks"
+    "0020_signals"
 ];
 
 /// All changes, in order.

@@ -11,6 +11,7 @@ use sqlx::{Connection, SqliteConnection};
 
 use crate::answers::ranked_rows;
 use crate::answers::result_rows;
+use crate::answers::stored_signals;
 use crate::answers::trades;
 use crate::file::condition;
 use crate::file::lock::DatabaseLock;
@@ -64,6 +65,7 @@ pub async fn inspect(
                     .await
                     .err(),
                 "rankings" => ranked_rows::find(connection, &key).await.err(),
+                "signals" => stored_signals::find(connection, &key).await.err(),
                 "studies" => check_study(connection, &key).await.err(),
                 "sweeps" => check_sweep(connection, &key).await.err(),
                 _ => trades::newest(connection, &key).await.err(),
@@ -82,12 +84,16 @@ pub async fn inspect(
 }
 
 /// Tables whose rows have a hash, with their keys.
-const KEYED: [(&str, &str); 7] = [
+const KEYED: [(&str, &str); 8] = [
     ("evaluations", "select key from evaluations"),
     ("start_states", "select key from start_states"),
     ("results", "select study from results"),
     // Every result has one.
     ("rankings", "select study from results"),
+    (
+        "signals",
+        "select study from signals union select study from signal_findings",
+    ),
     ("studies", "select id from studies"),
     ("sweeps", "select id from sweeps"),
     ("trades", "select distinct spec_sha256 from trades"),

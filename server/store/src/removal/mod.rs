@@ -19,11 +19,13 @@ use crate::store_error::StoreError;
 pub const BATCH: usize = 64;
 
 /// Rows that belong to one study, those that refer to others first.
-const OF_STUDY: [&str; 9] = [
+const OF_STUDY: [&str; 11] = [
     "delete from location_scores where study = ?",
     "delete from locations where study = ?",
     "delete from layouts where study = ?",
     "delete from rankings where study = ?",
+    "delete from signals where study = ?",
+    "delete from signal_findings where study = ?",
     "delete from results where study = ?",
     "delete from study_points where study = ?",
     "delete from events where study = ?",
