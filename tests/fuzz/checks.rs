@@ -21,7 +21,7 @@ use serde_json::{Value, json};
 const OF_SCENE: [&str; 8] = [
     "geometry", "material", "carcass", "film", "pressure", "ground", "contact", "model",
 ];
-const OF_STUDY: [&str; 7] = [
+const OF_STUDY: [&str; 8] = [
     "name",
     "scene",
     "inputs",
@@ -29,6 +29,7 @@ const OF_STUDY: [&str; 7] = [
     "layouts",
     "method",
     "accuracy",
+    "signals",
 ];
 const OF_INPUTS: [&str; 2] = ["inputs", "method"];
 const OF_SWEEP: [&str; 4] = ["name", "study", "grid", "designs"];

@@ -242,8 +242,13 @@ impl Level {
 }
 
 /// Names and TOML texts of the scenes that ship.
-pub const PRESETS: [(&str, &str); 1] =
-    [("foot-tire", include_str!("../../../scenes/foot-tire.toml"))];
+pub const PRESETS: [(&str, &str); 2] = [
+    ("foot-tire", include_str!("../../../scenes/foot-tire.toml")),
+    (
+        "foot-tire-soft",
+        include_str!("../../../scenes/foot-tire-soft.toml"),
+    ),
+];
 
 impl Scene {
     /// A scene that ships, by name.

@@ -19,7 +19,8 @@ pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, Sol
 pub use failed_point::{Cause, FailedPoint};
 use fem_client::solver::ModelSummary;
 pub use film_signals::{
-    ClaimRow, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth,
+    CONDITIONS, ClaimRow, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth,
+    condition_name,
 };
 pub use index_map::{IndexMap, MapLayer};
 pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};

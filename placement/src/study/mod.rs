@@ -92,13 +92,14 @@ impl Default for Layouts {
 }
 
 /// Names and TOML texts of the studies that ship.
-pub fn presets() -> [(&'static str, &'static str); 2] {
+pub fn presets() -> [(&'static str, &'static str); 3] {
     [
         ("foot-tire", include_str!("../../../studies/foot-tire.toml")),
         (
             "foot-tire-paper",
             include_str!("../../../studies/foot-tire-paper.toml"),
         ),
+        ("placement", include_str!("../../../studies/placement.toml")),
     ]
 }
 

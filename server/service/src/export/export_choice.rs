@@ -15,10 +15,18 @@ pub enum Table {
     Layouts,
     /// Solved points: inputs, force, strains.
     Points,
+    /// What films read of loads, pressures and contact angles.
+    Signals,
 }
 
 impl Table {
-    const ALL: [Self; 4] = [Self::Indices, Self::Locations, Self::Layouts, Self::Points];
+    const ALL: [Self; 5] = [
+        Self::Indices,
+        Self::Locations,
+        Self::Layouts,
+        Self::Points,
+        Self::Signals,
+    ];
 
     /// The name in addresses and file names.
     pub fn as_str(self) -> &'static str {
@@ -27,6 +35,7 @@ impl Table {
             Self::Locations => "locations",
             Self::Layouts => "layouts",
             Self::Points => "points",
+            Self::Signals => "signals",
         }
     }
 

@@ -4,8 +4,12 @@
 //! be put under each other. Strains have no unit, as in all data; other columns carry theirs in their names.
 
 use fem_client::solver::direction::Direction;
-use placement::result::{InputReport, Output, RankedLayout, RankedLocation, StudyResult};
+use placement::result::{
+    InputReport, Output, RankedLayout, RankedLocation, SignalError, SignalRow, StudyResult,
+    condition_name,
+};
 use placement::score::location_scores::{Figure, SCORES, Score};
+use placement::study::position_name;
 
 use super::export_choice::Table;
 use super::table::{Rows, TypedTable};
@@ -19,6 +23,7 @@ pub fn table(table: Table, result: &StudyResult, points: &[EvaluationView]) -> T
         Table::Locations => signed(locations(&result.locations), result),
         Table::Layouts => signed(layouts(&result.layouts), result),
         Table::Points => signed(solved(&result.inputs, points), result),
+        Table::Signals => signed(signals(result), result),
     }
 }
 
@@ -160,4 +165,37 @@ fn solved<'r>(inputs: &[InputReport], points: &'r [EvaluationView]) -> Rows<&'r 
         .float("wall_s", "s", |point| Some(point.wall_s))
         .text("reason", |point| point.reason.as_deref())
         .text("key", |point| Some(&point.key))
+}
+
+/// What each film reads of each pressing; no row where the study asks for no signals.
+fn signals(result: &StudyResult) -> Rows<&SignalRow> {
+    let rows = result.signals.iter().flat_map(|signals| &signals.rows);
+    let error =
+        |part: fn(&SignalError) -> f64| move |row: &&SignalRow| row.error.as_ref().map(part);
+    Rows::of(rows)
+        .text("tire", |row| Some(&row.tire))
+        .text("film", |row| Some(row.film.as_str()))
+        .text("position", |row| Some(position_name(row.position)))
+        .text("direction", |row| Some(row.direction.as_str()))
+        .text("over", |row| Some(row.over.as_str()))
+        .float("load_n", "N", |row| Some(row.load_n))
+        .float("pressure_mpa", "MPa", |row| Some(row.pressure_mpa))
+        .float("contact_deg", "deg", |row| Some(row.contact_deg))
+        .float("depth_mm", "mm", |row| row.depth_mm)
+        .float("strain", PURE, |row| row.strain)
+        .float("tension_1_n_per_mm", "N/mm", |row| row.tension_1_n_per_mm)
+        .float("charge_nc", "nC", |row| row.charge_nc)
+        .float("open_circuit_v", "V", |row| row.open_circuit_v)
+        .float("output_v", "V", |row| row.output_v)
+        .float("output_std_v", "V", |row| row.output_std_v)
+        .text("state", |row| row.state.map(condition_name))
+        .float("strain_error", PURE, error(|error| error.strain))
+        .float("charge_error_nc", "nC", error(|error| error.charge_nc))
+        .float(
+            "open_circuit_error_v",
+            "V",
+            error(|error| error.open_circuit_v),
+        )
+        .float("output_error_v", "V", error(|error| error.output_v))
+        .text("reason", |row| row.reason.as_deref())
 }

@@ -41,7 +41,7 @@ pub fn detail() -> Value {
 /// What it is expected to take.
 pub fn estimate() -> Value {
     json!({
-        "solves": {"own": 10, "coarser": 0, "effects": 0, "known": 0, "left": {"least": 10, "expected": 10, "most": 10}},
+        "solves": {"own": 10, "coarser": 0, "effects": 0, "signals": 0, "known": 0, "left": {"least": 10, "expected": 10, "most": 10}},
         "wall_s": {"least": 0.06, "expected": 0.18, "most": 0.54},
         "peak_memory_bytes": 36_000_000,
         "accuracy": {"fidelity": "draft mdrm 3", "error_true": 0.022, "error_claimed": 0.1323},
@@ -64,6 +64,29 @@ pub fn layout() -> Value {
     json!({
         "rank": 1, "spacing_deg": 60.0, "units": 6, "position": "crown", "films": ["x", "y"],
         "score": {"weakest_signal": 0.002, "worst_angle_error_deg": 3.1, "rms_angle_error_deg": 1.2, "worst_depth_error_mm": 0.08, "noise_strain": 0.0017},
+    })
+}
+
+/// A film's signals: a reading, and what its curve shows.
+pub fn signals() -> Value {
+    let film = json!({"tire": "own", "film": "coupled", "position": "crown", "direction": "x"});
+    let of_film = |more: Value| {
+        let mut row = film.clone();
+        for (name, value) in more.as_object().into_iter().flatten() {
+            row[name] = value.clone();
+        }
+        row
+    };
+    json!({
+        "rows": [of_film(json!({
+            "over": "load", "load_n": 13.0, "pressure_mpa": 0.2, "contact_deg": 0.0, "depth_mm": 0.99, "strain": 0.00028,
+            "tension_1_n_per_mm": 0.071, "charge_nc": 1.86, "open_circuit_v": 18.98, "output_v": 18.98, "output_std_v": 0.01, "state": "ok",
+            "error": {"strain": 0.0003, "charge_nc": 0.4, "open_circuit_v": 4.1, "output_v": 4.1},
+        }))],
+        "curves": [of_film(json!({"over": "load", "slope": 0.61, "monotone": "up", "monotone_certain": false, "linear_r2": 0.93}))],
+        "pairs": [{"tire": "own", "film": "bare", "direction": "y", "contact_deg": [0.0, 30.0], "values": [0.0, 41.0], "monotone": "up", "linear_r2": null}],
+        "widths": [{"tire": "own", "load_n": 13.0, "depth_mm": 0.99, "amplitude_mpa": 0.11, "width_deg": 6.1, "offset_mpa": 0.03, "r2": 0.998}],
+        "claims": [of_film(json!({"claim": "voltage rises with load", "holds": "uncertain", "detail": "from 15 to 20 N the change is within its error"}))],
     })
 }
 
@@ -183,7 +206,7 @@ pub fn faults() -> Value {
 #[cfg(test)]
 mod tests {
     use placement::ladder::trade::Trade;
-    use placement::result::{Estimate, StudyResult};
+    use placement::result::{Estimate, Signals, StudyResult};
     use placement::study::Study;
     use serde::de::DeserializeOwned;
 
@@ -208,6 +231,7 @@ mod tests {
         reads::<Estimate>(estimate());
         reads::<StudyResult>(result());
         reads::<Trade>(trade());
+        reads::<Signals>(signals());
     }
 
     #[test]

@@ -227,6 +227,9 @@ pub struct StudyDocument {
     /// Exactly one of `preset`, `tolerance` and `budget_s`.
     #[schema(nullable = false)]
     pub accuracy: Option<AccuracyDocument>,
+    /// Films' signals over loads, pressures and contact angles; none where it is left out.
+    #[schema(nullable = false)]
+    pub signals: Option<SignalsDocument>,
 }
 
 /// One uncertain field of the scene.
@@ -310,4 +313,51 @@ pub struct AccuracyDocument {
     /// Wall-clock time, s.
     #[schema(nullable = false)]
     pub budget_s: Option<f64>,
+}
+
+/// Over which loads, pressures and contact angles films are read, and which films.
+#[derive(Debug, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SignalsDocument {
+    /// Loads at the tire's own pressure, N.
+    #[schema(nullable = false, min_items = 1, max_items = 64)]
+    pub loads_n: Option<Vec<f64>>,
+    /// Internal pressures, MPa.
+    #[schema(nullable = false, min_items = 1, max_items = 64)]
+    pub pressures_mpa: Option<Vec<f64>>,
+    /// Load of the pressures, N.
+    #[schema(nullable = false)]
+    pub at_load_n: Option<f64>,
+    /// Load of the contact angles, N.
+    #[schema(nullable = false)]
+    pub contact_load_n: Option<f64>,
+    /// Wheel angles from a film to the contact, degrees.
+    #[schema(nullable = false, min_items = 1, max_items = 64)]
+    pub contact_deg: Option<Vec<f64>>,
+    /// crown, shoulder, sidewall
+    #[schema(nullable = false, min_items = 1)]
+    pub positions: Option<Vec<String>>,
+    /// `["x"]`, `["y"]` or both.
+    #[schema(nullable = false, min_items = 1)]
+    pub directions: Option<Vec<String>>,
+    /// bare, transfer, coupled
+    #[schema(nullable = false, min_items = 1)]
+    pub films: Option<Vec<String>>,
+    /// A scene's `film` without its place: `theta_deg`, `phi_deg` and `angle_deg`.
+    #[schema(value_type = Object, nullable = false)]
+    pub film: Option<Value>,
+    /// Tires beside the study's own.
+    #[schema(nullable = false, max_items = 16)]
+    pub tires: Option<Vec<FurtherTireDocument>>,
+}
+
+/// A tire beside the study's own.
+#[derive(Debug, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FurtherTireDocument {
+    /// Like no other's, and not `own`.
+    pub name: String,
+    /// As a study's scene.
+    #[schema(value_type = Object)]
+    pub scene: Value,
 }

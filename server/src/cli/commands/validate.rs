@@ -62,6 +62,7 @@ fn is_study(document: &Value) -> bool {
         "layouts",
         "method",
         "accuracy",
+        "signals",
     ]
     .iter()
     .any(|f| document.get(f).is_some())

@@ -89,8 +89,12 @@ fn solves(estimate: &Estimate) -> String {
     } else {
         format!(" ({} to {})", left.least, left.most)
     };
+    let signals = match solves.signals {
+        0 => String::new(),
+        signals => format!(", {signals} for films' signals"),
+    };
     format!(
-        "solves     {}{range}: {} points, {} on coarser meshes, {} for what is left out; {} known already\n",
+        "solves     {}{range}: {} points, {} on coarser meshes, {} for what is left out{signals}; {} known already\n",
         left.expected, solves.own, solves.coarser, solves.effects, solves.known
     )
 }

@@ -6,7 +6,7 @@
 //! - `files`: what a command reads and writes, looked at first
 //! - `progress`: bars and clocks
 //! - `signals`: Ctrl-C
-//! - `estimate_text`, `ranked_table`: figures as tables
+//! - `estimate_text`, `ranked_table`, `signal_table`: figures as tables
 //! - `help_examples`: the examples of `--help`
 
 pub(crate) mod estimate_text;
@@ -18,4 +18,5 @@ pub(crate) mod output_place;
 pub(crate) mod paint;
 pub(crate) mod progress;
 pub(crate) mod ranked_table;
+pub(crate) mod signal_table;
 pub(crate) mod signals;

@@ -9,6 +9,7 @@ use placement::score::location_scores::{GSI, MDRM_GSI, MEAN_GSI, OWN_GSI, Score}
 
 use crate::cli::terminal::estimate_text::comparison;
 use crate::cli::terminal::paint::{BAD, FAINT, GOOD, HEADER, STRONG, header, painted};
+use crate::cli::terminal::signal_table::signals;
 
 /// Table 2 of the paper (Sensors 2025, 25, 4026): P1 to P5, x and y, percent.
 const PAPER: [(&str, f64, f64); 5] = [
@@ -22,6 +23,7 @@ const PAPER: [(&str, f64, f64); 5] = [
 /// Everything that `run` prints of a result.
 pub fn report(result: &StudyResult) -> String {
     let mut text = ranked(result);
+    text.push_str(&signals(result));
     text.push_str(&notes(result));
     text.push_str(&climb(result));
     text.push_str(&cost(result));
@@ -143,8 +145,12 @@ fn cost(result: &StudyResult) -> String {
         0 => String::new(),
         solves => format!(", {solves} more on a coarser mesh for its error"),
     };
+    let signals = match cost.signal_solves {
+        0 => String::new(),
+        solves => format!(", {solves} for films' signals"),
+    };
     format!(
-        "\nwhole study {:.2} s; {} solves, {} of them known before{coarser}; {} Newton iterations, {} factorisations\n\
+        "\nwhole study {:.2} s; {} solves, {} of them known before{coarser}{signals}; {} Newton iterations, {} factorisations\n\
          of the solves' time: factorisation {:.0} %, substitution and contact {:.0} %, assembly {:.0} %, the rest \
          {:.0} %\n",
         cost.wall_s,

@@ -10,7 +10,7 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::Response;
 use fem_client::solver::direction::Direction;
 use placement::ladder::trade::Trade;
-use placement::result::{MapLayer, StudyResult};
+use placement::result::{MapLayer, Signals, StudyResult};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use sqlx::SqliteConnection;
@@ -30,6 +30,7 @@ use service::wire::study_wire::{Evaluations, Layouts, Locations, MapView, Proble
 use store::answers::ranked_rows::{self, Ranked};
 use store::answers::result_rows;
 use store::answers::result_text;
+use store::answers::stored_signals;
 use store::answers::trades;
 use store::{Store, StoreError};
 
@@ -39,6 +40,7 @@ pub fn router() -> OpenApiRouter<AppState> {
         .routes(routes!(whole))
         .routes(routes!(locations))
         .routes(routes!(layouts))
+        .routes(routes!(signals))
         .routes(routes!(evaluations))
         .routes(routes!(map))
         .routes(routes!(trade))
@@ -110,6 +112,26 @@ async fn ranked(store: &Store, id: &str) -> Result<Ranked, Problem> {
         ranked_rows::find(connection, id).await
     });
     found.await
+}
+
+/// Get the films' signals
+///
+/// What each film reads of each load, pressure and contact angle, with its error, and what the curves show.
+#[utoipa::path(get, path = "/v1/studies/{id}/signals", tag = "answers", params(StudyPath),
+    responses((status = 200, description = "The answer", body = Signals, example = json!(examples::signals())),
+              (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
+async fn signals(
+    State(state): State<AppState>,
+    StudyId(id): StudyId,
+) -> Result<Json<Signals>, Problem> {
+    let found = ready(&state.store, &id, async |connection| {
+        let signals = stored_signals::find(connection, &id).await?;
+        let result = result_rows::sha256_of(connection, &id).await?;
+        Ok(result.map(|_| signals))
+    });
+    found.await?.map(Json).ok_or_else(|| {
+        Problem::not_found("this study has no signals: its document asks for none, or its budget left no time for them")
+    })
 }
 
 /// Get the solved points

@@ -5,8 +5,8 @@
 use fem_client::solver::FilmCondition;
 use fem_client::solver::direction::Direction;
 use placement::result::{
-    ClaimRow, FilmModel, FilmPair, SignalAxis, SignalCurve, SignalError, SignalRow, Signals,
-    StressWidth,
+    CONDITIONS, ClaimRow, FilmModel, FilmPair, SignalAxis, SignalCurve, SignalError, SignalRow,
+    Signals, StressWidth, condition_name,
 };
 use placement::study::{POSITIONS, position_name};
 use serde::{Deserialize, Serialize};
@@ -253,20 +253,6 @@ impl Row {
             open_circuit_v: self.error_open_circuit_v?,
             output_v: self.error_output_v?,
         })
-    }
-}
-
-const CONDITIONS: [(&str, FilmCondition); 3] = [
-    ("ok", FilmCondition::Ok),
-    ("beyond-yield", FilmCondition::BeyondYield),
-    ("wrinkled", FilmCondition::Wrinkled),
-];
-
-fn condition_name(condition: FilmCondition) -> &'static str {
-    match condition {
-        FilmCondition::Ok => "ok",
-        FilmCondition::BeyondYield => "beyond-yield",
-        FilmCondition::Wrinkled => "wrinkled",
     }
 }
 

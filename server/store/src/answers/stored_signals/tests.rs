@@ -64,14 +64,6 @@ async fn stored(signals: &Signals) -> (tempfile::TempDir, crate::Store) {
     (folder, store)
 }
 
-#[test]
-fn every_condition_has_the_name_that_documents_have() {
-    for (name, condition) in CONDITIONS {
-        assert_eq!(condition_name(condition), name);
-        assert_eq!(serde_json::json!(condition), name);
-    }
-}
-
 #[tokio::test]
 async fn signals_are_found_as_they_were_stored_and_never_when_damaged() {
     let signals = signals();

@@ -1,6 +1,8 @@
 //! `strainsite run`: one study without the service, with the same engine and the same database.
 
-use std::path::PathBuf;
+mod film_figures;
+
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::Args;
@@ -46,7 +48,7 @@ pub struct Run {
     /// Say what the study would cost, and solve nothing
     #[arg(long, conflicts_with = "out")]
     dry_run: bool,
-    /// Write result.json and locations.csv into this folder
+    /// Write result.json and locations.csv into this folder, and of films' signals signals.csv, figure-4.svg and figure-5.svg
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Write the result as JSON to a file, or to standard output with -
@@ -60,7 +62,7 @@ impl Run {
         Files::of_database(&self.config.db)
             .reading(named_files(&self.study))
             .telling(self.json.as_ref())
-            .filling(self.out.as_deref(), &[RESULT, LOCATIONS])
+            .filling(self.out.as_deref(), &FILES)
     }
 
     /// Runs the study and prints its answer.
@@ -138,14 +140,8 @@ impl Run {
                 Failure::Other(format!("{} can't be made: {error}", folder.display()))
             })?;
             JsonTarget::File(folder.join(RESULT)).write(result)?;
-            let ranking = Export {
-                format: FileFormat::Csv,
-                table: Table::Locations,
-            };
-            write(
-                &folder.join(LOCATIONS),
-                &ranking.bytes(result, &[]).map_err(Failure::other)?,
-            )?;
+            write_table(&folder.join(LOCATIONS), Table::Locations, result)?;
+            write_signals(folder, result)?;
         }
         if let Some(target) = &self.json {
             target.write(result)?;
@@ -157,6 +153,34 @@ impl Run {
 /// The files of `--out`.
 const RESULT: &str = "result.json";
 const LOCATIONS: &str = "locations.csv";
+const SIGNALS: &str = "signals.csv";
+const FIGURE_4: &str = "figure-4.svg";
+const FIGURE_5: &str = "figure-5.svg";
+const FILES: [&str; 5] = [RESULT, LOCATIONS, SIGNALS, FIGURE_4, FIGURE_5];
+
+fn write_table(path: &Path, table: Table, result: &StudyResult) -> Result<(), Failure> {
+    let export = Export {
+        format: FileFormat::Csv,
+        table,
+    };
+    write(path, &export.bytes(result, &[]).map_err(Failure::other)?)
+}
+
+/// Films' signals as a table and pictures, where the study asks for them.
+fn write_signals(folder: &Path, result: &StudyResult) -> Result<(), Failure> {
+    let Some(signals) = &result.signals else {
+        return Ok(());
+    };
+    write_table(&folder.join(SIGNALS), Table::Signals, result)?;
+    let figures = [
+        (FIGURE_4, film_figures::figure_4(signals)),
+        (FIGURE_5, film_figures::figure_5(signals)),
+    ];
+    for (name, drawn) in figures {
+        write(&folder.join(name), drawn.map_err(Failure::Other)?.as_ref())?;
+    }
+    Ok(())
+}
 
 /// Takes the interrupted study of the same document up again, or stores a new one.
 async fn claim(store: &Store, study: &Study) -> Result<StudyRow, StoreError> {

@@ -1,0 +1,240 @@
+//! Films' voltages as pictures: over load and pressure (figure 5 of the study that the shipped placement study computes), and over the contact angle (figure 4).
+//!
+//! Each panel is of one tire and one direction of the films, with a curve for each position: bare films dashed, coupled ones solid, each reading with its error.
+
+use fem_client::solver::Position;
+use fem_client::solver::direction::Direction;
+use placement::result::{FilmModel, SignalAxis, SignalRow, Signals};
+use placement::study::POSITIONS;
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+/// Of a panel, pixels.
+const PANEL: (u32, u32) = (460, 280);
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
+
+/// Volts over load and over pressure.
+///
+/// # Errors
+/// A sentence, when it can't be drawn.
+pub fn figure_5(signals: &Signals) -> Result<String, String> {
+    svg(signals, &[SignalAxis::Load, SignalAxis::Pressure])
+}
+
+/// Volts over the contact angle.
+///
+/// # Errors
+/// A sentence, when it can't be drawn.
+pub fn figure_4(signals: &Signals) -> Result<String, String> {
+    svg(signals, &[SignalAxis::Contact])
+}
+
+/// A row of panels for each tire and direction, a column for each axis.
+fn svg(signals: &Signals, axes: &[SignalAxis]) -> Result<String, String> {
+    let mut text = String::new();
+    let mut rows: Vec<(&str, Direction)> = Vec::new();
+    for row in &signals.rows {
+        if !rows.contains(&(&row.tire, row.direction)) {
+            rows.push((&row.tire, row.direction));
+        }
+    }
+    let size = (
+        PANEL.0 * axes.len() as u32,
+        PANEL.1 * rows.len().max(1) as u32,
+    );
+    draw(signals, &rows, axes, size, &mut text)
+        .map_err(|error| format!("the plot can't be drawn: {error}"))?;
+    Ok(text)
+}
+
+fn draw(
+    signals: &Signals,
+    rows: &[(&str, Direction)],
+    axes: &[SignalAxis],
+    size: (u32, u32),
+    text: &mut String,
+) -> Drawn {
+    let area = SVGBackend::with_string(text, size).into_drawing_area();
+    area.fill(&WHITE)?;
+    let panels = area.split_evenly((rows.len().max(1), axes.len()));
+    let all = rows
+        .iter()
+        .flat_map(|row| axes.iter().map(move |axis| (row, axis)));
+    for (((tire, direction), axis), panel) in all.zip(&panels) {
+        let of_panel = |row: &&SignalRow| {
+            row.tire == *tire && row.direction == *direction && row.over == *axis
+        };
+        let readings: Vec<&SignalRow> = signals.rows.iter().filter(of_panel).collect();
+        draw_panel(
+            panel,
+            &format!("{tire} tire, films along {direction}"),
+            *axis,
+            &readings,
+        )?;
+    }
+    area.present()
+}
+
+fn draw_panel(area: &Area<'_>, title: &str, axis: SignalAxis, rows: &[&SignalRow]) -> Drawn {
+    let points = |row: &&SignalRow| point(row, axis);
+    let all: Vec<Point> = rows.iter().filter_map(points).collect();
+    let name = match axis {
+        SignalAxis::Load => "load, N",
+        SignalAxis::Pressure => "pressure, MPa",
+        SignalAxis::Contact => "contact angle, degrees",
+    };
+    let volts = all
+        .iter()
+        .flat_map(|p| [p.volts - p.error, p.volts + p.error]);
+    let mut chart = ChartBuilder::on(area)
+        .caption(title, ("sans-serif", 14))
+        .margin(8)
+        .x_label_area_size(36)
+        .y_label_area_size(52)
+        .build_cartesian_2d(room(all.iter().map(|p| p.at)), room(volts.chain([0.0])))?;
+    chart
+        .configure_mesh()
+        .x_desc(name)
+        .y_desc("open circuit, V")
+        .light_line_style(WHITE)
+        .draw()?;
+    for (position_text, position) in POSITIONS {
+        for film in [FilmModel::Bare, FilmModel::Coupled] {
+            let of_curve = |row: &&&SignalRow| row.position == position && row.film == film;
+            let mut curve: Vec<Point> = rows.iter().filter(of_curve).filter_map(points).collect();
+            if curve.is_empty() {
+                continue;
+            }
+            curve.sort_by(|a, b| a.at.total_cmp(&b.at));
+            let style = colour(position).stroke_width(2);
+            let line = curve.iter().map(|p| (p.at, p.volts));
+            let series = match film {
+                FilmModel::Bare => chart.draw_series(DashedLineSeries::new(line, 6, 4, style))?,
+                _ => chart.draw_series(LineSeries::new(line, style))?,
+            };
+            series
+                .label(format!("{position_text}, {}", film.as_str()))
+                .legend(move |(x, y)| PathElement::new([(x, y), (x + 14, y)], style));
+            let bar = |p: &Point| [(p.at, p.volts - p.error), (p.at, p.volts + p.error)];
+            chart.draw_series(curve.iter().map(|p| PathElement::new(bar(p), style)))?;
+            chart.draw_series(
+                curve
+                    .iter()
+                    .map(|p| Circle::new((p.at, p.volts), 2, style.filled())),
+            )?;
+        }
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperLeft)
+        .background_style(WHITE.mix(0.8))
+        .label_font(("sans-serif", 10))
+        .draw()
+}
+
+/// A reading in a panel; without a known error, its own.
+#[derive(Clone, Copy)]
+struct Point {
+    at: f64,
+    volts: f64,
+    error: f64,
+}
+
+fn point(row: &SignalRow, axis: SignalAxis) -> Option<Point> {
+    Some(Point {
+        at: match axis {
+            SignalAxis::Load => row.load_n,
+            SignalAxis::Pressure => row.pressure_mpa,
+            SignalAxis::Contact => row.contact_deg,
+        },
+        volts: row.open_circuit_v?,
+        error: row.error.map_or(0.0, |error| error.open_circuit_v),
+    })
+}
+
+/// A range that holds all values and a little more.
+fn room(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+        (low.min(value), high.max(value))
+    });
+    if low > high {
+        return 0.0..1.0;
+    }
+    let margin = match 0.05 * (high - low) {
+        0.0 => 1.0,
+        margin => margin,
+    };
+    low - margin..high + margin
+}
+
+fn colour(position: Position) -> RGBColor {
+    match position {
+        Position::Crown => RGBColor(0, 90, 156),
+        Position::Shoulder => RGBColor(200, 110, 20),
+        Position::Sidewall => RGBColor(40, 130, 70),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(film: FilmModel, over: SignalAxis, at: f64, volts: Option<f64>) -> SignalRow {
+        SignalRow {
+            tire: "own".to_owned(),
+            film,
+            position: Position::Crown,
+            direction: Direction::X,
+            over,
+            load_n: at,
+            pressure_mpa: at,
+            contact_deg: at,
+            depth_mm: None,
+            strain: None,
+            tension_1_n_per_mm: None,
+            charge_nc: None,
+            open_circuit_v: volts,
+            output_v: volts,
+            output_std_v: None,
+            state: None,
+            error: None,
+            reason: None,
+        }
+    }
+
+    #[test]
+    fn every_axis_has_its_panel_and_every_film_its_line() {
+        let rows = SignalAxis::ALL.into_iter().flat_map(|over| {
+            [FilmModel::Bare, FilmModel::Coupled]
+                .map(|film| [1.0, 2.0, 3.0].map(|at| row(film, over, at, (at < 3.0).then_some(at))))
+        });
+        let signals = Signals {
+            rows: rows.flatten().collect(),
+            ..Signals::default()
+        };
+        let (four, five) = (figure_4(&signals), figure_5(&signals));
+        let (four, five) = (four.expect("draws"), five.expect("draws"));
+        for (text, words) in [
+            (&four, vec!["contact angle, degrees"]),
+            (&five, vec!["load, N", "pressure, MPa"]),
+        ] {
+            for word in words.into_iter().chain(["crown, bare", "crown, coupled"]) {
+                assert!(text.contains(word), "{word}");
+            }
+            assert!(!text.contains("NaN"));
+        }
+    }
+
+    #[test]
+    fn a_study_in_which_nothing_was_solved_has_empty_panels() {
+        let rows = vec![row(FilmModel::Bare, SignalAxis::Load, 1.0, None)];
+        let signals = Signals {
+            rows,
+            ..Signals::default()
+        };
+        assert!(figure_5(&signals).expect("draws").contains("load, N"));
+        assert!(figure_4(&Signals::default()).is_ok());
+    }
+}
