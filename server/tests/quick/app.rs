@@ -63,6 +63,11 @@ impl Home {
         app.expect("the service starts")
     }
 
+    pub async fn start_on(&self, solver: Arc<dyn Solver>) -> App {
+        let app = serve(self.database(), solver).await;
+        app.expect("the service starts")
+    }
+
     pub async fn start(&self, solver: ClosedFormSolver) -> App {
         self.try_start(solver).await.expect("the service starts")
     }

@@ -62,7 +62,12 @@ fn block(signals: &Signals, claims: &[ClaimRow]) -> String {
     }
     for (position, direction) in places {
         let of_place = |row: &&ClaimRow| (row.position, row.direction) == (position, direction);
-        let _ = write!(text, "{:<11}{:<3}", position_name(position), direction);
+        let _ = write!(
+            text,
+            "{:<11}{:<3}",
+            position_name(position),
+            direction.as_str()
+        );
         for film in &films {
             let of_film = claims
                 .iter()

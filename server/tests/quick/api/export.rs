@@ -145,7 +145,7 @@ async fn parquet_has_the_rows_of_csv_with_their_types() {
     let app = home.start(ClosedFormSolver::new()).await;
     let id = app.submit(&study()).await;
     app.wait_for(&id, "done").await;
-    for name in ["indices", "locations", "layouts", "points"] {
+    for name in ["indices", "locations", "layouts", "points", "signals"] {
         let csv = table(&app, &id, name).await;
         let query = format!("format=parquet&table={name}");
         let (kind, file) = (

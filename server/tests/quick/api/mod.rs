@@ -5,6 +5,7 @@ mod dashboard;
 mod edge;
 mod events;
 mod export;
+mod films;
 mod gone;
 mod metrics;
 mod openapi;

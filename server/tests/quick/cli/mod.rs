@@ -4,6 +4,7 @@ mod access;
 mod accuracy;
 mod db;
 mod exports;
+mod film_signals;
 mod library;
 mod logs;
 mod outputs;

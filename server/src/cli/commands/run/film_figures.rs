@@ -1,6 +1,7 @@
 //! Films' voltages as pictures: over load and pressure (figure 5 of the study that the shipped placement study computes), and over the contact angle (figure 4).
 //!
-//! Each panel is of one tire and one direction of the films, with a curve for each position: bare films dashed, coupled ones solid, each reading with its error.
+//! Each panel is of one tire and one direction of the films, with a curve for each position, each reading with its error: coupled films solid, bare ones dashed and
+//! on an axis of their own, because they read some fifty times as much.
 
 use fem_client::solver::Position;
 use fem_client::solver::direction::Direction;
@@ -10,7 +11,10 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 /// Of a panel, pixels.
-const PANEL: (u32, u32) = (460, 280);
+const PANEL: (u32, u32) = (500, 280);
+/// Height of the legend, and width of one of its letters, at most, pixels.
+const HEAD: u32 = 28;
+const LETTER: i32 = 7;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
@@ -42,7 +46,7 @@ fn svg(signals: &Signals, axes: &[SignalAxis]) -> Result<String, String> {
     }
     let size = (
         PANEL.0 * axes.len() as u32,
-        PANEL.1 * rows.len().max(1) as u32,
+        HEAD + PANEL.1 * rows.len().max(1) as u32,
     );
     draw(signals, &rows, axes, size, &mut text)
         .map_err(|error| format!("the plot can't be drawn: {error}"))?;
@@ -58,7 +62,9 @@ fn draw(
 ) -> Drawn {
     let area = SVGBackend::with_string(text, size).into_drawing_area();
     area.fill(&WHITE)?;
-    let panels = area.split_evenly((rows.len().max(1), axes.len()));
+    let (head, body) = area.split_vertically(HEAD);
+    draw_legend(&head)?;
+    let panels = body.split_evenly((rows.len().max(1), axes.len()));
     let all = rows
         .iter()
         .flat_map(|row| axes.iter().map(move |axis| (row, axis)));
@@ -67,71 +73,85 @@ fn draw(
             row.tire == *tire && row.direction == *direction && row.over == *axis
         };
         let readings: Vec<&SignalRow> = signals.rows.iter().filter(of_panel).collect();
-        draw_panel(
-            panel,
-            &format!("{tire} tire, films along {direction}"),
-            *axis,
-            &readings,
-        )?;
+        let title = format!("{tire} tire, films along {direction}");
+        draw_panel(panel, &title, *axis, &readings)?;
     }
     area.present()
 }
 
-fn draw_panel(area: &Area<'_>, title: &str, axis: SignalAxis, rows: &[&SignalRow]) -> Drawn {
-    let points = |row: &&SignalRow| point(row, axis);
-    let all: Vec<Point> = rows.iter().filter_map(points).collect();
-    let name = match axis {
-        SignalAxis::Load => "load, N",
-        SignalAxis::Pressure => "pressure, MPa",
-        SignalAxis::Contact => "contact angle, degrees",
+/// What colours and dashes mean.
+fn draw_legend(area: &Area<'_>) -> Drawn {
+    let mut x = 12;
+    let mut entry = |text: &str, style: ShapeStyle, dashed: bool| -> Drawn {
+        let ends: &[(i32, i32)] = match dashed {
+            true => &[(0, 6), (10, 16), (20, 26)],
+            false => &[(0, 26)],
+        };
+        for (from, to) in ends {
+            area.draw(&PathElement::new([(x + from, 14), (x + to, 14)], style))?;
+        }
+        area.draw(&Text::new(text.to_owned(), (x + 32, 8), ("sans-serif", 12)))?;
+        x += 44 + LETTER * text.len() as i32;
+        Ok(())
     };
-    let volts = all
-        .iter()
-        .flat_map(|p| [p.volts - p.error, p.volts + p.error]);
+    for (name, position) in POSITIONS {
+        entry(name, colour(position).stroke_width(2), false)?;
+    }
+    entry("bare", BLACK.stroke_width(1), true)?;
+    entry("coupled", BLACK.stroke_width(1), false)
+}
+
+/// Coupled films on the left axis, bare ones, which read far more, on the right one.
+fn draw_panel(area: &Area<'_>, title: &str, axis: SignalAxis, rows: &[&SignalRow]) -> Drawn {
+    let curve = |film: FilmModel, position: Position| -> Vec<Point> {
+        let of_curve = |row: &&&SignalRow| row.position == position && row.film == film;
+        let points = rows.iter().filter(of_curve);
+        let mut points: Vec<Point> = points.filter_map(|row| point(row, axis)).collect();
+        points.sort_by(|a, b| a.at.total_cmp(&b.at));
+        points
+    };
+    let all = |film| {
+        POSITIONS
+            .into_iter()
+            .flat_map(move |(_, position)| curve(film, position))
+    };
+    let volts = |film| {
+        let ends = all(film).flat_map(|p| [p.volts - p.error, p.volts + p.error]);
+        room(ends.chain([0.0]))
+    };
+    let [coupled, bare] = [FilmModel::Coupled, FilmModel::Bare];
+    let along = room(rows.iter().map(|row| place(row, axis)));
     let mut chart = ChartBuilder::on(area)
         .caption(title, ("sans-serif", 14))
         .margin(8)
         .x_label_area_size(36)
         .y_label_area_size(52)
-        .build_cartesian_2d(room(all.iter().map(|p| p.at)), room(volts.chain([0.0])))?;
+        .right_y_label_area_size(56)
+        .build_cartesian_2d(along.clone(), volts(coupled))?
+        .set_secondary_coord(along, volts(bare));
     chart
         .configure_mesh()
-        .x_desc(name)
-        .y_desc("open circuit, V")
+        .x_desc(match axis {
+            SignalAxis::Load => "load, N",
+            SignalAxis::Pressure => "pressure, MPa",
+            SignalAxis::Contact => "contact angle, degrees",
+        })
+        .y_desc("coupled, V")
         .light_line_style(WHITE)
         .draw()?;
-    for (position_text, position) in POSITIONS {
-        for film in [FilmModel::Bare, FilmModel::Coupled] {
-            let of_curve = |row: &&&SignalRow| row.position == position && row.film == film;
-            let mut curve: Vec<Point> = rows.iter().filter(of_curve).filter_map(points).collect();
-            if curve.is_empty() {
-                continue;
-            }
-            curve.sort_by(|a, b| a.at.total_cmp(&b.at));
-            let style = colour(position).stroke_width(2);
-            let line = curve.iter().map(|p| (p.at, p.volts));
-            let series = match film {
-                FilmModel::Bare => chart.draw_series(DashedLineSeries::new(line, 6, 4, style))?,
-                _ => chart.draw_series(LineSeries::new(line, style))?,
-            };
-            series
-                .label(format!("{position_text}, {}", film.as_str()))
-                .legend(move |(x, y)| PathElement::new([(x, y), (x + 14, y)], style));
-            let bar = |p: &Point| [(p.at, p.volts - p.error), (p.at, p.volts + p.error)];
-            chart.draw_series(curve.iter().map(|p| PathElement::new(bar(p), style)))?;
-            chart.draw_series(
-                curve
-                    .iter()
-                    .map(|p| Circle::new((p.at, p.volts), 2, style.filled())),
-            )?;
-        }
+    chart.configure_secondary_axes().y_desc("bare, V").draw()?;
+    for (_, position) in POSITIONS {
+        let style = colour(position).stroke_width(2);
+        let points = curve(coupled, position);
+        let line = points.iter().map(|p| (p.at, p.volts));
+        chart.draw_series(LineSeries::new(line, style))?;
+        chart.draw_series(points.iter().map(|p| p.bar(style)))?;
+        let points = curve(bare, position);
+        let line = points.iter().map(|p| (p.at, p.volts));
+        chart.draw_secondary_series(DashedLineSeries::new(line, 6, 4, style))?;
+        chart.draw_secondary_series(points.iter().map(|p| p.bar(style)))?;
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperLeft)
-        .background_style(WHITE.mix(0.8))
-        .label_font(("sans-serif", 10))
-        .draw()
+    Ok(())
 }
 
 /// A reading in a panel; without a known error, its own.
@@ -142,16 +162,28 @@ struct Point {
     error: f64,
 }
 
+impl Point {
+    /// From the least that it may be to the most.
+    fn bar(self, style: ShapeStyle) -> PathElement<(f64, f64)> {
+        let ends = [self.volts - self.error, self.volts + self.error];
+        PathElement::new(ends.map(|volts| (self.at, volts)), style)
+    }
+}
+
 fn point(row: &SignalRow, axis: SignalAxis) -> Option<Point> {
     Some(Point {
-        at: match axis {
-            SignalAxis::Load => row.load_n,
-            SignalAxis::Pressure => row.pressure_mpa,
-            SignalAxis::Contact => row.contact_deg,
-        },
+        at: place(row, axis),
         volts: row.open_circuit_v?,
         error: row.error.map_or(0.0, |error| error.open_circuit_v),
     })
+}
+
+fn place(row: &SignalRow, axis: SignalAxis) -> f64 {
+    match axis {
+        SignalAxis::Load => row.load_n,
+        SignalAxis::Pressure => row.pressure_mpa,
+        SignalAxis::Contact => row.contact_deg,
+    }
 }
 
 /// A range that holds all values and a little more.
@@ -220,7 +252,7 @@ mod tests {
             (&four, vec!["contact angle, degrees"]),
             (&five, vec!["load, N", "pressure, MPa"]),
         ] {
-            for word in words.into_iter().chain(["crown, bare", "crown, coupled"]) {
+            for word in words.into_iter().chain(["crown", "bare, V", "coupled, V"]) {
                 assert!(text.contains(word), "{word}");
             }
             assert!(!text.contains("NaN"));

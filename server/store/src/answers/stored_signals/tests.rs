@@ -1,5 +1,11 @@
+use sqlx::migrate::Migrator;
+use sqlx::sqlite::SqliteConnectOptions;
+use sqlx::{Connection, SqliteConnection};
+
 use super::*;
+use crate::Store;
 use crate::database::tests::fresh;
+use crate::file::schema::MIGRATIONS;
 
 fn signals() -> Signals {
     let row = |(load_n, state): (f64, Option<FilmCondition>)| SignalRow {
@@ -48,17 +54,22 @@ fn signals() -> Signals {
     }
 }
 
-/// A database with a study's result that has these signals.
-async fn stored(signals: &Signals) -> (tempfile::TempDir, crate::Store) {
-    let (folder, store) = fresh().await;
-    let mut write = store.begin().await.expect("begins");
+/// A study with a result.
+async fn add_result(connection: &mut SqliteConnection) {
     for change in [
         "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'films', '{}', '', 'done', 't')",
         "insert into results (study, document, document_sha256, content_sha256, created) values ('a', '{}', '', 'c', 't')",
     ] {
-        let changed = sqlx::query(change).execute(&mut *write).await;
+        let changed = sqlx::query(change).execute(&mut *connection).await;
         changed.expect("stores");
     }
+}
+
+/// A database with a study's result that has these signals.
+async fn stored(signals: &Signals) -> (tempfile::TempDir, Store) {
+    let (folder, store) = fresh().await;
+    let mut write = store.begin().await.expect("begins");
+    add_result(&mut write).await;
     insert(&mut write, "a", signals).await.expect("stores");
     store.commit(write, 0).await.expect("commits");
     (folder, store)
@@ -92,4 +103,25 @@ async fn signals_are_found_as_they_were_stored_and_never_when_damaged() {
             "{damage}: {refused:?}"
         );
     }
+}
+
+#[tokio::test]
+async fn a_database_of_before_opens_and_has_no_signals_yet() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let path = folder.path().join("before.db");
+    let options = SqliteConnectOptions::new().filename(&path);
+    let opened = SqliteConnection::connect_with(&options.create_if_missing(true)).await;
+    let mut sql = opened.expect("opens");
+    let before = MIGRATIONS.iter().filter(|change| change.version < 20);
+    let before = Migrator::with_migrations(before.cloned().collect());
+    before.run(&mut sql).await.expect("migrates");
+    add_result(&mut sql).await;
+    sql.close().await.expect("closes");
+
+    let store = Store::open(&path).await.expect("opens");
+    let mut write = store.begin().await.expect("begins");
+    assert_eq!(find(&mut write, "a").await.expect("reads"), None);
+    insert(&mut write, "a", &signals()).await.expect("stores");
+    let found = find(&mut write, "a").await.expect("reads");
+    assert_eq!(found, Some(signals()));
 }
