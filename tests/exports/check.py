@@ -18,7 +18,8 @@ import pandas as pd
 import pyarrow.parquet as pq
 
 SCENE = Path(__file__).resolve().parents[2] / "scenes" / "foot-tire.toml"
-TABLES = ["indices", "locations", "layouts", "points"]
+TABLES = ["indices", "locations", "layouts", "points", "signals"]
+SIGNALS = {"loads_n": [5, 20], "pressures_mpa": [0.2], "at_load_n": 5, "contact_deg": [0, 10], "positions": ["crown"]}
 MISSING = -1.0
 KINDS = {"double": float, "int64": int, "bool": bool, "string": str}
 
@@ -130,6 +131,15 @@ def rows_of(table, result, evaluations):
                 "films": "+".join(layout["films"]), "weakest_signal_strain": score["weakest_signal"],
                 **{name: score[name] for name in ["worst_angle_error_deg", "rms_angle_error_deg", "worst_depth_error_mm"]},
                 "noise_strain": score["noise_strain"], "reason": score.get("reason"),
+            }
+    elif table == "signals":
+        for row in result["signals"]["rows"]:
+            error = row["error"] or {}
+            yield {
+                **{name: value for name, value in row.items() if name not in ("error", "reason")},
+                "strain_error": error.get("strain"), "charge_error_nc": error.get("charge_nc"),
+                "open_circuit_error_v": error.get("open_circuit_v"), "output_error_v": error.get("output_v"),
+                "reason": row.get("reason"),
             }
     else:
         names = [place["name"] for place in result["cut_point"]["locations"]]
@@ -397,7 +407,7 @@ def refused(service, ident, query, status):
 def main():
     url, program, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
     service = Service(url)
-    with_map = service.run(study("all known"))
+    with_map = service.run(study("all known", signals=SIGNALS))
     # A draft doesn't know its mesh's error, and without contact its stiffness changes nothing: no strain has an index.
     stiffness = {"kind": "uniform", "min": 100.0, "max": 200.0}
     idle = service.run(study(
@@ -405,6 +415,8 @@ def main():
         scene={"preset": "foot-tire", "ground": {"depths_mm": [0.0] * 5}, "contact": {"penalty_n_per_mm3": 150.0}},
         inputs=[{"name": "a, \"b\" <c> µ", "vary": "contact.penalty_n_per_mm3", "distribution": stiffness}],
         candidates={"points": "P1-P5", "grid": {**GRID, "half_width_deg": 180}},
+        # A tire without cords bursts at this pressure: its row has a reason.
+        signals={**SIGNALS, "films": ["bare"], "tires": [{"name": "weak, \"µ\"", "scene": {}}]},
     ))
     without = service.run(study("no map", accuracy={"preset": "draft"}, candidates={"points": "P1-P5"}))
     values = sum(check_tables(service, ident, program, folder) for ident in (with_map, idle))

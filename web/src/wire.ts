@@ -41,6 +41,28 @@ export interface components {
              */
             effect?: number | null;
         };
+        /**
+         * @description What is claimed of films' voltages.
+         * @enum {string}
+         */
+        Claim: "voltage rises with load" | "voltage falls with pressure" | "linear over the contact angle";
+        /** @description Whether a claim holds of one film. */
+        ClaimRow: {
+            /** @description Name of the tire. */
+            tire: string;
+            /** @description How the film is modelled. */
+            film: components["schemas"]["FilmModel"];
+            /** @description Where it lies in the section. */
+            position: string;
+            /** @description Direction of its length. */
+            direction: string;
+            /** @description What is claimed. */
+            claim: components["schemas"]["Claim"];
+            /** @description Whether it holds. */
+            holds: components["schemas"]["Holds"];
+            /** @description What the curve does. */
+            detail: string;
+        };
         /** @description The way from a draft to the accuracy asked for. */
         Climb: {
             /**
@@ -380,6 +402,30 @@ export interface components {
          * @enum {string}
          */
         FileFormat: "csv" | "json" | "parquet" | "vtu";
+        /**
+         * @description How a film is modelled.
+         * @enum {string}
+         */
+        FilmModel: "bare" | "transfer" | "coupled";
+        /** @description The difference of two films at the crown, 30 degrees before and behind a point of the wheel, as the contact moves away from that point. */
+        FilmPair: {
+            /** @description Name of the tire. */
+            tire: string;
+            /** @description How the films are modelled. */
+            film: components["schemas"]["FilmModel"];
+            /** @description Direction of their length. */
+            direction: string;
+            /** @description Wheel angles from that point to the contact, degrees. */
+            contact_deg: number[];
+            /** @description Open circuit's voltage of the film that the contact comes to minus that of the other one, V; null where it isn't solved. */
+            values: (number | null)[];
+            monotone?: components["schemas"]["Trend"] | null;
+            /**
+             * Format: double
+             * @description Share of the variance that a line explains.
+             */
+            linear_r2?: number | null;
+        };
         /** @description A figure with its range. */
         Forecast: {
             /**
@@ -426,6 +472,13 @@ export interface components {
             /** @description The designs one by one. */
             designs?: components["schemas"]["DesignDocument"][];
         };
+        /** @description A tire beside the study's own. */
+        FurtherTireDocument: {
+            /** @description Like no other's, and not `own`. */
+            name: string;
+            /** @description As a study's scene. */
+            scene: Record<string, unknown>;
+        };
         /** @description The service answers. */
         Health: {
             /** @description `ok` */
@@ -433,6 +486,11 @@ export interface components {
             /** @description Version of the program. */
             version: string;
         };
+        /**
+         * @description Whether a claim holds.
+         * @enum {string}
+         */
+        Holds: "yes" | "no" | "uncertain";
         /** @description What one location is ranked by. */
         Index: {
             /** @description Name of the location. */
@@ -906,6 +964,170 @@ export interface components {
             /** @description Indices of the locations, in the order of their names. */
             indices: components["schemas"]["Index"][];
         };
+        /**
+         * @description What changes along a curve.
+         * @enum {string}
+         */
+        SignalAxis: "load" | "pressure" | "contact";
+        /** @description The open circuit's voltage of one film over loads, pressures or contact angles. */
+        SignalCurve: {
+            /** @description Name of the tire. */
+            tire: string;
+            /** @description How the film is modelled. */
+            film: components["schemas"]["FilmModel"];
+            /** @description Where it lies in the section. */
+            position: string;
+            /** @description Direction of its length. */
+            direction: string;
+            /** @description What changes along it. */
+            over: components["schemas"]["SignalAxis"];
+            /**
+             * Format: double
+             * @description Slope of the line of least squares, V per N, per MPa or per degree; null of fewer than two points.
+             */
+            slope?: number | null;
+            monotone?: components["schemas"]["Trend"] | null;
+            /** @description Whether every step is larger than the errors of its two ends together. */
+            monotone_certain: boolean;
+            /**
+             * Format: double
+             * @description Share of the variance that the line explains; null of fewer than three points, and where nothing varies.
+             */
+            linear_r2?: number | null;
+        };
+        /** @description Errors of a film's reading by the mesh, absolute: the change from the next coarser mesh, times Richardson's factor. */
+        SignalError: {
+            /**
+             * Format: double
+             * @description Of the strain.
+             */
+            strain: number;
+            /**
+             * Format: double
+             * @description Of the charge, nC.
+             */
+            charge_nc: number;
+            /**
+             * Format: double
+             * @description Of the open circuit's voltage, V.
+             */
+            open_circuit_v: number;
+            /**
+             * Format: double
+             * @description Of the amplifier's, V.
+             */
+            output_v: number;
+        };
+        /** @description What one film reads of one pressing. */
+        SignalRow: {
+            /** @description Name of the tire; the study's own is `own`. */
+            tire: string;
+            /** @description How the film is modelled. */
+            film: components["schemas"]["FilmModel"];
+            /** @description Where it lies in the section. */
+            position: string;
+            /** @description Direction of its length: x circumferential, y meridional. */
+            direction: string;
+            /** @description Which curve it is a point of. */
+            over: components["schemas"]["SignalAxis"];
+            /**
+             * Format: double
+             * @description Vertical force of the ground, N.
+             */
+            load_n: number;
+            /**
+             * Format: double
+             * @description Internal pressure, MPa.
+             */
+            pressure_mpa: number;
+            /**
+             * Format: double
+             * @description Wheel angle from the film to the contact, degrees.
+             */
+            contact_deg: number;
+            /**
+             * Format: double
+             * @description How far the ground stands above the inflated outer radius, mm.
+             */
+            depth_mm?: number | null;
+            /**
+             * Format: double
+             * @description Mean strain along the film since inflation.
+             */
+            strain?: number | null;
+            /**
+             * Format: double
+             * @description Mean tension along the film since inflation, N/mm.
+             */
+            tension_1_n_per_mm?: number | null;
+            /**
+             * Format: double
+             * @description Charge, nC.
+             */
+            charge_nc?: number | null;
+            /**
+             * Format: double
+             * @description Voltage where nothing draws charge, V.
+             */
+            open_circuit_v?: number | null;
+            /**
+             * Format: double
+             * @description Amplitude at the amplifier, V.
+             */
+            output_v?: number | null;
+            /**
+             * Format: double
+             * @description Standard deviation of that by noise, gain and temperature, V.
+             */
+            output_std_v?: number | null;
+            /** @description Whether the film bears that: `ok`, `beyond-yield` or `wrinkled`; null where that isn't known. */
+            state?: string | null;
+            error?: components["schemas"]["SignalError"] | null;
+            /** @description Why numbers are null. */
+            reason?: string | null;
+        };
+        /** @description Films' signals over load, pressure and contact angle. */
+        Signals: {
+            /** @description What each film reads of each pressing. */
+            rows: components["schemas"]["SignalRow"][];
+            /** @description The rows as curves of the open circuit's voltage. */
+            curves: components["schemas"]["SignalCurve"][];
+            /** @description Two films around the wheel, read against each other. */
+            pairs: components["schemas"]["FilmPair"][];
+            /** @description How wide the contact is felt around the wheel. */
+            widths: components["schemas"]["StressWidth"][];
+            /** @description What holds of what is claimed of such films. */
+            claims: components["schemas"]["ClaimRow"][];
+        };
+        /** @description Over which loads, pressures and contact angles films are read, and which films. */
+        SignalsDocument: {
+            /** @description Loads at the tire's own pressure, N. */
+            loads_n?: number[];
+            /** @description Internal pressures, MPa. */
+            pressures_mpa?: number[];
+            /**
+             * Format: double
+             * @description Load of the pressures, N.
+             */
+            at_load_n?: number;
+            /**
+             * Format: double
+             * @description Load of the contact angles, N.
+             */
+            contact_load_n?: number;
+            /** @description Wheel angles from a film to the contact, degrees. */
+            contact_deg?: number[];
+            /** @description crown, shoulder, sidewall */
+            positions?: string[];
+            /** @description `["x"]`, `["y"]` or both. */
+            directions?: string[];
+            /** @description bare, transfer, coupled */
+            films?: string[];
+            /** @description A scene's `film` without its place: `theta_deg`, `phi_deg` and `angle_deg`. */
+            film: Record<string, unknown>;
+            /** @description Tires beside the study's own. */
+            tires?: components["schemas"]["FurtherTireDocument"][];
+        };
         /** @description Equilibria that are expected to be solved. */
         SolveForecast: {
             /** @description Points on the meshes of the answer and of the rungs before it. */
@@ -914,6 +1136,8 @@ export interface components {
             coarser: number;
             /** @description Solves that show what the model leaves out. */
             effects: number;
+            /** @description Solves of films' signals, on both meshes. */
+            signals?: number;
             /** @description How many of these the database has already: they cost nothing. */
             known: number;
             /** @description How many are left to solve. */
@@ -933,6 +1157,43 @@ export interface components {
             /** @description A JSON object with `kind`, `time` and what else belongs to it. */
             data: string;
         };
+        /** @description A Gaussian in the von Mises stress of the inner surface around the wheel at the crown: offset + amplitude exp(-angle^2 / (2 width^2)). */
+        StressWidth: {
+            /** @description Name of the tire. */
+            tire: string;
+            /**
+             * Format: double
+             * @description Vertical force of the ground, N.
+             */
+            load_n: number;
+            /**
+             * Format: double
+             * @description How far the ground stands above the inflated outer radius, mm.
+             */
+            depth_mm?: number | null;
+            /**
+             * Format: double
+             * @description Amplitude, MPa.
+             */
+            amplitude_mpa?: number | null;
+            /**
+             * Format: double
+             * @description Standard deviation, degrees around the wheel.
+             */
+            width_deg?: number | null;
+            /**
+             * Format: double
+             * @description Stress far from the contact, MPa.
+             */
+            offset_mpa?: number | null;
+            /**
+             * Format: double
+             * @description Share of the variance within 60 degrees of the contact that the Gaussian explains.
+             */
+            r2?: number | null;
+            /** @description Why numbers are null. */
+            reason?: string | null;
+        };
         /** @description What a study took. */
         StudyCost: {
             /** @description Points of the plan. */
@@ -941,6 +1202,8 @@ export interface components {
             coarser_solves?: number;
             /** @description Solves that show what the model leaves out. */
             effect_solves?: number;
+            /** @description Solves of films' signals, on both meshes. */
+            signal_solves?: number;
             /** @description Wall-clock time of each rung of the climb, s. */
             rungs_wall_s?: number[];
             /** @description Points taken from the archive instead of being solved. */
@@ -1013,6 +1276,8 @@ export interface components {
             method?: components["schemas"]["MethodDocument"];
             /** @description Exactly one of `preset`, `tolerance` and `budget_s`. */
             accuracy?: components["schemas"]["AccuracyDocument"];
+            /** @description Films' signals over loads, pressures and contact angles; none where it is left out. */
+            signals?: components["schemas"]["SignalsDocument"];
         };
         /** @description Which study, which document, which program. */
         StudyIdentity: {
@@ -1047,6 +1312,7 @@ export interface components {
             /** @description Ranked layouts. */
             layouts: components["schemas"]["RankedLayout"][];
             map?: components["schemas"]["IndexMap"] | null;
+            signals?: components["schemas"]["Signals"] | null;
             /** @description What the user must know before believing the numbers, whole sentences. */
             notes: string[];
             /** @description Points that have no equilibrium, with their causes; the indices are taken from the others. */
@@ -1164,7 +1430,7 @@ export interface components {
          * @description What is wanted of a study.
          * @enum {string}
          */
-        Table: "indices" | "locations" | "layouts" | "points";
+        Table: "indices" | "locations" | "layouts" | "points" | "signals";
         /** @description The measured trade of a study. */
         Trade: {
             /** @description Name of the study. */
@@ -1176,6 +1442,11 @@ export interface components {
             /** @description The rungs, in the order of the ladder. */
             rungs: components["schemas"]["Rung"][];
         };
+        /**
+         * @description Which way a curve goes.
+         * @enum {string}
+         */
+        Trend: "up" | "down" | "no";
         /**
          * @description What a difference is worth.
          * @enum {string}
@@ -1191,6 +1462,8 @@ export interface components {
 export type AccuracyDocument = components['schemas']['AccuracyDocument'];
 export type CandidatesDocument = components['schemas']['CandidatesDocument'];
 export type Choice = components['schemas']['Choice'];
+export type Claim = components['schemas']['Claim'];
+export type ClaimRow = components['schemas']['ClaimRow'];
 export type Climb = components['schemas']['Climb'];
 export type ClimbRung = components['schemas']['ClimbRung'];
 export type CoarserIndices = components['schemas']['CoarserIndices'];
@@ -1214,10 +1487,14 @@ export type FailedPoint = components['schemas']['FailedPoint'];
 export type Fault = components['schemas']['Fault'];
 export type FidelityReport = components['schemas']['FidelityReport'];
 export type FileFormat = components['schemas']['FileFormat'];
+export type FilmModel = components['schemas']['FilmModel'];
+export type FilmPair = components['schemas']['FilmPair'];
 export type Forecast = components['schemas']['Forecast'];
 export type FormMisses = components['schemas']['FormMisses'];
 export type FurtherDesigns = components['schemas']['FurtherDesigns'];
+export type FurtherTireDocument = components['schemas']['FurtherTireDocument'];
 export type Health = components['schemas']['Health'];
+export type Holds = components['schemas']['Holds'];
 export type Index = components['schemas']['Index'];
 export type IndexError = components['schemas']['IndexError'];
 export type IndexMap = components['schemas']['IndexMap'];
@@ -1244,9 +1521,16 @@ export type RankedLocation = components['schemas']['RankedLocation'];
 export type Reached = components['schemas']['Reached'];
 export type Readiness = components['schemas']['Readiness'];
 export type Rung = components['schemas']['Rung'];
+export type SignalAxis = components['schemas']['SignalAxis'];
+export type SignalCurve = components['schemas']['SignalCurve'];
+export type SignalError = components['schemas']['SignalError'];
+export type SignalRow = components['schemas']['SignalRow'];
+export type Signals = components['schemas']['Signals'];
+export type SignalsDocument = components['schemas']['SignalsDocument'];
 export type SolveForecast = components['schemas']['SolveForecast'];
 export type State = components['schemas']['State'];
 export type StreamEvent = components['schemas']['StreamEvent'];
+export type StressWidth = components['schemas']['StressWidth'];
 export type StudyCost = components['schemas']['StudyCost'];
 export type StudyDetail = components['schemas']['StudyDetail'];
 export type StudyDocument = components['schemas']['StudyDocument'];
@@ -1261,6 +1545,7 @@ export type SweepPage = components['schemas']['SweepPage'];
 export type SweepSummary = components['schemas']['SweepSummary'];
 export type Table = components['schemas']['Table'];
 export type Trade = components['schemas']['Trade'];
+export type Trend = components['schemas']['Trend'];
 export type Verdict = components['schemas']['Verdict'];
 export type $defs = Record<string, never>;
 export type operations = Record<string, never>;

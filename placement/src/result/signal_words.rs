@@ -4,13 +4,27 @@ use serde::{Deserialize, Serialize};
 
 /// An enum with a name for each of its values.
 macro_rules! words {
-    ($(#[$doc:meta])* $word:ident { $($(#[$of_value:meta])* $value:ident = $name:literal,)+ }) => {
-        $(#[$doc])*
+    ($(#[doc = $doc:literal])+ $word:ident { $($(#[$of_value:meta])* $value:ident = $name:literal,)+ }) => {
+        $(#[doc = $doc])+
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-        #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
         pub enum $word {
             $($(#[$of_value])* #[serde(rename = $name)] $value,)+
         }
+
+        // What would be derived doesn't see names that come through a macro.
+        #[cfg(feature = "openapi")]
+        impl utoipa::PartialSchema for $word {
+            fn schema() -> utoipa::openapi::RefOr<utoipa::openapi::Schema> {
+                utoipa::openapi::ObjectBuilder::new()
+                    .schema_type(utoipa::openapi::Type::String)
+                    .enum_values(Some(Self::ALL.map(Self::as_str)))
+                    .description(Some(concat!($($doc),+).trim()))
+                    .into()
+            }
+        }
+
+        #[cfg(feature = "openapi")]
+        impl utoipa::ToSchema for $word {}
 
         impl $word {
             /// All of them, in their order in documents.

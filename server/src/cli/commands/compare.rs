@@ -190,7 +190,10 @@ fn line(study: &ComparedStudy, width: usize) -> String {
         micro(study.std_strain_y),
         left(style, &best, 14),
         layout,
-        count(cost.map(|cost| cost.solves + cost.coarser_solves + cost.effect_solves)),
+        count(cost.map(|cost| cost.solves
+            + cost.coarser_solves
+            + cost.effect_solves
+            + cost.signal_solves)),
         count(cost.map(|cost| cost.reused)),
         number(cost.map(|cost| cost.wall_s), 2),
     )

@@ -9,10 +9,11 @@ import { MapPanel } from "./map/map-panel.tsx";
 import { MatrixPanel } from "./matrix-panel.tsx";
 import { ModelPanel } from "./model-panel.tsx";
 import { RankingPanel } from "./ranking/ranking-panel.tsx";
+import { SignalsPanel } from "./signals/signals-panel.tsx";
 import { TradePanel } from "./trade-panel.tsx";
 
 /** Tables that the service exports. */
-const TABLES = ["indices", "locations", "layouts", "points"] as const;
+const TABLES = ["indices", "locations", "layouts", "points", "signals"] as const;
 
 /** Formats that they are exported in. */
 const FILES = [{ format: "csv", label: "CSV" }, { format: "parquet", label: "Parquet" }] as const;
@@ -51,6 +52,7 @@ export function ResultPanels(props: {
       <Notes notes={result.notes} />
       <FailedPoints result={result} />
       <RankingPanel result={result} />
+      {result.signals != null && <SignalsPanel signals={result.signals} />}
       <MapPanel result={result} route={route} onAdjust={onAdjust} />
       <MatrixPanel result={result} />
       <LayoutsPanel layouts={result.layouts} />

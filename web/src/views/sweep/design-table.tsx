@@ -70,7 +70,7 @@ function Figures({ study }: { study: ComparedStudy | undefined }) {
       <td>{signal(study?.std_strain_y)}</td>
       <td>{best(study)}</td>
       <td>{layout(study)}</td>
-      <td>{integer(cost && cost.solves + (cost.coarser_solves ?? 0) + (cost.effect_solves ?? 0))}</td>
+      <td>{integer(cost && cost.solves + (cost.coarser_solves ?? 0) + (cost.effect_solves ?? 0) + (cost.signal_solves ?? 0))}</td>
       <td>{integer(cost?.reused)}</td>
       <td>{fixed(cost?.wall_s, 2)}</td>
     </>

@@ -1,0 +1,27 @@
+import { different, panels } from "../../../lib/signals/film-curves.ts";
+import type { Signals } from "../../../wire.ts";
+import { ClaimsTable } from "./claims-table.tsx";
+import { FilmKey, FilmPlot } from "./film-plot.tsx";
+
+/** Volts of films over load, pressure and contact angle, and what holds of what is claimed of them. */
+export function SignalsPanel({ signals }: { signals: Signals }) {
+  const positions = different(signals.rows.map((row) => row.position));
+  return (
+    <section class="panel" aria-labelledby="signals-title">
+      <h2 id="signals-title">Signals</h2>
+      <p>
+        Open circuit volts of strain films, with their errors by the mesh: over load and pressure, and over the angle around the
+        wheel from the film to the contact.
+      </p>
+      <FilmKey positions={positions} />
+      <div class="charts">
+        {panels(signals.rows, ["load", "pressure", "contact"]).map((panel) => (
+          <FilmPlot key={`${panel.tire} ${panel.direction} ${panel.over}`} panel={panel} />
+        ))}
+      </div>
+      {different(signals.claims.map((row) => row.tire)).map((tire) => (
+        <ClaimsTable key={tire} tire={tire} claims={signals.claims.filter((row) => row.tire === tire)} />
+      ))}
+    </section>
+  );
+}
