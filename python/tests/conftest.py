@@ -70,6 +70,21 @@ def coarse(sweep: Sweep) -> strainsite.Result:
 
 
 @pytest.fixture(scope="session")
+def films(client: Client) -> Study:
+    """One that reads bare films under two loads."""
+    document = client.document("foot-tire", {"accuracy.preset": "draft", "method.nodes": 3, "method.check_points": 0})
+    document["inputs"] = document["inputs"][2:3]
+    document["signals"] = {
+        "loads_n": [5, 20],
+        "pressures_mpa": [0.2],
+        "at_load_n": 5,
+        "contact_deg": [0, 10],
+        "films": ["bare"],
+    }
+    return client.submit(document).wait(timeout=60)
+
+
+@pytest.fixture(scope="session")
 def partly_failed(client: Client) -> Study:
     """One of which the point with the thinnest wall has no equilibrium."""
     return client.submit(inflated(2.2, 4.0)).wait(timeout=60)

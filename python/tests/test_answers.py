@@ -72,6 +72,21 @@ def test_points_without_an_equilibrium_are_rows_with_a_reason(partly_failed: Stu
     assert_equal(found.indices_frame(), exported(service, partly_failed, "indices"))
 
 
+def test_signals_are_the_services(films: Study, study: Study, service: Service) -> None:
+    found = films.result()
+    assert found.signals == films.signals()
+    assert found.signals is not None
+    assert rest(service, films, "signals").json() == found.raw["signals"]
+    assert {row.film for row in found.signals.rows} == {"bare"}
+    assert all(row.open_circuit_v for row in found.signals.rows)
+    assert found.cost.signal_solves == len({row.load_n for row in found.signals.rows})
+    assert_equal(found.signals_frame(), exported(service, films, "signals"))
+    assert study.result().signals is None
+    assert study.result().signals_frame().empty
+    with pytest.raises(strainsite.NotFound, match="asks for none"):
+        study.signals()
+
+
 def test_errors_are_in_the_frames_where_they_are_known(coarse: Result) -> None:
     frame = coarse.locations_frame()
     assert (frame["gsi_x_error_percent"] > 0).any()
@@ -114,7 +129,7 @@ def test_null_in_a_map_is_nan(result: Result) -> None:
 
 
 def test_exports_are_the_services_files(study: Study, service: Service, tmp_path: Path) -> None:
-    for table in ("indices", "locations", "layouts", "points"):
+    for table in ("indices", "locations", "layouts", "points", "signals"):
         path = study.export("csv", table, tmp_path)
         assert path == tmp_path / f"{study.id}-{table}.csv"
         assert path.read_bytes() == rest(service, study, "export", format="csv", table=table).content

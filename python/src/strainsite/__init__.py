@@ -25,6 +25,7 @@ from .answers.points import Cost, CutPoint, Evaluation, FailedPoint, LocationStr
 from .answers.preset import Preset, Presets
 from .answers.ranked import Layout, LayoutScore, Location
 from .answers.result import Result
+from .answers.signals import Claim, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth
 from .answers.summary import Design, DesignCounts, StudySummary, SweepSummary
 from .client import Client
 from .errors import (
@@ -52,6 +53,7 @@ __all__ = [
     "AnswerError",
     "Busy",
     "Choice",
+    "Claim",
     "Client",
     "CoarserIndices",
     "ComparedIndex",
@@ -71,6 +73,7 @@ __all__ = [
     "ExpectedAccuracy",
     "FailedPoint",
     "Fault",
+    "FilmPair",
     "Forecast",
     "FormMisses",
     "Input",
@@ -90,9 +93,14 @@ __all__ = [
     "Refused",
     "Result",
     "ServerLost",
+    "SignalCurve",
+    "SignalError",
+    "SignalRow",
+    "Signals",
     "SolveForecast",
     "StrainMap",
     "StrainsiteError",
+    "StressWidth",
     "Study",
     "StudyCancelled",
     "StudyFailed",

@@ -11,6 +11,7 @@ from .answers.points import Evaluation
 from .answers.ranked import Layout, Location
 from .answers.reading import read, records
 from .answers.result import Result
+from .answers.signals import Signals
 from .answers.summary import StudySummary
 from .connection.download import download
 from .connection.follow import ENDED, Follower
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 
     from .connection.transport import Transport
 
-Table = Literal["indices", "locations", "layouts", "points"]
+Table = Literal["indices", "locations", "layouts", "points", "signals"]
 
 
 class Study:
@@ -134,11 +135,20 @@ class Study:
         """The ranked layouts, best first."""
         return records(self._answer("layouts").get("layouts"), Layout, "layouts")
 
+    def signals(self) -> Signals:
+        """Films' signals over load, pressure and contact angle.
+
+        Raises:
+            NotFound: Its document asks for none.
+
+        """
+        return read(Signals, self._answer("signals"), "signals")
+
     def evaluations(self) -> tuple[Evaluation, ...]:
         """The points that have an outcome so far, while it runs too.
 
         Those of the plan come first, `result.cost.solves` of them; then the same on a coarser mesh, for the error of
-        the mesh, and what shows the effect of what the model leaves out.
+        the mesh, what shows the effect of what the model leaves out, and what films' signals are read from.
         """
         answer = self._transport.get(f"{self._path}/evaluations")
         return records(answer.get("evaluations"), Evaluation, "evaluations")
@@ -163,7 +173,8 @@ class Study:
 
         Args:
             format: `csv`, `parquet`, `vtu` (the map on the inner surface, for ParaView) or `json` (the result).
-            table: `indices` (when left out), `locations`, `layouts` or `points`, for formats of one table.
+            table: `indices` (when left out), `locations`, `layouts`, `points` or `signals`, for formats of one
+                table.
             path: The file, or a folder; the name that the service proposes, in the working folder, when left out.
 
         """

@@ -33,6 +33,8 @@ class SolveForecast:
     """The same on a coarser mesh, for the error of the mesh."""
     effects: int
     """Solves that show what the model leaves out."""
+    signals: int
+    """Solves of films' signals, on both meshes."""
     known: int
     """How many of these the database has already."""
     left: CountForecast

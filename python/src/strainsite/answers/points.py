@@ -69,4 +69,6 @@ class Cost:
     peak_memory_bytes: int
     coarser_solves: int = 0
     effect_solves: int = 0
+    signal_solves: int = 0
+    """Of films' signals, on both meshes."""
     factorisations: int = 0

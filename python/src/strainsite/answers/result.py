@@ -16,6 +16,7 @@ from .model import Input, Model, StudyIdentity  # noqa: TC001 - fields are read 
 from .points import Cost, CutPoint, FailedPoint  # noqa: TC001 - fields are read by their types
 from .ranked import Layout, Location  # noqa: TC001 - fields are read by their types
 from .reading import read
+from .signals import Signals  # noqa: TC001 - fields are read by their types
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -44,6 +45,8 @@ class Result:
     estimate: Estimate | None
     climb: dict[str, Any] | None
     """How the accuracy asked for was looked for; None where a level was asked for."""
+    signals: Signals | None
+    """None where the study asks for none."""
     raw: dict[str, Any] = field(default_factory=dict, compare=False)
 
     @classmethod
@@ -76,6 +79,10 @@ class Result:
     def layouts_frame(self) -> pd.DataFrame:
         """The ranked layouts as a pandas frame, columns as in the exported table."""
         return self._frame(rows.layouts(self.layouts))
+
+    def signals_frame(self) -> pd.DataFrame:
+        """What films read as a pandas frame, columns as in the exported table; empty where the study asks for none."""
+        return self._frame(rows.signals(self.signals.rows if self.signals else ()))
 
     def _frame(self, table: Sequence[rows.Row]) -> pd.DataFrame:
         return frames.frame(table, origin=rows.record(self.study))

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from .model import Input
     from .points import Evaluation
     from .ranked import Layout
+    from .signals import SignalRow
 
 Row = dict[str, object]
 
@@ -69,6 +70,22 @@ def layouts(layouts: Sequence[Layout]) -> list[Row]:
         row["films"] = "+".join(layout.films)
         row["weakest_signal_strain"] = layout.score.weakest_signal
         rows.append({name: row[name] for name in _LAYOUT_COLUMNS})
+    return rows
+
+
+def signals(readings: Sequence[SignalRow]) -> list[Row]:
+    """A row for each film and pressing."""
+    rows = []
+    for reading in readings:
+        row = record(reading)
+        error, reason = reading.error, row.pop("reason")
+        row["strain_error"] = error.strain if error else None
+        row["charge_error_nc"] = error.charge_nc if error else None
+        row["open_circuit_error_v"] = error.open_circuit_v if error else None
+        row["output_error_v"] = error.output_v if error else None
+        row["reason"] = reason
+        del row["error"]
+        rows.append(row)
     return rows
 
 
