@@ -1,12 +1,12 @@
 //! Films' signals over load, pressure and contact angle: what a published study measured, computed.
 //!
 //! - [`signal_settings`]: what a document asks for
-//! - [`series`]: what is solved for that: a series of scenes for the bare tire, and one for each glued film
-//! - [`measuring`]: solves them, on the study's mesh and the coarser one
-//! - [`answers`]: what one mesh answers, read as bare, transferred and coupled films; [`tension_transfer`] is the matrix between them
-//! - [`signal_rows`], [`signal_curves`], [`signal_claims`]: readings with their errors, their curves, and what holds of what is claimed
-//! - [`film_pairs`], [`stress_widths`]: two films against each other, and how wide the contact is felt
-//! - [`line_fit`], [`gaussian_fit`], [`curve_trend`]: the mathematics
+//! - `series`: what is solved for that: a series of scenes for the bare tire, and one for each glued film
+//! - `measuring`: solves them, on the study's mesh and the coarser one
+//! - `answers`: what one mesh answers, read as bare, transferred and coupled films; `tension_transfer` is the matrix between them
+//! - `signal_rows`, `signal_curves`, `signal_claims`: readings with their errors, their curves, and what holds of what is claimed
+//! - `film_pairs`, `stress_widths`: two films against each other, and how wide the contact is felt
+//! - `line_fit`, `gaussian_fit`, `curve_trend`: the mathematics
 
 pub(crate) mod answers;
 pub(crate) mod curve_trend;

@@ -273,7 +273,7 @@ fn every_fault_of_signals_has_its_place() {
     assert_eq!(pointers, ["/signals/positions/2"]);
 }
 
-fn row<'s>(signals: &'s Signals, film: FilmModel, over: SignalAxis, at: [f64; 3]) -> &'s SignalRow {
+fn row(signals: &Signals, film: FilmModel, over: SignalAxis, at: [f64; 3]) -> &SignalRow {
     let rows = signals.rows.iter();
     let mut found = rows.filter(|row| {
         row.film == film

@@ -60,10 +60,10 @@ function Axis({ panel, x, heights }: { panel: Panel; x: Scale; heights: Record<D
       <text x={(LEFT + WIDTH - RIGHT) / 2} y={HEIGHT - 6} text-anchor="middle">
         {AXES[panel.over]}
       </text>
-      <text x={LEFT - 5} y={HEIGHT - 6} text-anchor="end">
+      <text x={0} y={HEIGHT - 6}>
         coupled V
       </text>
-      <text x={WIDTH - RIGHT + 5} y={HEIGHT - 6}>
+      <text x={WIDTH} y={HEIGHT - 6} text-anchor="end">
         bare V
       </text>
     </g>
