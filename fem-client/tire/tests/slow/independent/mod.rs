@@ -1,7 +1,7 @@
 //! The reference tire as an independent code solved it, solved here on the same mesh, with its contact law and its readout.
 //!
 //! That code reads raw strains at nodes, and its bricks grow towards the bead: neither is in its description, both were found
-//! by trying, see `docs/independent.md`.
+//! by trying, see `docs/verification/independent.md`.
 
 // Each target that includes this module uses a part of it.
 #![allow(dead_code)]
