@@ -36,7 +36,7 @@ pub(crate) fn measure(
     };
     let mut signals = Signals::default();
     let values = &plan.values()[0];
-    for (name, scene) in &tires {
+    for (name, scene, settings) in &tires {
         let mut on_mesh =
             |level: Level| answers(settings, scene, level, values, &mut place, context);
         let fine = on_mesh(scene.model.level)?;
@@ -62,15 +62,17 @@ pub(crate) fn measure(
 }
 
 impl SignalSettings {
-    /// The study's own tire at its means, and the further ones, each with its name.
-    pub(crate) fn tires<'s>(&'s self, study: &Study, plan: &Plan) -> Vec<(&'s str, Scene)> {
+    /// The study's own tire at its means, and the further ones, each with its name and what is asked of it.
+    pub(crate) fn tires<'s>(&'s self, study: &Study, plan: &Plan) -> Vec<(&'s str, Scene, Self)> {
         let mut own = plan.points[0].clone();
         own.model.level = study.level;
         let further = self
             .tires
             .iter()
-            .map(|tire| (tire.name.as_str(), tire.scene.clone()));
-        std::iter::once((OWN_TIRE, own)).chain(further).collect()
+            .map(|tire| (tire.name.as_str(), tire.scene.clone(), self.of_tire(tire)));
+        std::iter::once((OWN_TIRE, own, self.clone()))
+            .chain(further)
+            .collect()
     }
 }
 
@@ -84,7 +86,7 @@ pub(crate) fn signal_series(
         return Vec::new();
     };
     let mut all = Vec::new();
-    for (_, tire) in settings.tires(study, plan) {
+    for (_, tire, settings) in settings.tires(study, plan) {
         let coarser = solver.coarser(&tire).map(|coarser| coarser.level);
         for level in [Some(tire.model.level), coarser].into_iter().flatten() {
             let tire = on_level(&tire, level);

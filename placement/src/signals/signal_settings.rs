@@ -45,6 +45,21 @@ pub struct FurtherTire {
     pub name: String,
     /// The tire.
     pub scene: Scene,
+    /// Its own loads and pressures, where it bears others.
+    pub own: OwnLoads,
+}
+
+/// Loads and pressures of a further tire, in place of those of all.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct OwnLoads {
+    /// Loads at the tire's own pressure, N.
+    pub loads_n: Option<Vec<f64>>,
+    /// Internal pressures, MPa.
+    pub pressures_mpa: Option<Vec<f64>>,
+    /// Load of the pressures, N.
+    pub at_load_n: Option<f64>,
+    /// Load of the contact angles, N.
+    pub contact_load_n: Option<f64>,
 }
 
 impl SignalSettings {
@@ -81,6 +96,17 @@ impl SignalSettings {
         }
     }
 
+    /// What is asked of a further tire.
+    pub fn of_tire(&self, tire: &FurtherTire) -> Self {
+        let mut settings = self.clone();
+        let own = tire.own.clone();
+        settings.loads_n = own.loads_n.unwrap_or(settings.loads_n);
+        settings.pressures_mpa = own.pressures_mpa.unwrap_or(settings.pressures_mpa);
+        settings.at_load_n = own.at_load_n.unwrap_or(settings.at_load_n);
+        settings.contact_load_n = own.contact_load_n.unwrap_or(settings.contact_load_n);
+        settings
+    }
+
     /// The table as in a document, every default filled in.
     pub fn to_value(&self) -> Value {
         json!({
@@ -100,7 +126,28 @@ impl SignalSettings {
 
 impl FurtherTire {
     fn to_value(&self) -> Value {
-        json!({"name": self.name, "scene": self.scene.to_value()})
+        let mut value = json!({"name": self.name, "scene": self.scene.to_value()});
+        let own = [
+            (
+                "loads_n",
+                self.own.loads_n.as_ref().map(|loads| json!(loads)),
+            ),
+            (
+                "pressures_mpa",
+                self.own.pressures_mpa.as_ref().map(|p| json!(p)),
+            ),
+            ("at_load_n", self.own.at_load_n.map(|load| json!(load))),
+            (
+                "contact_load_n",
+                self.own.contact_load_n.map(|load| json!(load)),
+            ),
+        ];
+        for (name, given) in own {
+            if let Some(given) = given {
+                value[name] = given;
+            }
+        }
+        value
     }
 }
 

@@ -10,7 +10,7 @@ use fem_client::solver::direction::Direction;
 use serde_json::{Map, Value};
 
 use crate::result::FilmModel;
-use crate::signals::signal_settings::{FurtherTire, OWN_TIRE, PLACED, SignalSettings};
+use crate::signals::signal_settings::{FurtherTire, OWN_TIRE, OwnLoads, PLACED, SignalSettings};
 use crate::study::POSITIONS;
 use crate::study::candidate_reader::list;
 use crate::study::input_reader::read_name;
@@ -152,14 +152,42 @@ fn further_tire(
     resolve: Resolve<'_>,
     faults: &mut Vec<Fault>,
 ) -> Option<FurtherTire> {
-    let fields = Fields::open(value, pointer, &["name", "scene"], faults)?;
+    let known = [
+        "name",
+        "scene",
+        "loads_n",
+        "pressures_mpa",
+        "at_load_n",
+        "contact_load_n",
+    ];
+    let fields = Fields::open(value, pointer, &known, faults)?;
     let name = read_name(&fields, "name", LONGEST_TIRE, faults);
     let scene = scene(&fields, resolve, faults);
+    let mut own_values = |name, read: ReadNumber| {
+        let (mut list, given) = (Vec::new(), fields.get(name).is_some());
+        values(&fields, name, &mut list, faults, read);
+        given.then_some(list)
+    };
+    let loads_n = own_values("loads_n", load);
+    let pressures_mpa = own_values("pressures_mpa", pressure);
+    let mut own_load = |name| {
+        let (value, at) = fields.get(name)?;
+        load(value, &at, faults)
+    };
+    let (at_load_n, contact_load_n) = (own_load("at_load_n"), own_load("contact_load_n"));
     Some(FurtherTire {
         name: name?,
         scene: scene?,
+        own: OwnLoads {
+            loads_n,
+            pressures_mpa,
+            at_load_n,
+            contact_load_n,
+        },
     })
 }
+
+type ReadNumber = fn(&Value, &str, &mut Vec<Fault>) -> Option<f64>;
 
 fn check_names(tires: &[FurtherTire], pointer: &str, faults: &mut Vec<Fault>) {
     for (i, tire) in tires.iter().enumerate() {

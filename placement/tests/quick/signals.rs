@@ -203,6 +203,29 @@ fn an_empty_table_has_every_default_and_reads_back() {
 }
 
 #[test]
+fn a_further_tire_may_have_loads_and_pressures_of_its_own() {
+    let study = read(
+        json!({"positions": ["crown"], "directions": ["x"], "films": ["bare"], "tires": [
+        {"name": "weak", "scene": {}, "loads_n": [1, 3], "pressures_mpa": [0.05], "at_load_n": 2, "contact_load_n": 3}]}),
+    );
+    assert_eq!(Study::from_canonical(&study.canonical()), Ok(study.clone()));
+    let signals = solved(&study, 100.0).signals.expect("asked for");
+    let asked = |tire: &str, over| -> Vec<[f64; 2]> {
+        let rows = signals.rows.iter();
+        let rows = rows.filter(|row| row.tire == tire && row.over == over);
+        rows.map(|row| [row.load_n, row.pressure_mpa]).collect()
+    };
+    assert_eq!(asked("weak", SignalAxis::Load), [[1.0, 0.2], [3.0, 0.2]]);
+    assert_eq!(asked("weak", SignalAxis::Pressure), [[2.0, 0.05]]);
+    assert!(
+        asked("weak", SignalAxis::Contact)
+            .iter()
+            .all(|at| at[0] == 3.0)
+    );
+    assert_eq!(asked("own", SignalAxis::Load).len(), 7);
+}
+
+#[test]
 fn the_scene_s_film_is_that_of_its_signals() {
     let mut document = document(json!({}));
     document["scene"]["film"] = json!({"thickness_mm": 0.11, "phi_deg": 45});
@@ -222,7 +245,7 @@ fn every_fault_of_signals_has_its_place() {
         "loads_n": [1, -2, "x", 1], "pressures_mpa": [], "at_load_n": -1, "contact_load_n": null,
         "contact_deg": [0, 181], "positions": ["crown", "bead"], "directions": ["z"], "films": ["bare", "bare"],
         "film": {"thickness_mm": 0, "theta_deg": 3, "angle_deg": 1},
-        "tires": [{"name": "own", "scene": {}}, {"name": "a", "scene": "gone.toml"}, {"scene": {"tyre": 1}, "at": 2}],
+        "tires": [{"name": "own", "scene": {}}, {"name": "a", "scene": "gone.toml"}, {"scene": {"tyre": 1}, "at": 2, "loads_n": [], "at_load_n": -1}],
         "load": 3,
     });
     assert_eq!(
@@ -243,6 +266,8 @@ fn every_fault_of_signals_has_its_place() {
             "/signals/tires/2/at",
             "/signals/tires/2/name",
             "/signals/tires/2/scene/tyre",
+            "/signals/tires/2/loads_n",
+            "/signals/tires/2/at_load_n",
             "/signals/film/theta_deg",
             "/signals/film/angle_deg",
             "/signals/film/thickness_mm",

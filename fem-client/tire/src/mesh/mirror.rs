@@ -8,9 +8,17 @@ use crate::mesh::tire_grid::{Extent, TireGrid};
 const THETA_MODE: usize = 2;
 
 impl TireGrid {
-    /// Unknowns (mm, then MPa) of the quarter mesh with this one's grid lines, mirrored to this half mesh. `None` when this is no half mesh or the length doesn't fit.
+    /// Whether its lines before the contact centre mirror those behind it: those of a film aside of it don't.
+    fn is_even(&self) -> bool {
+        let mirrored = self.theta.iter().rev();
+        // Lines that make room for a film are rounded on each side by themselves.
+        let lines = self.theta.iter().zip(mirrored);
+        lines.into_iter().all(|(a, b)| (a + b).abs() < 1e-12)
+    }
+
+    /// Unknowns (mm, then MPa) of the quarter mesh with this one's grid lines, mirrored to this half mesh. `None` when this is no half mesh, its lines aren't even or the length doesn't fit.
     pub fn mirror_quarter(&self, quarter: &[f64]) -> Option<Vec<f64>> {
-        if self.extent != Extent::Half {
+        if self.extent != Extent::Half || !self.is_even() {
             return None;
         }
         let e = self.order.edge_nodes() - 1;
@@ -49,14 +57,15 @@ impl TireGrid {
         Some(flat)
     }
 
-    /// Unknowns (mm, then MPa) of this half mesh, left and right exchanged. `None` when this is no half mesh or the length doesn't fit.
+    /// Unknowns (mm, then MPa) of this half mesh, left and right exchanged. `None` when this is no half mesh, its lines aren't even or the length doesn't fit.
     pub fn mirror_half(&self, flat: &[f64]) -> Option<Vec<f64>> {
         let [nphi, ntheta, nrho] = self.bricks();
         let modes = self.order.pressure_modes();
         let line = 3 * self.phi_nodes() * self.rho_nodes();
         let lines = self.theta_nodes();
         let row = modes * nphi * nrho;
-        if self.extent != Extent::Half || flat.len() != line * lines + row * ntheta {
+        let fits = flat.len() == line * lines + row * ntheta;
+        if self.extent != Extent::Half || !self.is_even() || !fits {
             return None;
         }
         let (displacement, pressure) = flat.split_at(line * lines);
@@ -122,6 +131,26 @@ mod tests {
             // Sines and cosines of opposite angles, rounded.
             assert!((a - b).abs() < 1e-13);
         }
+    }
+
+    #[test]
+    fn a_grid_that_is_not_even_is_never_mirrored() {
+        let mut grid = grid();
+        let quarter = TireGrid {
+            extent: Extent::Quarter,
+            is_closed: false,
+            theta: grid.theta[4..].to_vec(),
+            ..grid.clone()
+        };
+        let (mesh, _) = quarter.mesh();
+        let size = 3 * mesh.nodes.len() + mesh.brick_count() * mesh.order.pressure_modes();
+        assert!(grid.mirror_quarter(&vec![0.0; size]).is_some());
+        // A line more on one side.
+        grid.theta.insert(5, 0.5 * (grid.theta[4] + grid.theta[5]));
+        assert_eq!(grid.mirror_quarter(&vec![0.0; size]), None);
+        let (mesh, _) = grid.mesh();
+        let size = 3 * mesh.nodes.len() + mesh.brick_count() * mesh.order.pressure_modes();
+        assert_eq!(grid.mirror_half(&vec![0.0; size]), None);
     }
 
     #[test]
