@@ -4,10 +4,14 @@
 pub(super) fn solve_spd<const N: usize>(matrix: &mut [Vec<f64>], rhs: &mut [[f64; N]]) {
     let n = rhs.len();
     for pivot in 0..n {
-        for row in pivot + 1..n {
+        // Beyond the last entry of its row, and so of its column, a pivot changes nothing: neighbours have neighbouring numbers.
+        let last = matrix[pivot].iter().rposition(|value| *value != 0.0);
+        let end = last.map_or(n, |last| last + 1);
+        for row in pivot + 1..end {
             let factor = matrix[row][pivot] / matrix[pivot][pivot];
             let (upper, lower) = matrix.split_at_mut(row);
-            for (value, above) in lower[0][pivot..].iter_mut().zip(&upper[pivot][pivot..]) {
+            let above = &upper[pivot][pivot..end];
+            for (value, above) in lower[0][pivot..end].iter_mut().zip(above) {
                 *value -= factor * above;
             }
             for k in 0..N {

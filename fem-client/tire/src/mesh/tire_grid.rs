@@ -5,6 +5,8 @@
 //! y >= 0 only, because ground and loads are constant across the wheel; a quarter mesh keeps x >= 0 too. Bricks run
 //! along (phi, theta, rho), which is right-handed; brick numbers run fastest along rho, then phi, then theta.
 
+use std::f64::consts::TAU;
+
 use fem::cell::element::Order;
 use fem::cell::mesh::Mesh;
 
@@ -74,6 +76,12 @@ pub(crate) struct Patch {
     pub(crate) is_fitted: bool,
 }
 
+/// Ends around the wheel (`k` 0), also a turn before and after, as lines are numbered from the far side on; ends along the section (1) as they are.
+pub(crate) fn turned(ends: [f64; 2], k: usize) -> impl Iterator<Item = [f64; 2]> {
+    let turns: &[f64] = if k == 0 { &[-TAU, 0.0, TAU] } else { &[0.0] };
+    turns.iter().map(move |turn| ends.map(|end| end + turn))
+}
+
 /// Grid lines of the mesh: edges of the bricks along each direction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TireGrid {
@@ -126,12 +134,14 @@ impl TireGrid {
     /// they don't fit anything.
     pub(crate) fn around(mut self, patch: &Patch) -> Self {
         for k in 0..2 {
-            let edges = [&self.theta, &self.phi][k];
-            let edges = match patch.is_fitted {
-                true => fitted(edges, patch.ends[k], patch.most[k]),
-                false => split(edges, patch.ends[k], patch.most[k]),
-            };
-            *[&mut self.theta, &mut self.phi][k] = edges;
+            for ends in turned(patch.ends[k], k) {
+                let edges = [&self.theta, &self.phi][k];
+                let edges = match patch.is_fitted {
+                    true => fitted(edges, ends, patch.most[k]),
+                    false => split(edges, ends, patch.most[k]),
+                };
+                *[&mut self.theta, &mut self.phi][k] = edges;
+            }
         }
         self
     }
@@ -320,7 +330,7 @@ pub(crate) mod tests {
         // Half of the wall by Pappus: area of the section times the path of its centroid.
         let section = 0.5 * SHAPE.bead_angle * (12.5f64.powi(2) - 9.5f64.powi(2));
         let moment = (12.5f64.powi(3) - 9.5f64.powi(3)) / 3.0 * SHAPE.bead_angle.sin();
-        let exact = std::f64::consts::TAU * (37.5 * section + moment);
+        let exact = TAU * (37.5 * section + moment);
         let error = |extent, refinement: usize| {
             let coarse = plan(Order::Quadratic);
             let plan = MeshPlan {

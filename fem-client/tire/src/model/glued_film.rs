@@ -6,7 +6,7 @@ use fem::cell::mesh::Mesh;
 use fem::surface::sheet::{Elasticity, Outline, Sheet, Underlay};
 use fem_client::scene::{Film, Level, Scene};
 
-use crate::mesh::tire_grid::{Extent, Patch, TireGrid, TireShape};
+use crate::mesh::tire_grid::{Extent, Patch, TireGrid, TireShape, turned};
 
 /// Stiffness of the springs that hold a film without glue, in shear moduli of the rubber over the film's shorter side: it slides by 1e-4 of what the rubber under it
 /// shears.
@@ -134,8 +134,12 @@ impl Place {
         // Smallest faces, mm.
         let mut sizes = [0, 1].map(|k| {
             let edges = [&grid.theta, &grid.phi][k].windows(2);
-            let under = edges.filter(|edge| edge[1] > ends[k][0] && edge[0] < ends[k][1]);
-            self.radii[k] * under.map(|edge| edge[1] - edge[0]).fold(PI, f64::min)
+            let is_under = |edge: &&[f64]| {
+                let reaches = |[low, high]: [f64; 2]| edge[1] > low && edge[0] < high;
+                turned(ends[k], k).any(reaches)
+            };
+            let under = edges.filter(is_under).map(|edge| edge[1] - edge[0]);
+            self.radii[k] * under.fold(PI, f64::min)
         });
         if !self.is_straight() {
             sizes = [sizes[0].min(sizes[1]); 2];
@@ -154,8 +158,8 @@ impl Place {
     }
 }
 
-/// Most spans along a side: a film around the whole wheel.
-const MOST_SPANS: usize = 64;
+/// Most spans along a side: those of a film around the whole wheel are 9 mm long.
+const MOST_SPANS: usize = 32;
 
 /// The film of a scene on its grid; its control points are nodes from the mesh's last on.
 pub(crate) fn glued_film(scene: &Scene, grid: &TireGrid, mesh: &Mesh) -> Option<Sheet> {
