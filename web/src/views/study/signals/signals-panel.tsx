@@ -10,18 +10,18 @@ export function SignalsPanel({ signals }: { signals: Signals }) {
     <section class="panel" aria-labelledby="signals-title">
       <h2 id="signals-title">Signals</h2>
       <p>
-        Open circuit volts of strain films, with their errors by the mesh: over load and pressure, and over the angle around the
-        wheel from the film to the contact.
+        Do the open circuit volts of strain films rise with the load and fall with the pressure, and are they a line over the angle
+        around the wheel from the film to the contact? Below, the volts with their errors by the mesh.
       </p>
+      {different(signals.claims.map((row) => row.tire)).map((tire) => (
+        <ClaimsTable key={tire} tire={tire} claims={signals.claims.filter((row) => row.tire === tire)} />
+      ))}
       <FilmKey positions={positions} />
-      <div class="charts">
+      <div class="charts signal-charts">
         {panels(signals.rows, ["load", "pressure", "contact"]).map((panel) => (
           <FilmPlot key={`${panel.tire} ${panel.direction} ${panel.over}`} panel={panel} />
         ))}
       </div>
-      {different(signals.claims.map((row) => row.tire)).map((tire) => (
-        <ClaimsTable key={tire} tire={tire} claims={signals.claims.filter((row) => row.tire === tire)} />
-      ))}
     </section>
   );
 }
