@@ -67,9 +67,9 @@ fn film_text(scene: &Scene, film: &Film) -> String {
         more => format!("{more} layers"),
     };
     let glue = match &film.glue {
-        None => "that can't slide".to_owned(),
+        None => "so that it can't slide".to_owned(),
         Some(glue) => format!(
-            "on glue of {} MPa and {} mm",
+            "with glue of {} MPa and {} mm that shears",
             glue.shear_modulus_mpa, glue.thickness_mm
         ),
     };
