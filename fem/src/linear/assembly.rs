@@ -141,6 +141,11 @@ impl<'p> Assembler<'p> {
         }
     }
 
+    /// Lets the next tangent of the sheet have the tensions of its own state.
+    pub fn forget_last_tangent(&mut self) {
+        self.linearised_at = None;
+    }
+
     fn add_sheet_tangents(&mut self, state: &State, pending: &[Vector], entries: &mut Entries) {
         let Some(sheet) = &self.problem.sheet else {
             return;

@@ -86,6 +86,8 @@ impl Newton<'_> {
     pub fn inertia_at(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
         self.set_pending(state, loads.support_factor);
         self.cover_contact(state, loads)?;
+        // The pivots are those of the tensions there, not of those that some step foresaw.
+        self.assembler.forget_last_tangent();
         self.renew(state, loads)
     }
 }
