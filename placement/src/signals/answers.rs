@@ -122,6 +122,9 @@ impl<'s> MeshAnswers<'s> {
 
     /// From the bare wall's strains to a glued film's tensions, by two loads.
     fn transfer(&self, place: Place, pressure_mpa: f64) -> Result<TensionTransfer, String> {
+        if reads_bending(&self.settings.film) {
+            return Err("the film's piezoelectric layer lies off the neutral plane: it reads how the film bends, which tensions don't tell".to_owned());
+        }
         let loads = self.settings.transfer_loads();
         let loads = loads.ok_or("two loads give a transfer; there is one")?;
         let pressings = loads.map(|load_n| Pressing {
@@ -141,6 +144,11 @@ impl<'s> MeshAnswers<'s> {
         let ((strain_a, tension_a), (strain_b, tension_b)) = (first?, second?);
         TensionTransfer::of([strain_a, strain_b], [tension_a, tension_b])
     }
+}
+
+/// Whether a change of curvature makes charge, round-off of the neutral plane apart.
+fn reads_bending(film: &Film) -> bool {
+    film.laminate().piezo_height.abs() > 1e-9 * film.thickness_mm()
 }
 
 fn strain(signal: &FilmSignal) -> [f64; 2] {
@@ -167,9 +175,25 @@ fn signal_of_tension(film: &Film, [along, across]: [f64; 2]) -> FilmSignal {
 #[cfg(test)]
 mod tests {
     use fem_client::film::laminate::product;
-    use fem_client::scene::Scene;
+    use fem_client::scene::{FilmLayer, Scene};
 
     use super::*;
+
+    #[test]
+    fn only_a_film_that_reads_no_bending_is_read_by_its_tension() {
+        let layer = |piezo| FilmLayer {
+            piezo,
+            ..FilmLayer::default()
+        };
+        let of = |piezos: &[bool]| {
+            reads_bending(&Film {
+                layers: piezos.iter().map(|piezo| layer(*piezo)).collect(),
+                ..Film::default()
+            })
+        };
+        assert!(!of(&[true]) && !of(&[false, true, false]));
+        assert!(of(&[false, true]) && of(&[true, false, false]));
+    }
 
     #[test]
     fn a_tension_is_read_by_its_stress_in_a_single_layer() {
