@@ -99,6 +99,24 @@ pub enum FilmCondition {
     Wrinkled,
 }
 
+impl FilmCondition {
+    /// All conditions with their names in documents.
+    pub const NAMES: [(&'static str, Self); 3] = [
+        ("ok", Self::Ok),
+        ("beyond-yield", Self::BeyondYield),
+        ("wrinkled", Self::Wrinkled),
+    ];
+
+    /// The name in documents.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Ok => "ok",
+            Self::BeyondYield => "beyond-yield",
+            Self::Wrinkled => "wrinkled",
+        }
+    }
+}
+
 /// Means over a film's area: along its length, across, and twice in shear.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FilmMeans {
@@ -215,6 +233,14 @@ mod tests {
             1e3 * inside.charge_nc / inside.capacitance_pf,
         );
         assert_eq!(inside.mean_tension_2_n_per_mm, 0.0);
+    }
+
+    #[test]
+    fn every_condition_has_the_name_that_documents_have() {
+        for (name, condition) in FilmCondition::NAMES {
+            assert_eq!(condition.as_str(), name);
+            assert_eq!(serde_json::json!(condition), name);
+        }
     }
 
     /// Without bending a single layer's charge is (d31 N1 + d32 N2) area / thickness.

@@ -173,32 +173,3 @@ pub struct ClaimRow {
     /// What the curve does.
     pub detail: String,
 }
-
-/// Whether a film bears its tension, with the names in documents.
-pub const CONDITIONS: [(&str, FilmCondition); 3] = [
-    ("ok", FilmCondition::Ok),
-    ("beyond-yield", FilmCondition::BeyondYield),
-    ("wrinkled", FilmCondition::Wrinkled),
-];
-
-/// The name in documents.
-pub fn condition_name(condition: FilmCondition) -> &'static str {
-    match condition {
-        FilmCondition::Ok => "ok",
-        FilmCondition::BeyondYield => "beyond-yield",
-        FilmCondition::Wrinkled => "wrinkled",
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_condition_has_the_name_that_documents_have() {
-        for (name, condition) in CONDITIONS {
-            assert_eq!(condition_name(condition), name);
-            assert_eq!(serde_json::json!(condition), name);
-        }
-    }
-}

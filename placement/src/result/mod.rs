@@ -19,8 +19,7 @@ pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, Sol
 pub use failed_point::{Cause, FailedPoint};
 use fem_client::solver::ModelSummary;
 pub use film_signals::{
-    CONDITIONS, ClaimRow, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth,
-    condition_name,
+    ClaimRow, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth,
 };
 pub use index_map::{IndexMap, MapLayer};
 pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};

@@ -3,10 +3,10 @@
 //! Every row ends with the study, the hash of its document and the version of the program, so that rows of several studies can
 //! be put under each other. Strains have no unit, as in all data; other columns carry theirs in their names.
 
+use fem_client::solver::FilmCondition;
 use fem_client::solver::direction::Direction;
 use placement::result::{
     InputReport, Output, RankedLayout, RankedLocation, SignalError, SignalRow, StudyResult,
-    condition_name,
 };
 use placement::score::location_scores::{Figure, SCORES, Score};
 use placement::study::position_name;
@@ -188,7 +188,7 @@ fn signals(result: &StudyResult) -> Rows<&SignalRow> {
         .float("open_circuit_v", "V", |row| row.open_circuit_v)
         .float("output_v", "V", |row| row.output_v)
         .float("output_std_v", "V", |row| row.output_std_v)
-        .text("state", |row| row.state.map(condition_name))
+        .text("state", |row| row.state.map(FilmCondition::as_str))
         .float("strain_error", PURE, error(|error| error.strain))
         .float("charge_error_nc", "nC", error(|error| error.charge_nc))
         .float(

@@ -5,8 +5,8 @@
 use fem_client::solver::FilmCondition;
 use fem_client::solver::direction::Direction;
 use placement::result::{
-    CONDITIONS, ClaimRow, FilmModel, FilmPair, SignalAxis, SignalCurve, SignalError, SignalRow,
-    Signals, StressWidth, condition_name,
+    ClaimRow, FilmModel, FilmPair, SignalAxis, SignalCurve, SignalError, SignalRow, Signals,
+    StressWidth,
 };
 use placement::study::{POSITIONS, position_name};
 use serde::{Deserialize, Serialize};
@@ -195,7 +195,7 @@ async fn insert_row(
     .bind(row.open_circuit_v)
     .bind(row.output_v)
     .bind(row.output_std_v)
-    .bind(row.state.map(condition_name))
+    .bind(row.state.map(FilmCondition::as_str))
     .bind(error(|error| error.strain))
     .bind(error(|error| error.charge_nc))
     .bind(error(|error| error.open_circuit_v))
@@ -257,7 +257,9 @@ impl Row {
 }
 
 fn condition_named(name: &str) -> Option<FilmCondition> {
-    let found = CONDITIONS.iter().find(|(known, _)| *known == name);
+    let found = FilmCondition::NAMES
+        .iter()
+        .find(|(known, _)| *known == name);
     found.map(|(_, condition)| *condition)
 }
 

@@ -33,7 +33,7 @@ fn signals() -> Signals {
         }),
         reason: state.is_none().then(|| "it touches itself".to_owned()),
     };
-    let states = CONDITIONS.map(|(_, condition)| Some(condition));
+    let states = FilmCondition::NAMES.map(|(_, condition)| Some(condition));
     let rows = [1.0, 2.0, 5.0]
         .into_iter()
         .zip(states)
