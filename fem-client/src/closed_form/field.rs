@@ -19,7 +19,7 @@ use crate::solver::direction::PerDirection;
 use crate::solver::gauge::{Gauge, GaugeReading};
 use crate::solver::{
     Choice, FilmMeans, FilmSignal, Grid, Inflated, LocationStrain, MapShape, ModelSummary,
-    Position, Response, ResponseError, Ring, Section, SolveRequest, StartState, StrainMap,
+    Response, ResponseError, Ring, RingLine, Section, SolveRequest, StartState, StrainMap,
 };
 
 const REFERENCE_PRESSURE_MPA: f64 = 0.2;
@@ -124,7 +124,7 @@ impl Field {
                 .readout
                 .rings
                 .iter()
-                .map(|position| self.ring(*position))
+                .map(|line| self.ring(line))
                 .collect(),
             gauges: request
                 .readout
@@ -239,14 +239,26 @@ impl Field {
         ]
     }
 
-    fn ring(&self, position: Position) -> Ring {
+    fn ring(&self, line: &RingLine) -> Ring {
         let theta_deg: Vec<f64> = (-180..180).map(f64::from).collect();
         let strains = theta_deg
             .iter()
-            .map(|theta| self.strain(*theta, position.angle_deg()));
+            .map(|theta| self.strain(*theta, line.section_deg));
+        let turned = |&angle_deg: &f64| {
+            let along = |&theta_deg: &f64| {
+                let gauge = Gauge {
+                    theta_deg,
+                    phi_deg: line.section_deg,
+                    angle_deg,
+                };
+                self.gauge(gauge).strain
+            };
+            theta_deg.iter().map(along).collect()
+        };
         Ring {
-            position,
+            section_deg: line.section_deg,
             strain: strains.collect(),
+            turned: line.turned_deg.iter().map(turned).collect(),
             theta_deg,
         }
     }

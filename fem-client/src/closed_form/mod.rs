@@ -124,7 +124,7 @@ mod tests {
 
     use super::field::TRACE;
     use super::*;
-    use crate::solver::{Grid, Position, Readout, StartState};
+    use crate::solver::{Grid, Readout, RingLine, StartState};
 
     static GO: AtomicBool = AtomicBool::new(false);
 
@@ -141,7 +141,8 @@ mod tests {
         let readout = Readout {
             grid: Some(grid),
             shape: true,
-            rings: vec![Position::Crown, Position::Sidewall],
+            rings: [0.0, 90.0].map(RingLine::at).to_vec(),
+            fine_deg: None,
             gauges: Vec::new(),
             films: Vec::new(),
         };

@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 use crate::document::fault::Fault;
 use crate::scene::{Level, Scene};
 pub use crate::solver::film_state::{FilmCondition, FilmError, FilmMeans, FilmSignal, FilmState};
-pub use crate::solver::readout::{Grid, Position, Readout};
+pub use crate::solver::readout::{Grid, Position, Readout, RingLine};
 pub use crate::solver::response::{
     CarcassState, Choice, Inflated, LocationError, LocationStrain, MapShape, ModelSummary,
     Response, ResponseError, Ring, Section, StrainMap,

@@ -180,16 +180,33 @@ pub struct MapShape {
     pub displacement_mm: Vec<[f64; 3]>,
 }
 
-/// Strains around the whole wheel at one meridional position.
+/// Strains around the whole wheel at one section angle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Ring {
-    /// Where the ring lies.
-    pub position: Position,
+    /// Section angle from the crown, degrees; responses of earlier versions name a position.
+    #[serde(alias = "position", deserialize_with = "angle_or_position")]
+    pub section_deg: f64,
     /// Angles from -180 (included) to 180 (excluded), one degree apart.
     pub theta_deg: Vec<f64>,
     /// Strain.
     #[serde(flatten, with = "StrainFields")]
     pub strain: PerDirection<Vec<f64>>,
+    /// Strain in further directions, in the order asked.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub turned: Vec<Vec<f64>>,
+}
+
+fn angle_or_position<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Section {
+        Angle(f64),
+        Position(Position),
+    }
+    Ok(match Section::deserialize(deserializer)? {
+        Section::Angle(angle) => angle,
+        Section::Position(position) => position.angle_deg(),
+    })
 }
 
 #[cfg(feature = "openapi")]

@@ -70,7 +70,7 @@ impl Solver for EmbeddedSolver {
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
         let scene = request.scene;
-        let plan = mesh_plan_for(scene, scene.model.level, &request.readout.films);
+        let plan = mesh_plan_for(scene, scene.model.level, request.readout);
         self.solve_on(request, &plan)
     }
 }

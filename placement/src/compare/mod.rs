@@ -202,7 +202,7 @@ fn column(entry: &Entry) -> ComparedStudy {
         std_strain_y: signal.y,
         best: best.map(|best| best.name.clone()),
         best_certain: best.map(|best| best.rank_certain),
-        layout_spacing_deg: layout.map(|layout| layout.spacing_deg),
+        layout_spacing_deg: layout.and_then(|layout| layout.spacing_deg),
         layout_position: layout.map(|layout| layout.position.clone()),
         cost: result.map(|result| result.cost.clone()),
     }

@@ -52,6 +52,7 @@ pub fn estimate(work: &Workload, known: &HashSet<String>, machine: &Machine) -> 
             coarser: count(&bills[..expected], |bill| bill.coarser),
             effects: count(&bills[..expected], |bill| bill.effects),
             signals: count(&bills[..expected], |bill| bill.signals),
+            layouts: count(&bills[..expected], |bill| bill.layouts),
             known: count(&bills[..expected], |bill| bill.known),
             left: CountForecast {
                 least: bills[0].left,
@@ -146,6 +147,7 @@ struct Bill {
     coarser: usize,
     effects: usize,
     signals: usize,
+    layouts: usize,
     known: usize,
     left: usize,
     planned_s: f64,
@@ -174,6 +176,7 @@ impl Bill {
             coarser: stage.coarser.len(),
             effects: stage.effects.len(),
             signals: stage.signals.iter().map(Vec::len).sum(),
+            layouts: stage.layouts.iter().map(Vec::len).sum(),
             known: all - left,
             left,
             planned_s: lacking.iter().map(|series| series_s(series, machine)).sum(),

@@ -11,6 +11,7 @@ use gsa::method::{Kind, Method};
 use super::law::{How, Task, mirror_class, tire};
 use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
+use crate::layout::solving::measuring_layouts::layout_series;
 use crate::run::keys;
 use crate::signals::measuring::signal_series;
 use crate::study::plan::{Plan, PlanError, PlannedStudy};
@@ -48,6 +49,8 @@ pub(crate) struct Stage {
     pub effects: Vec<Point>,
     /// What shows films' signals: each series starts from an equilibrium of its own.
     pub signals: Vec<Vec<Point>>,
+    /// What shows layouts' loads, a series for each mesh.
+    pub layouts: Vec<Vec<Point>>,
     /// Points that an adaptive method may ask for beyond its first.
     pub extra: Extra,
 }
@@ -58,6 +61,7 @@ impl Stage {
         [&self.own, &self.coarser, &self.effects]
             .into_iter()
             .chain(&self.signals)
+            .chain(&self.layouts)
     }
 
     /// Points on both meshes, those included that an adaptive method is expected to ask for.
@@ -176,14 +180,16 @@ impl Workload {
                 effects_due = false;
                 effects = fresh(&effect_scenes(&plan, solver));
             }
-            let signals = match stages.is_empty() {
-                true => signal_series(study, &planned.plan, solver),
-                false => Vec::new(),
+            let is_first = stages.is_empty();
+            let mut further = |all: &dyn Fn() -> Vec<(Vec<Scene>, Readout)>| -> Vec<Vec<Point>> {
+                let all = if is_first { all() } else { Vec::new() };
+                let fresh = all
+                    .iter()
+                    .map(|(scenes, readout)| fresh_of(scenes, readout));
+                fresh.collect()
             };
-            let signals = signals
-                .iter()
-                .map(|(scenes, readout)| fresh_of(scenes, readout));
-            let signals = signals.collect();
+            let signals = further(&|| signal_series(study, &planned.plan, solver));
+            let layouts = further(&|| layout_series(study, &planned.plan, solver));
             let solved_there =
                 |stage: &Stage| Some(stage.fidelity.level) == coarser_level && stage.extra.most > 0;
             let extra = Extra {
@@ -196,6 +202,7 @@ impl Workload {
                 coarser: coarser.unwrap_or_default(),
                 effects,
                 signals,
+                layouts,
                 extra,
             });
         }
@@ -308,11 +315,11 @@ fn points(scenes: &[Scene], readout: &Readout, solver: &dyn Solver, keys: Keys<'
         .collect()
 }
 
-/// Strains at P1, P2, ..., on the rings and on the map, two each.
+/// Strains at P1, P2, ... and on the map, two each.
 fn readings(study: &Study) -> usize {
     let readout = study.readout();
     let grid = readout
         .grid
         .map_or(0, |grid| grid.circumferential * grid.meridional);
-    Direction::ALL.len() * (study.scene.ground.stations + 360 * readout.rings.len() + grid)
+    Direction::ALL.len() * (study.scene.ground.stations + grid)
 }

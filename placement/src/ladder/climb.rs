@@ -12,6 +12,7 @@ use gsa::method::Kind;
 
 use crate::ladder::effects;
 use crate::ladder::fidelity::Fidelity;
+use crate::layout::solving::measuring_layouts;
 use crate::result::{Climb, ClimbRung, Output, StudyResult};
 use crate::run::usage::cpu_s;
 use crate::run::{RunContext, RunError, run_from};
@@ -37,6 +38,8 @@ const GROWTH: f64 = 1.5;
 const OF_ADAPTING: f64 = 3.0;
 const SIGNALS_LEFT_OUT: &str =
     "The budget left no time for the films' signals: a study with accuracy.preset solves them.";
+const LAYOUTS_LEFT_OUT: &str =
+    "The budget left no time for layouts: a study with accuracy.preset scores them.";
 /// How often a run looks whether its time is up.
 const LOOK: Duration = Duration::from_millis(10);
 
@@ -71,6 +74,8 @@ fn with_further_solves(
     let (begun, cpu_before) = (Instant::now(), cpu_s());
     effects::measure(first, study, plan, result, context)?;
     let first = first + result.cost.effect_solves;
+    measuring_layouts::measure(first, study, plan, result, context)?;
+    let first = first + result.cost.layout_solves;
     measuring::measure(first, study, plan, result, context)?;
     result.cost.wall_s += begun.elapsed().as_secs_f64();
     result.cost.cpu_s += (cpu_s() - cpu_before).max(0.0);
@@ -162,8 +167,11 @@ impl<'c> Climber<'c> {
         match with_further_solves(self.points, self.study, self.plan, &mut best, self.context) {
             // They are worth knowing, not worth the answer.
             Err(RunError::Stopped) if self.is_late() => {
-                if self.study.signals.is_some() {
+                if self.study.signals.is_some() && best.signals.is_none() {
                     best.notes.push(SIGNALS_LEFT_OUT.to_owned());
+                }
+                if self.study.layouts.is_asked() && best.layout_findings.is_none() {
+                    best.notes.push(LAYOUTS_LEFT_OUT.to_owned());
                 }
             }
             other => other?,

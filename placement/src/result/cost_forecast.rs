@@ -35,6 +35,9 @@ pub struct SolveForecast {
     /// Solves of films' signals, on both meshes.
     #[serde(default)]
     pub signals: usize,
+    /// Solves of layouts' loads, on both meshes.
+    #[serde(default)]
+    pub layouts: usize,
     /// How many of these the database has already: they cost nothing.
     pub known: usize,
     /// How many are left to solve.

@@ -8,6 +8,7 @@ mod failed_point;
 mod film_signals;
 mod index_map;
 mod indexed_output;
+mod layout_findings;
 pub mod named;
 mod ranked_layout;
 mod ranked_location;
@@ -23,7 +24,13 @@ pub use film_signals::{
 };
 pub use index_map::{IndexMap, MapLayer};
 pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};
-pub use ranked_layout::{LayoutScore, RankedLayout};
+pub use layout_findings::{
+    CandidateFilm, FrontLayout, Knee, LayoutFindings, LayoutLoad, LayoutSearch, OrderAgreement,
+    StrainRing,
+};
+pub use ranked_layout::{
+    AlikeContacts, DeadFilm, FilmPlace, LayoutError, LayoutScore, LoadScore, RankedLayout,
+};
 pub use ranked_location::RankedLocation;
 use serde::{Deserialize, Serialize};
 pub use signal_words::{Claim, FilmModel, Holds, SignalAxis, Trend};
@@ -45,6 +52,9 @@ pub struct StudyResult {
     pub locations: Vec<RankedLocation>,
     /// Ranked layouts.
     pub layouts: Vec<RankedLayout>,
+    /// What the layouts show together; absent from results of earlier versions, and where no layouts are asked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub layout_findings: Option<LayoutFindings>,
     /// First-order indices over the dense grid, when asked for.
     pub map: Option<IndexMap>,
     /// Films' signals over load, pressure and contact angle; absent where the study asks for none.

@@ -1,29 +1,72 @@
 //! Layouts in their order.
 
-use fem_client::solver::direction::Direction;
 use serde::{Deserialize, Serialize};
 
 /// One layout in the ranking.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct RankedLayout {
-    /// 1 is best.
+    /// 1 is best. Layouts of equal score share the rank of the first of them.
     pub rank: usize,
-    /// Angle between neighbouring units, degrees.
-    pub spacing_deg: f64,
-    /// Number of units.
+    /// Whether the errors leave no doubt about its place; absent from results of earlier versions.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub rank_certain: Option<bool>,
+    /// Name of a layout that was listed film by film, or found by the search; absent of a regular one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub name: Option<String>,
+    /// Angle between neighbouring units, degrees; null of a layout without units.
+    pub spacing_deg: Option<f64>,
+    /// Number of units; of a layout without units its number of films.
     pub units: usize,
-    /// Meridional position.
+    /// Meridional position: a name, an angle such as `30 deg`, or `mixed`.
     pub position: String,
-    /// Films of each unit.
-    #[cfg_attr(feature = "openapi", schema(value_type = Vec<String>))]
-    pub films: Vec<Direction>,
-    /// Its scores.
+    /// Directions of the films of each unit: `x`, `y`, or an angle such as `45`.
+    pub films: Vec<String>,
+    /// Whether the films of a unit are spread evenly between two units.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub staggered: bool,
+    /// All films of the wheel.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub film_count: Option<usize>,
+    /// The films of a layout without units, one by one.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub places: Vec<FilmPlace>,
+    /// Which figures may be off by more than a fifth.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub doubt: Option<String>,
+    /// Its scores at the load where its error is largest.
+    pub score: LayoutScore,
+    /// Its scores at every load; absent from results of earlier versions.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub loads: Vec<LoadScore>,
+}
+
+/// A film of a layout.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct FilmPlace {
+    /// Wheel angle, degrees.
+    pub theta_deg: f64,
+    /// Section angle from the crown, degrees.
+    pub phi_deg: f64,
+    /// Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.
+    pub angle_deg: f64,
+}
+
+/// A layout's scores at one load.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct LoadScore {
+    /// How far the ground stands above the inflated outer radius, mm.
+    pub depth_mm: Option<f64>,
+    /// Vertical force, N.
+    pub load_n: Option<f64>,
+    /// The scores.
     pub score: LayoutScore,
 }
 
 /// How well a layout sees the contact, over all angles at which it can touch down.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct LayoutScore {
     /// Strain of the film that sees most, at the contact angle where that is least.
@@ -34,9 +77,84 @@ pub struct LayoutScore {
     pub rms_angle_error_deg: Option<f64>,
     /// Cramer-Rao bound of a uniform depth, worst angle, mm.
     pub worst_depth_error_mm: Option<f64>,
-    /// Noise of each film assumed for the bounds, strain.
+    /// Bound of the contact angle's error with a flat prior, root mean square over the angles, degrees: finite where the others aren't.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub bayes_angle_error_deg: Option<f64>,
+    /// Error of the contact angle as estimated from noisy readings, root mean square, degrees.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub simulated_rms_angle_error_deg: Option<f64>,
+    /// Its standard error by the number of simulated contacts, degrees.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub simulated_rms_angle_error_deg_se: Option<f64>,
+    /// 95 % of simulated contacts are estimated better than this, degrees.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub simulated_p95_angle_error_deg: Option<f64>,
+    /// Its standard error by the number of simulated contacts, degrees.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub simulated_p95_angle_error_deg_se: Option<f64>,
+    /// Share of simulated contacts that are off by more than 20 degrees.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub lost_share: Option<f64>,
+    /// Error of the depth as estimated, root mean square, mm.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub simulated_rms_depth_error_mm: Option<f64>,
+    /// The same as a vertical force, N: by the slope of force over depth.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub force_error_n: Option<f64>,
+    /// The two contacts, more than 20 degrees apart, that look most alike.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub alike: Option<AlikeContacts>,
+    /// With the one film dead whose loss costs most, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub dead: Option<DeadFilm>,
+    /// Noise of each film assumed for the bounds, in the unit of the signal: strain, or volts of glued films.
     pub noise_strain: f64,
+    /// What the mesh and the number of simulated contacts leave open; absent where there is no coarser mesh.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub error: Option<LayoutError>,
     /// Why numbers are null.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
+}
+
+/// Claimed errors of a layout's scores, each in the unit of its score.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct LayoutError {
+    /// Of the bound of the angle, worst angle, degrees.
+    pub worst_angle_error_deg: Option<f64>,
+    /// Of the bound of the angle, root mean square, degrees.
+    pub rms_angle_error_deg: Option<f64>,
+    /// Of the bound of the depth, mm.
+    pub worst_depth_error_mm: Option<f64>,
+    /// Of the simulated root mean square, degrees.
+    pub simulated_rms_angle_error_deg: Option<f64>,
+    /// Of the simulated 95th percentile, degrees.
+    pub simulated_p95_angle_error_deg: Option<f64>,
+}
+
+/// Two contacts that readings can hardly tell apart.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct AlikeContacts {
+    /// Angle of the first, degrees; its depth is that of the load.
+    pub angle_deg: f64,
+    /// Angle of the second, degrees.
+    pub other_angle_deg: f64,
+    /// Depth of the second, mm.
+    pub other_depth_mm: f64,
+    /// Distance of their readings in standard deviations of the noise.
+    pub sigmas: f64,
+}
+
+/// What is left when a film dies.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct DeadFilm {
+    /// The film, counted from 0.
+    pub film: usize,
+    /// Simulated 95th percentile of the angle's error without it, degrees.
+    pub simulated_p95_angle_error_deg: Option<f64>,
+    /// Bound of the angle with a flat prior without it, root mean square, degrees.
+    pub bayes_angle_error_deg: Option<f64>,
 }

@@ -17,6 +17,9 @@ pub struct StudyCost {
     /// Solves of films' signals, on both meshes.
     #[serde(default)]
     pub signal_solves: usize,
+    /// Solves of layouts' loads, on both meshes.
+    #[serde(default)]
+    pub layout_solves: usize,
     /// Wall-clock time of each rung of the climb, s.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub rungs_wall_s: Vec<f64>,

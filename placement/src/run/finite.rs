@@ -74,7 +74,9 @@ fn in_response(response: &Response) -> Option<&'static str> {
         )
     };
     let glued = response.film.and_then(|film| film.signal);
-    let around = |ring: &Ring| finite(&ring.theta_deg) && finite(ring.strain.iter().flatten());
+    let around = |ring: &Ring| {
+        finite(&ring.theta_deg) && finite(ring.strain.iter().chain(&ring.turned).flatten())
+    };
     let checks = [
         ("the reaction", response.reaction_n.is_finite()),
         ("the depth", response.depth_mm.is_none_or(f64::is_finite)),

@@ -4,7 +4,6 @@ use std::sync::atomic::AtomicBool;
 
 use fem_client::solver::ModelSummary;
 
-use crate::layout::rank_layouts;
 use crate::result::{CutPoint, FailedPoint, InputReport, StudyCost, StudyIdentity, StudyResult};
 use crate::run::archive::Outcome;
 use crate::score::analyst::Stopped;
@@ -36,9 +35,7 @@ pub fn assemble(
     let failed_points = failed_points(plan, outcomes);
     let scores = score(study, plan.campaign(), cut, outcomes, coarse, stop)?;
     let locations = rank(study, &scores);
-    let layouts = rank_layouts(study, plan.campaign(), cut, outcomes);
-    let ranked = (&locations[..], &layouts[..]);
-    let notes = notes(study, plan, cut, &scores, ranked, &failed_points);
+    let notes = notes(study, plan, cut, &scores, &locations, &failed_points);
     Ok(StudyResult {
         study: StudyIdentity {
             id: String::new(),
@@ -50,7 +47,8 @@ pub fn assemble(
         inputs: study.inputs.iter().map(input_report).collect(),
         outputs: scores.outputs().cloned().collect(),
         locations,
-        layouts,
+        layouts: Vec::new(),
+        layout_findings: None,
         map: scores.map,
         signals: None,
         notes,

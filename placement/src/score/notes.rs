@@ -4,7 +4,7 @@ use fem_client::solver::Response;
 use fem_client::solver::direction::{Direction, PerDirection};
 use gsa::method::analysis::Status;
 
-use crate::result::{FailedPoint, Output, RankedLayout, RankedLocation};
+use crate::result::{FailedPoint, Output, RankedLocation};
 use crate::score::indices::{NO_MESH_ERROR, Scores};
 use crate::score::location_scores::{GSI, SCORES};
 use crate::score::quantity::QUANTITY;
@@ -23,7 +23,7 @@ pub(crate) fn notes(
     plan: &Plan,
     cut: &Response,
     scores: &Scores,
-    (locations, layouts): (&[RankedLocation], &[RankedLayout]),
+    locations: &[RankedLocation],
     failed: &[FailedPoint],
 ) -> Vec<String> {
     let mut notes = Vec::new();
@@ -46,13 +46,6 @@ pub(crate) fn notes(
     notes.extend(contact_edges(study, plan, cut));
     notes.extend(ties(locations));
     notes.extend(without_mesh_error(scores));
-    if !layouts.is_empty() {
-        notes.push(
-            "The layouts' errors are lower bounds for small changes about the mean load, with the same noise in every \
-             film; a layout that is blind somewhere has no bound and comes last."
-                .to_owned(),
-        );
-    }
     notes
 }
 

@@ -1,23 +1,20 @@
-//! Reads which strains are asked for, and where: directions, the dense map and the layouts.
+//! Reads which strains are asked for, and where: directions and the dense map.
 
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use fem_client::document::fault::{Fault, entry};
-use fem_client::document::fields::{Fields, Range, choice, number, shown};
+use fem_client::document::fields::{Fields, Range, choice, shown};
 use fem_client::solver::Grid;
 use fem_client::solver::direction::Direction;
 use serde_json::Value;
 
 use crate::study::directions::Directions;
-use crate::study::{Layouts, POSITIONS};
 
 /// Most points along either side of the dense map.
 const MOST_GRID_POINTS: u64 = 201;
 const HALF_WIDTH: Range = Range::new(0.1, 180.0, "degrees");
 const DEFAULT_HALF_WIDTH_DEG: f64 = 45.0;
-const SPACING: Range = Range::new(1.0, 360.0, "degrees");
-const MOST_SPACINGS: usize = 50;
 
 /// Which strains, and the dense map where the study asks for one.
 pub(crate) fn candidates(
@@ -76,47 +73,6 @@ fn grid_points(fields: &Fields<'_>, name: &str, faults: &mut Vec<Fault>) -> Opti
         Fault::add(faults, &fields.at(name), detail);
     }
     Some(points as usize)
-}
-
-/// The layouts to score; all of them when the study names none.
-pub(crate) fn layouts(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Layouts> {
-    let mut layouts = Layouts::default();
-    let Some((value, pointer)) = fields.get("layouts") else {
-        return Some(layouts);
-    };
-    let fields = Fields::open(value, &pointer, &["spacings_deg", "positions"], faults)?;
-    // Both lists are read before the first fault ends it.
-    let spacings = fields
-        .get("spacings_deg")
-        .map(|(value, pointer)| list(value, &pointer, MOST_SPACINGS, faults, spacing));
-    let positions = fields.get("positions").map(|(value, pointer)| {
-        list(
-            value,
-            &pointer,
-            POSITIONS.len(),
-            faults,
-            |value, at, faults| choice(value, at, &POSITIONS, faults),
-        )
-    });
-    if let Some(spacings) = spacings {
-        layouts.spacings_deg = spacings?;
-    }
-    if let Some(positions) = positions {
-        layouts.positions = positions?;
-    }
-    Some(layouts)
-}
-
-fn spacing(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<f64> {
-    let spacing = number(value, pointer, SPACING, faults)?;
-    let units = 360.0 / spacing;
-    // A spacing such as 51.428571428571 for sevenths of a turn is meant to divide it.
-    if (units - units.round()).abs() > 1e-9 * units {
-        let detail = format!("must divide 360 degrees into whole units; {spacing} gives {units}");
-        Fault::add(faults, pointer, detail);
-        return None;
-    }
-    Some(360.0 / units.round())
 }
 
 /// Reads a list whose entries differ; all entries are read before the first fault ends it.

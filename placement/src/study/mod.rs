@@ -1,7 +1,7 @@
 //! The study document: what varies, what is asked.
 //!
 //! - [`directions`]: which strains are asked for, and what follows from that
-//! - [`study_reader`] and, for its parts, `candidate_reader`, [`distribution_reader`], `input_reader`, `method_reader`, [`scene_reader`],
+//! - [`study_reader`] and, for its parts, `candidate_reader`, [`distribution_reader`], `input_reader`, `layout_reader`, `method_reader`, [`scene_reader`],
 //!   `signal_reader`: read a study, with every fault at once
 //! - [`plan`]: the design points of a study, a pure function of the document
 
@@ -9,6 +9,7 @@ pub(crate) mod candidate_reader;
 pub mod directions;
 pub mod distribution_reader;
 pub(crate) mod input_reader;
+pub(crate) mod layout_reader;
 pub(crate) mod method_reader;
 pub mod plan;
 pub mod scene_reader;
@@ -23,6 +24,7 @@ use gsa::method::{Kind, Method};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
+use crate::layout::layout_settings::Layouts;
 use crate::signals::signal_settings::SignalSettings;
 use crate::study::directions::Directions;
 
@@ -73,24 +75,6 @@ pub struct Input {
     pub distribution: Distribution,
 }
 
-/// Layouts to score.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Layouts {
-    /// Angles between neighbouring units, degrees; each divides 360.
-    pub spacings_deg: Vec<f64>,
-    /// Meridional positions of the units.
-    pub positions: Vec<Position>,
-}
-
-impl Default for Layouts {
-    fn default() -> Self {
-        Self {
-            spacings_deg: vec![30.0, 45.0, 60.0, 72.0, 90.0, 120.0, 180.0],
-            positions: vec![Position::Crown, Position::Shoulder, Position::Sidewall],
-        }
-    }
-}
-
 /// Names and TOML texts of the studies that ship.
 pub fn presets() -> [(&'static str, &'static str); 3] {
     [
@@ -104,25 +88,11 @@ pub fn presets() -> [(&'static str, &'static str); 3] {
 }
 
 impl Study {
-    /// What every solve of this study reads off. The crown's ring is always among those that layouts need: it sets
-    /// the noise.
+    /// What every solve of this study reads off.
     pub fn readout(&self) -> Readout {
-        let mut rings = Vec::new();
-        if !self.layouts.spacings_deg.is_empty() && !self.layouts.positions.is_empty() {
-            rings.push(Position::Crown);
-            rings.extend(
-                self.layouts
-                    .positions
-                    .iter()
-                    .filter(|p| **p != Position::Crown),
-            );
-        }
         Readout {
             grid: self.grid,
-            shape: false,
-            rings,
-            gauges: Vec::new(),
-            films: Vec::new(),
+            ..Readout::default()
         }
     }
 
@@ -144,20 +114,12 @@ impl Study {
             });
             candidates.insert("grid".to_owned(), grid);
         }
-        let positions = self
-            .layouts
-            .positions
-            .iter()
-            .map(|position| position_name(*position));
         let mut document = json!({
             "name": self.name,
             "scene": self.scene.to_value(),
             "inputs": self.inputs.iter().map(Input::to_value).collect::<Vec<_>>(),
             "candidates": candidates,
-            "layouts": {
-                "spacings_deg": self.layouts.spacings_deg,
-                "positions": positions.collect::<Vec<_>>(),
-            },
+            "layouts": self.layouts.to_value(),
             "method": method_value(&self.method),
             "accuracy": match self.accuracy {
                 Accuracy::Preset => json!({"preset": self.level.as_str()}),

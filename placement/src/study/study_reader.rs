@@ -10,8 +10,9 @@ use fem_client::scene::{Level, Scene};
 use gsa::method::{Kind, Method};
 use serde_json::Value;
 
-use crate::study::candidate_reader::{candidates, layouts};
+use crate::study::candidate_reader::candidates;
 use crate::study::input_reader::{read_inputs, read_name};
+use crate::study::layout_reader::layouts;
 use crate::study::method_reader::{Limits, read_method};
 use crate::study::plan::{Estimable, PlanError, PlannedStudy};
 use crate::study::scene_reader::{Resolve, scene};
@@ -130,7 +131,7 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
     let name = read_name(&fields, "name", LONGEST_NAME, faults);
     let scene = scene(&fields, resolve, faults);
     let candidates = candidates(&fields, faults);
-    let layouts = layouts(&fields, faults);
+    let layouts = layouts(&fields, scene.as_ref(), faults);
     let method = read_method(&fields, LIMITS, faults);
     let accuracy = accuracy(&fields, scene.as_ref(), faults);
     let nodes = method

@@ -8,7 +8,7 @@ use std::time::Duration;
 use fem_client::scene::{Film, Scene};
 use fem_client::solver::gauge::Gauge;
 use fem_client::solver::{
-    Grid, Position, Readout, SolveError, SolveRequest, Solved, Solver, StartState,
+    Grid, Readout, RingLine, SolveError, SolveRequest, Solved, Solver, StartState,
 };
 use serde_json::{Value, json};
 use service::solving::apart::child::ARGUMENT;
@@ -41,7 +41,7 @@ fn readout() -> Readout {
             half_width_deg: 40.0,
         }),
         shape: true,
-        rings: vec![Position::Shoulder],
+        rings: vec![RingLine::at(45.0)],
         gauges: vec![Gauge {
             theta_deg: 3.1,
             phi_deg: -7.7,

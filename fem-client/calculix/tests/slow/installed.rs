@@ -17,6 +17,7 @@ static NO_READOUT: Readout = Readout {
     grid: None,
     shape: false,
     rings: Vec::new(),
+    fine_deg: None,
     gauges: Vec::new(),
     films: Vec::new(),
 };

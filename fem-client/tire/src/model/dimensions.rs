@@ -1,7 +1,8 @@
 //! Dimensions of a scene's uninflated tire, and the mesh of a level.
 
 use fem::cell::element::Order;
-use fem_client::scene::{Film, Level, Scene};
+use fem_client::scene::{Level, Scene};
+use fem_client::solver::Readout;
 
 use super::glued_film::Place;
 use crate::mesh::tire_grid::{MeshPlan, TireShape};
@@ -9,20 +10,23 @@ use crate::mesh::tire_grid::{MeshPlan, TireShape};
 /// The mesh of a level. The fine sector covers the stations and at least 18 degrees; its bricks keep their size when it
 /// grows.
 pub fn mesh_plan(scene: &Scene, level: Level) -> MeshPlan {
-    mesh_plan_for(scene, level, &[])
+    mesh_plan_for(scene, level, &Readout::default())
 }
 
-/// The mesh of a level whose fine sector covers the films that are read, too.
-pub fn mesh_plan_for(scene: &Scene, level: Level, films: &[Film]) -> MeshPlan {
+/// The mesh of a level whose fine sector covers the films that are read, too, and as much as is asked for.
+pub fn mesh_plan_for(scene: &Scene, level: Level, readout: &Readout) -> MeshPlan {
     const SMALLEST_SECTOR: f64 = 18.0;
     const LARGEST_SECTOR: f64 = 80.0;
     let ground = &scene.ground;
     let half_width = 0.5 * ground.stations as f64 * ground.station_spacing_mm;
     let of_ground = (half_width / scene.geometry.outer_radius_mm).to_degrees();
     let shape = shape(scene);
-    let reaches = films.iter().map(|film| Place::of(film, &shape).farthest());
-    let sector_deg = reaches
-        .map(f64::to_degrees)
+    let of_films = readout
+        .films
+        .iter()
+        .map(|film| Place::of(film, &shape).farthest().to_degrees());
+    let sector_deg = of_films
+        .chain(readout.fine_deg)
         .fold(of_ground, f64::max)
         .clamp(SMALLEST_SECTOR, LARGEST_SECTOR);
     let plan = |order, fine: f64, coarse, meridional, meridional_growth, layers| MeshPlan {

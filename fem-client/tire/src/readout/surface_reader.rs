@@ -12,7 +12,7 @@ use fem_client::solver::direction::PerDirection;
 use fem_client::solver::gauge::{Gauge, GaugeError, GaugeReading};
 use fem_client::solver::{
     Grid, Inflated, LocationError, LocationStrain, MapShape, ModelSummary, Position, Readout,
-    Response, ResponseError, Ring, Section, StrainMap,
+    Response, ResponseError, Ring, RingLine, Section, StrainMap,
 };
 
 /// Bound of the exponent n in "reaction proportional to depth^n": 1 for a membrane under pressure, 1.5 for a Hertz sphere.
@@ -90,11 +90,7 @@ impl<'m> Reader<'m> {
                 shape: readout.shape.then(|| self.shape(grid)),
                 ..self.map(grid)
             }),
-            rings: readout
-                .rings
-                .iter()
-                .map(|&position| self.ring(position))
-                .collect(),
+            rings: readout.rings.iter().map(|line| self.ring(line)).collect(),
             gauges: readout
                 .gauges
                 .iter()
@@ -239,12 +235,17 @@ impl<'m> Reader<'m> {
 
     /// Strains at wheel and section angles, rad.
     fn strain(&self, theta: f64, phi: f64) -> PerDirection<f64> {
+        let states = self.states(theta, phi);
+        PerDirection::of(|direction| states.signal_in(direction))
+    }
+
+    /// Stretches in both states at wheel and section angles, rad.
+    fn states(&self, theta: f64, phi: f64) -> States {
         let point = self.model.grid.inner_point(theta, phi);
-        let states = States {
+        States {
             current: self.current.at(point),
             inflated: self.inflated.at(point),
-        };
-        PerDirection::of(|direction| states.signal_in(direction))
+        }
     }
 
     /// Angles of the columns and of the rows of a map, degrees.
@@ -296,15 +297,28 @@ impl<'m> Reader<'m> {
         ]
     }
 
-    fn ring(&self, position: Position) -> Ring {
+    fn ring(&self, line: &RingLine) -> Ring {
         let theta_deg: Vec<f64> = (-180..180).map(f64::from).collect();
-        let phi = position.angle_deg().to_radians();
+        let phi = line.section_deg.to_radians();
         let strains = theta_deg
             .iter()
             .map(|theta| self.strain(theta.to_radians(), phi));
+        let turned = |&angle_deg: &f64| {
+            let along = |&theta_deg: &f64| {
+                let gauge = Gauge {
+                    theta_deg,
+                    phi_deg: line.section_deg,
+                    angle_deg,
+                };
+                let angle = self.mirrored_angle(&gauge);
+                self.states(theta_deg.to_radians(), phi).signal(angle)
+            };
+            theta_deg.iter().map(along).collect()
+        };
         Ring {
-            position,
+            section_deg: line.section_deg,
             strain: strains.collect(),
+            turned: line.turned_deg.iter().map(turned).collect(),
             theta_deg,
         }
     }

@@ -20,12 +20,13 @@ use gsa::method::analysis::Status;
 use gsa::method::{Kind, Method};
 use tire::embedded::EmbeddedSolver;
 
+use placement::layout::layout_settings::Layouts;
 use placement::result::{Output, StudyResult};
 use placement::run::memory::MemoryArchive;
 use placement::run::{RunContext, run};
 use placement::study::directions::Directions;
 use placement::study::plan::Plan;
-use placement::study::{Accuracy, Input, Layouts, Study};
+use placement::study::{Accuracy, Input, Study};
 
 /// From a spread of nothing to one of all of the mean.
 pub const FAMILY: Family = Family::new("spread", cases);
@@ -91,6 +92,7 @@ fn study(
         layouts: Layouts {
             spacings_deg: Vec::new(),
             positions: Vec::new(),
+            ..Layouts::default()
         },
         method,
         accuracy: Accuracy::Preset,

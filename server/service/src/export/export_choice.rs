@@ -17,15 +17,18 @@ pub enum Table {
     Points,
     /// What films read of loads, pressures and contact angles.
     Signals,
+    /// Kinds of film for layouts, by several criteria.
+    Candidates,
 }
 
 impl Table {
-    const ALL: [Self; 5] = [
+    const ALL: [Self; 6] = [
         Self::Indices,
         Self::Locations,
         Self::Layouts,
         Self::Points,
         Self::Signals,
+        Self::Candidates,
     ];
 
     /// The name in addresses and file names.
@@ -36,6 +39,7 @@ impl Table {
             Self::Layouts => "layouts",
             Self::Points => "points",
             Self::Signals => "signals",
+            Self::Candidates => "candidates",
         }
     }
 

@@ -6,7 +6,8 @@
 use fem_client::solver::FilmCondition;
 use fem_client::solver::direction::Direction;
 use placement::result::{
-    InputReport, Output, RankedLayout, RankedLocation, SignalError, SignalRow, StudyResult,
+    CandidateFilm, InputReport, Output, RankedLayout, RankedLocation, SignalError, SignalRow,
+    StudyResult,
 };
 use placement::score::location_scores::{Figure, SCORES, Score};
 use placement::study::position_name;
@@ -22,6 +23,13 @@ pub fn table(table: Table, result: &StudyResult, points: &[EvaluationView]) -> T
         Table::Indices => signed(indices(result), result),
         Table::Locations => signed(locations(&result.locations), result),
         Table::Layouts => signed(layouts(&result.layouts), result),
+        Table::Candidates => {
+            let films = result
+                .layout_findings
+                .as_ref()
+                .map(|found| &found.candidates[..]);
+            signed(candidates(films.unwrap_or_default()), result)
+        }
         Table::Points => signed(solved(&result.inputs, points), result),
         Table::Signals => signed(signals(result), result),
     }
@@ -97,20 +105,15 @@ fn figures(
 /// A layout with its films in one text.
 type Layout<'r> = (&'r RankedLayout, String);
 
+/// Each layout at the load where its error is largest.
 fn layouts(layouts: &[RankedLayout]) -> Rows<Layout<'_>> {
-    Rows::of(layouts.iter().map(|layout| {
-        (
-            layout,
-            layout
-                .films
-                .iter()
-                .map(|film| film.as_str())
-                .collect::<Vec<_>>()
-                .join("+"),
-        )
-    }))
+    let rows = Rows::of(
+        layouts
+            .iter()
+            .map(|layout| (layout, layout.films.join("+"))),
+    )
     .integer("rank", |(layout, _)| Some(layout.rank))
-    .float("spacing_deg", "deg", |(layout, _)| Some(layout.spacing_deg))
+    .float("spacing_deg", "deg", |(layout, _)| layout.spacing_deg)
     .integer("units", |(layout, _)| Some(layout.units))
     .text("position", |(layout, _)| Some(&layout.position))
     .text("films", |(_, films)| Some(films))
@@ -127,7 +130,62 @@ fn layouts(layouts: &[RankedLayout]) -> Rows<Layout<'_>> {
         l.score.worst_depth_error_mm
     })
     .float("noise_strain", PURE, |(l, _)| Some(l.score.noise_strain))
-    .text("reason", |(layout, _)| layout.score.reason.as_deref())
+    .text("reason", |(layout, _)| layout.score.reason.as_deref());
+    simulated(rows)
+}
+
+/// What estimates of simulated contacts are worth, and how sure that is.
+fn simulated(rows: Rows<Layout<'_>>) -> Rows<Layout<'_>> {
+    rows.bool("rank_certain", |(layout, _)| layout.rank_certain)
+        .text("name", |(layout, _)| layout.name.as_deref())
+        .bool("staggered", |(layout, _)| Some(layout.staggered))
+        .integer("film_count", |(layout, _)| layout.film_count)
+        .float("bayes_angle_error_deg", "deg", |(l, _)| {
+            l.score.bayes_angle_error_deg
+        })
+        .float("simulated_rms_angle_error_deg", "deg", |(l, _)| {
+            l.score.simulated_rms_angle_error_deg
+        })
+        .float("simulated_p95_angle_error_deg", "deg", |(l, _)| {
+            l.score.simulated_p95_angle_error_deg
+        })
+        .float("simulated_p95_error_deg", "deg", |(l, _)| {
+            l.score.error.as_ref()?.simulated_p95_angle_error_deg
+        })
+        .float("lost_share", PURE, |(l, _)| l.score.lost_share)
+        .float("simulated_rms_depth_error_mm", "mm", |(l, _)| {
+            l.score.simulated_rms_depth_error_mm
+        })
+        .float("force_error_n", "N", |(l, _)| l.score.force_error_n)
+        .float("alike_sigmas", PURE, |(l, _)| {
+            Some(l.score.alike.as_ref()?.sigmas)
+        })
+        .float("worst_angle_mesh_error_deg", "deg", |(l, _)| {
+            l.score.error.as_ref()?.worst_angle_error_deg
+        })
+        .text("doubt", |(layout, _)| layout.doubt.as_deref())
+}
+
+/// Kinds of film by several criteria.
+fn candidates(films: &[CandidateFilm]) -> Rows<&CandidateFilm> {
+    Rows::of(films.iter())
+        .float("section_deg", "deg", |film| Some(film.section_deg))
+        .text("direction", |film| Some(&film.direction))
+        .float("signal", PURE, |film| Some(film.signal))
+        .float("angle_information", "1/deg", |film| {
+            Some(film.angle_information)
+        })
+        .float("angle_information_error", "1/deg", |film| {
+            film.angle_information_error
+        })
+        .float("depth_information", "1/mm", |film| {
+            Some(film.depth_information)
+        })
+        .float("effective_independence", PURE, |film| {
+            Some(film.effective_independence)
+        })
+        .integer("pivot_rank", |film| film.pivot_rank)
+        .float("centre_std", PURE, |film| Some(film.centre_std))
 }
 
 /// One column per input and two per location; locations are those of the first point that has any.

@@ -63,7 +63,37 @@ pub fn location() -> Value {
 pub fn layout() -> Value {
     json!({
         "rank": 1, "spacing_deg": 60.0, "units": 6, "position": "crown", "films": ["x", "y"],
-        "score": {"weakest_signal": 0.002, "worst_angle_error_deg": 3.1, "rms_angle_error_deg": 1.2, "worst_depth_error_mm": 0.08, "noise_strain": 0.0017},
+        "rank_certain": false, "film_count": 12,
+        "score": {
+            "weakest_signal": 0.002, "worst_angle_error_deg": 22.0, "rms_angle_error_deg": 4.9, "worst_depth_error_mm": 0.67, "bayes_angle_error_deg": 4.5,
+            "simulated_rms_angle_error_deg": 31.0, "simulated_rms_angle_error_deg_se": 2.8, "simulated_p95_angle_error_deg": 65.0,
+            "simulated_p95_angle_error_deg_se": 9.0, "lost_share": 0.22, "simulated_rms_depth_error_mm": 0.26, "force_error_n": 4.6,
+            "alike": {"angle_deg": 27.5, "other_angle_deg": 332.0, "other_depth_mm": 1.1, "sigmas": 0.4}, "noise_strain": 0.0017,
+            "error": {"worst_angle_error_deg": 3.6, "rms_angle_error_deg": 0.2, "worst_depth_error_mm": 0.1, "simulated_rms_angle_error_deg": 6.0,
+                      "simulated_p95_angle_error_deg": 18.0},
+        },
+        "loads": [],
+    })
+}
+
+/// Kinds of film by several criteria.
+pub fn candidates() -> Value {
+    json!({
+        "candidates": [{"section_deg": 0.0, "direction": "y", "signal": 0.14, "angle_information": 1.1, "angle_information_error": 0.05,
+                        "depth_information": 13.0, "effective_independence": 0.9, "pivot_rank": 1, "centre_std": 0.03}],
+        "agreement": [{"first": "angle information", "second": "variance at the centre", "tau": 0.33}],
+    })
+}
+
+/// What layouts show together.
+pub fn layout_findings() -> Value {
+    let of_candidates = candidates();
+    json!({
+        "level": "standard", "coarser_level": "coarse",
+        "loads": [{"depth_mm": 1.0, "load_n": 13.1, "force_slope_n_per_mm": 17.6,
+                   "knees": [{"section_deg": 0.0, "films": ["x", "y"], "units": 24, "dense_deg": 0.75, "of_60_deg": 72.0}]}],
+        "front": [{"film_count": 12, "simulated_p95_angle_error_deg": 65.0, "index": 0}], "tau_of_bound": 0.8,
+        "candidates": of_candidates["candidates"], "agreement": of_candidates["agreement"], "rings": [],
     })
 }
 

@@ -1,7 +1,9 @@
 //! The documents that the service answers with, and those that it takes.
 
 use fem_client::document::fault::Fault;
-use placement::result::{Estimate, RankedLayout, RankedLocation};
+use placement::result::{
+    CandidateFilm, Estimate, LayoutFindings, OrderAgreement, RankedLayout, RankedLocation,
+};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
@@ -106,6 +108,18 @@ pub struct Locations {
 pub struct Layouts {
     /// Best first.
     pub layouts: Vec<RankedLayout>,
+    /// What they show together; absent from results of earlier versions, and where no layouts are asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub findings: Option<LayoutFindings>,
+}
+
+/// Kinds of film for layouts, by several criteria.
+#[derive(Debug, Serialize, Deserialize, ToSchema)]
+pub struct Candidates {
+    /// Every section angle and direction.
+    pub candidates: Vec<CandidateFilm>,
+    /// How far each two criteria order them alike.
+    pub agreement: Vec<OrderAgreement>,
 }
 
 /// Solved points.
@@ -268,9 +282,51 @@ pub struct LayoutsDocument {
     /// Angles between neighbouring units, degrees; each divides 360.
     #[schema(nullable = false)]
     pub spacings_deg: Option<Vec<f64>>,
+    /// Numbers of units, beside those of the spacings.
+    #[schema(nullable = false)]
+    pub units: Option<Vec<u32>>,
     /// crown, shoulder, sidewall
     #[schema(nullable = false)]
     pub positions: Option<Vec<String>>,
+    /// Section angles beside the positions', degrees from the crown.
+    #[schema(nullable = false)]
+    pub section_deg: Option<Vec<f64>>,
+    /// Sets of directions of a unit's films: `"x"`, `"y"`, or an angle in degrees.
+    #[schema(value_type = Vec<Vec<Value>>, nullable = false)]
+    pub directions: Option<Value>,
+    /// Whether units of several films are also scored with their films spread between the units.
+    #[schema(nullable = false)]
+    pub staggered: Option<bool>,
+    /// Layouts film by film: `name`, and `films` with `theta_deg`, `phi_deg` and `angle_deg`.
+    #[schema(value_type = Vec<Object>, nullable = false)]
+    pub free: Option<Value>,
+    /// Depths at which layouts are scored, mm; the mean one when left out.
+    #[schema(nullable = false)]
+    pub depths_mm: Option<Vec<f64>>,
+    /// Forces in their place, N.
+    #[schema(nullable = false)]
+    pub loads_n: Option<Vec<f64>>,
+    /// Noise of a film over the crown's largest strain; 0.02 when left out.
+    #[schema(nullable = false)]
+    pub noise_share: Option<f64>,
+    /// Noise of a film, strain.
+    #[schema(nullable = false)]
+    pub noise_strain: Option<f64>,
+    /// Standard deviation of a film's gain, relative.
+    #[schema(nullable = false)]
+    pub gain_std: Option<f64>,
+    /// Standard deviation of a film's place around the wheel, degrees.
+    #[schema(nullable = false)]
+    pub place_std_deg: Option<f64>,
+    /// Whether every layout is also scored without the film whose loss costs most.
+    #[schema(nullable = false)]
+    pub dead: Option<bool>,
+    /// Mesh level of the layouts' own solves; the study's, the standard at most, when left out.
+    #[schema(nullable = false)]
+    pub level: Option<String>,
+    /// Layouts to search for: numbers of `films` among `slots`, `section_deg` and `directions`.
+    #[schema(value_type = Object, nullable = false)]
+    pub search: Option<Value>,
 }
 
 /// How indices are computed.

@@ -40,7 +40,7 @@ struct ExportQuery {
 /// result. As VTU, for ParaView, the inner surface with the strains at the means, the indices and their errors; the study must have asked for a map.
 #[utoipa::path(get, path = "/v1/studies/{id}/export", tag = "answers", params(StudyPath,
         ("format" = Option<FileFormat>, Query, description = "csv (when left out), json, parquet or vtu", example = "csv"),
-        ("table" = Option<Table>, Query, description = "What CSV and Parquet hold: indices (when left out), locations, layouts, points or signals", example = "points")),
+        ("table" = Option<Table>, Query, description = "What CSV and Parquet hold: indices (when left out), locations, layouts, points, signals or candidates", example = "points")),
     responses((status = 200, description = "The file", content(
                   (String = "text/csv", example = json!(examples::csv())),
                   (StudyResult = "application/json", example = json!(examples::result())),
@@ -87,7 +87,7 @@ fn wanted(query: &ExportQuery) -> Result<Export, Problem> {
 }
 
 const FORMATS: &str = "format is one of csv, json, parquet, vtu";
-const TABLES: &str = "table is one of indices, locations, layouts, points, signals";
+const TABLES: &str = "table is one of indices, locations, layouts, points, signals, candidates";
 
 /// The format and the table that a query names, or what each that names nothing could be.
 pub fn both<F, T>(format: (Option<F>, &str), table: (Option<T>, &str)) -> Result<(F, T), Problem> {

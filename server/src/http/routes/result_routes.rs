@@ -10,7 +10,7 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::Response;
 use fem_client::solver::direction::Direction;
 use placement::ladder::trade::Trade;
-use placement::result::{MapLayer, Signals, StudyResult};
+use placement::result::{LayoutFindings, MapLayer, Signals, StudyResult};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use sqlx::SqliteConnection;
@@ -26,7 +26,9 @@ use crate::http::routes::sent_result;
 use crate::http::routes::study_routes::known;
 use service::point_views;
 use service::wire::examples;
-use service::wire::study_wire::{Evaluations, Layouts, Locations, MapView, ProblemDocument};
+use service::wire::study_wire::{
+    Candidates, Evaluations, Layouts, Locations, MapView, ProblemDocument,
+};
 use store::answers::ranked_rows::{self, Ranked};
 use store::answers::result_rows;
 use store::answers::result_text;
@@ -40,6 +42,7 @@ pub fn router() -> OpenApiRouter<AppState> {
         .routes(routes!(whole))
         .routes(routes!(locations))
         .routes(routes!(layouts))
+        .routes(routes!(candidates))
         .routes(routes!(signals))
         .routes(routes!(evaluations))
         .routes(routes!(map))
@@ -96,14 +99,46 @@ async fn locations(
 ///
 /// Best first.
 #[utoipa::path(get, path = "/v1/studies/{id}/layouts", tag = "answers", params(StudyPath),
-    responses((status = 200, description = "The answer", body = Layouts, example = json!({"layouts": [examples::layout()]})),
+    responses((status = 200, description = "The answer", body = Layouts, example = json!({"layouts": [examples::layout()], "findings": examples::layout_findings()})),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn layouts(
     State(state): State<AppState>,
     StudyId(id): StudyId,
+    _making: Making,
 ) -> Result<Json<Layouts>, Problem> {
     let Ranked { layouts, .. } = ranked(&state.store, &id).await?;
-    Ok(Json(Layouts { layouts }))
+    let Found { layout_findings } = part(&state.store, &id).await?;
+    Ok(Json(Layouts {
+        layouts,
+        findings: layout_findings,
+    }))
+}
+
+/// What a result says of its layouts.
+#[derive(Deserialize)]
+struct Found {
+    layout_findings: Option<LayoutFindings>,
+}
+
+/// Get the kinds of film for layouts
+///
+/// Every section angle and direction by several criteria, and how far these order them alike.
+#[utoipa::path(get, path = "/v1/studies/{id}/candidates", tag = "answers", params(StudyPath),
+    responses((status = 200, description = "The answer", body = Candidates, example = json!(examples::candidates())),
+              (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
+async fn candidates(
+    State(state): State<AppState>,
+    StudyId(id): StudyId,
+    _making: Making,
+) -> Result<Json<Candidates>, Problem> {
+    let Found { layout_findings } = part(&state.store, &id).await?;
+    let found = layout_findings.ok_or_else(|| {
+        Problem::not_found("this study has no candidates: its document asks for no layouts, or its budget left no time for them")
+    })?;
+    Ok(Json(Candidates {
+        candidates: found.candidates,
+        agreement: found.agreement,
+    }))
 }
 
 /// What a study ranks, or 404 with what became of it.

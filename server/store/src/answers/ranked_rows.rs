@@ -36,8 +36,8 @@ pub async fn insert(
     for (place, location) in (1..).zip(locations) {
         location_rows::insert(connection, study, place, location).await?;
     }
-    for layout in layouts {
-        layout_rows::insert(connection, study, layout).await?;
+    for (place, layout) in (1..).zip(layouts) {
+        layout_rows::insert(connection, study, place, layout).await?;
     }
     let rows_sha256 = Rows::of(connection, study).await?.sha256();
     sqlx::query("insert into rankings (study, rows_sha256) values (?, ?)")

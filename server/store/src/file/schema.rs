@@ -33,6 +33,7 @@ static CHANGES: &[(&str, &str)] = &changes![
     "0018_own_crashes"
     "0019_shared_ranks"
     "0020_signals"
+    "0021_layout_details"
 ];
 
 /// All changes, in order.

@@ -18,10 +18,10 @@ fn lists(response: &mut Response) -> impl Iterator<Item = &mut Vec<f64>> {
             &mut map.strain.y,
         ]
     });
-    let rings = response
-        .rings
-        .iter_mut()
-        .flat_map(|ring| [&mut ring.theta_deg, &mut ring.strain.x, &mut ring.strain.y]);
+    let rings = response.rings.iter_mut().flat_map(|ring| {
+        let lists = [&mut ring.theta_deg, &mut ring.strain.x, &mut ring.strain.y];
+        lists.into_iter().chain(&mut ring.turned)
+    });
     map.chain(rings)
 }
 

@@ -22,6 +22,9 @@ pub(super) struct LayoutRow {
     worst_depth_error_mm: Option<f64>,
     noise_strain: f64,
     reason: Option<String>,
+    /// The whole layout, JSON; rows of earlier versions have none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    details: Option<String>,
 }
 
 from_row!(LayoutRow {
@@ -35,22 +38,25 @@ from_row!(LayoutRow {
     rms_angle_error_deg,
     worst_depth_error_mm,
     noise_strain,
-    reason
+    reason,
+    details
 });
 
 pub(super) async fn insert(
     connection: &mut SqliteConnection,
     study: &str,
+    place: i64,
     layout: &RankedLayout,
 ) -> Result<(), StoreError> {
     sqlx::query(
         "insert into layouts (study, rank, spacing_deg, units, position, films, weakest_signal,
-             worst_angle_error_deg, rms_angle_error_deg, worst_depth_error_mm, noise_strain, reason)
-         values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+             worst_angle_error_deg, rms_angle_error_deg, worst_depth_error_mm, noise_strain, reason, details)
+         values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
     )
     .bind(study)
-    .bind(whole(layout.rank))
-    .bind(layout.spacing_deg)
+    .bind(place)
+    // A layout without units has none; its details say so.
+    .bind(layout.spacing_deg.unwrap_or(0.0))
     .bind(whole(layout.units))
     .bind(&layout.position)
     .bind(encode("the films of a layout", &layout.films)?)
@@ -60,6 +66,7 @@ pub(super) async fn insert(
     .bind(layout.score.worst_depth_error_mm)
     .bind(layout.score.noise_strain)
     .bind(layout.score.reason.as_deref())
+    .bind(encode("a layout", layout)?)
     .execute(connection)
     .await?;
     Ok(())
@@ -71,7 +78,7 @@ pub(super) async fn of(
 ) -> Result<Vec<LayoutRow>, StoreError> {
     let query =
         "select rank, spacing_deg, units, position, films, weakest_signal, worst_angle_error_deg,
-                     rms_angle_error_deg, worst_depth_error_mm, noise_strain, reason
+                     rms_angle_error_deg, worst_depth_error_mm, noise_strain, reason, details
                  from layouts where study = ? order by rank";
     Ok(sqlx::query_as(query)
         .bind(study)
@@ -81,9 +88,12 @@ pub(super) async fn of(
 
 impl LayoutRow {
     pub(super) fn ranked(&self) -> Option<RankedLayout> {
+        if let Some(details) = &self.details {
+            return serde_json::from_str(details).ok();
+        }
         Some(RankedLayout {
             rank: counted(self.rank)?,
-            spacing_deg: self.spacing_deg,
+            spacing_deg: Some(self.spacing_deg),
             units: counted(self.units)?,
             position: self.position.clone(),
             films: serde_json::from_str(&self.films).ok()?,
@@ -94,7 +104,9 @@ impl LayoutRow {
                 worst_depth_error_mm: self.worst_depth_error_mm,
                 noise_strain: self.noise_strain,
                 reason: self.reason.clone(),
+                ..LayoutScore::default()
             },
+            ..RankedLayout::default()
         })
     }
 }

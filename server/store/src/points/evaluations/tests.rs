@@ -3,7 +3,7 @@ use std::sync::atomic::AtomicBool;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::scene::Scene;
 use fem_client::solver::{
-    Grid, NoEquilibrium, Position, Reached, Readout, Response, SolveRequest, Solver,
+    Grid, NoEquilibrium, Reached, Readout, Response, RingLine, SolveRequest, Solver,
 };
 use placement::run::archive::Unsolved;
 
@@ -32,7 +32,7 @@ fn solved() -> (Outcome, Cost, StartState) {
             meridional: 3,
             half_width_deg: 20.0,
         }),
-        rings: vec![Position::Crown, Position::Sidewall],
+        rings: [0.0, 90.0].map(RingLine::at).to_vec(),
         ..Readout::default()
     };
     let request = SolveRequest {

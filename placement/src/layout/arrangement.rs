@@ -1,0 +1,118 @@
+//! Which films a layout has, and where.
+
+/// A kind of film: where it lies in the section, and along which direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FilmKind {
+    /// Section angle from the crown, degrees.
+    pub phi_deg: f64,
+    /// Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.
+    pub angle_deg: f64,
+}
+
+/// A film of a layout.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LaidFilm {
+    /// Wheel angle, degrees.
+    pub theta_deg: f64,
+    /// Which of the study's kinds.
+    pub kind: usize,
+}
+
+/// Films around the wheel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Arrangement {
+    /// The films.
+    pub films: Vec<LaidFilm>,
+    /// Turned by this much, degrees, it is the same again; 360 where it has no such symmetry.
+    pub period_deg: f64,
+}
+
+impl Arrangement {
+    /// Units of one film of each kind at equal distances; `staggered` ones have their films spread evenly between two units.
+    pub fn regular(units: usize, kinds: &[usize], staggered: bool) -> Self {
+        let spacing = 360.0 / units as f64;
+        let offset = |k: usize| match staggered {
+            true => spacing * k as f64 / kinds.len() as f64,
+            false => 0.0,
+        };
+        let unit = |i: usize| {
+            let film = move |(k, &kind): (usize, &usize)| LaidFilm {
+                theta_deg: i as f64 * spacing + offset(k),
+                kind,
+            };
+            kinds.iter().enumerate().map(film)
+        };
+        Self {
+            films: (0..units).flat_map(unit).collect(),
+            period_deg: spacing,
+        }
+    }
+
+    /// Films at any places.
+    pub fn free(films: Vec<LaidFilm>) -> Self {
+        Self {
+            films,
+            period_deg: 360.0,
+        }
+    }
+
+    /// Without one of its films. What is left has no symmetry.
+    pub fn without(&self, film: usize) -> Self {
+        let mut films = self.films.clone();
+        films.remove(film);
+        Self::free(films)
+    }
+
+    /// How many of its first films are no image of another by its symmetry.
+    pub fn different_films(&self) -> usize {
+        let sectors = (360.0 / self.period_deg).round() as usize;
+        self.films.len() / sectors.max(1)
+    }
+
+    /// Contact angles in one period, degrees: each in the middle of its share.
+    pub fn contacts(&self, count: usize) -> impl Iterator<Item = f64> {
+        let step = self.period_deg / count as f64;
+        (0..count).map(move |c| (c as f64) * step)
+    }
+
+    /// Whole degrees in one period.
+    pub fn degrees(&self) -> impl Iterator<Item = f64> + Clone {
+        (0..self.period_deg.ceil() as usize).map(|degree| degree as f64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_evenly_spaced_and_their_films_together_or_between() {
+        let angles = |arrangement: Arrangement| -> Vec<f64> {
+            arrangement
+                .films
+                .iter()
+                .map(|film| film.theta_deg)
+                .collect()
+        };
+        assert_eq!(
+            angles(Arrangement::regular(3, &[0, 1], false)),
+            [0.0, 0.0, 120.0, 120.0, 240.0, 240.0]
+        );
+        assert_eq!(
+            angles(Arrangement::regular(2, &[0, 1], true)),
+            [0.0, 90.0, 180.0, 270.0]
+        );
+        assert_eq!(Arrangement::regular(7, &[0], false).films.len(), 7);
+    }
+
+    #[test]
+    fn one_film_less_has_no_symmetry() {
+        let whole = Arrangement::regular(4, &[0, 1], false);
+        assert_eq!((whole.period_deg, whole.different_films()), (90.0, 2));
+        let rest = whole.without(1);
+        assert_eq!(
+            (rest.films.len(), rest.period_deg, rest.different_films()),
+            (7, 360.0, 7)
+        );
+    }
+}

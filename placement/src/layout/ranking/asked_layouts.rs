@@ -1,0 +1,256 @@
+//! From what a document asks for to layouts and kinds of film.
+
+use crate::layout::arrangement::{Arrangement, FilmKind, LaidFilm};
+use crate::layout::layout_settings::{
+    FreeLayout, Layouts, SearchSettings, direction_name, section_name,
+};
+use crate::result::{FilmPlace, RankedLayout};
+use crate::study::directions::Directions;
+
+/// Distance of the candidates' section angles, degrees.
+const SECTION_STEP_DEG: f64 = 15.0;
+
+/// Kinds of film, each once; a layout's films name them by number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kinds(Vec<FilmKind>);
+
+/// A layout to be scored.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AskedLayout {
+    /// Its films.
+    pub arrangement: Arrangement,
+    /// What it is called in the answer, without scores.
+    pub label: RankedLayout,
+}
+
+impl Kinds {
+    /// The two of the crown, whose strains set the noise.
+    pub fn of_crown() -> Self {
+        Self(
+            [0.0, 90.0]
+                .map(|angle_deg| FilmKind {
+                    phi_deg: 0.0,
+                    angle_deg,
+                })
+                .to_vec(),
+        )
+    }
+
+    /// All of them.
+    pub fn all(&self) -> &[FilmKind] {
+        &self.0
+    }
+
+    /// The number of a kind, which is added where it is new.
+    pub fn number(&mut self, kind: FilmKind) -> usize {
+        self.0
+            .iter()
+            .position(|known| *known == kind)
+            .unwrap_or_else(|| {
+                self.0.push(kind);
+                self.0.len() - 1
+            })
+    }
+
+    /// Where a film lies.
+    pub fn place(&self, film: &LaidFilm) -> FilmPlace {
+        let kind = self.0[film.kind];
+        FilmPlace {
+            theta_deg: film.theta_deg,
+            phi_deg: kind.phi_deg,
+            angle_deg: kind.angle_deg,
+        }
+    }
+
+    /// Those that are compared as candidates: x and y every 15 degrees up to an angle off the crown, degrees.
+    pub fn candidates(&mut self, farthest_deg: f64) -> Vec<usize> {
+        let sections = (0..)
+            .map(|k| f64::from(k) * SECTION_STEP_DEG)
+            .take_while(|section| *section <= farthest_deg);
+        let kinds = sections
+            .flat_map(|phi_deg| [0.0, 90.0].map(|angle_deg| FilmKind { phi_deg, angle_deg }));
+        kinds.map(|kind| self.number(kind)).collect()
+    }
+}
+
+/// Every layout that a study asks for, in the order of its document.
+pub fn asked_layouts(
+    settings: &Layouts,
+    directions: Directions,
+    kinds: &mut Kinds,
+) -> Vec<AskedLayout> {
+    let mut layouts = Vec::new();
+    for &section in &settings.sections_deg() {
+        for set in settings.sets(directions) {
+            let of_set: Vec<usize> = set
+                .iter()
+                .map(|&angle_deg| {
+                    kinds.number(FilmKind {
+                        phi_deg: section,
+                        angle_deg,
+                    })
+                })
+                .collect();
+            for units in settings.unit_counts() {
+                layouts.push(regular(units, section, &set, &of_set, false));
+                if settings.staggered && set.len() > 1 {
+                    layouts.push(regular(units, section, &set, &of_set, true));
+                }
+            }
+        }
+    }
+    layouts.extend(settings.free.iter().map(|layout| free(layout, kinds)));
+    layouts
+}
+
+fn regular(
+    units: usize,
+    section_deg: f64,
+    directions: &[f64],
+    kinds: &[usize],
+    staggered: bool,
+) -> AskedLayout {
+    AskedLayout {
+        arrangement: Arrangement::regular(units, kinds, staggered),
+        label: RankedLayout {
+            spacing_deg: Some(360.0 / units as f64),
+            units,
+            position: section_name(section_deg),
+            films: directions
+                .iter()
+                .map(|angle| direction_name(*angle))
+                .collect(),
+            staggered,
+            film_count: Some(units * directions.len()),
+            ..RankedLayout::default()
+        },
+    }
+}
+
+fn free(layout: &FreeLayout, kinds: &mut Kinds) -> AskedLayout {
+    let film = |place: &FilmPlace| LaidFilm {
+        theta_deg: place.theta_deg,
+        kind: kinds.number(FilmKind {
+            phi_deg: place.phi_deg,
+            angle_deg: place.angle_deg,
+        }),
+    };
+    let films = layout.films.iter().map(film).collect();
+    listed(layout.name.clone(), films, kinds)
+}
+
+/// A layout without units, film by film.
+pub fn listed(name: String, films: Vec<LaidFilm>, kinds: &Kinds) -> AskedLayout {
+    let places: Vec<FilmPlace> = films.iter().map(|film| kinds.place(film)).collect();
+    let section = places.first().map(|place| place.phi_deg);
+    let position =
+        match section.filter(|section| places.iter().all(|place| place.phi_deg == *section)) {
+            Some(section) => section_name(section),
+            None => "mixed".to_owned(),
+        };
+    let mut directions: Vec<String> = Vec::new();
+    for direction in places.iter().map(|place| direction_name(place.angle_deg)) {
+        if !directions.contains(&direction) {
+            directions.push(direction);
+        }
+    }
+    AskedLayout {
+        arrangement: Arrangement::free(films),
+        label: RankedLayout {
+            name: Some(name),
+            units: places.len(),
+            position,
+            films: directions,
+            film_count: Some(places.len()),
+            places,
+            ..RankedLayout::default()
+        },
+    }
+}
+
+/// The films that a search chooses from: every direction at every section angle at every slot.
+pub fn search_films(search: &SearchSettings, kinds: &mut Kinds) -> Vec<LaidFilm> {
+    let mut films = Vec::new();
+    for slot in 0..search.slots {
+        let theta_deg = slot as f64 * 360.0 / search.slots as f64;
+        for &phi_deg in &search.section_deg {
+            for &angle_deg in &search.directions {
+                let kind = kinds.number(FilmKind { phi_deg, angle_deg });
+                films.push(LaidFilm { theta_deg, kind });
+            }
+        }
+    }
+    films
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_default_document_asks_for_seven_spacings_at_three_positions() {
+        let mut kinds = Kinds::of_crown();
+        let layouts = asked_layouts(&Layouts::default(), Directions::Both, &mut kinds);
+        assert_eq!((layouts.len(), kinds.all().len()), (21, 6));
+        assert_eq!(
+            (layouts[0].label.units, layouts[0].label.film_count),
+            (12, Some(24))
+        );
+        assert_eq!(layouts[20].label.position, "sidewall");
+    }
+
+    #[test]
+    fn sets_staggered_and_free_ones_are_named() {
+        let settings = Layouts {
+            spacings_deg: Vec::new(),
+            units: vec![6],
+            positions: Vec::new(),
+            section_deg: vec![30.0],
+            directions: vec![vec![0.0, 90.0], vec![45.0]],
+            staggered: true,
+            free: vec![FreeLayout {
+                name: "mine".to_owned(),
+                films: vec![
+                    FilmPlace {
+                        theta_deg: 0.0,
+                        phi_deg: 0.0,
+                        angle_deg: 0.0,
+                    },
+                    FilmPlace {
+                        theta_deg: 10.0,
+                        phi_deg: -20.0,
+                        angle_deg: 90.0,
+                    },
+                ],
+            }],
+            ..Layouts::default()
+        };
+        let mut kinds = Kinds::of_crown();
+        let layouts = asked_layouts(&settings, Directions::Both, &mut kinds);
+        let shown: Vec<(String, Vec<String>, bool, Option<usize>)> = layouts
+            .iter()
+            .map(|layout| {
+                (
+                    layout.label.position.clone(),
+                    layout.label.films.clone(),
+                    layout.label.staggered,
+                    layout.label.film_count,
+                )
+            })
+            .collect();
+        let texts = |names: &[&str]| -> Vec<String> {
+            names.iter().map(|name| (*name).to_owned()).collect()
+        };
+        assert_eq!(
+            shown,
+            [
+                ("30 deg".to_owned(), texts(&["x", "y"]), false, Some(12)),
+                ("30 deg".to_owned(), texts(&["x", "y"]), true, Some(12)),
+                ("30 deg".to_owned(), texts(&["45"]), false, Some(6)),
+                ("mixed".to_owned(), texts(&["x", "y"]), false, Some(2)),
+            ]
+        );
+        // Crown x and y, three at 30 degrees, and y at -20.
+        assert_eq!(kinds.all().len(), 6);
+    }
+}

@@ -1,0 +1,201 @@
+//! Scores of layouts on one mesh, at every load.
+
+use std::collections::BTreeMap;
+
+use crate::layout::arrangement::{Arrangement, LaidFilm};
+use crate::layout::field::film_field::{DepthFields, LoadField, Noise};
+use crate::layout::fisher::bounds::{bayes_angle_deg, bounds, weakest_signal};
+use crate::layout::simulate::alike::alike;
+use crate::layout::simulate::posterior::Likelihood;
+use crate::layout::simulate::simulation::{Draws, Simulated, simulate};
+use crate::result::{DeadFilm, LayoutScore};
+
+/// Scores layouts on the fields of one mesh.
+pub struct Scorer {
+    noise: Noise,
+    /// By the kinds of film that a layout has.
+    likelihoods: BTreeMap<Vec<usize>, Likelihood>,
+    depths_mm: Vec<f64>,
+    draws: Draws,
+    dead: bool,
+}
+
+impl Scorer {
+    /// For these layouts at these depths. `dead`: also without the film whose loss costs most.
+    pub fn new<'a>(
+        fields: &DepthFields,
+        noise: Noise,
+        depths_mm: Vec<f64>,
+        layouts: impl Iterator<Item = &'a Arrangement>,
+        seed: u64,
+        dead: bool,
+    ) -> Self {
+        let (mut likelihoods, mut films) = (BTreeMap::new(), 0);
+        for layout in layouts {
+            films = films.max(layout.films.len());
+            let of_kinds = |kinds: &Vec<usize>| Likelihood::new(fields.of_kinds(kinds), noise);
+            let kinds = kinds_of(layout);
+            likelihoods.entry(kinds).or_insert_with_key(of_kinds);
+        }
+        Self {
+            noise,
+            likelihoods,
+            depths_mm,
+            draws: Draws::new(seed, films),
+            dead,
+        }
+    }
+
+    /// The noise of each film.
+    pub fn noise(&self) -> Noise {
+        self.noise
+    }
+
+    /// A layout's scores at each depth.
+    ///
+    /// # Panics
+    /// Of a layout that wasn't announced.
+    pub fn scores(&self, arrangement: &Arrangement) -> Vec<LayoutScore> {
+        let kinds = kinds_of(arrangement);
+        let likelihood = &self.likelihoods[&kinds];
+        let own = renumbered(arrangement, &kinds);
+        let simulated = simulate(likelihood, &self.depths_mm, &own, &self.draws);
+        let at = |(depth, simulated): (&f64, &Simulated)| {
+            self.score(likelihood, *depth, &own, simulated)
+        };
+        self.depths_mm.iter().zip(&simulated).map(at).collect()
+    }
+
+    fn score(
+        &self,
+        likelihood: &Likelihood,
+        depth_mm: f64,
+        arrangement: &Arrangement,
+        simulated: &Simulated,
+    ) -> LayoutScore {
+        let field = likelihood.field(depth_mm);
+        let bounds = bounds(&field, arrangement, &self.noise);
+        let known = bounds.as_ref().ok();
+        LayoutScore {
+            weakest_signal: Some(weakest_signal(&field, arrangement)),
+            worst_angle_error_deg: known.map(|bounds| bounds.worst_angle_deg),
+            rms_angle_error_deg: known.map(|bounds| bounds.rms_angle_deg),
+            worst_depth_error_mm: known.map(|bounds| bounds.worst_depth_mm),
+            bayes_angle_error_deg: bayes_angle_deg(&field, arrangement, &self.noise),
+            simulated_rms_angle_error_deg: Some(simulated.rms_angle_deg),
+            simulated_rms_angle_error_deg_se: Some(simulated.rms_angle_se_deg),
+            simulated_p95_angle_error_deg: Some(simulated.p95_angle_deg),
+            simulated_p95_angle_error_deg_se: Some(simulated.p95_angle_se_deg),
+            lost_share: Some(simulated.lost_share),
+            simulated_rms_depth_error_mm: Some(simulated.rms_depth_mm),
+            force_error_n: Some(simulated.rms_depth_mm * field.force_slope.abs()),
+            alike: alike(likelihood.fields(), depth_mm, arrangement, &self.noise),
+            dead: self
+                .dead
+                .then(|| self.dead_film(likelihood, &field, arrangement)),
+            noise_strain: self.noise.floor,
+            error: None,
+            reason: bounds.err(),
+        }
+    }
+
+    /// The film whose loss costs most by the bound, and what estimates without it are worth.
+    fn dead_film(
+        &self,
+        likelihood: &Likelihood,
+        field: &LoadField,
+        arrangement: &Arrangement,
+    ) -> DeadFilm {
+        let left = |film: usize| bayes_angle_deg(field, &arrangement.without(film), &self.noise);
+        let all = (0..arrangement.different_films()).map(|film| (film, left(film)));
+        let worst = all.fold(
+            (0, None),
+            |worst: (usize, Option<f64>), (film, bound)| match (worst.1, bound) {
+                (Some(before), Some(bound)) if bound <= before => worst,
+                _ => (film, bound),
+            },
+        );
+        let rest = arrangement.without(worst.0);
+        let simulated = (!rest.films.is_empty())
+            .then(|| simulate(likelihood, &[field.depth_mm], &rest, &self.draws)[0]);
+        DeadFilm {
+            film: worst.0,
+            simulated_p95_angle_error_deg: simulated.map(|simulated| simulated.p95_angle_deg),
+            bayes_angle_error_deg: worst.1,
+        }
+    }
+}
+
+/// Kinds of film of a layout, each once, in order.
+fn kinds_of(arrangement: &Arrangement) -> Vec<usize> {
+    let mut kinds: Vec<usize> = arrangement.films.iter().map(|film| film.kind).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    kinds
+}
+
+/// The layout with kinds numbered by their places in a list that has them.
+fn renumbered(arrangement: &Arrangement, kinds: &[usize]) -> Arrangement {
+    let film = |film: &LaidFilm| LaidFilm {
+        theta_deg: film.theta_deg,
+        kind: kinds.partition_point(|&kind| kind < film.kind),
+    };
+    Arrangement {
+        films: arrangement.films.iter().map(film).collect(),
+        period_deg: arrangement.period_deg,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layout::fisher::bounds::tests::{NOISE, gaussian};
+
+    #[test]
+    fn a_layout_of_some_kinds_has_the_scores_of_its_own() {
+        let fields = gaussian(14.0);
+        let layouts = [
+            Arrangement::regular(9, &[1], false),
+            Arrangement::regular(9, &[0, 1], false),
+        ];
+        let scorer = Scorer::new(&fields, NOISE, vec![1.0, 0.6], layouts.iter(), 1, true);
+        let [alone, both] = [&layouts[0], &layouts[1]].map(|layout| scorer.scores(layout));
+        assert_eq!((alone.len(), both.len()), (2, 2));
+        let expected = bounds(&fields.at(1.0), &layouts[0], &NOISE).expect("regular");
+        assert_eq!(
+            alone[0].worst_angle_error_deg,
+            Some(expected.worst_angle_deg)
+        );
+        // Less depth, less signal; a film less, less known; 13 N/mm.
+        assert!(alone[1].rms_angle_error_deg > alone[0].rms_angle_error_deg);
+        let dead = both[0].dead.expect("asked for");
+        assert!(dead.bayes_angle_error_deg > both[0].bayes_angle_error_deg);
+        let force = both[0]
+            .simulated_rms_depth_error_mm
+            .map(|depth| 13.0 * depth);
+        assert!(
+            (both[0].force_error_n.expect("a force") / force.expect("a depth") - 1.0).abs() < 1e-9
+        );
+    }
+
+    #[test]
+    fn the_last_film_that_dies_leaves_nothing_known() {
+        let one = Arrangement::free(vec![LaidFilm {
+            theta_deg: 0.0,
+            kind: 0,
+        }]);
+        let scorer = Scorer::new(
+            &gaussian(14.0),
+            NOISE,
+            vec![1.0],
+            std::iter::once(&one),
+            1,
+            true,
+        );
+        let score = &scorer.scores(&one)[0];
+        let dead = score.dead.expect("asked for");
+        assert_eq!(dead.simulated_p95_angle_error_deg, None);
+        assert!((dead.bayes_angle_error_deg.expect("the prior") - 103.923).abs() < 1e-3);
+        assert!(score.reason.is_some() && score.simulated_p95_angle_error_deg > Some(90.0));
+    }
+}

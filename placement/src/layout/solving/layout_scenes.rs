@@ -1,0 +1,217 @@
+//! What is solved for layouts: a flat ground at every load, and a little beside it.
+
+use fem_client::scene::{Level, Scene};
+use fem_client::solver::{Readout, RingLine};
+
+use crate::layout::arrangement::FilmKind;
+use crate::layout::layout_settings::{LayoutLoads, Layouts};
+
+/// Half of the sector that is meshed finely, degrees: slopes of strains 20 to 60 degrees from the contact decide how well its angle is known.
+pub const FINE_DEG: f64 = 60.0;
+/// Solves beside each load, over the load: slopes over the depth are central differences. On the foot tire half the distance changes them by 0.3 %.
+const BESIDE: [f64; 2] = [0.9, 1.1];
+/// How far the depths of the study reach beyond the least and the largest load, over these.
+const BEYOND: [f64; 2] = [0.5, 1.25];
+/// Solves nearer than this to another are left out, relative.
+const TOO_NEAR: f64 = 0.04;
+
+/// How a flat ground presses.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pressed {
+    /// By a depth, mm.
+    Depth(f64),
+    /// By a force, N.
+    Force(f64),
+}
+
+/// The loads of a study, and all that is solved for them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LayoutScenes {
+    /// The bare tire.
+    tire: Scene,
+    /// Loads at which layouts are scored, in the order of the document.
+    pub loads: Vec<Pressed>,
+    /// Loads that are solved, the one in the middle of those asked for first: all others start from its equilibrium.
+    pub solved: Vec<Pressed>,
+}
+
+impl Pressed {
+    fn value(self) -> f64 {
+        match self {
+            Self::Depth(value) | Self::Force(value) => value,
+        }
+    }
+
+    fn times(self, factor: f64) -> Self {
+        match self {
+            Self::Depth(depth) => Self::Depth(factor * depth),
+            Self::Force(force) => Self::Force(factor * force),
+        }
+    }
+}
+
+impl LayoutScenes {
+    /// Those of a tire: a study's scene at its means.
+    ///
+    /// # Errors
+    /// Why there is no load.
+    pub fn of(settings: &Layouts, means: &Scene) -> Result<Self, String> {
+        let mut tire = means.clone();
+        tire.film = None;
+        let loads = loads(settings, means)?;
+        let mut sorted = loads.clone();
+        sorted.sort_by(|a, b| a.value().total_cmp(&b.value()));
+        let (least, largest) = (sorted[0], sorted[sorted.len() - 1]);
+        // The middle one of the loads first: its crown sets the noise.
+        let middle = sorted[sorted.len() / 2];
+        let mut solved = vec![middle];
+        solved.extend(sorted.iter().filter(|load| **load != middle));
+        let beside = sorted
+            .iter()
+            .flat_map(|load| BESIDE.map(|factor| load.times(factor)));
+        let ends = [least.times(BEYOND[0]), largest.times(BEYOND[1])];
+        for further in beside.chain(ends).collect::<Vec<_>>() {
+            let is_near = |other: &Pressed| {
+                (other.value() - further.value()).abs() < TOO_NEAR * further.value()
+            };
+            if !solved.iter().any(is_near) && pressed(&tire, further).is_some() {
+                solved.push(further);
+            }
+        }
+        Ok(Self {
+            tire,
+            loads,
+            solved,
+        })
+    }
+
+    /// The scenes of what is solved, on a level.
+    pub fn scenes(&self, level: Level) -> Vec<Scene> {
+        let on_level = |load: &Pressed| {
+            let mut scene = pressed(&self.tire, *load).unwrap_or_else(|| self.tire.clone());
+            scene.model.level = level;
+            scene
+        };
+        self.solved.iter().map(on_level).collect()
+    }
+
+    /// Which of the solved loads sets the noise.
+    pub fn middle(&self) -> usize {
+        0
+    }
+}
+
+/// The tire under a flat ground; `None` where a scene can't be pressed so far.
+fn pressed(tire: &Scene, load: Pressed) -> Option<Scene> {
+    let mut scene = tire.clone();
+    match load {
+        Pressed::Depth(depth) => {
+            scene.ground.load_n = None;
+            scene.ground.depths_mm = vec![depth; scene.ground.stations];
+        }
+        Pressed::Force(force) => {
+            scene.ground.depths_mm.clear();
+            scene.ground.load_n = Some(force);
+        }
+    }
+    Scene::from_json(&scene.canonical_json()).ok()
+}
+
+fn loads(settings: &Layouts, means: &Scene) -> Result<Vec<Pressed>, String> {
+    Ok(match &settings.loads {
+        LayoutLoads::Depths(depths) => depths.iter().map(|depth| Pressed::Depth(*depth)).collect(),
+        LayoutLoads::Forces(forces) => forces.iter().map(|force| Pressed::Force(*force)).collect(),
+        LayoutLoads::Mean => {
+            let depths = &means.ground.depths_mm;
+            let load = match means.ground.load_n {
+                Some(force) => Pressed::Force(force),
+                None => Pressed::Depth(depths.iter().sum::<f64>() / depths.len().max(1) as f64),
+            };
+            if load.value() <= 0.0 {
+                return Err("The tire isn't pressed at the means, so that layouts have no load: layouts.depths_mm names some.".to_owned());
+            }
+            vec![load]
+        }
+    })
+}
+
+/// Where strains are read: a line around the wheel for every section angle.
+pub fn readout(kinds: &[FilmKind]) -> Readout {
+    let mut rings: Vec<RingLine> = Vec::new();
+    for kind in kinds {
+        let known = rings
+            .iter()
+            .position(|ring| ring.section_deg == kind.phi_deg);
+        let ring = known.unwrap_or_else(|| {
+            rings.push(RingLine::at(kind.phi_deg));
+            rings.len() - 1
+        });
+        let turned = &mut rings[ring].turned_deg;
+        if ![0.0, 90.0].contains(&kind.angle_deg) && !turned.contains(&kind.angle_deg) {
+            turned.push(kind.angle_deg);
+        }
+    }
+    Readout {
+        rings,
+        fine_deg: Some(FINE_DEG),
+        ..Readout::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_load_has_a_solve_on_both_sides() {
+        let settings = Layouts {
+            loads: LayoutLoads::Depths(vec![0.5, 1.0, 2.0]),
+            ..Layouts::default()
+        };
+        let scenes = LayoutScenes::of(&settings, &Scene::default()).expect("loads");
+        assert_eq!(scenes.solved[0], Pressed::Depth(1.0));
+        assert_eq!(scenes.solved.len(), 11);
+        let depths: Vec<f64> = scenes
+            .scenes(Level::Draft)
+            .iter()
+            .map(|scene| scene.ground.depths_mm[0])
+            .collect();
+        assert!(depths.contains(&0.25) && depths.contains(&2.5) && depths.contains(&1.1));
+        // One load alone: both sides, and both ends.
+        let alone = LayoutScenes::of(&Layouts::default(), &Scene::default()).expect("the mean");
+        assert_eq!(alone.solved.len(), 5);
+    }
+
+    #[test]
+    fn forces_stay_forces_and_no_load_is_a_reason() {
+        let mut scene = Scene::default();
+        scene.ground.depths_mm.clear();
+        scene.ground.load_n = Some(13.0);
+        let scenes = LayoutScenes::of(&Layouts::default(), &scene).expect("a force");
+        assert_eq!(scenes.loads, [Pressed::Force(13.0)]);
+        assert!(
+            scenes
+                .scenes(Level::Draft)
+                .iter()
+                .all(|scene| scene.ground.load_n.is_some())
+        );
+        let mut unpressed = Scene::default();
+        unpressed.ground.depths_mm = vec![0.0; 5];
+        assert!(LayoutScenes::of(&Layouts::default(), &unpressed).is_err());
+    }
+
+    #[test]
+    fn lines_are_read_once_for_all_directions() {
+        let kind = |phi_deg, angle_deg| FilmKind { phi_deg, angle_deg };
+        let readout = readout(&[
+            kind(0.0, 0.0),
+            kind(0.0, 90.0),
+            kind(30.0, 45.0),
+            kind(30.0, 45.0),
+            kind(30.0, 0.0),
+        ]);
+        assert_eq!(readout.rings.len(), 2);
+        assert_eq!(readout.rings[1].turned_deg, [45.0]);
+        assert_eq!(readout.fine_deg, Some(60.0));
+    }
+}

@@ -1,0 +1,155 @@
+//! What a study's layouts show together.
+
+use serde::{Deserialize, Serialize};
+
+use super::ranked_layout::FilmPlace;
+
+/// What a study's layouts show together: loads, knees, fronts, second opinions.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct LayoutFindings {
+    /// Mesh level of the fields, which is fine to 60 degrees from the contact.
+    pub level: String,
+    /// Coarser level that shows their errors.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub coarser_level: Option<String>,
+    /// The loads at which layouts are scored.
+    pub loads: Vec<LayoutLoad>,
+    /// Layouts that no other beats with as few films, least films first.
+    pub front: Vec<FrontLayout>,
+    /// Kendall's tau between the order by simulated errors and that by the bound's worst error times the root of the number of films.
+    pub tau_of_bound: Option<f64>,
+    /// What the search looked at.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub searches: Vec<LayoutSearch>,
+    /// Kinds of film, ranked by several criteria.
+    pub candidates: Vec<CandidateFilm>,
+    /// Kendall's tau between each two of these criteria.
+    pub agreement: Vec<OrderAgreement>,
+    /// Strains around the wheel.
+    pub rings: Vec<StrainRing>,
+    /// Why something is missing, whole sentences.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub reasons: Vec<String>,
+}
+
+/// A load at which layouts are scored.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct LayoutLoad {
+    /// How far the ground stands above the inflated outer radius, mm.
+    pub depth_mm: Option<f64>,
+    /// Vertical force, N.
+    pub load_n: Option<f64>,
+    /// Derivative of the force by the depth, N/mm.
+    pub force_slope_n_per_mm: Option<f64>,
+    /// From how many units on each section angle and set of films is dense enough.
+    pub knees: Vec<Knee>,
+    /// Why there are no scores.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+}
+
+/// From how many units on more of them bring no more than their number: the worst bound of the angle times the root of the number of units stays within
+/// twice that of a dense ring.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct Knee {
+    /// Section angle from the crown, degrees.
+    pub section_deg: f64,
+    /// Directions of the films of each unit.
+    pub films: Vec<String>,
+    /// The number of units; null where even the most that were tried aren't enough.
+    pub units: Option<usize>,
+    /// Worst bound times the root of the number of units of a dense ring, degrees.
+    pub dense_deg: f64,
+    /// The same of units every 60 degrees, over that of a dense ring; null where they are blind.
+    pub of_60_deg: Option<f64>,
+}
+
+/// A layout that no other beats with as few films.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct FrontLayout {
+    /// Its films.
+    pub film_count: usize,
+    /// Simulated 95th percentile of the angle's error at its worst load, degrees.
+    pub simulated_p95_angle_error_deg: f64,
+    /// Where it stands in the list of layouts, from 0.
+    pub index: usize,
+}
+
+/// What a search looked at.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct LayoutSearch {
+    /// Films of the layouts.
+    pub films: usize,
+    /// Places that a film may have.
+    pub places: usize,
+    /// `exhaustive`, or `greedy and exchange`.
+    pub method: String,
+    /// Layouts whose bound was computed.
+    pub looked_at: usize,
+    /// The best bound of the angle with a flat prior, root mean square over angles and loads, degrees.
+    pub bayes_angle_error_deg: f64,
+    /// Its films.
+    pub best: Vec<FilmPlace>,
+}
+
+/// A kind of film: where in the section, along which direction.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct CandidateFilm {
+    /// Section angle from the crown, degrees.
+    pub section_deg: f64,
+    /// Direction of its length.
+    pub direction: String,
+    /// Largest signal around the wheel, over all loads.
+    pub signal: f64,
+    /// Root of the mean information on the contact angle over the turn and the loads, 1/degree, at the noise of the layouts.
+    pub angle_information: f64,
+    /// Root of the mean information on the depth, 1/mm.
+    pub depth_information: f64,
+    /// Effective independence: its share in what all candidates together tell apart, 0 to 1.
+    pub effective_independence: f64,
+    /// Its place among those that pivoting picks, 1 first; null of those that add nothing.
+    pub pivot_rank: Option<usize>,
+    /// Standard deviation of the signal at the contact's centre over the depths of the study: what the paper ranks by.
+    pub centre_std: f64,
+    /// Error of the information on the angle by the coarser mesh.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub angle_information_error: Option<f64>,
+}
+
+/// How far two criteria order the candidates alike.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct OrderAgreement {
+    /// One criterion.
+    pub first: String,
+    /// The other.
+    pub second: String,
+    /// Kendall's tau-b: 1 the same order, -1 the reverse.
+    pub tau: Option<f64>,
+}
+
+/// Strains around the wheel at one load, of one kind of film.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct StrainRing {
+    /// Section angle from the crown, degrees.
+    pub section_deg: f64,
+    /// Direction.
+    pub direction: String,
+    /// Depth of the load, mm.
+    pub depth_mm: f64,
+    /// From -180 to 179 degrees from the contact.
+    pub strain: Vec<f64>,
+    /// Derivative by the depth, 1/mm.
+    pub by_depth: Vec<f64>,
+    /// Largest error of the strain by the coarser mesh.
+    pub strain_error: Option<f64>,
+    /// Largest error of the derivative by the coarser mesh, 1/mm.
+    pub by_depth_error: Option<f64>,
+}
