@@ -49,23 +49,22 @@ pub struct Loads {
 
 impl Loads {
     /// Loads at the fraction `t` of the way to `target`. The ground is the target's, with the depths on their way from
-    /// this one's, or from zero where there is none yet.
+    /// this one's, or from zero where there is none yet, and dragged as far as it is on its way there.
     pub fn towards(&self, target: &Self, t: f64) -> Self {
         let mix = |a: f64, b: f64| if t >= 1.0 { b } else { a + t * (b - a) };
         let ground = target.ground.as_ref().map(|ground| {
-            let start = self
-                .ground
-                .as_ref()
-                .map(|g| g.depths.as_slice())
-                .unwrap_or_default();
+            let start = self.ground.as_ref();
+            let start_depths = start.map(|g| g.depths.as_slice()).unwrap_or_default();
+            let start_shift = start.map_or([0.0; 2], |g| g.shift);
             let depths = ground
                 .depths
                 .iter()
                 .enumerate()
-                .map(|(k, &depth)| mix(start.get(k).copied().unwrap_or(0.0), depth))
+                .map(|(k, &depth)| mix(start_depths.get(k).copied().unwrap_or(0.0), depth))
                 .collect();
             HeightField {
                 depths,
+                shift: [0, 1].map(|i| mix(start_shift[i], ground.shift[i])),
                 ..ground.clone()
             }
         });
@@ -94,6 +93,18 @@ impl Loads {
         }
     }
 
+    /// These loads with the ground, where there is one, dragged by other ways along x and y, mm.
+    pub fn with_shift(&self, shift: [f64; 2]) -> Self {
+        let ground = self.ground.as_ref().map(|ground| HeightField {
+            shift,
+            ..ground.clone()
+        });
+        Self {
+            ground,
+            ..self.clone()
+        }
+    }
+
     /// The ground where it stands in a state.
     pub fn ground_in(&self, state: &State) -> Option<HeightField> {
         let ground = self.ground.as_ref()?;
@@ -111,7 +122,7 @@ pub struct State {
     pub displacement: Vec<Vector>,
     /// Pressure unknowns of the bricks, one brick after the other, MPa.
     pub pressure: Vec<f64>,
-    /// Anchors of friction on the ground, mm: contact face, point; none before a path with friction begins.
+    /// Anchors of friction, in coordinates of the ground, mm: contact face, point; none before a path with friction begins.
     pub anchors: Vec<[f64; 2]>,
     /// How far the ground stands above its own height, mm: an unknown where it presses with a force, else 0.
     pub rise: f64,

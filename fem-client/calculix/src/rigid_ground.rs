@@ -80,6 +80,7 @@ mod tests {
             spacing: 5.5,
             functions: StationFunctions::BSpline,
             depths: depths.to_vec(),
+            shift: [0.0; 2],
         }
     }
 

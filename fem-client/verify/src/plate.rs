@@ -56,6 +56,7 @@ impl<'p> Pressing<'p> {
             spacing: 1.0,
             functions: StationFunctions::Hat,
             depths: vec![depth],
+            shift: [0.0; 2],
         };
         let loads = Loads {
             ground: Some(ground),

@@ -1,4 +1,4 @@
-//! The rigid ground: a height field z_g(x) that is constant across the wheel.
+//! The rigid ground: a height field z_g(x) that is constant across the wheel, and may be dragged sideways as a whole.
 
 /// Shape of the stations' influence; both families sum to one everywhere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,12 +42,14 @@ impl StationFunctions {
 pub struct HeightField {
     /// Height of the ground at zero depth, mm.
     pub base: f64,
-    /// Distance of neighbouring stations, mm; the middle one sits at x = 0.
+    /// Distance of neighbouring stations, mm; the middle one sits at x = 0 of the ground that isn't dragged.
     pub spacing: f64,
     /// Shape functions.
     pub functions: StationFunctions,
     /// Depth of each station, mm. The functions of stations beyond the ends belong to the ends.
     pub depths: Vec<f64>,
+    /// How far the ground is dragged along x and y, mm; stations and friction's anchors go with it.
+    pub shift: [f64; 2],
 }
 
 impl HeightField {
@@ -56,7 +58,7 @@ impl HeightField {
         let centre = (self.depths.len() as f64 - 1.0) / 2.0;
         // Far outside all functions belong to an end station; clamping keeps the index small for any finite x.
         let limit = self.depths.len() as f64 + 4.0;
-        let station = (x / self.spacing + centre).clamp(-limit, limit);
+        let station = ((x - self.shift[0]) / self.spacing + centre).clamp(-limit, limit);
         let nearest = station.floor() as i64;
         let mut height = [self.base, 0.0, 0.0];
         for k in nearest - self.functions.reach() + 1..=nearest + self.functions.reach() {
@@ -80,6 +82,7 @@ mod tests {
             spacing: 5.5,
             functions,
             depths: depths.to_vec(),
+            shift: [0.0; 2],
         }
     }
 
@@ -107,6 +110,20 @@ mod tests {
         }
         assert_eq!(ground.height(-1e9)[0], -49.0);
         assert_eq!(ground.height(1e9)[0], -45.0);
+    }
+
+    #[test]
+    fn a_dragged_ground_has_the_height_that_it_had_where_it_was() {
+        let resting = field(StationFunctions::BSpline, &[0.3, 1.9, 0.7, 1.1, 0.2]);
+        let dragged = HeightField {
+            shift: [0.5, -2.0],
+            ..resting.clone()
+        };
+        for i in -20..=20 {
+            // Eighths, so that the shift is taken off without rounding.
+            let x = f64::from(i) * 0.625;
+            assert_eq!(dragged.height(x + 0.5), resting.height(x));
+        }
     }
 
     #[test]

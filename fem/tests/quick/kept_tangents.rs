@@ -26,6 +26,7 @@ fn over(depths: [f64; 5]) -> Loads {
             spacing: 0.5,
             functions: StationFunctions::BSpline,
             depths: depths.to_vec(),
+            shift: [0.0; 2],
         }),
         ..Loads::default()
     }

@@ -1,6 +1,7 @@
 //! The kernel from outside: contracts of all laws, and small problems with exact answers.
 
 mod cube;
+mod dragged_cube;
 mod factor_precisions;
 mod homogeneous_deformations;
 mod kept_tangents;

@@ -137,6 +137,7 @@ fn loaded_block(order: Order) -> (Problem, Loads, f64) {
         spacing: 0.5,
         functions: StationFunctions::BSpline,
         depths: vec![0.1, 0.15, 0.05],
+        shift: [0.0; 2],
     };
     let loads = Loads {
         pressure: -0.02,

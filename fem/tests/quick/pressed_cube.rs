@@ -28,6 +28,7 @@ pub fn flat(depth: f64) -> HeightField {
         spacing: 1.0,
         functions: StationFunctions::Hat,
         depths: vec![depth],
+        shift: [0.0; 2],
     }
 }
 
@@ -52,6 +53,16 @@ pub fn pressed(order: Order, friction: Friction, slide: Option<f64>) -> Problem 
         }
     }
     problem
+}
+
+/// Holds the bottom of a cube sideways, moved by `way` along x at support factor 1.
+pub fn hold_bottom(problem: &mut Problem, way: f64) {
+    for (support, x) in problem.supports.iter_mut().zip(&problem.mesh.nodes) {
+        if x[2] == 0.0 {
+            support[0] = Some(way);
+            support[1] = Some(0.0);
+        }
+    }
 }
 
 fn solve(problem: &Problem, steps: f64) -> (State, Vector, Vector) {
@@ -150,12 +161,7 @@ fn a_sliding_cube_is_dragged_with_mu_times_its_load() {
 fn a_sticking_cube_is_a_held_one_in_the_limit_of_stiff_springs() {
     let slide = 0.02;
     let mut held = pressed(Order::Quadratic, Friction::NONE, Some(slide));
-    for (support, x) in held.supports.iter_mut().zip(&held.mesh.nodes) {
-        if x[2] == 0.0 {
-            support[0] = Some(0.0);
-            support[1] = Some(0.0);
-        }
-    }
+    hold_bottom(&mut held, 0.0);
     let drag = |stiffness: f64| {
         let friction = Friction {
             coefficient: 1e6,

@@ -32,6 +32,7 @@ pub fn ground(ground: &Ground, inflated_radius: f64) -> HeightField {
             Some(_) => vec![0.0; ground.stations],
             None => ground.depths_mm.clone(),
         },
+        shift: [0.0; 2],
     }
 }
 

@@ -24,9 +24,7 @@ impl ContactSurface {
             touches = true;
             let point = &self.rule[index];
             let gradient = [-touch.slope, 0.0, 1.0];
-            let anchor = anchors.get(face * self.rule.len() + index);
-            let traction =
-                anchor.map(|anchor| self.friction.traction(touch.slip(anchor), touch.pressure));
+            let traction = self.traction(ground, anchors, [face, index], touch);
             let [tx, ty] = traction.map_or([0.0; 2], |traction| traction.value);
             let force_on_body = [0, 1, 2].map(|i| touch.pressure * gradient[i] + [tx, ty, 0.0][i]);
             for (force, n) in residual.chunks_exact_mut(3).zip(&point.values) {
@@ -126,6 +124,7 @@ mod tests {
             spacing: 1.0,
             functions: StationFunctions::BSpline,
             depths: vec![0.0],
+            shift: [0.0; 2],
         };
         assert!(!contact.integrate(&ground, 0, &nodes, &[], &mut [0.0; 27], None));
     }
@@ -138,6 +137,7 @@ mod tests {
             spacing: 1.0,
             functions: StationFunctions::BSpline,
             depths: vec![0.02; 3],
+            shift: [0.0; 2],
         };
         let resultant = contact.resultant(&ground, |n| nodes[n as usize]);
         let expected = 100.0 * (0.02 - 0.0005) * 12.0;
@@ -160,6 +160,7 @@ mod tests {
             spacing: 0.4,
             functions: StationFunctions::Hat,
             depths: vec![0.0, 0.0, height, 0.0, 0.0],
+            shift: [0.0; 2],
         };
         for (ground, near) in [(peak(1.0), true), (peak(0.0), false)] {
             // the peak itself lies at 0.4 mm
@@ -205,10 +206,53 @@ mod tests {
             spacing: 1.3,
             functions: StationFunctions::BSpline,
             depths: vec![0.3, 0.6, 0.4, 0.5, 0.7],
+            shift: [0.0; 2],
         };
         // Forces of order 100 N: round-off eps 100 / h = 2e-9, truncation h^2 100.
         let (stiffness, differences) = stiffness_and_differences(&contact, &ground, &[], 1e-5);
         assert_upper_agrees(&stiffness, &differences, 1e-7);
+    }
+
+    #[test]
+    fn a_patch_that_goes_with_dragged_ground_feels_what_it_felt() {
+        let (nodes, mut contact) = patch();
+        contact.friction = Friction {
+            coefficient: 0.3,
+            stiffness: 80.0,
+        };
+        let resting = HeightField {
+            base: 0.1,
+            spacing: 1.3,
+            functions: StationFunctions::BSpline,
+            depths: vec![0.3, 0.6, 0.4, 0.5, 0.7],
+            shift: [0.0; 2],
+        };
+        let settled = contact.settled_anchors(None, |n| nodes[n as usize], &[]);
+        let anchors: Vec<[f64; 2]> = settled.iter().map(|[x, y]| [0.8 * x, *y]).collect();
+        let at = |shift: [f64; 2]| {
+            let ground = HeightField {
+                shift,
+                ..resting.clone()
+            };
+            let moved = nodes
+                .iter()
+                .map(|[x, y, z]| [x + shift[0], y + shift[1], *z]);
+            let moved: Vec<Vector> = moved.collect();
+            let (mut residual, mut stiffness) = (vec![0.0; 27], vec![0.0; 27 * 27]);
+            let tangent = Some(stiffness.as_mut_slice());
+            contact.integrate(&ground, 0, &moved, &anchors, &mut residual, tangent);
+            let followed = contact.settled_anchors(Some(&ground), |n| moved[n as usize], &anchors);
+            let force = contact.friction_force(&ground, &anchors, |n| moved[n as usize]);
+            let all = [residual, stiffness, followed.concat(), force.to_vec()];
+            (all.concat(), force)
+        };
+        let ((still, force), (carried, _)) = (at([0.0; 2]), at([0.5, -0.25]));
+        // Every point stands ahead of its anchor or on it: friction pulls back.
+        assert!(force[0] < 0.0 && force[1] == 0.0, "{force:?}");
+        for (a, b) in still.iter().zip(&carried) {
+            // Positions of some mm, rounded, times stiffnesses of 100 N/mm^3 on 12 mm^2.
+            assert!((a - b).abs() < 1e-11, "{a} {b}");
+        }
     }
 
     #[test]
@@ -223,6 +267,7 @@ mod tests {
             spacing: 1.3,
             functions: StationFunctions::BSpline,
             depths: vec![0.3, 0.6, 0.4, 0.5, 0.7],
+            shift: [0.0; 2],
         };
         // Slips from 0 to 0.75 mm under pressures of 40 to 60 MPa: some points stick, some slip.
         let anchors: Vec<[f64; 2]> = contact

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use super::penalty::Penalty;
 use crate::cell::element::{FacePoint, face_points};
 use crate::cell::mesh::{Mesh, Surface};
-use crate::load::friction::Friction;
+use crate::load::friction::{Friction, Traction};
 use crate::load::obstacle::HeightField;
 use crate::tensor::{Vector, cross, norm};
 
@@ -66,6 +66,19 @@ impl ContactSurface {
             .collect()
     }
 
+    /// Friction's traction at a touching point of a face; `None` while it has no anchor.
+    pub(super) fn traction(
+        &self,
+        ground: &HeightField,
+        anchors: &[[f64; 2]],
+        [face, point]: [usize; 2],
+        touch: &Touch,
+    ) -> Option<Traction> {
+        let anchor = anchors.get(face * self.rule.len() + point)?;
+        let slip = touch.slip(anchor, &ground.shift);
+        Some(self.friction.traction(slip, touch.pressure))
+    }
+
     /// Visits the points of a face that penetrate: number of the point, its reference area (mm^2) and its state.
     pub(super) fn for_each_touch(
         &self,
@@ -111,9 +124,9 @@ pub(super) struct Touch {
 }
 
 impl Touch {
-    /// Way from the anchor along x and y, mm.
-    pub(super) fn slip(&self, anchor: &[f64; 2]) -> [f64; 2] {
-        [0, 1].map(|i| self.position[i] - anchor[i])
+    /// Way from the anchor along x and y, mm; the anchor is given on the ground, which is dragged by `shift`.
+    pub(super) fn slip(&self, anchor: &[f64; 2], shift: &[f64; 2]) -> [f64; 2] {
+        [0, 1].map(|i| self.position[i] - (anchor[i] + shift[i]))
     }
 }
 

@@ -40,4 +40,25 @@ impl ContactSurface {
         }
         total
     }
+
+    /// Friction's part of the force on the body, along x and y, N: along the way of the ground that drags it.
+    pub fn friction_force(
+        &self,
+        ground: &HeightField,
+        anchors: &[[f64; 2]],
+        positions: impl Fn(u32) -> Vector,
+    ) -> [f64; 2] {
+        let mut total = [0.0; 2];
+        for (face, nodes) in self.surface.iter().enumerate() {
+            let current: Vec<Vector> = nodes.iter().map(|&n| positions(n)).collect();
+            self.for_each_touch(ground, face, &current, |index, area, touch| {
+                if let Some(traction) = self.traction(ground, anchors, [face, index], touch) {
+                    for i in 0..2 {
+                        total[i] += area * traction.value[i];
+                    }
+                }
+            });
+        }
+        total
+    }
 }
