@@ -145,6 +145,7 @@ impl<'s> Case<'s> {
         let unknowns = supports.filter(|held| held.is_none()).count();
         let summary = model.summary(scene, unknowns);
         let diagnostics = Diagnostics {
+            friction_n: [0.0; 2],
             max_volume_change: self.max_volume_change(&pressed)?,
             newton_iterations: residual_history.iter().map(Vec::len).sum(),
             residual_history,
@@ -159,6 +160,7 @@ impl<'s> Case<'s> {
         };
         Ok(Response {
             reaction_n,
+            force_n: None,
             error: ResponseError {
                 reaction_n: share * response.error.reaction_n,
                 ..response.error

@@ -36,6 +36,10 @@ pub fn faults(scene: &Scene) -> Vec<Fault> {
         let detail = "must be 0 with CalculiX, whose contact here is without friction; or use the embedded solver";
         Fault::add(&mut faults, "/contact/friction", detail);
     }
+    if scene.ground.is_dragged() {
+        let detail = "must be [0, 0] with CalculiX, whose ground here isn't dragged; or use the embedded solver";
+        Fault::add(&mut faults, "/ground/shift_mm", detail);
+    }
     faults
 }
 
@@ -120,6 +124,7 @@ mod tests {
             ..Scene::default()
         };
         scene.contact.friction = 0.3;
+        scene.ground.shift_mm = [0.5, 0.0];
         let term = OgdenTerm {
             mu_mpa: 0.1,
             alpha: 2.0,
@@ -130,7 +135,13 @@ mod tests {
         let pointers: Vec<String> = faults(&scene).into_iter().map(|f| f.pointer).collect();
         assert_eq!(
             pointers,
-            ["/carcass", "/film", "/material/terms", "/contact/friction"]
+            [
+                "/carcass",
+                "/film",
+                "/material/terms",
+                "/contact/friction",
+                "/ground/shift_mm"
+            ]
         );
     }
 

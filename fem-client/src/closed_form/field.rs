@@ -96,6 +96,7 @@ impl Field {
             self.stations.iter().map(|(_, depth)| depth).sum::<f64>() / self.stations.len() as f64;
         Response {
             reaction_n: self.scale * 13.0 * mean_depth.powf(1.3) / self.softness,
+            force_n: None,
             depth_mm: Some(self.stations[self.stations.len() / 2].1),
             locations: self.locations(),
             section: Section {

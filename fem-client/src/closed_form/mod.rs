@@ -124,7 +124,7 @@ mod tests {
 
     use super::field::TRACE;
     use super::*;
-    use crate::solver::{Grid, Readout, RingLine, StartState};
+    use crate::solver::{Grid, Readout, Response, RingLine, StartState};
 
     static GO: AtomicBool = AtomicBool::new(false);
 
@@ -193,6 +193,16 @@ mod tests {
         );
         assert_eq!(response.rings[0].strain.x[180], response.section.crown.x);
         assert_eq!(response.rings[1].strain.y[180], response.section.sidewall.y);
+    }
+
+    /// As those of earlier versions were stored.
+    #[test]
+    fn an_answer_without_forces_reads_back() {
+        let solved = solve(&ClosedFormSolver::new(), &Scene::default(), None).unwrap();
+        let text = serde_json::to_string(&solved.response).unwrap();
+        assert!(!text.contains("force_n"));
+        let read: Response = serde_json::from_str(&text).unwrap();
+        assert_eq!(read, solved.response);
     }
 
     #[test]

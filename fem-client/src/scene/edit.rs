@@ -5,7 +5,7 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use crate::document::fault::{Fault, entry, member};
 use crate::document::fields::shown;
@@ -30,7 +30,7 @@ impl Scene {
     /// # Errors
     /// Every fault, at least one. The scene is unchanged then.
     pub fn set_all(&mut self, changes: &[(&str, &Value)]) -> Result<(), Vec<Fault>> {
-        let mut document = self.to_value();
+        let mut document = self.to_open_value();
         let mut faults = Vec::new();
         let sets = |field: &str| changes.iter().any(|(path, _)| *path == field);
         let ground = ["depths_mm", "load_n", "stations"];
@@ -78,6 +78,15 @@ impl Scene {
         Self::from_value(&document, pointer, faults)
     }
 
+    /// The scene as a document in which the ground's shift stands even where it is nowhere, so that its entries have paths.
+    fn to_open_value(&self) -> Value {
+        let mut document = self.to_value();
+        if let Some(ground) = document.get_mut("ground").and_then(Value::as_object_mut) {
+            ground.insert(SHIFT.to_owned(), json!(self.ground.shift_mm));
+        }
+        document
+    }
+
     /// The number at a path.
     ///
     /// # Errors
@@ -90,7 +99,7 @@ impl Scene {
         let quoted = path.escape_debug();
         let steps = parse_path(path)
             .ok_or_else(|| fault(format!("\"{quoted}\" isn't a path; {EXAMPLE}")))?;
-        let mut document = self.to_value();
+        let mut document = self.to_open_value();
         let mut pointer = String::new();
         for step in &steps {
             document = match descend(&mut document, &mut pointer, step) {
@@ -121,9 +130,17 @@ pub fn put_in(document: &mut Value, path: &str, value: Value, faults: &mut Vec<F
     }
 }
 
+/// The field of the ground that its document lacks where it is nowhere.
+const SHIFT: &str = "shift_mm";
+
 /// The number at a path of a scene's canonical document, read without checking the rest of it; `None` when there is none.
 pub fn number_in(document: &Value, path: &str) -> Option<f64> {
     let steps = parse_path(path)?;
+    if let [Step::Name("ground"), Step::Name(SHIFT), Step::Index(0 | 1)] = steps.as_slice()
+        && document.get("ground")?.get(SHIFT).is_none()
+    {
+        return Some(0.0);
+    }
     let end = steps.iter().try_fold(document, |value, step| match step {
         Step::Name(name) => value.get(name),
         Step::Index(index) => value.get(index),
@@ -271,8 +288,6 @@ fn lay_over(under: &mut Map<String, Value>, over: &Map<String, Value>) {
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
-
     use super::*;
     use crate::scene::Carcass;
 
@@ -285,6 +300,51 @@ mod tests {
         assert_eq!(scene.ground.depths_mm, [1.0, 0.7, 1.0, 1.0, 1.0]);
         assert_eq!(scene.pressure.internal_mpa, 0.0);
         assert_eq!(scene.number_at("ground.depths_mm[1]"), Ok(0.7));
+    }
+
+    #[test]
+    fn a_shift_is_set_by_its_entries_and_forgotten_where_it_is_nowhere() {
+        let mut scene = Scene::default();
+        scene.contact.friction = 0.5;
+        let still = scene.canonical_json();
+        assert_eq!(scene.number_at("ground.shift_mm[1]"), Ok(0.0));
+        assert_eq!(
+            number_in(&scene.to_value(), "ground.shift_mm[1]"),
+            Some(0.0)
+        );
+        assert_eq!(number_in(&scene.to_value(), "ground.shift_mm[2]"), None);
+        scene.set("ground.shift_mm[1]", &json!(-0.5)).unwrap();
+        assert_eq!(scene.ground.shift_mm, [0.0, -0.5]);
+        assert_eq!(scene.number_at("ground.shift_mm[1]"), Ok(-0.5));
+        assert_eq!(
+            number_in(&scene.to_value(), "ground.shift_mm[1]"),
+            Some(-0.5)
+        );
+        scene.set("ground.depths_mm", &json!([1, 2, 1])).unwrap();
+        assert_eq!(scene.ground.shift_mm, [0.0, -0.5]);
+        let fault = scene.set("contact.friction", &json!(0)).unwrap_err();
+        assert_eq!(fault.pointer, "/ground/shift_mm");
+        for (path, value, expected) in [
+            ("ground.shift_mm[2]", json!(1), "2 entries"),
+            ("ground.shift_mm[0]", json!(13), "from -12.5 to 12.5"),
+            ("ground.shift_mm", json!([1]), "2 ways"),
+        ] {
+            let fault = scene.set(path, &value).unwrap_err();
+            assert!(fault.detail.contains(expected), "{path}: {}", fault.detail);
+        }
+        scene
+            .set("ground.depths_mm", &json!([1, 1, 1, 1, 1]))
+            .unwrap();
+        scene.set("ground.shift_mm[1]", &json!(0)).unwrap();
+        assert_eq!(scene.canonical_json(), still);
+        // What needs friction comes with it.
+        let mut scene = Scene::default();
+        let together = [
+            ("ground.shift_mm[0]", &json!(0.3)),
+            ("contact.friction", &json!(0.5)),
+        ];
+        scene.set_all(&together).unwrap();
+        assert_eq!(scene.ground.shift_mm, [0.3, 0.0]);
     }
 
     #[test]

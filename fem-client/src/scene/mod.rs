@@ -95,13 +95,22 @@ pub struct Ground {
     /// Vertical force with which a flat ground presses on the whole tire, N, in place of depths.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub load_n: Option<f64>,
+    /// How far the ground is dragged once it presses, mm: along the wheel (x, rolling direction) and across it (y, along the axle).
+    #[serde(skip_serializing_if = "is_nowhere")]
+    pub shift_mm: [f64; 2],
 }
 
 impl Ground {
     /// Whether left and right of the contact centre are alike.
     pub fn is_symmetric(&self) -> bool {
         let depths = &self.depths_mm;
-        depths.iter().zip(depths.iter().rev()).all(|(a, b)| a == b)
+        let is_even = depths.iter().zip(depths.iter().rev()).all(|(a, b)| a == b);
+        is_even && self.shift_mm[0] == 0.0
+    }
+
+    /// Whether it is dragged.
+    pub fn is_dragged(&self) -> bool {
+        !is_nowhere(&self.shift_mm)
     }
 
     /// The same stations at these depths, mm.
@@ -112,6 +121,19 @@ impl Ground {
             ..self.clone()
         }
     }
+
+    /// The same ground before it is dragged.
+    pub fn undragged(&self) -> Self {
+        Self {
+            shift_mm: [0.0; 2],
+            ..self.clone()
+        }
+    }
+}
+
+/// No way at all stays out of documents, as it did before there were any.
+fn is_nowhere(shift_mm: &[f64; 2]) -> bool {
+    *shift_mm == [0.0; 2]
 }
 
 /// Shape functions of the height field; they sum to one everywhere.
@@ -207,6 +229,7 @@ impl Default for Ground {
             station_functions: StationFunctions::Bspline,
             depths_mm: vec![1.0; 5],
             load_n: None,
+            shift_mm: [0.0; 2],
         }
     }
 }
@@ -296,6 +319,9 @@ mod tests {
         scene.film = Some(Film::default());
         scene.ground.depths_mm[3] = 0.1 + 0.2;
         scene.contact.penalty_n_per_mm3 = Some(1.0 / 3.0);
+        assert!(!scene.canonical_json().contains("shift"));
+        scene.contact.friction = 0.5;
+        scene.ground.shift_mm = [0.0, -0.1];
         let text = scene.canonical_json();
         assert_eq!(Scene::from_json(&text).unwrap(), scene);
         assert_eq!(Scene::from_json(&text).unwrap().canonical_json(), text);

@@ -20,7 +20,7 @@ use crate::document::fields::{Fields, Range, number};
 use crate::document::{Format, parse};
 use crate::scene::reader::film_reader::{check_film_on, film};
 use crate::scene::reader::geometry_reader::geometry;
-use crate::scene::reader::ground_reader::{check_ground_under, ground};
+use crate::scene::reader::ground_reader::{check_grip, check_ground_under, ground};
 use crate::scene::reader::inner_table::section;
 use crate::scene::reader::material_reader::material;
 use crate::scene::{Carcass, Contact, Level, Model, Pressure, Scene};
@@ -78,6 +78,9 @@ impl Scene {
         let model = section(&fields, "model", faults, model);
         if let (Some(geometry), Some(ground)) = (&geometry, &ground) {
             check_ground_under(geometry, ground, &fields.at("ground"), faults);
+        }
+        if let (Some(ground), Some(contact)) = (&ground, &contact) {
+            check_grip(ground, contact, &fields.at("ground"), faults);
         }
         if let (Some(geometry), Some(Some(film))) = (&geometry, &film) {
             check_film_on(geometry, film, &fields.at("film"), faults);
@@ -242,6 +245,31 @@ mod tests {
             pointers("[ground]\nload_n = nan\nstations = 4"),
             ["/ground/load_n", "/ground/stations"]
         );
+    }
+
+    #[test]
+    fn a_shift_is_two_ways_within_the_section_on_ground_with_friction() {
+        let read = |shift: &str| format!("[ground]\nshift_mm = {shift}\n[contact]\nfriction = 0.5");
+        let dragged = Scene::from_toml(&read("[0.5, -12.5]")).unwrap().ground;
+        assert_eq!(dragged.shift_mm, [0.5, -12.5]);
+        for shift in ["[]", "[0.5]", "[0.5, 0, 0]", "0.5", "\"far\"", "nan"] {
+            assert_eq!(pointers(&read(shift)), ["/ground/shift_mm"], "{shift}");
+        }
+        assert_eq!(
+            pointers(&read("[nan, \"far\"]")),
+            ["/ground/shift_mm/0", "/ground/shift_mm/1"]
+        );
+        assert_eq!(
+            pointers(&read("[-12.6, 13]")),
+            ["/ground/shift_mm/0", "/ground/shift_mm/1"]
+        );
+        let faults = Scene::from_toml("[ground]\nshift_mm = [0.5, 0]").unwrap_err();
+        assert_eq!(faults[0].pointer, "/ground/shift_mm");
+        assert!(faults[0].detail.starts_with("needs contact.friction"));
+        // Nowhere is where all ground was before.
+        let still = Scene::from_toml("[ground]\nshift_mm = [0, -0.0]").unwrap();
+        assert_eq!(still, Scene::default());
+        assert_eq!(still.canonical_json(), Scene::default().canonical_json());
     }
 
     #[test]

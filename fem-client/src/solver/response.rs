@@ -16,6 +16,10 @@ use crate::solver::value_range::Extremes;
 pub struct Response {
     /// Vertical force of the ground on the whole tire, N.
     pub reaction_n: f64,
+    /// Force of the ground on the whole tire, N: along the wheel (x), along the axle (y) and upwards (z, the reaction). Friction pulls the way that the
+    /// ground is dragged. Absent from answers of earlier versions, and where the solver doesn't tell.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub force_n: Option<[f64; 3]>,
     /// How far the ground at the contact centre stands above the inflated outer radius, mm; absent from answers of earlier versions.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub depth_mm: Option<f64>,

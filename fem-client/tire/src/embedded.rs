@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 use crate::mesh::tire_grid::{Extent, MeshPlan};
 use crate::mesh_error;
 use crate::model::{Place, TireModel, depth_of_load, ground, mesh_plan, mesh_plan_for, shape};
-use crate::neighbourhood::{Neighbourhood, Neighbourhoods, Pressed};
+use crate::neighbourhood::{GroundPlace, Neighbourhood, Neighbourhoods, Pressed};
 use crate::omission;
 use crate::readout::surface_reader::{Diagnostics, Reader};
 use crate::session::{Session, standing};
@@ -121,13 +121,15 @@ impl EmbeddedSolver {
     }
 }
 
-/// The smallest part of the tire that the symmetry of ground and film allows.
+/// The smallest part of the tire that the symmetry of ground and film allows. Ground that is dragged across the wheel has none in its middle plane.
 pub fn extent(scene: &Scene) -> Extent {
     let film = scene.film.as_ref();
     let of_film = film.map(|film| Place::of(film, &shape(scene)).extent());
-    let of_ground = match scene.ground.is_symmetric() {
-        true => Extent::Quarter,
-        false => Extent::Half,
+    let ground = &scene.ground;
+    let of_ground = match (ground.shift_mm[1] == 0.0, ground.is_symmetric()) {
+        (true, true) => Extent::Quarter,
+        (true, false) => Extent::Half,
+        (false, _) => Extent::Full,
     };
     of_film.map_or(of_ground, |of_film| of_film.max(of_ground))
 }
@@ -169,6 +171,10 @@ fn solve_near(
         equilibrium: state,
         report: &pressed.report,
         iterations: pressed.iterations,
+        friction: match mirrored {
+            true => [0.0 - pressed.friction[0], pressed.friction[1]],
+            false => pressed.friction,
+        },
     };
     Ok(session.answer(request, begin, found, &target))
 }
@@ -179,18 +185,14 @@ fn press_to_depths(
     near: &Neighbourhood,
     target: &Loads,
 ) -> Result<(Arc<Pressed>, bool), SolveError> {
-    let depths = target
-        .ground
-        .as_ref()
-        .map(|ground| ground.depths.as_slice());
-    let (depths, mirrored) = near.canonical(depths.unwrap_or_default());
-    if let Some(pressed) = near.recall(&depths) {
+    let (place, mirrored) = near.canonical(GroundPlace::of(target));
+    if let Some(pressed) = near.recall(&place) {
         return Ok((pressed, mirrored));
     }
-    let canonical = target.with_depths(&depths);
+    let canonical = target.with_depths(&place.depths).with_shift(place.shift);
     let pressed = press_near(session, near, &canonical);
     let pressed = Arc::new(pressed.map_err(|error| error.mirrored(mirrored))?);
-    near.remember(depths, pressed.clone());
+    near.remember(place, pressed.clone());
     Ok((pressed, mirrored))
 }
 
@@ -237,6 +239,7 @@ fn solve_afresh(
         inflated_key: inflated_key(request.scene, plan),
         inflated,
         equilibrium: pressed.state,
+        friction: pressed.friction,
         report: &pressed.report,
         iterations: session.newton.effort.iterations,
     };
@@ -281,6 +284,8 @@ struct Found<'a> {
     equilibrium: State,
     report: &'a PathReport,
     iterations: usize,
+    /// Friction's force on the meshed part along x and y, N.
+    friction: [f64; 2],
 }
 
 impl Session<'_> {
@@ -302,6 +307,7 @@ impl Session<'_> {
                 .map(|step| step.iter().map(|r| r.worst()).collect())
                 .collect(),
             model: self.model.summary(scene, self.newton.unknowns()),
+            friction_n: found.friction,
         };
         let state = StartState {
             inflated_key: found.inflated_key,

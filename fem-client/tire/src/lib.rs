@@ -10,10 +10,11 @@
 //! - [`readout`]: strains of an equilibrium with their errors
 //! - `self_contact`: whether a pressed tire touches itself
 //! - `session`: one solve on its way: a scene's model, its Newton method, and the loads they meet
-//! - `press_failure`: why a tire can't be pressed further
+//! - `way`: the ways to the ground: pressing, dragging
+//! - `press_failure`: why a tire can't be pressed further, or dragged
 //! - `inflate`: the inflated state, or why there is none
 //! - `neighbourhood`: what solves from the same equilibrium share
-//! - `press`: the tire pressed on the ground
+//! - `press`: the tire pressed on the ground, and dragged
 //! - [`embedded`]: the solver
 
 pub mod embedded;
@@ -29,3 +30,4 @@ pub mod readout;
 mod rubber;
 mod self_contact;
 mod session;
+mod way;

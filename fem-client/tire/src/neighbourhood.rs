@@ -17,7 +17,7 @@ use sha2::{Digest, Sha256};
 use crate::mesh::tire_grid::{Extent, MeshPlan};
 use crate::model::{TireModel, ground};
 use fem_client::hexadecimal::hexadecimal;
-use fem_client::scene::{Film, Scene};
+use fem_client::scene::{Film, Ground, Scene};
 use fem_client::solver::StartState;
 
 /// Neighbourhoods that are kept; the oldest goes first. Each holds a factor: 60 MB for a standard half model.
@@ -38,7 +38,7 @@ pub(crate) struct Neighbourhood {
     pub(crate) tangent: Arc<Tangent>,
     /// Whether left and right are alike here, so that mirrored depths have mirrored equilibria.
     symmetric: bool,
-    pressed: Mutex<VecDeque<(Vec<f64>, Arc<Pressed>)>>,
+    pressed: Mutex<VecDeque<(GroundPlace, Arc<Pressed>)>>,
 }
 
 /// An equilibrium on the ground, and how it was found.
@@ -47,6 +47,47 @@ pub(crate) struct Pressed {
     pub(crate) state: State,
     pub(crate) report: PathReport,
     pub(crate) iterations: usize,
+    /// Friction's force on the meshed part along x and y, N.
+    pub(crate) friction: [f64; 2],
+}
+
+/// Where the ground of some loads stands.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct GroundPlace {
+    /// Of each station, mm.
+    pub(crate) depths: Vec<f64>,
+    /// How far it is dragged along x and y, mm.
+    pub(crate) shift: [f64; 2],
+}
+
+impl GroundPlace {
+    pub(crate) fn of(loads: &Loads) -> Self {
+        let ground = loads.ground.as_ref();
+        ground.map_or_else(Self::default, |ground| Self {
+            depths: ground.depths.clone(),
+            shift: ground.shift,
+        })
+    }
+
+    /// With left and right exchanged.
+    fn mirrored(&self) -> Self {
+        let [x, y] = self.shift;
+        Self {
+            depths: self.depths.iter().rev().copied().collect(),
+            // Not minus zero, which would be less than none.
+            shift: [0.0 - x, y],
+        }
+    }
+
+    /// One order of all places.
+    fn cmp(&self, other: &Self) -> Ordering {
+        let values = |place: &Self| [place.depths.as_slice(), &place.shift].concat();
+        let (own, others) = (values(self), values(other));
+        let pairs = own.iter().zip(&others);
+        pairs.fold(Ordering::Equal, |before, (a, b)| {
+            before.then(a.total_cmp(b))
+        })
+    }
 }
 
 impl Neighbourhood {
@@ -56,7 +97,7 @@ impl Neighbourhood {
         let inflated = model.fit(&start.inflated)?;
         let equilibrium = model.fit(&start.equilibrium)?;
         let radius = model.crown_radius(&inflated);
-        let depths = scene.ground.at_depths(start.depths_mm.clone());
+        let depths = of_start(scene, start);
         let loads = Loads {
             pressure: start.pressure_mpa,
             ground: Some(ground(&depths, radius)),
@@ -84,33 +125,31 @@ impl Neighbourhood {
         })
     }
 
-    /// Depths in the order in which they are solved, and whether that exchanges left and right: of two mirrored grounds
+    /// The place at which a ground is solved, and whether that exchanges left and right: of two mirrored grounds
     /// only one is ever solved.
-    pub(crate) fn canonical(&self, depths: &[f64]) -> (Vec<f64>, bool) {
-        let mirrored: Vec<f64> = depths.iter().rev().copied().collect();
-        let ahead = mirrored.iter().zip(depths).map(|(a, b)| a.total_cmp(b));
-        let is_less = ahead.fold(Ordering::Equal, Ordering::then) == Ordering::Less;
-        if self.symmetric && is_less {
+    pub(crate) fn canonical(&self, place: GroundPlace) -> (GroundPlace, bool) {
+        let mirrored = place.mirrored();
+        if self.symmetric && mirrored.cmp(&place) == Ordering::Less {
             (mirrored, true)
         } else {
-            (depths.to_vec(), false)
+            (place, false)
         }
     }
 
-    /// The equilibrium at these depths if it was found lately.
-    pub(crate) fn recall(&self, depths: &[f64]) -> Option<Arc<Pressed>> {
+    /// The equilibrium on ground at this place if it was found lately.
+    pub(crate) fn recall(&self, place: &GroundPlace) -> Option<Arc<Pressed>> {
         let pressed = self.pressed.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = pressed.iter().find(|(known, _)| known == depths);
+        let known = pressed.iter().find(|(known, _)| known == place);
         known.map(|(_, pressed)| pressed.clone())
     }
 
     /// Keeps an equilibrium for its mirror image.
-    pub(crate) fn remember(&self, depths: Vec<f64>, found: Arc<Pressed>) {
+    pub(crate) fn remember(&self, place: GroundPlace, found: Arc<Pressed>) {
         let mut pressed = self.pressed.lock().unwrap_or_else(PoisonError::into_inner);
         if pressed.len() == PRESSED {
             pressed.pop_front();
         }
-        pressed.push_back((depths, found));
+        pressed.push_back((place, found));
     }
 }
 
@@ -150,11 +189,16 @@ impl Neighbourhoods {
     }
 }
 
+/// The ground of a start before it is dragged: wherever a scene's is dragged to, it is pressed first.
+fn of_start(scene: &Scene, start: &StartState) -> Ground {
+    let ground = scene.ground.undragged();
+    ground.at_depths(start.depths_mm.clone())
+}
+
 /// Hash of all that a neighbourhood is made of.
 fn key(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> String {
-    let ground = scene.ground.at_depths(start.depths_mm.clone());
     let scene = Scene {
-        ground,
+        ground: of_start(scene, start),
         ..scene.clone()
     };
     let mut hash = Sha256::new();

@@ -1,4 +1,4 @@
-//! Why a tire can't be pressed further: the loss of stability under the ground, the depth of self-contact.
+//! Why a tire can't be pressed further, or dragged: the loss of stability on the ground, the depth of self-contact.
 
 use std::sync::atomic::Ordering;
 
@@ -6,13 +6,13 @@ use fem::newton::iteration::Cause;
 use fem::newton::path::{PathFailure, PathReport, Stability};
 use fem::problem::{Loads, State};
 
-use crate::model::{TireModel, load_step};
+use crate::model::TireModel;
 use crate::self_contact::touches_itself;
 use crate::session::Session;
-use fem_client::scene::Scene;
+use crate::way::Way;
 use fem_client::solver::{NoEquilibrium, Reached, SolveError};
 
-/// Fraction of the way to the depths within which lost stability is where pressing ended.
+/// Fraction of the way within which lost stability is where it ended.
 const NEARBY: f64 = 1.0 / 64.0;
 /// Principal stretch below which a missing equilibrium is put down to compression: mixed elements lose their stability at
 /// 0.68 on a distorted mesh.
@@ -24,29 +24,24 @@ const SELF_CONTACT_REACH: f64 = 4.0;
 /// Searches, each beyond the end of the one before.
 const SELF_CONTACT_ROUNDS: usize = 4;
 
-/// Why pressing ended at this state, the last equilibrium; or the equilibrium at the target, if the end was another
+/// Why a way ended at this state, the last equilibrium; or the equilibrium at its target, if the end was another
 /// branch's, on which the tire touches itself.
-pub(crate) fn pressing_failure(
+pub(crate) fn way_failure(
     session: &mut Session<'_>,
-    inflated: &State,
-    target: &Loads,
+    way: &Way<'_>,
     state: &State,
     failure: &PathFailure,
 ) -> Result<(State, PathReport), SolveError> {
     if failure.cause != Cause::Stopped && touches_itself(session.model, state) {
-        return self_contact(session, inflated, target);
+        return self_contact(session, way);
     }
     let inertia = session.newton.inertia_at(state, &failure.loads);
     let buckled = inertia.is_ok_and(|inertia| !inertia.is_positive());
     let squeezed = session.newton.stretch_range(state).smallest;
     let reached = loads_reached(session.model, &failure.loads, state);
-    Err(pressing_error(
-        session.scene,
-        failure,
-        reached,
-        buckled,
-        squeezed,
-    ))
+    let load = reached.load_n;
+    let stopped = way.leg.stopped(session.scene, failure.reached, load);
+    Err(stopped_error(stopped, failure, reached, buckled, squeezed))
 }
 
 /// So far the search goes beyond a share of the way, at most to the target.
@@ -54,47 +49,24 @@ fn beyond(share: f64) -> f64 {
     (SELF_CONTACT_REACH * share).min(1.0)
 }
 
-/// The state on the way between two loads, from one share of it to another, with the path there; `None` where the tire touches itself then, or isn't found.
+/// The state on a way, from one share of it to another, with the path there; `None` where the tire touches itself then, or isn't found.
 ///
 /// # Errors
 /// A path that was stopped says nothing of contact.
 fn apart_at(
     session: &mut Session<'_>,
+    way: &Way<'_>,
     state: &State,
-    [unpressed, target]: [&Loads; 2],
-    [from, to]: [f64; 2],
+    shares: [f64; 2],
 ) -> Result<Option<(State, PathReport)>, SolveError> {
     let mut trial = state.clone();
-    let [from, to] = [from, to].map(|share| unpressed.towards(target, share));
+    let [from, to] = shares.map(|share| way.start.towards(way.target, share));
     let path = session.follow(&mut trial, &from, &to, Stability::Ignored);
     if session.stop.load(Ordering::Relaxed) {
         return Err(SolveError::Stopped);
     }
     let found = path.ok().filter(|_| !touches_itself(session.model, &trial));
     Ok(found.map(|report| (trial, report)))
-}
-
-/// What was asked for, in words.
-fn asked(scene: &Scene) -> String {
-    match scene.ground.load_n {
-        Some(load) => format!("the load of {load} N"),
-        None => format!("the depths {:?} mm", scene.ground.depths_mm),
-    }
-}
-
-/// Two shares of the way, in words.
-fn between(scene: &Scene, shares: [f64; 2]) -> String {
-    let asked = asked(scene);
-    match scene.ground.load_n {
-        Some(load) => {
-            let [from, to] = shares.map(|share| share * load);
-            format!("{from:.4} and {to:.4} N, short of {asked}")
-        }
-        None => {
-            let [from, to] = shares.map(|share| 100.0 * share);
-            format!("{from:.1} and {to:.1} % of the way to {asked}")
-        }
-    }
 }
 
 /// Loads of an equilibrium on the way.
@@ -115,46 +87,45 @@ fn loads_reached(model: &TireModel, loads: &Loads, state: &State) -> Reached {
     }
 }
 
-/// Presses in small steps a tire that touches itself at the target when it is pressed in large ones.
+/// Goes in small steps the way of a tire that touches itself at its target when it goes in large ones.
 ///
 /// # Errors
-/// How far it can be pressed from its inflated state before it touches itself. Large steps may end on another branch: the smallest way at which one touches
+/// How far it can go before it touches itself. Large steps may end on another branch: the smallest way at which one touches
 /// is tried again from nearby, and the search goes on beyond it where it doesn't.
 pub(crate) fn self_contact(
     session: &mut Session<'_>,
-    inflated: &State,
-    target: &Loads,
+    way: &Way<'_>,
 ) -> Result<(State, PathReport), SolveError> {
-    let unpressed = session.inflation();
-    let (mut apart, mut touching) = (0.0, beyond(load_step(session.scene)));
-    let mut state = session.above_ground(inflated);
+    let (mut apart, mut touching) = (0.0, beyond(way.leg.bearable(session.scene)));
+    let mut state = way.begin.clone();
     for _ in 0..SELF_CONTACT_ROUNDS {
         for _ in 0..SELF_CONTACT_STEPS {
             let middle = 0.5 * (apart + touching);
-            match apart_at(session, &state, [&unpressed, target], [apart, middle])? {
+            match apart_at(session, way, &state, [apart, middle])? {
                 Some((trial, _)) => (apart, state) = (middle, trial),
                 None => touching = middle,
             }
         }
-        match apart_at(session, &state, [&unpressed, target], [apart, touching])? {
+        match apart_at(session, way, &state, [apart, touching])? {
             Some(found) if touching == 1.0 => return Ok(found),
             Some((trial, _)) => (apart, state, touching) = (touching, trial, beyond(touching)),
             None => break,
         }
     }
-    let reached = unpressed.towards(target, apart);
+    let reached = way.start.towards(way.target, apart);
     Err(SolveError::NoEquilibrium {
         status: NoEquilibrium::SelfContact,
         detail: format!(
-            "the inner surface touches itself between {}: press less, or inflate more",
-            between(session.scene, [apart, touching])
+            "the inner surface touches itself between {}: {}",
+            way.leg.between(session.scene, [apart, touching]),
+            way.leg.remedy()
         ),
         reached: loads_reached(session.model, &reached, &state),
     })
 }
 
-fn pressing_error(
-    scene: &Scene,
+fn stopped_error(
+    stopped: String,
     failure: &PathFailure,
     reached: Reached,
     buckled: bool,
@@ -171,17 +142,7 @@ fn pressing_error(
     } else {
         (NoEquilibrium::NotConverged, unconverged(failure))
     };
-    let detail = match reached.load_n {
-        Some(load) => format!(
-            "pressing stopped at {load:.4} N, short of {} ({why})",
-            asked(scene)
-        ),
-        None => format!(
-            "pressing stopped at {:.1} % of the way to {} ({why})",
-            100.0 * failure.reached,
-            asked(scene)
-        ),
-    };
+    let detail = format!("{stopped} ({why})");
     no_equilibrium(status, detail, reached, failure.cause)
 }
 

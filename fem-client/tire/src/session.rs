@@ -83,6 +83,16 @@ impl Session<'_> {
             .resultant(&ground, |node| state.position(mesh, node))
             .force[2]
     }
+
+    /// Friction's force on the meshed part along x and y, N.
+    pub(crate) fn friction_force(&self, state: &State, loads: &Loads) -> [f64; 2] {
+        let (Some(contact), Some(ground)) = (&self.model.problem.contact, loads.ground_in(state))
+        else {
+            return [0.0; 2];
+        };
+        let mesh = &self.model.problem.mesh;
+        contact.friction_force(&ground, &state.anchors, |node| state.position(mesh, node))
+    }
 }
 
 /// Of all stations, mm.

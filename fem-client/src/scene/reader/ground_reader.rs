@@ -5,7 +5,7 @@ use serde_json::Value;
 use super::shared_ranges::LENGTH;
 use crate::document::fault::{Fault, entry};
 use crate::document::fields::{Fields, Range, number, plain, shown};
-use crate::scene::{Geometry, Ground, StationFunctions};
+use crate::scene::{Contact, Geometry, Ground, StationFunctions};
 
 const LOAD: Range = Range::new(0.0, 1e9, "N");
 
@@ -19,6 +19,7 @@ pub(super) fn ground(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> O
         "station_functions",
         "depths_mm",
         "load_n",
+        "shift_mm",
     ];
     let fields = Fields::open(value, pointer, &known, faults)?;
     let default = Ground::default();
@@ -45,6 +46,10 @@ pub(super) fn ground(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> O
     let load = match fields.get("load_n") {
         None => Some(None),
         Some((value, pointer)) => number(value, &pointer, LOAD, faults).map(Some),
+    };
+    let shift = match fields.get("shift_mm") {
+        None => Some(default.shift_mm),
+        Some((value, pointer)) => shift(value, &pointer, faults),
     };
     if let (Some((_, pointer)), Some(_)) = (fields.get("load_n"), fields.get("depths_mm")) {
         let detail = "stands in place of depths_mm, which is given too: leave one of them out";
@@ -76,6 +81,7 @@ pub(super) fn ground(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> O
         station_functions: functions?,
         depths_mm: depths,
         load_n: load?,
+        shift_mm: shift?,
     })
 }
 
@@ -91,8 +97,29 @@ fn depths(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Vec<f
         Fault::add(faults, pointer, detail);
         return None;
     };
-    let range = Range::new(0.0, LENGTH.high, "mm");
-    // Read all before stopping at the first None, so that every faulty depth is named.
+    entries(items, pointer, Range::new(0.0, LENGTH.high, "mm"), faults)
+}
+
+fn shift(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<[f64; 2]> {
+    let Some(items) = value.as_array().filter(|items| items.len() == 2) else {
+        let detail = format!(
+            "must be a list of 2 ways in mm, along the wheel and across it; it is {}",
+            shown(value)
+        );
+        Fault::add(faults, pointer, detail);
+        return None;
+    };
+    let range = Range::new(-LENGTH.high, LENGTH.high, "mm");
+    entries(items, pointer, range, faults)?.try_into().ok()
+}
+
+/// Reads all before stopping at the first None, so that every faulty entry is named.
+fn entries(
+    items: &[Value],
+    pointer: &str,
+    range: Range,
+    faults: &mut Vec<Fault>,
+) -> Option<Vec<f64>> {
     let read: Vec<Option<f64>> = items
         .iter()
         .enumerate()
@@ -109,14 +136,19 @@ pub(super) fn check_ground_under(
     faults: &mut Vec<Fault>,
 ) {
     let deepest = Range::new(0.0, geometry.section_radius_mm, "mm (section_radius_mm)");
-    for (i, depth) in ground
-        .depths_mm
-        .iter()
-        .enumerate()
-        .filter(|(_, depth)| **depth > deepest.high)
-    {
-        let detail = format!("must be a number {deepest}; it is {}", plain(*depth));
-        Fault::add(faults, &format!("{pointer}/depths_mm/{i}"), detail);
+    let farthest = Range {
+        low: -deepest.high,
+        ..deepest
+    };
+    for (field, values, range) in [
+        ("depths_mm", ground.depths_mm.as_slice(), deepest),
+        ("shift_mm", ground.shift_mm.as_slice(), farthest),
+    ] {
+        let beyond = |value: f64| !(range.low..=range.high).contains(&value);
+        for (i, value) in values.iter().enumerate().filter(|(_, v)| beyond(**v)) {
+            let detail = format!("must be a number {range}; it is {}", plain(*value));
+            Fault::add(faults, &format!("{pointer}/{field}/{i}"), detail);
+        }
     }
     let half_width = (ground.stations - 1) as f64 / 2.0 * ground.station_spacing_mm;
     if half_width > geometry.outer_radius_mm {
@@ -126,5 +158,18 @@ pub(super) fn check_ground_under(
             plain(largest)
         );
         Fault::add(faults, &format!("{pointer}/station_spacing_mm"), detail);
+    }
+}
+
+/// Only friction lets dragged ground take the tire along.
+pub(super) fn check_grip(
+    ground: &Ground,
+    contact: &Contact,
+    pointer: &str,
+    faults: &mut Vec<Fault>,
+) {
+    if ground.is_dragged() && contact.friction == 0.0 {
+        let detail = "needs contact.friction: without friction the ground slides under the tire and nothing changes";
+        Fault::add(faults, &format!("{pointer}/shift_mm"), detail.to_owned());
     }
 }

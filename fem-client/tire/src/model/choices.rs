@@ -6,8 +6,8 @@ use fem_client::solver::Choice;
 
 use super::dimensions::shape;
 use super::glued_film::Place;
-use super::resting_ground::FRICTION_STEPS;
-use crate::mesh::tire_grid::Extent;
+use super::resting_ground::{DRAG_STEPS, FRICTION_STEPS};
+use crate::mesh::tire_grid::{Extent, TireGrid};
 use crate::omission::omissions;
 
 fn choice(what: &str, why: String) -> Choice {
@@ -19,8 +19,8 @@ fn choice(what: &str, why: String) -> Choice {
 }
 
 /// What is modelled, with reasons.
-pub(super) fn modelled(scene: &Scene, order: Order) -> Vec<Choice> {
-    let element = element(order);
+pub(super) fn modelled(scene: &Scene, grid: &TireGrid) -> Vec<Choice> {
+    let element = element(grid.order);
     let volume = compressibility(scene.material.d1_per_mpa);
     let mut list = vec![
         choice(
@@ -49,8 +49,15 @@ pub(super) fn modelled(scene: &Scene, order: Order) -> Vec<Choice> {
         );
         list.push(choice("friction", why));
     }
+    if scene.ground.is_dragged() {
+        let [x, y] = scene.ground.shift_mm;
+        let why = format!(
+            "once it presses the ground is dragged by {x} mm along the wheel and {y} mm across it, in {DRAG_STEPS} steps: the path matters"
+        );
+        list.push(choice("shear", why));
+    }
     if let Some(film) = &scene.film {
-        list.push(choice("film", film_text(scene, film)));
+        list.push(choice("film", film_text(scene, film, grid.extent)));
     }
     if scene.carcass.is_some() {
         list.push(choice(
@@ -61,7 +68,7 @@ pub(super) fn modelled(scene: &Scene, order: Order) -> Vec<Choice> {
     list
 }
 
-fn film_text(scene: &Scene, film: &Film) -> String {
+fn film_text(scene: &Scene, film: &Film, extent: Extent) -> String {
     let layers = match film.layers.len() {
         1 => "one layer".to_owned(),
         more => format!("{more} layers"),
@@ -73,7 +80,7 @@ fn film_text(scene: &Scene, film: &Film) -> String {
             glue.shear_modulus_mpa, glue.thickness_mm
         ),
     };
-    let twin = match Place::of(film, &shape(scene)).has_twin() {
+    let twin = match Place::of(film, &shape(scene)).has_twin(extent) {
         true => format!(
             "; its mirror image at {} degrees from the crown is there too",
             -film.phi_deg

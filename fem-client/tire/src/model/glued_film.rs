@@ -90,9 +90,9 @@ impl Place {
         }
     }
 
-    /// Whether the model of half a tire has a second film, its mirror image, beyond the middle plane.
-    pub(crate) fn has_twin(&self) -> bool {
-        self.extent() != Extent::Full && !self.is_symmetric(1)
+    /// Whether the model of such a part of the tire has a second film, its mirror image, beyond the middle plane.
+    pub(crate) fn has_twin(&self, extent: Extent) -> bool {
+        extent != Extent::Full && !self.is_symmetric(1)
     }
 
     /// Wheel and section angles, rad, of a point of the rectangle.

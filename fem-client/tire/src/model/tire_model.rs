@@ -76,7 +76,7 @@ impl TireModel {
             level: scene.model.level.as_str().into(),
             elements: self.problem.mesh.brick_count(),
             dofs,
-            modelled: modelled(scene, self.grid.order),
+            modelled: modelled(scene, &self.grid),
             left_out: left_out(scene, self.grid.extent),
         }
     }

@@ -1,9 +1,11 @@
 //! Strains of an equilibrium, read off the inner surface.
 
+use fem::load::contact::ContactResultant;
 use fem::problem::{Loads, State};
 use fem::surface::chart::Recovery;
 use fem::tensor::Vector;
 
+use crate::mesh::tire_grid::Extent;
 use crate::model::TireModel;
 use crate::readout::probe::{Probe, States};
 use crate::readout::{carcass_reading, film_reading};
@@ -28,6 +30,8 @@ pub struct Diagnostics {
     pub residual_history: Vec<Vec<f64>>,
     /// What was modelled.
     pub model: ModelSummary,
+    /// Friction's force on the meshed part along x and y, N.
+    pub friction_n: [f64; 2],
 }
 
 /// Reads one equilibrium.
@@ -71,8 +75,10 @@ impl<'m> Reader<'m> {
     pub fn response(&self, readout: &Readout, diagnostics: Diagnostics) -> Response {
         let locations = self.locations();
         let states = [self.inflated_state, self.equilibrium];
+        let force_n = self.force(diagnostics.friction_n);
         Response {
-            reaction_n: self.reaction().0,
+            reaction_n: force_n[2],
+            force_n: Some(force_n),
             depth_mm: Some(self.depth()),
             error: self.error(&locations),
             locations,
@@ -106,18 +112,25 @@ impl<'m> Reader<'m> {
         }
     }
 
-    /// Vertical force on the whole tire and the pressure-weighted mean penetration.
-    fn reaction(&self) -> (f64, f64) {
+    /// What presses on the meshed part, without friction.
+    fn pressing(&self) -> ContactResultant {
         let (Some(contact), Some(ground)) = (&self.model.problem.contact, &self.loads.ground)
         else {
-            return (0.0, 0.0);
+            return ContactResultant::default();
         };
         let mesh = &self.model.problem.mesh;
-        let resultant = contact.resultant(ground, |node| self.equilibrium.position(mesh, node));
-        (
-            self.model.multiplicity() * resultant.force[2],
-            resultant.mean_penetration,
-        )
+        contact.resultant(ground, |node| self.equilibrium.position(mesh, node))
+    }
+
+    /// Force of the ground on the whole tire, N, with friction's on the meshed part: what its mirror images cancel is nothing.
+    fn force(&self, [x, y]: [f64; 2]) -> Vector {
+        let [px, py, pz] = self.pressing().force;
+        let all = self.model.multiplicity();
+        match self.model.grid.extent {
+            Extent::Full => [all * (px + x), all * (py + y), all * pz],
+            Extent::Half => [all * (px + x), 0.0, all * pz],
+            Extent::Quarter => [0.0, 0.0, all * pz],
+        }
     }
 
     /// Of the ground at the contact centre, mm.
@@ -211,13 +224,14 @@ impl<'m> Reader<'m> {
         let strain = errors.fold(PerDirection::default(), |largest, error| {
             largest.zip(error.strain).map(|(a, b): (f64, f64)| a.max(b))
         });
-        let (reaction, penetration) = self.reaction();
+        let pressing = self.pressing();
+        let reaction = self.model.multiplicity() * pressing.force[2];
         let depths = self.loads.ground.iter().flat_map(|ground| &ground.depths);
         let depth = depths.copied().fold(0.0, f64::max);
         let by_depth = self.scene.ground.load_n.is_none();
         ResponseError {
             reaction_n: if by_depth && depth > 0.0 {
-                DEPTH_EXPONENT * reaction * penetration / depth
+                DEPTH_EXPONENT * reaction * pressing.mean_penetration / depth
             } else {
                 0.0
             },

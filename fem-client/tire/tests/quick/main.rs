@@ -1,5 +1,6 @@
 //! The embedded solver against limit cases and symmetries, and what its version stands for.
 
+mod dragged_ground;
 mod foot_tire;
 mod pressed_by_force;
 mod solver_sources;
