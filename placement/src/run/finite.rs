@@ -79,6 +79,7 @@ fn in_response(response: &Response) -> Option<&'static str> {
     };
     let checks = [
         ("the reaction", response.reaction_n.is_finite()),
+        ("a force", finite(response.force_n.iter().flatten())),
         ("the depth", response.depth_mm.is_none_or(f64::is_finite)),
         (
             "a strain or stress at a location",

@@ -11,7 +11,7 @@ use ndarray::Array2;
 
 use crate::score::quantity::{STRAIN_TOLERANCE, over_map};
 use crate::score::readings::range;
-use crate::study::Study;
+use crate::study::{Input, Study};
 
 /// Share of what a strain ranges over by which it may differ from its mirror image's: meshes and printed files of other programs.
 const DIFFERENCE: f64 = 1e-3;
@@ -22,8 +22,13 @@ pub(crate) struct Mirror {
 }
 
 impl Mirror {
-    /// `None` where stations or their inputs differ before and behind the centre.
+    /// `None` where stations or their inputs differ before and behind the centre, or the ground is dragged along the wheel.
     pub(crate) fn of(study: &Study, campaign: &Campaign) -> Option<Self> {
+        let along = study.scene.ground.shift_mm[0];
+        let varies_along = |input: &Input| input.vary == "ground.shift_mm[0]";
+        if along != 0.0 || study.inputs.iter().any(varies_along) {
+            return None;
+        }
         let symmetric = campaign.symmetric(&mirrored_inputs(study)?)?;
         Some(Self { symmetric })
     }

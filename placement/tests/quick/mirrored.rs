@@ -141,6 +141,12 @@ fn a_solver_that_isn_t_symmetric_tells_nothing_of_mirror_images() {
     uneven.inputs.pop();
     uneven.scene.ground.depths_mm[4] = 1.1;
     assert_eq!(images(&answered_by(&uneven, entangle)), 0);
+    let mut dragged = shipped("foot-tire");
+    dragged.scene.contact.friction = 0.5;
+    dragged.scene.ground.shift_mm = [0.0, 0.5];
+    assert_eq!(images(&answered_by(&dragged, entangle)), 10);
+    dragged.scene.ground.shift_mm = [0.5, 0.0];
+    assert_eq!(images(&answered_by(&dragged, entangle)), 0);
 }
 
 /// Five depths that vary by so much to either side, mm.

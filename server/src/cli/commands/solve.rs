@@ -95,7 +95,10 @@ impl Solve {
         if let Some(target) = &self.json {
             target.write(&document(&solved)?)?;
         }
-        tell(&report(&solved), self.json.as_ref())
+        tell(
+            &report(&solved, scene.ground.is_dragged()),
+            self.json.as_ref(),
+        )
     }
 
     fn scene(&self) -> Result<Scene, Failure> {
@@ -194,11 +197,14 @@ fn film_signal(film: &FilmState, signal: &FilmSignal) -> String {
     )
 }
 
-fn report(solved: &Solved) -> String {
+fn report(solved: &Solved, is_dragged: bool) -> String {
     let response = &solved.response;
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = writeln!(text, "reaction            {:12.4} N", response.reaction_n);
+    if is_dragged && let Some([x, y, _]) = response.force_n {
+        let _ = writeln!(text, "force along x, y    {x:12.4} N{y:12.4} N");
+    }
     if let Some(depth) = response.depth_mm {
         let _ = writeln!(text, "depth               {depth:12.4} mm");
     }
@@ -339,7 +345,7 @@ mod tests {
             start: None,
             stop: &stop,
         };
-        let solved = ClosedFormSolver::new().solve(&request).expect("solves");
+        let mut solved = ClosedFormSolver::new().solve(&request).expect("solves");
         let document = document(&solved).expect("finite");
         assert_eq!(document["status"], "converged");
         for field in [
@@ -362,7 +368,11 @@ mod tests {
             );
         }
         assert!(document["model"].is_object() && document.get("map").is_none());
-        assert!(report(&solved).contains("P3"));
+        assert!(report(&solved, false).contains("P3"));
+        solved.response.force_n = Some([1.25, -0.5, 13.0]);
+        assert!(!report(&solved, false).contains("force"));
+        let dragged = report(&solved, true);
+        assert!(dragged.contains("1.2500 N") && dragged.contains("-0.5000 N"));
     }
 
     #[test]
