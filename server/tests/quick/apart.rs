@@ -42,6 +42,7 @@ fn readout() -> Readout {
         }),
         shape: true,
         rings: vec![RingLine::at(45.0)],
+        fine_deg: None,
         gauges: vec![Gauge {
             theta_deg: 3.1,
             phi_deg: -7.7,

@@ -3,10 +3,13 @@
 use gsa::judge::certainty::{Estimate, places_certain};
 
 use crate::layout::opinions::kendall::tau;
+use crate::layout::simulate::simulation::LOST_DEG;
 use crate::result::{FrontLayout, LayoutError, LayoutLoad, LayoutScore, LoadScore, RankedLayout};
 
 /// Claimed errors in standard errors of the simulation.
 const DEVIATIONS: f64 = 2.0;
+/// As many films as a layout may have.
+const MOST_FILMS: f64 = 240.0;
 /// Share of a bound from which its error is said.
 const DOUBTFUL: f64 = 0.2;
 /// Scores nearer than this are equal, relative: mirror images differ by rounding, and by what a simulation of other contacts makes of it.
@@ -97,9 +100,19 @@ fn doubt(score: &LayoutScore) -> Option<String> {
 }
 
 /// What the order goes by: the simulated 95th percentile at the worst load times the root of the number of films, degrees. The variance falls as one over
-/// that number, so that this compares what a film contributes.
+/// that number, so that this compares what a film contributes. Where one contact in twenty is lost, another film doesn't count: such layouts come last, by
+/// the percentile alone.
 fn key(layout: &RankedLayout) -> f64 {
-    p95(&layout.score) * films(layout).sqrt()
+    p95(&layout.score) * weight(layout)
+}
+
+/// What an error counts in a layout.
+fn weight(layout: &RankedLayout) -> f64 {
+    if p95(&layout.score) <= LOST_DEG {
+        films(layout).sqrt()
+    } else {
+        MOST_FILMS.sqrt()
+    }
 }
 
 fn films(layout: &RankedLayout) -> f64 {
@@ -117,7 +130,7 @@ pub fn rank(layouts: &mut [RankedLayout]) {
             .error
             .as_ref()
             .and_then(|error| error.simulated_p95_angle_error_deg)
-            .map_or(f64::INFINITY, |error| error * films(layout).sqrt()),
+            .map_or(f64::INFINITY, |error| error * weight(layout)),
     };
     let estimates: Vec<Estimate> = layouts.iter().map(estimate).collect();
     let known: Vec<Estimate> = estimates

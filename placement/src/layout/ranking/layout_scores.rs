@@ -56,32 +56,54 @@ impl Scorer {
     /// # Panics
     /// Of a layout that wasn't announced.
     pub fn scores(&self, arrangement: &Arrangement) -> Vec<LayoutScore> {
-        let kinds = kinds_of(arrangement);
-        let likelihood = &self.likelihoods[&kinds];
-        let own = renumbered(arrangement, &kinds);
+        let mut scores = self.figures(arrangement);
+        let (likelihood, own) = self.own(arrangement);
+        for (score, depth) in scores.iter_mut().zip(&self.depths_mm) {
+            score.alike = alike(likelihood.fields(), *depth, &own, &self.noise);
+        }
+        if self.dead {
+            let dead = self.dead_film(likelihood, &own).into_iter();
+            scores
+                .iter_mut()
+                .zip(dead)
+                .for_each(|(score, dead)| score.dead = Some(dead));
+        }
+        scores
+    }
+
+    /// Bounds and simulated errors alone, at each depth.
+    ///
+    /// # Panics
+    /// Of a layout that wasn't announced.
+    pub fn figures(&self, arrangement: &Arrangement) -> Vec<LayoutScore> {
+        let (likelihood, own) = self.own(arrangement);
         let simulated = simulate(likelihood, &self.depths_mm, &own, &self.draws);
         let at = |(depth, simulated): (&f64, &Simulated)| {
-            self.score(likelihood, *depth, &own, simulated)
+            self.score(&likelihood.field(*depth), &own, simulated)
         };
         self.depths_mm.iter().zip(&simulated).map(at).collect()
     }
 
+    /// The likelihood of a layout's kinds of film, and the layout with its kinds numbered as there.
+    fn own(&self, arrangement: &Arrangement) -> (&Likelihood, Arrangement) {
+        let kinds = kinds_of(arrangement);
+        (&self.likelihoods[&kinds], renumbered(arrangement, &kinds))
+    }
+
     fn score(
         &self,
-        likelihood: &Likelihood,
-        depth_mm: f64,
+        field: &LoadField,
         arrangement: &Arrangement,
         simulated: &Simulated,
     ) -> LayoutScore {
-        let field = likelihood.field(depth_mm);
-        let bounds = bounds(&field, arrangement, &self.noise);
+        let bounds = bounds(field, arrangement, &self.noise);
         let known = bounds.as_ref().ok();
         LayoutScore {
-            weakest_signal: Some(weakest_signal(&field, arrangement)),
+            weakest_signal: Some(weakest_signal(field, arrangement)),
             worst_angle_error_deg: known.map(|bounds| bounds.worst_angle_deg),
             rms_angle_error_deg: known.map(|bounds| bounds.rms_angle_deg),
             worst_depth_error_mm: known.map(|bounds| bounds.worst_depth_mm),
-            bayes_angle_error_deg: bayes_angle_deg(&field, arrangement, &self.noise),
+            bayes_angle_error_deg: bayes_angle_deg(field, arrangement, &self.noise),
             simulated_rms_angle_error_deg: Some(simulated.rms_angle_deg),
             simulated_rms_angle_error_deg_se: Some(simulated.rms_angle_se_deg),
             simulated_p95_angle_error_deg: Some(simulated.p95_angle_deg),
@@ -89,40 +111,47 @@ impl Scorer {
             lost_share: Some(simulated.lost_share),
             simulated_rms_depth_error_mm: Some(simulated.rms_depth_mm),
             force_error_n: Some(simulated.rms_depth_mm * field.force_slope.abs()),
-            alike: alike(likelihood.fields(), depth_mm, arrangement, &self.noise),
-            dead: self
-                .dead
-                .then(|| self.dead_film(likelihood, &field, arrangement)),
             noise_strain: self.noise.floor,
-            error: None,
             reason: bounds.err(),
+            ..LayoutScore::default()
         }
     }
 
-    /// The film whose loss costs most by the bound, and what estimates without it are worth.
-    fn dead_film(
-        &self,
-        likelihood: &Likelihood,
-        field: &LoadField,
-        arrangement: &Arrangement,
-    ) -> DeadFilm {
-        let left = |film: usize| bayes_angle_deg(field, &arrangement.without(film), &self.noise);
-        let all = (0..arrangement.different_films()).map(|film| (film, left(film)));
-        let worst = all.fold(
-            (0, None),
-            |worst: (usize, Option<f64>), (film, bound)| match (worst.1, bound) {
-                (Some(before), Some(bound)) if bound <= before => worst,
-                _ => (film, bound),
-            },
-        );
-        let rest = arrangement.without(worst.0);
-        let simulated = (!rest.films.is_empty())
-            .then(|| simulate(likelihood, &[field.depth_mm], &rest, &self.draws)[0]);
-        DeadFilm {
-            film: worst.0,
-            simulated_p95_angle_error_deg: simulated.map(|simulated| simulated.p95_angle_deg),
-            bayes_angle_error_deg: worst.1,
+    /// The film whose loss costs most by the bound over all depths, and what estimates without it are worth at each.
+    fn dead_film(&self, likelihood: &Likelihood, arrangement: &Arrangement) -> Vec<DeadFilm> {
+        let fields: Vec<LoadField> = self
+            .depths_mm
+            .iter()
+            .map(|depth| likelihood.field(*depth))
+            .collect();
+        let bounds_without = |film: usize| -> Vec<Option<f64>> {
+            let rest = arrangement.without(film);
+            fields
+                .iter()
+                .map(|field| bayes_angle_deg(field, &rest, &self.noise))
+                .collect()
+        };
+        let mut worst = (0, bounds_without(0));
+        let sum = |bounds: &[Option<f64>]| bounds.iter().flatten().sum::<f64>();
+        for film in 1..arrangement.different_films() {
+            let bounds = bounds_without(film);
+            if sum(&bounds) > sum(&worst.1) {
+                worst = (film, bounds);
+            }
         }
+        let rest = arrangement.without(worst.0);
+        let simulated = match rest.films.is_empty() {
+            true => Vec::new(),
+            false => simulate(likelihood, &self.depths_mm, &rest, &self.draws),
+        };
+        let at = |(k, bound): (usize, Option<f64>)| DeadFilm {
+            film: worst.0,
+            simulated_p95_angle_error_deg: simulated
+                .get(k)
+                .map(|simulated| simulated.p95_angle_deg),
+            bayes_angle_error_deg: bound,
+        };
+        worst.1.into_iter().enumerate().map(at).collect()
     }
 }
 

@@ -220,7 +220,7 @@ impl Answer<'_> {
             let AskedLayout { arrangement, label } = &asked.layouts[i];
             let coarse = coarse
                 .as_ref()
-                .map(|(scorer, factor)| (scorer.scores(arrangement), *factor));
+                .map(|(scorer, factor)| (scorer.figures(arrangement), *factor));
             let coarse = coarse
                 .as_ref()
                 .map(|(scores, factor)| (&scores[..], *factor));
