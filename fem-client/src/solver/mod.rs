@@ -56,6 +56,11 @@ pub trait Solver: Send + Sync {
         scene.model.level.cells_of_reference_tire()
     }
 
+    /// The same of the mesh on which this is read of the scene.
+    fn cells_read(&self, scene: &Scene, _readout: &Readout) -> usize {
+        self.cells(scene)
+    }
+
     /// Whether the law of solve times in `placement` was fitted to it.
     fn has_time_law(&self) -> bool {
         false

@@ -20,7 +20,7 @@ use fem_client::scene::Scene;
 use fem_client::solver::Coarser;
 use fem_client::solver::Omission;
 use fem_client::solver::gauge;
-use fem_client::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
+use fem_client::solver::{Cost, Readout, SolveError, SolveRequest, Solved, Solver, StartState};
 
 /// Largest relative residual of an equilibrium. On the reference tire it leaves 1e-8 in a strain and 1e-7 of the
 /// reaction (measured against 1e-12), five orders below the mesh's share.
@@ -62,6 +62,10 @@ impl Solver for EmbeddedSolver {
 
     fn cells(&self, scene: &Scene) -> usize {
         mesh_plan(scene, scene.model.level).cells()
+    }
+
+    fn cells_read(&self, scene: &Scene, readout: &Readout) -> usize {
+        mesh_plan_for(scene, scene.model.level, readout).cells()
     }
 
     fn has_time_law(&self) -> bool {

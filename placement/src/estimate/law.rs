@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use fem_client::scene::{Film, Level, Scene};
-use fem_client::solver::Solver;
+use fem_client::solver::{Readout, Solver};
 
 /// Cells of the draft mesh of the reference tire.
 const CELLS: f64 = 300.0;
@@ -77,11 +77,16 @@ pub(crate) struct Task {
 
 impl Task {
     pub fn of(scene: &Scene, solver: &dyn Solver, how: How) -> Self {
+        Self::read(scene, &Readout::default(), solver, how)
+    }
+
+    /// Of which this is read.
+    pub fn read(scene: &Scene, readout: &Readout, solver: &dyn Solver, how: How) -> Self {
         let deepest = scene.ground.depths_mm.iter().copied().fold(0.0, f64::max);
         Self {
             how,
             level: scene.model.level,
-            cells: solver.cells(scene) as f64,
+            cells: solver.cells_read(scene, readout) as f64,
             friction: scene.contact.friction > 0.0,
             film: scene.film.is_some(),
             deep: deepest

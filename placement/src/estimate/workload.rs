@@ -11,7 +11,7 @@ use gsa::method::{Kind, Method};
 use super::law::{How, Task, mirror_class, tire};
 use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
-use crate::layout::solving::measuring_layouts::layout_series;
+use crate::layout::solving::measuring_layouts::{largest_layout, layout_series, scorings};
 use crate::run::keys;
 use crate::signals::measuring::signal_series;
 use crate::study::plan::{Plan, PlanError, PlannedStudy};
@@ -51,6 +51,10 @@ pub(crate) struct Stage {
     pub signals: Vec<Vec<Point>>,
     /// What shows layouts' loads, a series for each mesh.
     pub layouts: Vec<Vec<Point>>,
+    /// How often a layout is scored at a load on a mesh.
+    pub scorings: usize,
+    /// Films of the largest layout.
+    pub films: usize,
     /// Points that an adaptive method may ask for beyond its first.
     pub extra: Extra,
 }
@@ -203,6 +207,12 @@ impl Workload {
                 effects,
                 signals,
                 layouts,
+                scorings: if is_first {
+                    scorings(study, &planned.plan, solver)
+                } else {
+                    0
+                },
+                films: largest_layout(study),
                 extra,
             });
         }
@@ -310,7 +320,7 @@ fn points(scenes: &[Scene], readout: &Readout, solver: &dyn Solver, keys: Keys<'
         .enumerate()
         .map(|(ordinal, (scene, key))| Point {
             key,
-            task: Task::of(scene, solver, how(ordinal, scene, &mut classes)),
+            task: Task::read(scene, readout, solver, how(ordinal, scene, &mut classes)),
         })
         .collect()
 }

@@ -125,6 +125,15 @@ impl Default for Layouts {
 }
 
 impl Layouts {
+    /// None at all.
+    pub fn none() -> Self {
+        Self {
+            spacings_deg: Vec::new(),
+            positions: Vec::new(),
+            ..Self::default()
+        }
+    }
+
     /// Whether there is a layout to score or to search for.
     pub fn is_asked(&self) -> bool {
         let regular = !self.unit_counts().is_empty() && !self.sections_deg().is_empty();

@@ -37,16 +37,16 @@ const MOST_LAYOUTS: usize = 1000;
 const MOST_PLACES: usize = 2000;
 const LONGEST_LAYOUT: usize = 60;
 
-/// The layouts to score; the common ones when the study says nothing of them. Section angles are checked against the scene, where it is known.
+/// The layouts to score: none without the table, the common ones where it names none. Section angles are checked against the scene, where it is known.
 pub(crate) fn layouts(
     fields: &Fields<'_>,
     scene: Option<&Scene>,
     faults: &mut Vec<Fault>,
 ) -> Option<Layouts> {
-    let mut layouts = Layouts::default();
     let Some((value, pointer)) = fields.get("layouts") else {
-        return Some(layouts);
+        return Some(Layouts::none());
     };
+    let mut layouts = Layouts::default();
     let known = [
         "spacings_deg",
         "units",

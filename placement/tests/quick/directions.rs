@@ -6,6 +6,7 @@ use fem_client::scene::{Level, Scene};
 use fem_client::solver::direction::Direction;
 use fem_client::solver::{Coarser, SolveError, SolveRequest, Solved, Solver};
 use gsa::method::{Kind, Method};
+use placement::layout::layout_settings::Layouts;
 use placement::result::{RankedLocation, StudyResult};
 use placement::score::location_scores::GSI;
 use placement::study::directions::Directions;
@@ -53,6 +54,10 @@ fn asking(directions: Directions) -> Study {
     let mut study = shipped("foot-tire");
     study.grid = None;
     study.directions = directions;
+    study.layouts = Layouts {
+        spacings_deg: vec![30.0, 60.0],
+        ..Layouts::default()
+    };
     study
 }
 

@@ -310,7 +310,7 @@ fn a_response_that_is_not_finite_is_never_stored() {
         ) -> Result<fem_client::solver::Solved, SolveError> {
             let mut solved = ClosedFormSolver::new().solve(request)?;
             if request.start.is_some() {
-                solved.response.rings[1].strain.y[3] = f64::NAN;
+                solved.response.map.as_mut().unwrap().strain.y[3] = f64::NAN;
             }
             Ok(solved)
         }
@@ -325,7 +325,7 @@ fn a_response_that_is_not_finite_is_never_stored() {
         failed[0]
             .cause
             .to_string()
-            .contains("a strain of a ring isn't a finite number")
+            .contains("a strain of the map isn't a finite number")
     );
     assert_eq!(archive.points.lock().unwrap().len(), 1);
 }

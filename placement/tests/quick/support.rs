@@ -8,6 +8,7 @@ use fem_client::closed_form::ClosedFormSolver;
 use fem_client::document::Format;
 use fem_client::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
 use placement::ladder::climb::answer;
+use placement::layout::layout_settings::Layouts;
 use placement::result::{StudyCost, StudyResult};
 use placement::run::archive::{Archive, ArchiveError, Outcome, PointRecord};
 use placement::run::{Event, RunContext, RunError};
@@ -92,14 +93,17 @@ where
     }
 }
 
-/// A shipped study, by name.
+/// A shipped study, by name, without its layouts: they have solves of their own.
 pub fn shipped(name: &str) -> Study {
     let text = presets()
         .into_iter()
         .find(|(preset, _)| *preset == name)
         .unwrap()
         .1;
-    study(text)
+    Study {
+        layouts: Layouts::none(),
+        ..study(text)
+    }
 }
 
 pub fn study(text: &str) -> Study {

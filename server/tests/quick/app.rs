@@ -203,11 +203,19 @@ pub async fn problem(response: Response, status: StatusCode) -> Value {
     body
 }
 
-/// The shipped study without its map, so that it is small.
+/// The shipped study without its map and layouts, so that it is small.
 pub fn study() -> Value {
     let (_, text) = placement::study::presets()[0];
     let mut document = parse(text, Format::Toml).expect("shipped studies are well-formed");
     document["candidates"] = json!({"points": "P1-P5"});
+    document["layouts"] = json!({"spacings_deg": []});
+    document
+}
+
+/// The same with two layouts.
+pub fn study_of_layouts() -> Value {
+    let mut document = study();
+    document["layouts"] = json!({"spacings_deg": [60, 90], "positions": ["crown"]});
     document
 }
 

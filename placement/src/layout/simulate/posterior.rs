@@ -117,12 +117,6 @@ impl<'l> Estimator<'l> {
         let angles_deg = middles([0.0, 360.0], ANGLE_CELLS * finest);
         let parts = &likelihood.parts;
         let films = arrangement.films.len();
-        let summed = |at: Vec<f64>| {
-            at.chunks_exact(films)
-                .map(|films| films.iter().sum())
-                .collect()
-        };
-        let constant = at_films(&parts.constant, arrangement, &angles_deg);
         let quadratic = parts.quadratic.as_ref();
         let mut estimator = Self {
             likelihood,
@@ -132,7 +126,7 @@ impl<'l> Estimator<'l> {
             linear: at_films(&parts.linear, arrangement, &angles_deg),
             quadratic: quadratic
                 .map_or_else(Vec::new, |field| at_films(field, arrangement, &angles_deg)),
-            constant: constant.into_iter().map(summed).collect(),
+            constant: summed(&parts.constant, arrangement, &angles_deg),
             angles_deg,
         };
         for cell in 0..estimator.cells.len() {
@@ -363,6 +357,20 @@ fn at_films(field: &Separated, arrangement: &Arrangement, angles_deg: &[f64]) ->
                 .map(move |film| field.functions[film.kind][r].at(film.theta_deg - angle))
         };
         (0..field.rank()).flat_map(product).collect()
+    };
+    angles_deg.iter().map(at).collect()
+}
+
+/// By angle: each product's function, summed over the films.
+fn summed(field: &Separated, arrangement: &Arrangement, angles_deg: &[f64]) -> Vec<Vec<f64>> {
+    let at = |angle: &f64| {
+        let product = |r: usize| {
+            let films = arrangement.films.iter();
+            films
+                .map(|film| field.functions[film.kind][r].at(film.theta_deg - angle))
+                .sum()
+        };
+        (0..field.rank()).map(product).collect()
     };
     angles_deg.iter().map(at).collect()
 }

@@ -15,7 +15,7 @@ use crate::layout::ranking::asked_layouts::{
 };
 use crate::layout::ranking::layout_order::{front, rank, tau_of_bound, with_scores};
 use crate::layout::ranking::layout_scores::Scorer;
-use crate::layout::search::SearchPlaces;
+use crate::layout::search::{KEPT, SearchPlaces};
 use crate::layout::solving::layout_fields::{MeshFields, mesh_fields};
 use crate::layout::solving::layout_scenes::{LayoutScenes, Pressed, readout};
 use crate::result::{
@@ -119,6 +119,34 @@ pub(crate) fn layout_series(
     levels
         .map(|level| (scenes.scenes(level), readout.clone()))
         .collect()
+}
+
+/// Films of the largest layout.
+pub(crate) fn largest_layout(study: &Study) -> usize {
+    let asked = Asked::of(study)
+        .layouts
+        .into_iter()
+        .map(|layout| layout.arrangement.films.len());
+    let searched = study
+        .layouts
+        .search
+        .iter()
+        .flat_map(|search| search.films.iter().copied());
+    asked.chain(searched).max().unwrap_or(0)
+}
+
+/// How often a layout is scored at a load on a mesh: those that a search finds, and those with a film dead, are scored, too.
+pub(crate) fn scorings(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize {
+    let series = layout_series(study, plan, solver).len();
+    let loads =
+        LayoutScenes::of(&study.layouts, &plan.points[0]).map_or(0, |scenes| scenes.loads.len());
+    let found = study
+        .layouts
+        .search
+        .as_ref()
+        .map_or(0, |search| search.films.len() * KEPT);
+    let layouts = Asked::of(study).layouts.len() + found;
+    layouts * loads * (series + usize::from(study.layouts.dead && series > 0))
 }
 
 fn on_level(scene: &Scene, level: Level) -> Scene {

@@ -56,7 +56,7 @@ fn little_is_enough() {
         ),
         (5, 5, 1)
     );
-    assert_eq!((study.grid, study.layouts.spacings_deg.len()), (None, 7));
+    assert_eq!((study.grid, study.layouts.is_asked()), (None, false));
     assert_eq!(study.scene.carcass, None);
 }
 

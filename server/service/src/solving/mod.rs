@@ -29,6 +29,14 @@ macro_rules! inner_tells {
             self.solver.cells(scene)
         }
 
+        fn cells_read(
+            &self,
+            scene: &fem_client::scene::Scene,
+            readout: &fem_client::solver::Readout,
+        ) -> usize {
+            self.solver.cells_read(scene, readout)
+        }
+
         fn has_time_law(&self) -> bool {
             self.solver.has_time_law()
         }

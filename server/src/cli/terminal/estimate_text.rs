@@ -93,8 +93,12 @@ fn solves(estimate: &Estimate) -> String {
         0 => String::new(),
         signals => format!(", {signals} for films' signals"),
     };
+    let layouts = match solves.layouts {
+        0 => String::new(),
+        layouts => format!(", {layouts} for layouts"),
+    };
     format!(
-        "solves     {}{range}: {} points, {} on coarser meshes, {} for what is left out{signals}; {} known already\n",
+        "solves     {}{range}: {} points, {} on coarser meshes, {} for what is left out{layouts}{signals}; {} known already\n",
         left.expected, solves.own, solves.coarser, solves.effects, solves.known
     )
 }

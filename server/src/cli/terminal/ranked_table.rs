@@ -8,6 +8,7 @@ use placement::result::{RankedLocation, StudyResult};
 use placement::score::location_scores::{GSI, MDRM_GSI, MEAN_GSI, OWN_GSI, Score};
 
 use crate::cli::terminal::estimate_text::comparison;
+use crate::cli::terminal::layout_table::layouts;
 use crate::cli::terminal::paint::{BAD, FAINT, GOOD, HEADER, STRONG, header, painted};
 use crate::cli::terminal::signal_table::signals;
 
@@ -23,6 +24,7 @@ const PAPER: [(&str, f64, f64); 5] = [
 /// Everything that `run` prints of a result.
 pub fn report(result: &StudyResult) -> String {
     let mut text = ranked(result);
+    text.push_str(&layouts(result));
     text.push_str(&signals(result));
     text.push_str(&notes(result));
     text.push_str(&climb(result));
@@ -149,8 +151,12 @@ fn cost(result: &StudyResult) -> String {
         0 => String::new(),
         solves => format!(", {solves} for films' signals"),
     };
+    let layouts = match cost.layout_solves {
+        0 => String::new(),
+        solves => format!(", {solves} for layouts"),
+    };
     format!(
-        "\nwhole study {:.2} s; {} solves, {} of them known before{coarser}{signals}; {} Newton iterations, {} factorisations\n\
+        "\nwhole study {:.2} s; {} solves, {} of them known before{coarser}{layouts}{signals}; {} Newton iterations, {} factorisations\n\
          of the solves' time: factorisation {:.0} %, substitution and contact {:.0} %, assembly {:.0} %, the rest \
          {:.0} %\n",
         cost.wall_s,

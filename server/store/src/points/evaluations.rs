@@ -279,16 +279,19 @@ pub async fn known(
     Ok(known.into_iter().collect())
 }
 
-/// The newest solves with their times: the newest cut points, and the newest of all others. What can't be read is left out.
+/// The newest solves with their times: the newest cut points, and the newest of all others. What can't be read is left out, and what strains around the wheel
+/// were read of: their meshes are finer than their scenes say.
 ///
 /// # Errors
 /// When the database can't be read.
 pub async fn samples(connection: &mut SqliteConnection) -> Result<Vec<Sample>, StoreError> {
     let query = "select * from (select e.scene, e.cost, 1 from start_states s join evaluations e on e.key = s.key
+                                where coalesce(json_array_length(e.response, '$.rings'), 0) = 0
                                 order by s.rowid desc limit 20)
                  union all
                  select * from (select e.scene, e.cost, 0 from evaluations e
-                                where e.failure is null and not exists (select 1 from start_states s where s.key = e.key)
+                                where e.failure is null and coalesce(json_array_length(e.response, '$.rings'), 0) = 0
+                                and not exists (select 1 from start_states s where s.key = e.key)
                                 order by e.rowid desc limit 200)";
     let rows: Vec<(String, String, bool)> = sqlx::query_as(query).fetch_all(connection).await?;
     let sample = |(scene, cost, cut): (String, String, bool)| {

@@ -7,7 +7,7 @@ use parquet::record::Field;
 use reqwest::StatusCode;
 use serde_json::{Value, json};
 
-use crate::app::{App, Home, problem, study};
+use crate::app::{App, Home, problem, study, study_of_layouts};
 
 /// A table as another program reads it, by columns.
 struct Columns {
@@ -63,7 +63,7 @@ async fn table(app: &App, id: &str, name: &str) -> Columns {
 async fn tables_say_what_the_result_says() {
     let home = Home::new();
     let app = home.start(ClosedFormSolver::new()).await;
-    let id = app.submit(&study()).await;
+    let id = app.submit(&study_of_layouts()).await;
     app.wait_for(&id, "done").await;
     let result = app.json(&format!("/v1/studies/{id}/result")).await;
 
@@ -131,7 +131,7 @@ async fn tables_say_what_the_result_says() {
         points.equals(row, "reaction_n", &point["reaction_n"]);
         points.equals(row, "P3_strain_y", &point["locations"][2]["strain_y"]);
     }
-    assert_eq!(points.rows.len(), 26);
+    assert_eq!(points.rows.len(), 26 + 5);
 
     let json = app
         .get(&format!("/v1/studies/{id}/export?format=json"))
@@ -145,7 +145,14 @@ async fn parquet_has_the_rows_of_csv_with_their_types() {
     let app = home.start(ClosedFormSolver::new()).await;
     let id = app.submit(&study()).await;
     app.wait_for(&id, "done").await;
-    for name in ["indices", "locations", "layouts", "points", "signals"] {
+    for name in [
+        "indices",
+        "locations",
+        "layouts",
+        "points",
+        "signals",
+        "candidates",
+    ] {
         let csv = table(&app, &id, name).await;
         let query = format!("format=parquet&table={name}");
         let (kind, file) = (

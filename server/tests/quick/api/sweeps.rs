@@ -314,8 +314,8 @@ async fn an_estimate_counts_what_designs_share_once() {
     let estimate: Value = response.json().await.expect("JSON");
     let left =
         |design: usize| &estimate["designs"][design]["estimate"]["solves"]["left"]["expected"];
-    assert_eq!((left(0), left(1)), (&json!(26), &json!(0)), "{estimate}");
-    assert_eq!(estimate["left"]["expected"], 26);
+    assert_eq!((left(0), left(1)), (&json!(31), &json!(0)), "{estimate}");
+    assert_eq!(estimate["left"]["expected"], 31);
 }
 
 #[tokio::test(flavor = "multi_thread")]

@@ -42,7 +42,7 @@ async fn a_database_is_checked_copied_and_compacted() {
 
     let found = run(&["db", "check", "--json", "-"]);
     let found: Value = serde_json::from_str(done(&found)).expect("one JSON document");
-    assert_eq!(found["rows"]["evaluations"], 26);
+    assert_eq!(found["rows"]["evaluations"], 31);
     assert_eq!(found["rows"]["results"], 1);
     assert_eq!(found["faults"], Value::Array(vec![]));
 

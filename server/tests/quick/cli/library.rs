@@ -36,7 +36,7 @@ fn studies_are_listed_shown_and_exported() {
     let points = run(&["export", id, "--table", "points", "-o", "points.csv"]);
     assert_eq!(points.status.code(), Some(0));
     let written = std::fs::read_to_string(folder.path().join("points.csv")).expect("reads");
-    assert_eq!(written.lines().count(), 1 + 26);
+    assert_eq!(written.lines().count(), 1 + 31);
 
     for wrong in [["show", "none"], ["export", "none"]] {
         let refused = run(&wrong);

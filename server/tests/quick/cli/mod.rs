@@ -24,11 +24,14 @@ use serde_json::Value;
 
 const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// The shipped study on the coarsest mesh, as a file in the folder.
+/// The shipped study on the coarsest mesh, with one layout, as a file in the folder.
 fn draft(folder: &Path) -> &'static str {
     let study = std::fs::read_to_string(format!("{REPOSITORY}/studies/foot-tire.toml"))
         .expect("the study ships");
     let study = study.replace("preset = \"standard\"", "preset = \"draft\"");
+    let spacings = "spacings_deg = [30, 45, 60, 72, 90, 120, 180]\npositions = [\"crown\", \"shoulder\", \"sidewall\"]\ndepths_mm = [0.5, 1, 2]";
+    assert!(study.contains(spacings));
+    let study = study.replace(spacings, "spacings_deg = [60]\npositions = [\"crown\"]");
     std::fs::write(folder.join("draft.toml"), study).expect("writes");
     "draft.toml"
 }
@@ -67,13 +70,13 @@ fn a_study_runs_and_leaves_its_result_in_every_form_that_was_asked_for() {
     );
 
     // What it was expected to take stands beside what it took.
-    assert_eq!(result["estimate"]["solves"]["left"]["expected"], 26);
-    assert!(text(&first.stderr).contains("estimated before: 26 solves"));
+    assert_eq!(result["estimate"]["solves"]["left"]["expected"], 31);
+    assert!(text(&first.stderr).contains("estimated before: 31 solves"));
 
     let dry = strainsite(folder.path(), &["run", study, "--dry-run", "--json", "-"]);
     assert_eq!(dry.status.code(), Some(0), "{}", text(&dry.stderr));
     let estimate: Value = serde_json::from_slice(&dry.stdout).expect("JSON");
-    assert_eq!(estimate["solves"]["known"], 26);
+    assert_eq!(estimate["solves"]["known"], 31);
     assert_eq!(estimate["solves"]["left"]["most"], 0);
 
     // The same study again takes every point from the database.
@@ -95,7 +98,7 @@ fn a_dry_run_solves_nothing_and_makes_no_database() {
     let told = text(&dry.stdout);
     assert!(
         told.contains(
-            "solves     55: 26 points, 26 on coarser meshes, 3 for what is left out; 0 known"
+            "solves     77: 26 points, 26 on coarser meshes, 3 for what is left out, 22 for layouts; 0 known"
         ),
         "{told}"
     );

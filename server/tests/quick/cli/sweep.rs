@@ -18,7 +18,7 @@ fn a_sweep_runs_its_designs_gives_the_table_and_is_extended_without_repeating_an
     let dry = run(&[&["sweep", study, "--dry-run"], &grid[..]].concat());
     assert_eq!(dry.status.code(), Some(0), "{}", text(&dry.stderr));
     assert!(
-        text(&dry.stdout).contains("2 designs: 52 solves"),
+        text(&dry.stdout).contains("2 designs: 62 solves"),
         "{}",
         text(&dry.stdout)
     );

@@ -137,11 +137,12 @@ impl Drop for Program {
     }
 }
 
-/// The shipped study on the coarsest mesh, without its map.
+/// The shipped study on the coarsest mesh, without its map and layouts.
 pub fn draft() -> Value {
     let (_, text) = placement::study::presets()[0];
     let mut document = parse(text, Format::Toml).expect("shipped studies are well-formed");
     document["candidates"] = json!({"points": "P1-P5"});
+    document["layouts"] = json!({"spacings_deg": []});
     document["accuracy"] = json!({"preset": "draft"});
     document
 }
