@@ -76,7 +76,7 @@ pub struct Input {
 }
 
 /// Names and TOML texts of the studies that ship.
-pub fn presets() -> [(&'static str, &'static str); 3] {
+pub fn presets() -> [(&'static str, &'static str); 4] {
     [
         ("foot-tire", include_str!("../../../studies/foot-tire.toml")),
         (
@@ -84,6 +84,7 @@ pub fn presets() -> [(&'static str, &'static str); 3] {
             include_str!("../../../studies/foot-tire-paper.toml"),
         ),
         ("placement", include_str!("../../../studies/placement.toml")),
+        ("layouts", include_str!("../../../studies/layouts.toml")),
     ]
 }
 

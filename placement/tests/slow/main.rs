@@ -1,3 +1,4 @@
 //! Studies that are solved with finite elements.
 
 mod effects;
+mod layouts;

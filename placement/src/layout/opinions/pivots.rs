@@ -92,6 +92,32 @@ mod tests {
         );
     }
 
+    /// SciPy's pivoted QR and PySensors 0.4's `QR` optimiser take these rows of this basis in this order; NumPy gives these leverages.
+    #[test]
+    fn rows_are_taken_in_the_order_of_other_programs() {
+        let entry = |i: usize, j: usize| {
+            let (i, j) = (i as f64, j as f64);
+            (0.7 * (i + 1.0) * (j + 1.0)).sin() + 0.3 * (1.3 * i + 0.4 * j * j).cos()
+        };
+        let basis: Vec<Vec<f64>> = (0..14)
+            .map(|i| (0..5).map(|j| entry(i, j)).collect())
+            .collect();
+        assert_eq!(pivot_order(&basis), [10, 2, 9, 3, 7]);
+        let leverage = effective_independence(&basis);
+        for (row, expected) in [
+            (0, 0.32466341),
+            (6, 0.61941702),
+            (8, 0.04986564),
+            (13, 0.2820086),
+        ] {
+            assert!(
+                (leverage[row] - expected).abs() < 1e-8,
+                "{row}: {}",
+                leverage[row]
+            );
+        }
+    }
+
     #[test]
     fn rows_that_add_nothing_are_not_taken() {
         assert_eq!(

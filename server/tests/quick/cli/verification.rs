@@ -67,8 +67,11 @@ fn extremes_end_right_or_with_a_reason_and_the_page_shows_them_all() {
     let document: Value =
         serde_json::from_slice(&output.stdout).expect("one JSON document and nothing else");
     let cases = document["cases"].as_array().expect("cases");
-    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/extremes.md"))
-        .expect("the page");
+    let page = std::fs::read_to_string(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../docs/verification/extremes.md"
+    ))
+    .expect("the page");
     let rows = page.lines().filter(|line| line.starts_with("| "));
     let shown: Vec<&str> = rows
         .filter_map(|row| row.split(" | ").next()?.strip_prefix("| "))
@@ -81,13 +84,16 @@ fn extremes_end_right_or_with_a_reason_and_the_page_shows_them_all() {
             "{case}"
         );
         let name = case["name"].as_str().expect("a name");
-        assert!(shown.contains(&name), "docs/extremes.md lacks {name:?}");
+        assert!(
+            shown.contains(&name),
+            "docs/verification/extremes.md lacks {name:?}"
+        );
     }
     // Beside the cases the table has its head and the line below it.
     assert_eq!(
         shown.len(),
         cases.len() + 2,
-        "docs/extremes.md shows cases that aren't there any more"
+        "docs/verification/extremes.md shows cases that aren't there any more"
     );
     let unknown = strainsite(folder.path(), &["verify", "--extremes", "--only", "cook"]);
     assert_eq!(unknown.status.code(), Some(2));
