@@ -19,6 +19,78 @@ export interface components {
              */
             budget_s?: number;
         };
+        /** @description Two contacts that readings can hardly tell apart. */
+        AlikeContacts: {
+            /**
+             * Format: double
+             * @description Angle of the first, degrees; its depth is that of the load.
+             */
+            angle_deg: number;
+            /**
+             * Format: double
+             * @description Angle of the second, degrees.
+             */
+            other_angle_deg: number;
+            /**
+             * Format: double
+             * @description Depth of the second, mm.
+             */
+            other_depth_mm: number;
+            /**
+             * Format: double
+             * @description Distance of their readings in standard deviations of the noise.
+             */
+            sigmas: number;
+        };
+        /** @description A kind of film: where in the section, along which direction. */
+        CandidateFilm: {
+            /**
+             * Format: double
+             * @description Section angle from the crown, degrees.
+             */
+            section_deg: number;
+            /** @description Direction of its length. */
+            direction: string;
+            /**
+             * Format: double
+             * @description Largest signal around the wheel, over all loads.
+             */
+            signal: number;
+            /**
+             * Format: double
+             * @description Root of the mean information on the contact angle over the turn and the loads, 1/degree, at the noise of the layouts.
+             */
+            angle_information: number;
+            /**
+             * Format: double
+             * @description Root of the mean information on the depth, 1/mm.
+             */
+            depth_information: number;
+            /**
+             * Format: double
+             * @description Effective independence: its share in what all candidates together tell apart, 0 to 1.
+             */
+            effective_independence: number;
+            /** @description Its place among those that pivoting picks, 1 first; null of those that add nothing. */
+            pivot_rank?: number | null;
+            /**
+             * Format: double
+             * @description Standard deviation of the signal at the contact's centre over the depths of the study: what the paper ranks by.
+             */
+            centre_std: number;
+            /**
+             * Format: double
+             * @description Error of the information on the angle by the coarser mesh.
+             */
+            angle_information_error?: number | null;
+        };
+        /** @description Kinds of film for layouts, by several criteria. */
+        Candidates: {
+            /** @description Every section angle and direction. */
+            candidates: components["schemas"]["CandidateFilm"][];
+            /** @description How far each two criteria order them alike. */
+            agreement: components["schemas"]["OrderAgreement"][];
+        };
         /** @description Where films may go. */
         CandidatesDocument: {
             /** @description `P1-P5` */
@@ -255,6 +327,21 @@ export interface components {
             /** @description Newton residuals of its load steps. */
             residual_history: number[][];
         };
+        /** @description What is left when a film dies. */
+        DeadFilm: {
+            /** @description The film, counted from 0. */
+            film: number;
+            /**
+             * Format: double
+             * @description Simulated 95th percentile of the angle's error without it, degrees.
+             */
+            simulated_p95_angle_error_deg?: number | null;
+            /**
+             * Format: double
+             * @description Bound of the angle with a flat prior without it, root mean square, degrees.
+             */
+            bayes_angle_error_deg?: number | null;
+        };
         /** @description Designs by where they stand. */
         DesignCounts: {
             /** @description Wait for their turn. */
@@ -426,6 +513,24 @@ export interface components {
              */
             linear_r2?: number | null;
         };
+        /** @description A film of a layout. */
+        FilmPlace: {
+            /**
+             * Format: double
+             * @description Wheel angle, degrees.
+             */
+            theta_deg: number;
+            /**
+             * Format: double
+             * @description Section angle from the crown, degrees.
+             */
+            phi_deg: number;
+            /**
+             * Format: double
+             * @description Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.
+             */
+            angle_deg: number;
+        };
         /** @description A figure with its range. */
         Forecast: {
             /**
@@ -464,6 +569,18 @@ export interface components {
              *     symmetric.
              */
             images?: number[];
+        };
+        /** @description A layout that no other beats with as few films. */
+        FrontLayout: {
+            /** @description Its films. */
+            film_count: number;
+            /**
+             * Format: double
+             * @description Simulated 95th percentile of the angle's error at its worst load, degrees.
+             */
+            simulated_p95_angle_error_deg: number;
+            /** @description Where it stands in the list of layouts, from 0. */
+            index: number;
         };
         /** @description Further designs of a sweep: `grid` or `designs`. */
         FurtherDesigns: {
@@ -558,6 +675,107 @@ export interface components {
             /** @description Its distribution as in the document. */
             distribution: Record<string, unknown>;
         };
+        /**
+         * @description From how many units on more of them bring no more than their number: the worst bound of the angle times the root of the number of units stays within
+         *     twice that of a dense ring.
+         */
+        Knee: {
+            /**
+             * Format: double
+             * @description Section angle from the crown, degrees.
+             */
+            section_deg: number;
+            /** @description Directions of the films of each unit. */
+            films: string[];
+            /** @description The number of units; null where even the most that were tried aren't enough. */
+            units?: number | null;
+            /**
+             * Format: double
+             * @description Worst bound times the root of the number of units of a dense ring, degrees.
+             */
+            dense_deg: number;
+            /**
+             * Format: double
+             * @description The same of units every 60 degrees, over that of a dense ring; null where they are blind.
+             */
+            of_60_deg?: number | null;
+        };
+        /** @description Claimed errors of a layout's scores, each in the unit of its score. */
+        LayoutError: {
+            /**
+             * Format: double
+             * @description Of the bound of the angle, worst angle, degrees.
+             */
+            worst_angle_error_deg?: number | null;
+            /**
+             * Format: double
+             * @description Of the bound of the angle, root mean square, degrees.
+             */
+            rms_angle_error_deg?: number | null;
+            /**
+             * Format: double
+             * @description Of the bound of the depth, mm.
+             */
+            worst_depth_error_mm?: number | null;
+            /**
+             * Format: double
+             * @description Of the simulated root mean square, degrees.
+             */
+            simulated_rms_angle_error_deg?: number | null;
+            /**
+             * Format: double
+             * @description Of the simulated 95th percentile, degrees.
+             */
+            simulated_p95_angle_error_deg?: number | null;
+        };
+        /** @description What a study's layouts show together: loads, knees, fronts, second opinions. */
+        LayoutFindings: {
+            /** @description Mesh level of the fields, which is fine to 60 degrees from the contact. */
+            level: string;
+            /** @description Coarser level that shows their errors. */
+            coarser_level?: string | null;
+            /** @description The loads at which layouts are scored. */
+            loads: components["schemas"]["LayoutLoad"][];
+            /** @description Layouts that no other beats with as few films, least films first. */
+            front: components["schemas"]["FrontLayout"][];
+            /**
+             * Format: double
+             * @description Kendall's tau between the order by simulated errors and that by the bound's worst error times the root of the number of films.
+             */
+            tau_of_bound?: number | null;
+            /** @description What the search looked at. */
+            searches?: components["schemas"]["LayoutSearch"][];
+            /** @description Kinds of film, ranked by several criteria. */
+            candidates: components["schemas"]["CandidateFilm"][];
+            /** @description Kendall's tau between each two of these criteria. */
+            agreement: components["schemas"]["OrderAgreement"][];
+            /** @description Strains around the wheel. */
+            rings: components["schemas"]["StrainRing"][];
+            /** @description Why something is missing, whole sentences. */
+            reasons?: string[];
+        };
+        /** @description A load at which layouts are scored. */
+        LayoutLoad: {
+            /**
+             * Format: double
+             * @description How far the ground stands above the inflated outer radius, mm.
+             */
+            depth_mm?: number | null;
+            /**
+             * Format: double
+             * @description Vertical force, N.
+             */
+            load_n?: number | null;
+            /**
+             * Format: double
+             * @description Derivative of the force by the depth, N/mm.
+             */
+            force_slope_n_per_mm?: number | null;
+            /** @description From how many units on each section angle and set of films is dense enough. */
+            knees: components["schemas"]["Knee"][];
+            /** @description Why there are no scores. */
+            reason?: string | null;
+        };
         /** @description How well a layout sees the contact, over all angles at which it can touch down. */
         LayoutScore: {
             /**
@@ -582,23 +800,140 @@ export interface components {
             worst_depth_error_mm?: number | null;
             /**
              * Format: double
-             * @description Noise of each film assumed for the bounds, strain.
+             * @description Bound of the contact angle's error with a flat prior, root mean square over the angles, degrees: finite where the others aren't.
+             */
+            bayes_angle_error_deg?: number | null;
+            /**
+             * Format: double
+             * @description Error of the contact angle as estimated from noisy readings, root mean square, degrees.
+             */
+            simulated_rms_angle_error_deg?: number | null;
+            /**
+             * Format: double
+             * @description Its standard error by the number of simulated contacts, degrees.
+             */
+            simulated_rms_angle_error_deg_se?: number | null;
+            /**
+             * Format: double
+             * @description 95 % of simulated contacts are estimated better than this, degrees.
+             */
+            simulated_p95_angle_error_deg?: number | null;
+            /**
+             * Format: double
+             * @description Its standard error by the number of simulated contacts, degrees.
+             */
+            simulated_p95_angle_error_deg_se?: number | null;
+            /**
+             * Format: double
+             * @description Share of simulated contacts that are off by more than 20 degrees.
+             */
+            lost_share?: number | null;
+            /**
+             * Format: double
+             * @description Error of the depth as estimated, root mean square, mm.
+             */
+            simulated_rms_depth_error_mm?: number | null;
+            /**
+             * Format: double
+             * @description The same as a vertical force, N: by the slope of force over depth.
+             */
+            force_error_n?: number | null;
+            alike?: components["schemas"]["AlikeContacts"] | null;
+            dead?: components["schemas"]["DeadFilm"] | null;
+            /**
+             * Format: double
+             * @description Noise of each film assumed for the bounds, in the unit of the signal: strain, or volts of glued films.
              */
             noise_strain: number;
+            error?: components["schemas"]["LayoutError"] | null;
             /** @description Why numbers are null. */
             reason?: string | null;
+        };
+        /** @description What a search looked at. */
+        LayoutSearch: {
+            /** @description Films of the layouts. */
+            films: number;
+            /** @description Places that a film may have. */
+            places: number;
+            /** @description `exhaustive`, or `greedy and exchange`. */
+            method: string;
+            /** @description Layouts whose bound was computed. */
+            looked_at: number;
+            /**
+             * Format: double
+             * @description The best bound of the angle with a flat prior, root mean square over angles and loads, degrees.
+             */
+            bayes_angle_error_deg: number;
+            /** @description Its films. */
+            best: components["schemas"]["FilmPlace"][];
         };
         /** @description Ranked layouts. */
         Layouts: {
             /** @description Best first. */
             layouts: components["schemas"]["RankedLayout"][];
+            findings?: components["schemas"]["LayoutFindings"] | null;
         };
         /** @description Layouts to score. */
         LayoutsDocument: {
             /** @description Angles between neighbouring units, degrees; each divides 360. */
             spacings_deg?: number[];
+            /** @description Numbers of units, beside those of the spacings. */
+            units?: number[];
             /** @description crown, shoulder, sidewall */
             positions?: string[];
+            /** @description Section angles beside the positions', degrees from the crown. */
+            section_deg?: number[];
+            /** @description Sets of directions of a unit's films: `"x"`, `"y"`, or an angle in degrees. */
+            directions: unknown[][];
+            /** @description Whether units of several films are also scored with their films spread between the units. */
+            staggered?: boolean;
+            /** @description Layouts film by film: `name`, and `films` with `theta_deg`, `phi_deg` and `angle_deg`. */
+            free: Record<string, unknown>[];
+            /** @description Depths at which layouts are scored, mm; the mean one when left out. */
+            depths_mm?: number[];
+            /** @description Forces in their place, N. */
+            loads_n?: number[];
+            /**
+             * Format: double
+             * @description Noise of a film over the crown's largest strain; 0.02 when left out.
+             */
+            noise_share?: number;
+            /**
+             * Format: double
+             * @description Noise of a film, strain.
+             */
+            noise_strain?: number;
+            /**
+             * Format: double
+             * @description Standard deviation of a film's gain, relative.
+             */
+            gain_std?: number;
+            /**
+             * Format: double
+             * @description Standard deviation of a film's place around the wheel, degrees.
+             */
+            place_std_deg?: number;
+            /** @description Whether every layout is also scored without the film whose loss costs most. */
+            dead?: boolean;
+            /** @description Mesh level of the layouts' own solves; the study's, the standard at most, when left out. */
+            level?: string;
+            /** @description Layouts to search for: numbers of `films` among `slots`, `section_deg` and `directions`. */
+            search: Record<string, unknown>;
+        };
+        /** @description A layout's scores at one load. */
+        LoadScore: {
+            /**
+             * Format: double
+             * @description How far the ground stands above the inflated outer radius, mm.
+             */
+            depth_mm?: number | null;
+            /**
+             * Format: double
+             * @description Vertical force, N.
+             */
+            load_n?: number | null;
+            /** @description The scores. */
+            score: components["schemas"]["LayoutScore"];
         };
         /** @description Estimated discretisation errors at a location, absolute: see [`crate::gauge::GaugeError`]. */
         LocationError: {
@@ -752,6 +1087,18 @@ export interface components {
             /** @description Parts of the scene left out. */
             left_out: components["schemas"]["Choice"][];
         };
+        /** @description How far two criteria order the candidates alike. */
+        OrderAgreement: {
+            /** @description One criterion. */
+            first: string;
+            /** @description The other. */
+            second: string;
+            /**
+             * Format: double
+             * @description Kendall's tau-b: 1 the same order, -1 the reverse.
+             */
+            tau?: number | null;
+        };
         /** @description Indices of one strain. */
         Output: {
             /** @description P1, P2, ... */
@@ -823,21 +1170,35 @@ export interface components {
         };
         /** @description One layout in the ranking. */
         RankedLayout: {
-            /** @description 1 is best. */
+            /** @description 1 is best. Layouts of equal score share the rank of the first of them. */
             rank: number;
+            /** @description Whether the errors leave no doubt about its place; absent from results of earlier versions. */
+            rank_certain?: boolean | null;
+            /** @description Name of a layout that was listed film by film, or found by the search; absent of a regular one. */
+            name?: string | null;
             /**
              * Format: double
-             * @description Angle between neighbouring units, degrees.
+             * @description Angle between neighbouring units, degrees; null of a layout without units.
              */
-            spacing_deg: number;
-            /** @description Number of units. */
+            spacing_deg?: number | null;
+            /** @description Number of units; of a layout without units its number of films. */
             units: number;
-            /** @description Meridional position. */
+            /** @description Meridional position: a name, an angle such as `30 deg`, or `mixed`. */
             position: string;
-            /** @description Films of each unit. */
+            /** @description Directions of the films of each unit: `x`, `y`, or an angle such as `45`. */
             films: string[];
-            /** @description Its scores. */
+            /** @description Whether the films of a unit are spread evenly between two units. */
+            staggered?: boolean;
+            /** @description All films of the wheel. */
+            film_count?: number | null;
+            /** @description The films of a layout without units, one by one. */
+            places?: components["schemas"]["FilmPlace"][];
+            /** @description Which figures may be off by more than a fifth. */
+            doubt?: string | null;
+            /** @description Its scores at the load where its error is largest. */
             score: components["schemas"]["LayoutScore"];
+            /** @description Its scores at every load; absent from results of earlier versions. */
+            loads?: components["schemas"]["LoadScore"][];
         };
         /** @description One candidate location in the ranking. */
         RankedLocation: {
@@ -1138,6 +1499,8 @@ export interface components {
             effects: number;
             /** @description Solves of films' signals, on both meshes. */
             signals?: number;
+            /** @description Solves of layouts' loads, on both meshes. */
+            layouts?: number;
             /** @description How many of these the database has already: they cost nothing. */
             known: number;
             /** @description How many are left to solve. */
@@ -1148,6 +1511,35 @@ export interface components {
          * @enum {string}
          */
         State: "queued" | "running" | "done" | "failed" | "cancelled";
+        /** @description Strains around the wheel at one load, of one kind of film. */
+        StrainRing: {
+            /**
+             * Format: double
+             * @description Section angle from the crown, degrees.
+             */
+            section_deg: number;
+            /** @description Direction. */
+            direction: string;
+            /**
+             * Format: double
+             * @description Depth of the load, mm.
+             */
+            depth_mm: number;
+            /** @description From -180 to 179 degrees from the contact. */
+            strain: number[];
+            /** @description Derivative by the depth, 1/mm. */
+            by_depth: number[];
+            /**
+             * Format: double
+             * @description Largest error of the strain by the coarser mesh.
+             */
+            strain_error?: number | null;
+            /**
+             * Format: double
+             * @description Largest error of the derivative by the coarser mesh, 1/mm.
+             */
+            by_depth_error?: number | null;
+        };
         /** @description One of the events that a stream consists of. */
         StreamEvent: {
             /** @description Its number, for `Last-Event-ID`. */
@@ -1204,6 +1596,8 @@ export interface components {
             effect_solves?: number;
             /** @description Solves of films' signals, on both meshes. */
             signal_solves?: number;
+            /** @description Solves of layouts' loads, on both meshes. */
+            layout_solves?: number;
             /** @description Wall-clock time of each rung of the climb, s. */
             rungs_wall_s?: number[];
             /** @description Points taken from the archive instead of being solved. */
@@ -1311,6 +1705,7 @@ export interface components {
             locations: components["schemas"]["RankedLocation"][];
             /** @description Ranked layouts. */
             layouts: components["schemas"]["RankedLayout"][];
+            layout_findings?: components["schemas"]["LayoutFindings"] | null;
             map?: components["schemas"]["IndexMap"] | null;
             signals?: components["schemas"]["Signals"] | null;
             /** @description What the user must know before believing the numbers, whole sentences. */
@@ -1430,7 +1825,7 @@ export interface components {
          * @description What is wanted of a study.
          * @enum {string}
          */
-        Table: "indices" | "locations" | "layouts" | "points" | "signals";
+        Table: "indices" | "locations" | "layouts" | "points" | "signals" | "candidates";
         /** @description The measured trade of a study. */
         Trade: {
             /** @description Name of the study. */
@@ -1460,6 +1855,9 @@ export interface components {
     pathItems: never;
 }
 export type AccuracyDocument = components['schemas']['AccuracyDocument'];
+export type AlikeContacts = components['schemas']['AlikeContacts'];
+export type CandidateFilm = components['schemas']['CandidateFilm'];
+export type Candidates = components['schemas']['Candidates'];
 export type CandidatesDocument = components['schemas']['CandidatesDocument'];
 export type Choice = components['schemas']['Choice'];
 export type Claim = components['schemas']['Claim'];
@@ -1475,6 +1873,7 @@ export type ComparisonFormat = components['schemas']['ComparisonFormat'];
 export type ComparisonTable = components['schemas']['ComparisonTable'];
 export type CountForecast = components['schemas']['CountForecast'];
 export type CutPoint = components['schemas']['CutPoint'];
+export type DeadFilm = components['schemas']['DeadFilm'];
 export type DesignCounts = components['schemas']['DesignCounts'];
 export type DesignDocument = components['schemas']['DesignDocument'];
 export type DesignEstimate = components['schemas']['DesignEstimate'];
@@ -1489,8 +1888,10 @@ export type FidelityReport = components['schemas']['FidelityReport'];
 export type FileFormat = components['schemas']['FileFormat'];
 export type FilmModel = components['schemas']['FilmModel'];
 export type FilmPair = components['schemas']['FilmPair'];
+export type FilmPlace = components['schemas']['FilmPlace'];
 export type Forecast = components['schemas']['Forecast'];
 export type FormMisses = components['schemas']['FormMisses'];
+export type FrontLayout = components['schemas']['FrontLayout'];
 export type FurtherDesigns = components['schemas']['FurtherDesigns'];
 export type FurtherTireDocument = components['schemas']['FurtherTireDocument'];
 export type Health = components['schemas']['Health'];
@@ -1500,9 +1901,15 @@ export type IndexError = components['schemas']['IndexError'];
 export type IndexMap = components['schemas']['IndexMap'];
 export type InputDocument = components['schemas']['InputDocument'];
 export type InputReport = components['schemas']['InputReport'];
+export type Knee = components['schemas']['Knee'];
+export type LayoutError = components['schemas']['LayoutError'];
+export type LayoutFindings = components['schemas']['LayoutFindings'];
+export type LayoutLoad = components['schemas']['LayoutLoad'];
 export type LayoutScore = components['schemas']['LayoutScore'];
+export type LayoutSearch = components['schemas']['LayoutSearch'];
 export type Layouts = components['schemas']['Layouts'];
 export type LayoutsDocument = components['schemas']['LayoutsDocument'];
+export type LoadScore = components['schemas']['LoadScore'];
 export type LocationError = components['schemas']['LocationError'];
 export type LocationStrain = components['schemas']['LocationStrain'];
 export type Locations = components['schemas']['Locations'];
@@ -1512,6 +1919,7 @@ export type MapShape = components['schemas']['MapShape'];
 export type MapView = components['schemas']['MapView'];
 export type MethodDocument = components['schemas']['MethodDocument'];
 export type ModelSummary = components['schemas']['ModelSummary'];
+export type OrderAgreement = components['schemas']['OrderAgreement'];
 export type Output = components['schemas']['Output'];
 export type Preset = components['schemas']['Preset'];
 export type Presets = components['schemas']['Presets'];
@@ -1529,6 +1937,7 @@ export type Signals = components['schemas']['Signals'];
 export type SignalsDocument = components['schemas']['SignalsDocument'];
 export type SolveForecast = components['schemas']['SolveForecast'];
 export type State = components['schemas']['State'];
+export type StrainRing = components['schemas']['StrainRing'];
 export type StreamEvent = components['schemas']['StreamEvent'];
 export type StressWidth = components['schemas']['StressWidth'];
 export type StudyCost = components['schemas']['StudyCost'];
