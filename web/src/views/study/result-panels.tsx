@@ -1,10 +1,11 @@
 import { address } from "../../api.ts";
+import { asksForLayouts } from "../../lib/layouts/film-criteria.ts";
 import type { Route, StudyRoute } from "../../lib/route.ts";
 import type { StudyResult, Trade } from "../../wire.ts";
 import { Notes } from "../shared/notes-panel.tsx";
 import { CostPanel } from "./cost-panel.tsx";
 import { FailedPoints } from "./failed-points.tsx";
-import { LayoutsPanel } from "./layouts-panel.tsx";
+import { LayoutsPanel } from "./layouts/layouts-panel.tsx";
 import { MapPanel } from "./map/map-panel.tsx";
 import { MatrixPanel } from "./matrix-panel.tsx";
 import { ModelPanel } from "./model-panel.tsx";
@@ -13,7 +14,7 @@ import { SignalsPanel } from "./signals/signals-panel.tsx";
 import { TradePanel } from "./trade-panel.tsx";
 
 /** Tables that the service exports. */
-const TABLES = ["indices", "locations", "layouts", "points", "signals"] as const;
+const TABLES = ["indices", "locations", "layouts", "candidates", "points", "signals"] as const;
 
 /** Formats that they are exported in. */
 const FILES = [{ format: "csv", label: "CSV" }, { format: "parquet", label: "Parquet" }] as const;
@@ -27,6 +28,8 @@ export function ResultPanels(props: {
 }) {
   const { result, trade, route, onAdjust } = props;
   const { id, version, spec_sha256 } = result.study;
+  const layouts = <LayoutsPanel layouts={result.layouts} findings={result.layout_findings ?? null} />;
+  const areLayoutsFirst = asksForLayouts(result);
   return (
     <>
       <p class="provenance">
@@ -51,11 +54,12 @@ export function ResultPanels(props: {
       </p>
       <Notes notes={result.notes} />
       <FailedPoints result={result} />
+      {areLayoutsFirst && layouts}
       <RankingPanel result={result} />
       {result.signals != null && <SignalsPanel signals={result.signals} />}
       <MapPanel result={result} route={route} onAdjust={onAdjust} />
       <MatrixPanel result={result} />
-      <LayoutsPanel layouts={result.layouts} />
+      {!areLayoutsFirst && layouts}
       <ModelPanel result={result} />
       <CostPanel cost={result.cost} estimate={result.estimate ?? null} />
       {trade !== null && <TradePanel trade={trade} />}

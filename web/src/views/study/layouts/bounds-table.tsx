@@ -1,15 +1,11 @@
-import { fixed, microstrain, significant } from "../../lib/format.ts";
-import type { RankedLayout } from "../../wire.ts";
-import { ScrollTable } from "../shared/scroll-table.tsx";
+import { fixed, microstrain, significant } from "../../../lib/format.ts";
+import type { RankedLayout } from "../../../wire.ts";
+import { ScrollTable } from "../../shared/scroll-table.tsx";
 
-/** Layouts around the whole wheel, best first. */
-export function LayoutsPanel({ layouts }: { layouts: RankedLayout[] }) {
-  const first = layouts[0];
-  if (first === undefined) return null;
-  const rows = [...layouts].sort((a, b) => a.rank - b.rank);
+/** What results of earlier versions have: bounds alone, best first. */
+export function BoundsTable({ layouts }: { layouts: RankedLayout[] }) {
   return (
-    <section class="panel" aria-labelledby="layouts-title">
-      <h2 id="layouts-title">Layouts around the wheel</h2>
+    <>
       <ScrollTable name="Ranked layouts">
         <thead>
           <tr>
@@ -30,17 +26,17 @@ export function LayoutsPanel({ layouts }: { layouts: RankedLayout[] }) {
           </tr>
         </thead>
         <tbody>
-          {rows.map((layout) => (
-            <Row key={layout.rank} layout={layout} />
+          {layouts.map((layout, k) => (
+            <Row key={k} layout={layout} />
           ))}
         </tbody>
       </ScrollTable>
       <p class="quiet">
         Errors are Cramér–Rao bounds over all angles at which the wheel can touch down, for{" "}
-        {microstrain(first.score.noise_strain)} µε of noise on each film. Weakest signal: the film that sees most, at the
+        {microstrain(layouts[0]?.score.noise_strain)} µε of noise on each film. Weakest signal: the film that sees most, at the
         angle where that is least, in microstrain (µε, 10⁻⁶).
       </p>
-    </section>
+    </>
   );
 }
 

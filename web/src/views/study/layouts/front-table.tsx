@@ -1,0 +1,40 @@
+import { layoutWords, short } from "../../../lib/layouts/layout-words.ts";
+import type { FrontLayout, RankedLayout } from "../../../wire.ts";
+import { ScrollTable } from "../../shared/scroll-table.tsx";
+
+/** The best that so many films can do. */
+export function FrontTable({ front, layouts }: { front: FrontLayout[]; layouts: RankedLayout[] }) {
+  if (front.length === 0) return null;
+  return (
+    <>
+      <h3>The best that so many films can do</h3>
+      <ScrollTable name="Best layout for each number of films">
+        <thead>
+          <tr>
+            <th scope="col">Films</th>
+            <th scope="col">Angle error, 95 % °</th>
+            <th scope="col">Force error N</th>
+            <th scope="col" class="words">
+              Layout that no other beats with as few films
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {front.map(({ film_count, simulated_p95_angle_error_deg: p95, index }) => {
+            const layout = layouts[index];
+            return (
+              <tr key={film_count}>
+                <td>{film_count}</td>
+                <td>
+                  {short(p95, 3)} <span class="error">± {short(layout?.score.error?.simulated_p95_angle_error_deg, 2)}</span>
+                </td>
+                <td>{short(layout?.score.force_error_n, 2)}</td>
+                <td class="words">{layout !== undefined && layoutWords(layout)}</td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </ScrollTable>
+    </>
+  );
+}

@@ -1,0 +1,68 @@
+import { percent } from "../../../lib/format.ts";
+import { bestOfFew, isPapers, layoutWords, loadWords, LOST_DEG, short, worstLoad } from "../../../lib/layouts/layout-words.ts";
+import type { LayoutScore, RankedLayout } from "../../../wire.ts";
+
+/** What the reader came for: the best layout, what it knows, and what the paper's knows beside it. */
+export function LayoutAnswer({ layouts }: { layouts: RankedLayout[] }) {
+  const best = layouts[0];
+  if (best?.score.simulated_p95_angle_error_deg == null) return null;
+  const papers = layouts.find(isPapers);
+  return (
+    <div class="layout-answer">
+      <p class="headline">
+        {isFound(best.score) ? "Best: " : "No layout here finds the contact. The least bad: "}
+        <strong>{layoutWords(best)}</strong>. In 95 % of contacts it knows <Knowledge layout={best} />
+        <Dead score={best.score} />. <Certainty best={best} next={layouts[1]} />
+      </p>
+      {papers !== undefined && papers !== best && <Papers papers={papers} layouts={layouts} />}
+    </div>
+  );
+}
+
+const isFound = ({ simulated_p95_angle_error_deg: p95 }: LayoutScore): boolean => p95 != null && p95 <= LOST_DEG;
+
+/** `0.87 ± 0.21°` */
+function angleWords({ simulated_p95_angle_error_deg: p95, error }: LayoutScore): string {
+  const off = error?.simulated_p95_angle_error_deg;
+  return off == null ? `${short(p95, 2)}°, error unknown` : `${short(p95, 2)} ± ${short(off, 2)}°`;
+}
+
+function Knowledge({ layout }: { layout: RankedLayout }) {
+  const { score } = layout;
+  const load = worstLoad(layout);
+  const at = (layout.loads ?? []).length > 1 ? "at its worst load, " : "at ";
+  return (
+    <>
+      the contact angle to <strong>{angleWords(score)}</strong>, and the depth to {short(score.simulated_rms_depth_error_mm, 2)} mm rms, as force{" "}
+      <strong>{short(score.force_error_n, 2)} N</strong>
+      {load !== null && `, ${at}${loadWords(load)}`}
+      {score.lost_share != null && score.lost_share > 0 && `; ${percent(score.lost_share, 1)} % of contacts are off by more than ${LOST_DEG}°`}
+    </>
+  );
+}
+
+/** What is left with the worst film dead. */
+function Dead({ score }: { score: LayoutScore }) {
+  const dead = score.dead?.simulated_p95_angle_error_deg;
+  const whole = score.simulated_p95_angle_error_deg;
+  if (dead == null || whole == null) return null;
+  const isWorse = dead > whole + (score.error?.simulated_p95_angle_error_deg ?? 0);
+  return <>{isWorse ? `; with one film dead the angle only to ${short(dead, 2)}°` : "; one dead film changes no more than the error of that"}</>;
+}
+
+function Certainty({ best, next }: { best: RankedLayout; next: RankedLayout | undefined }) {
+  if (next === undefined) return null;
+  if (best.rank_certain === true) return <>That it ranks first is certain.</>;
+  return <>{`That it ranks first isn't certain; next: ${layoutWords(next)} (${angleWords(next.score)}).`}</>;
+}
+
+/** The paper's layout, and what as many films could do. */
+function Papers({ papers, layouts }: { papers: RankedLayout; layouts: RankedLayout[] }) {
+  const other = bestOfFew(layouts, papers.film_count ?? 0);
+  return (
+    <p class="headline">
+      The paper's layout, <strong>{layoutWords(papers)}</strong>, ranks {papers.rank} of {layouts.length}: it would know <Knowledge layout={papers} />.
+      {other !== null && other !== papers && ` With no more films, ${layoutWords(other)} would know the angle to ${angleWords(other.score)}.`}
+    </p>
+  );
+}

@@ -1,0 +1,89 @@
+import { useState } from "preact/hooks";
+import { fixed, MISSING, percent } from "../../../lib/format.ts";
+import { layoutWords, LOST_DEG, short } from "../../../lib/layouts/layout-words.ts";
+import type { LayoutFindings, RankedLayout } from "../../../wire.ts";
+import { ScrollTable } from "../../shared/scroll-table.tsx";
+
+/** Rows before one asks for more. */
+const FEW = 20;
+
+/** Every layout at its worst load, best first. */
+export function RankedLayouts({ layouts, findings }: { layouts: RankedLayout[]; findings: LayoutFindings }) {
+  const [isWhole, setWhole] = useState(false);
+  const rows = isWhole ? layouts : layouts.slice(0, FEW);
+  return (
+    <>
+      <h3>All layouts, best first</h3>
+      <ScrollTable name="Ranked layouts" isTall={isWhole}>
+        <Head />
+        <tbody>
+          {rows.map((layout, k) => (
+            <Row key={k} layout={layout} />
+          ))}
+        </tbody>
+      </ScrollTable>
+      {layouts.length > FEW && (
+        <button type="button" aria-expanded={isWhole} onClick={() => setWhole(!isWhole)}>
+          {isWhole ? `Show the best ${FEW}` : `Show all ${layouts.length} layouts`}
+        </button>
+      )}
+      <p class="quiet">
+        Ranked by the simulated 95th percentile of the angle error at the layout's worst load, times the root of its number of films: another film
+        must bring more than an average of more readings. Layouts whose 95th percentile is beyond {LOST_DEG}° come last. Lost: off by more than {LOST_DEG}°.
+        Bound: Cramér–Rao, at the worst angle. Most alike: the two contacts more than {LOST_DEG}° apart whose readings differ least, in standard
+        deviations of the noise; below about 3 they are mistaken for each other.
+        {findings.tau_of_bound != null &&
+          ` The order by the bound agrees with this one with Kendall's tau of ${short(findings.tau_of_bound, 2)}.`}{" "}
+        Mesh: {findings.level}
+        {findings.coarser_level == null ? ", without a coarser one for its error." : `, its error from ${findings.coarser_level}.`}
+      </p>
+    </>
+  );
+}
+
+function Head() {
+  return (
+    <thead>
+      <tr>
+        <th scope="col">Rank</th>
+        <th scope="col" class="words">
+          Certain
+        </th>
+        <th scope="col" class="words">
+          Layout
+        </th>
+        <th scope="col">Films</th>
+        <th scope="col">Angle error, 95 % °</th>
+        <th scope="col">Bound °</th>
+        <th scope="col">Lost %</th>
+        <th scope="col">Force error N</th>
+        <th scope="col">One film dead, 95 % °</th>
+        <th scope="col">Most alike σ</th>
+      </tr>
+    </thead>
+  );
+}
+
+function Row({ layout }: { layout: RankedLayout }) {
+  const { score } = layout;
+  const doubt = layout.doubt ?? score.reason;
+  return (
+    <tr>
+      <td class="rank">{layout.rank}</td>
+      <td class="words">{layout.rank_certain == null ? MISSING : layout.rank_certain ? "yes" : "no"}</td>
+      <th scope="row" class="words layout-name">
+        {layoutWords(layout)}
+        {doubt != null && <span class="layout-doubt">{doubt}</span>}
+      </th>
+      <td>{layout.film_count ?? MISSING}</td>
+      <td>
+        {short(score.simulated_p95_angle_error_deg)} <span class="error">± {short(score.error?.simulated_p95_angle_error_deg, 2)}</span>
+      </td>
+      <td>{short(score.worst_angle_error_deg)}</td>
+      <td>{percent(score.lost_share, 1)}</td>
+      <td>{short(score.force_error_n, 2)}</td>
+      <td>{short(score.dead?.simulated_p95_angle_error_deg)}</td>
+      <td>{fixed(score.alike?.sigmas, 1)}</td>
+    </tr>
+  );
+}
