@@ -19,7 +19,7 @@ mpl.use("Agg")
 STUDY = ROOT / "studies/foot-tire.toml"
 # The shipped study on the draft mesh, with a small map: under a second.
 DRAFT = {"accuracy.preset": "draft", "candidates.grid": {"circumferential": 21, "meridional": 11}}
-# Some seconds: 76 points.
+# Some seconds: 76 points, and those of layouts.
 LONG = {"accuracy.preset": "draft", "method.nodes": 15, "name": "long"}
 
 
@@ -82,6 +82,33 @@ def films(client: Client) -> Study:
         "films": ["bare"],
     }
     return client.submit(document).wait(timeout=60)
+
+
+@pytest.fixture(scope="session")
+def arranged(client: Client) -> Study:
+    """One of layouts: regular, staggered, listed and searched, at two depths, each with a film dead, with errors."""
+    document = client.document("foot-tire", {"accuracy.preset": "coarse", "method.nodes": 3, "method.check_points": 0})
+    document["inputs"] = document["inputs"][2:3]
+    document["layouts"] = {
+        "depths_mm": [1, 2],
+        "spacings_deg": [60],
+        "units": [9],
+        "positions": ["crown"],
+        "section_deg": [30],
+        "staggered": True,
+        "dead": True,
+        "free": [
+            {
+                "name": "two",
+                "films": [
+                    {"theta_deg": 0, "phi_deg": 0, "angle_deg": 0},
+                    {"theta_deg": 90, "phi_deg": 10, "angle_deg": 45},
+                ],
+            }
+        ],
+        "search": {"films": [3], "slots": 12, "section_deg": [0], "directions": ["x"]},
+    }
+    return client.submit(document).wait(timeout=120)
 
 
 @pytest.fixture(scope="session")

@@ -87,6 +87,52 @@ def test_signals_are_the_services(films: Study, study: Study, service: Service) 
         study.signals()
 
 
+def test_layouts_are_the_services(arranged: Study, service: Service) -> None:
+    result = arranged.result()
+    assert result.layouts == arranged.layouts()
+    assert result.layout_findings == arranged.layout_findings()
+    assert result.layout_findings is not None
+    kinds = arranged.candidates()
+    assert kinds.candidates == result.layout_findings.candidates
+    assert kinds.agreement == result.layout_findings.agreement
+    assert rest(service, arranged, "candidates").json()["candidates"] == result.raw["layout_findings"]["candidates"]
+    assert_equal(result.layouts_frame(), exported(service, arranged, "layouts"))
+    assert_equal(result.candidates_frame(), exported(service, arranged, "candidates"))
+    assert {layout.position for layout in result.layouts} >= {"crown", "30 deg"}
+    assert {layout.staggered for layout in result.layouts} == {False, True}
+    [two] = [layout for layout in result.layouts if layout.name == "two"]
+    assert two.spacing_deg is None
+    assert [film.angle_deg for film in two.places] == [0, 45]
+    for layout in result.layouts:
+        assert [round(load.depth_mm or 0, 6) for load in layout.loads] == [1, 2]
+        assert layout.score in [load.score for load in layout.loads]
+        assert layout.score.error is not None
+        assert layout.score.dead is not None
+    [search] = result.layout_findings.searches
+    assert any(layout.places == search.best for layout in result.layouts)
+    least = result.layout_findings.front[-1]
+    assert result.layouts[least.index].score.simulated_p95_angle_error_deg == least.simulated_p95_angle_error_deg
+    assert result.cost.layout_solves > 0
+
+
+def test_layouts_of_earlier_versions_are_read(result: Result) -> None:
+    raw = json.loads(json.dumps(result.raw))
+    del raw["layout_findings"], raw["cost"]["layout_solves"]
+    kept = {"rank", "spacing_deg", "units", "position", "films", "score"}
+    bounds = {"weakest_signal", "worst_angle_error_deg", "rms_angle_error_deg", "worst_depth_error_mm", "noise_strain"}
+    raw["layouts"] = [{name: value for name, value in layout.items() if name in kept} for layout in raw["layouts"]]
+    for layout in raw["layouts"]:
+        layout["score"] = {name: value for name, value in layout["score"].items() if name in bounds}
+    earlier = Result.of(raw)
+    assert earlier.layout_findings is None
+    assert earlier.candidates_frame().empty
+    assert earlier.layouts[0].rank_certain is None
+    assert earlier.layouts[0].loads == ()
+    frame = earlier.layouts_frame()
+    assert list(frame.columns) == list(result.layouts_frame().columns)
+    assert frame["simulated_p95_angle_error_deg"].isna().all()
+
+
 def test_errors_are_in_the_frames_where_they_are_known(coarse: Result) -> None:
     frame = coarse.locations_frame()
     assert (frame["gsi_x_error_percent"] > 0).any()
@@ -129,7 +175,7 @@ def test_null_in_a_map_is_nan(result: Result) -> None:
 
 
 def test_exports_are_the_services_files(study: Study, service: Service, tmp_path: Path) -> None:
-    for table in ("indices", "locations", "layouts", "points", "signals"):
+    for table in ("indices", "locations", "layouts", "candidates", "points", "signals"):
         path = study.export("csv", table, tmp_path)
         assert path == tmp_path / f"{study.id}-{table}.csv"
         assert path.read_bytes() == rest(service, study, "export", format="csv", table=table).content

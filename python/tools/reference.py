@@ -13,7 +13,7 @@ import strainsite
 GROUPS = {
     "The way to a service": ["Client", "local"],
     "Studies": ["Study", "StudySummary", "Estimate"],
-    "Answers": ["Result", "StrainMap", "Location", "Layout", "Signals", "Output", "Evaluation"],
+    "Answers": ["Result", "StrainMap", "Location", "Layout", "LayoutFindings", "Signals", "Output", "Evaluation"],
     "Sweeps and comparisons": ["Sweep", "SweepSummary", "Design", "SweepEstimate", "Comparison"],
     "Errors": [
         name

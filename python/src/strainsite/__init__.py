@@ -18,12 +18,32 @@ from .answers.estimate import (
     SolveForecast,
     SweepEstimate,
 )
+from .answers.findings import (
+    Candidate,
+    Candidates,
+    FrontLayout,
+    Knee,
+    LayoutFindings,
+    LayoutLoad,
+    LayoutSearch,
+    OrderAgreement,
+    StrainRing,
+)
 from .answers.indices import CoarserIndices, ErrorParts, FormMisses, Output
 from .answers.maps import StrainMap
 from .answers.model import Choice, Input, Model, StudyIdentity
 from .answers.points import Cost, CutPoint, Evaluation, FailedPoint, LocationStrain
 from .answers.preset import Preset, Presets
-from .answers.ranked import Layout, LayoutScore, Location
+from .answers.ranked import (
+    AlikeContacts,
+    DeadFilm,
+    FilmPlace,
+    Layout,
+    LayoutError,
+    LayoutScore,
+    LoadScore,
+    Location,
+)
 from .answers.result import Result
 from .answers.signals import Claim, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth
 from .answers.summary import Design, DesignCounts, StudySummary, SweepSummary
@@ -50,8 +70,11 @@ from .study import Study
 from .sweep import Sweep
 
 __all__ = [
+    "AlikeContacts",
     "AnswerError",
     "Busy",
+    "Candidate",
+    "Candidates",
     "Choice",
     "Claim",
     "Client",
@@ -63,6 +86,7 @@ __all__ = [
     "Cost",
     "CountForecast",
     "CutPoint",
+    "DeadFilm",
     "Design",
     "DesignCounts",
     "DesignEstimate",
@@ -74,18 +98,27 @@ __all__ = [
     "FailedPoint",
     "Fault",
     "FilmPair",
+    "FilmPlace",
     "Forecast",
     "FormMisses",
+    "FrontLayout",
     "Input",
     "InvalidDocument",
+    "Knee",
     "Layout",
+    "LayoutError",
+    "LayoutFindings",
+    "LayoutLoad",
     "LayoutScore",
+    "LayoutSearch",
+    "LoadScore",
     "LocalServerError",
     "Location",
     "LocationStrain",
     "MissingExtra",
     "Model",
     "NotFound",
+    "OrderAgreement",
     "Output",
     "Preset",
     "Presets",
@@ -99,6 +132,7 @@ __all__ = [
     "Signals",
     "SolveForecast",
     "StrainMap",
+    "StrainRing",
     "StrainsiteError",
     "StressWidth",
     "Study",

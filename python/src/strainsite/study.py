@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from .answers import rows
 from .answers.estimate import Estimate
+from .answers.findings import Candidates, LayoutFindings
 from .answers.maps import StrainMap
 from .answers.points import Evaluation
 from .answers.ranked import Layout, Location
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 
     from .connection.transport import Transport
 
-Table = Literal["indices", "locations", "layouts", "points", "signals"]
+Table = Literal["indices", "locations", "layouts", "candidates", "points", "signals"]
 
 
 class Study:
@@ -135,6 +136,20 @@ class Study:
         """The ranked layouts, best first."""
         return records(self._answer("layouts").get("layouts"), Layout, "layouts")
 
+    def layout_findings(self) -> LayoutFindings | None:
+        """What the layouts show together; None where the study asks for none, and of earlier versions."""
+        found = self._answer("layouts").get("findings")
+        return None if found is None else read(LayoutFindings, found, "findings")
+
+    def candidates(self) -> Candidates:
+        """The kinds of film for layouts by several criteria, and how far these order them alike.
+
+        Raises:
+            NotFound: Its document asks for no layouts, or its budget left no time for them.
+
+        """
+        return read(Candidates, self._answer("candidates"), "candidates")
+
     def signals(self) -> Signals:
         """Films' signals over load, pressure and contact angle.
 
@@ -173,8 +188,8 @@ class Study:
 
         Args:
             format: `csv`, `parquet`, `vtu` (the map on the inner surface, for ParaView) or `json` (the result).
-            table: `indices` (when left out), `locations`, `layouts`, `points` or `signals`, for formats of one
-                table.
+            table: `indices` (when left out), `locations`, `layouts`, `candidates`, `points` or `signals`, for
+                formats of one table.
             path: The file, or a folder; the name that the service proposes, in the working folder, when left out.
 
         """

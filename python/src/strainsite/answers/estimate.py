@@ -38,6 +38,8 @@ class SolveForecast:
     known: int
     """How many of these the database has already."""
     left: CountForecast
+    layouts: int = 0
+    """Solves of layouts' loads, on both meshes."""
 
 
 @dataclass(frozen=True)

@@ -71,4 +71,6 @@ class Cost:
     effect_solves: int = 0
     signal_solves: int = 0
     """Of films' signals, on both meshes."""
+    layout_solves: int = 0
+    """Of layouts' loads, on both meshes."""
     factorisations: int = 0

@@ -10,6 +10,7 @@ from strainsite.views import drawing, frames, html, ranking
 
 from . import rows
 from .estimate import Estimate  # noqa: TC001 - fields are read by their types
+from .findings import LayoutFindings  # noqa: TC001 - fields are read by their types
 from .indices import Output  # noqa: TC001 - fields are read by their types
 from .maps import StrainMap
 from .model import Input, Model, StudyIdentity  # noqa: TC001 - fields are read by their types
@@ -47,6 +48,8 @@ class Result:
     """How the accuracy asked for was looked for; None where a level was asked for."""
     signals: Signals | None
     """None where the study asks for none."""
+    layout_findings: LayoutFindings | None
+    """What the layouts show together; None where the study asks for none, and of earlier versions."""
     raw: dict[str, Any] = field(default_factory=dict, compare=False)
 
     @classmethod
@@ -79,6 +82,11 @@ class Result:
     def layouts_frame(self) -> pd.DataFrame:
         """The ranked layouts as a pandas frame, columns as in the exported table."""
         return self._frame(rows.layouts(self.layouts))
+
+    def candidates_frame(self) -> pd.DataFrame:
+        """The kinds of film for layouts as a pandas frame, columns as in the exported table; empty without any."""
+        found = self.layout_findings
+        return self._frame([rows.record(candidate) for candidate in (found.candidates if found else ())])
 
     def signals_frame(self) -> pd.DataFrame:
         """What films read as a pandas frame, columns as in the exported table; empty where the study asks for none."""

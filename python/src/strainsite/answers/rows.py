@@ -30,6 +30,20 @@ _LAYOUT_COLUMNS = [
     "worst_depth_error_mm",
     "noise_strain",
     "reason",
+    "rank_certain",
+    "name",
+    "staggered",
+    "film_count",
+    "bayes_angle_error_deg",
+    "simulated_rms_angle_error_deg",
+    "simulated_p95_angle_error_deg",
+    "simulated_p95_error_deg",
+    "lost_share",
+    "simulated_rms_depth_error_mm",
+    "force_error_n",
+    "alike_sigmas",
+    "worst_angle_mesh_error_deg",
+    "doubt",
 ]
 
 
@@ -63,12 +77,16 @@ def indices(outputs: Sequence[Output], inputs: Sequence[Input]) -> list[Row]:
 
 
 def layouts(layouts: Sequence[Layout]) -> list[Row]:
-    """A row for each layout, best first; films as in `x+y`."""
+    """A row for each layout at its worst load, best first; films as in `x+y`."""
     rows = []
     for layout in layouts:
         row = record(layout) | record(layout.score)
         row["films"] = "+".join(layout.films)
-        row["weakest_signal_strain"] = layout.score.weakest_signal
+        score, error = layout.score, layout.score.error
+        row["weakest_signal_strain"] = score.weakest_signal
+        row["simulated_p95_error_deg"] = error.simulated_p95_angle_error_deg if error else None
+        row["worst_angle_mesh_error_deg"] = error.worst_angle_error_deg if error else None
+        row["alike_sigmas"] = score.alike.sigmas if score.alike else None
         rows.append({name: row[name] for name in _LAYOUT_COLUMNS})
     return rows
 
