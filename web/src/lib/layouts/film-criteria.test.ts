@@ -21,7 +21,7 @@ test("tau stands on both sides of the diagonal", () => {
   assert.deepEqual(tau, [[null, 0.5, null], [0.5, null, null], [null, null, null]]);
 });
 
-test("a study of layouts is known by its loads, its search, or its single input", () => {
+test("a study of layouts is known by its search or its single input", () => {
   const layouts: RankedLayout[] = [{ rank: 1, spacing_deg: 60, units: 6, position: "crown", films: ["x"], score: { noise_strain: 1 } }];
   const input: InputReport = { name: "P1", vary: "ground.depths_mm[0]", distribution: {} };
   const one = { depth_mm: 1, load_n: 13, knees: [] };
@@ -29,7 +29,8 @@ test("a study of layouts is known by its loads, its search, or its single input"
   const inputs = [input, input];
   assert.ok(!asksForLayouts({ inputs, layouts, layout_findings: found }));
   assert.ok(asksForLayouts({ inputs: [input], layouts, layout_findings: found }));
-  assert.ok(asksForLayouts({ inputs, layouts, layout_findings: { ...found, loads: [one, one] } }));
+  const search = { films: 3, places: 24, method: "exhaustive", looked_at: 2024, bayes_angle_error_deg: 35, best: [] };
+  assert.ok(asksForLayouts({ inputs, layouts, layout_findings: { ...found, searches: [search] } }));
   assert.ok(!asksForLayouts({ inputs: [input], layouts, layout_findings: null }), "an earlier result");
   assert.ok(!asksForLayouts({ inputs: [input], layouts: [], layout_findings: found }));
 });

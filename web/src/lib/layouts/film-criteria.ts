@@ -27,9 +27,9 @@ export function tauMatrix(agreement: OrderAgreement[]): { criteria: string[]; ta
   return { criteria, tau: criteria.map((a) => criteria.map((b) => of(a, b))) };
 }
 
-/** Whether a study is one of layouts: several loads, a search, or a single input, by which locations have no order. */
+/** Whether a study is one of layouts before all: it has them searched, or a single input, by which locations have no order. */
 export function asksForLayouts({ inputs, layouts, layout_findings: found }: Pick<StudyResult, "inputs" | "layouts" | "layout_findings">): boolean {
-  return found != null && layouts.length > 0 && (inputs.length === 1 || found.loads.length > 1 || searched(found));
+  return found != null && layouts.length > 0 && (inputs.length === 1 || searched(found));
 }
 
 const searched = (found: LayoutFindings): boolean => (found.searches ?? []).length > 0;
