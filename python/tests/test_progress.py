@@ -55,11 +55,11 @@ def on_a_terminal(*arguments: str) -> str:
 
 def test_a_terminal_shows_points_done_and_time_left(client: Client) -> None:
     said = on_a_terminal(client.url, str(STUDY), "yes")
-    # 26 of the plan, then 5 of the layouts.
-    counts = [int(done) for done in re.findall(r"watched: .*?(\d+)/(?:26|31) ", said)]
+    # 26 of the plan, then those of the layouts.
+    counts = [int(done) for done in re.findall(r"watched: .*?(\d+)/\d+ ", said)]
     assert counts == sorted(counts)
-    assert counts[-1] == 31
-    assert re.search(r"31/31 \[\d\d:\d\d<\d\d:\d\d", said)
+    assert counts[-1] > 26
+    assert re.search(rf"{counts[-1]}/{counts[-1]} \[\d\d:\d\d<\d\d:\d\d", said)
     assert "watched" not in on_a_terminal(client.url, str(STUDY), "no")
 
 
