@@ -29,9 +29,10 @@ with strainsite.local("tire.db") as client:
     for note in result.notes:
         print("-", note)
 
-    # The best of the layouts around the wheel, by what they say of the contact at its worst angle.
+    # The best of the layouts around the wheel, by how well 95 % of contacts are known from noisy readings at the worst load.
     best = result.layouts[0]
-    print(f"best layout: {best.units} units at the {best.position}, {best.spacing_deg:g} degrees apart")
+    known = f"known to {best.score.simulated_p95_angle_error_deg:.1f} degrees"
+    print(f"best layout: {best.units} units at the {best.position}, {best.spacing_deg:g} degrees apart; the contact angle is {known}")
 
     result.plot_ranking().savefig("ranking.png")
     result.plot_map("y", input="P3").savefig("map.png")

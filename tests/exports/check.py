@@ -18,8 +18,13 @@ import pandas as pd
 import pyarrow.parquet as pq
 
 SCENE = Path(__file__).resolve().parents[2] / "scenes" / "foot-tire.toml"
-TABLES = ["indices", "locations", "layouts", "points", "signals"]
+TABLES = ["indices", "locations", "layouts", "points", "signals", "candidates"]
+LAYOUTS = {"spacings_deg": [60, 90], "positions": ["crown"], "level": "draft"}
 SIGNALS = {"loads_n": [5, 20], "pressures_mpa": [0.2], "at_load_n": 5, "contact_deg": [0, 10], "positions": ["crown"]}
+SIMULATED = [
+    "bayes_angle_error_deg", "simulated_rms_angle_error_deg", "simulated_p95_angle_error_deg", "lost_share", "simulated_rms_depth_error_mm",
+    "force_error_n",
+]
 MISSING = -1.0
 KINDS = {"double": float, "int64": int, "bool": bool, "string": str}
 
@@ -37,6 +42,7 @@ def study(name, **changes):
         "scene": {"preset": "foot-tire"},
         "inputs": DEPTHS,
         "candidates": {"points": "P1-P5", "grid": GRID},
+        "layouts": LAYOUTS,
         "method": {"kind": "mdrm", "nodes": 3},
         "accuracy": {"preset": "coarse"},
     }
@@ -126,12 +132,21 @@ def rows_of(table, result, evaluations):
     elif table == "layouts":
         for layout in result["layouts"]:
             score = layout["score"]
+            error = score.get("error") or {}
             yield {
                 **{name: layout[name] for name in ["rank", "spacing_deg", "units", "position"]},
                 "films": "+".join(layout["films"]), "weakest_signal_strain": score["weakest_signal"],
                 **{name: score[name] for name in ["worst_angle_error_deg", "rms_angle_error_deg", "worst_depth_error_mm"]},
                 "noise_strain": score["noise_strain"], "reason": score.get("reason"),
+                "rank_certain": layout["rank_certain"], "name": layout.get("name"), "staggered": layout.get("staggered", False),
+                "film_count": layout["film_count"],
+                **{name: score[name] for name in SIMULATED},
+                "simulated_p95_error_deg": error.get("simulated_p95_angle_error_deg"), "alike_sigmas": score["alike"]["sigmas"],
+                "worst_angle_mesh_error_deg": error.get("worst_angle_error_deg"), "doubt": layout.get("doubt"),
             }
+    elif table == "candidates":
+        for film in result["layout_findings"]["candidates"]:
+            yield {"angle_information_error": None, **film}
     elif table == "signals":
         for row in result["signals"]["rows"]:
             error = row["error"] or {}

@@ -5,9 +5,8 @@ use fem_client::solver::Position;
 use fem_client::solver::direction::Direction;
 use serde_json::{Map, Value, json};
 
-use crate::result::FilmPlace;
+use crate::result::film_place::FilmPlace;
 use crate::study::directions::Directions;
-use crate::study::position_name;
 
 /// Share of the crown's largest strain that a film's noise has unless the study says otherwise.
 pub const NOISE_SHARE: f64 = 0.02;
@@ -176,14 +175,10 @@ impl Layouts {
 
     /// The table as in a document, every default filled in that this study uses.
     pub fn to_value(&self) -> Value {
-        let positions = self
-            .positions
-            .iter()
-            .map(|position| position_name(*position));
         let mut table = Map::new();
         let mut put = |name: &str, value: Value| table.insert(name.to_owned(), value);
         put("spacings_deg", json!(self.spacings_deg));
-        put("positions", positions.collect());
+        put("positions", json!(self.positions));
         if !self.units.is_empty() {
             put("units", json!(self.units));
         }
@@ -273,10 +268,15 @@ fn direction_value(angle_deg: f64) -> Value {
 
 /// The position's name, or the angle.
 pub fn section_name(section_deg: f64) -> String {
-    let named = crate::study::POSITIONS
+    let named = [
+        ("crown", Position::Crown),
+        ("shoulder", Position::Shoulder),
+        ("sidewall", Position::Sidewall),
+    ];
+    let of_angle = named
         .iter()
         .find(|(_, position)| position.angle_deg() == section_deg);
-    named.map_or_else(
+    of_angle.map_or_else(
         || format!("{section_deg} deg"),
         |(name, _)| (*name).to_owned(),
     )

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::ranked_layout::FilmPlace;
+use super::film_place::FilmPlace;
 
 /// What a study's layouts show together: loads, knees, fronts, second opinions.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

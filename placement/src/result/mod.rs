@@ -5,6 +5,7 @@
 mod climb_report;
 mod cost_forecast;
 mod failed_point;
+pub mod film_place;
 mod film_signals;
 mod index_map;
 mod indexed_output;
@@ -19,6 +20,7 @@ pub use climb_report::{Climb, ClimbRung};
 pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast};
 pub use failed_point::{Cause, FailedPoint};
 use fem_client::solver::ModelSummary;
+pub use film_place::FilmPlace;
 pub use film_signals::{
     ClaimRow, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth,
 };
@@ -29,7 +31,7 @@ pub use layout_findings::{
     StrainRing,
 };
 pub use ranked_layout::{
-    AlikeContacts, DeadFilm, FilmPlace, LayoutError, LayoutScore, LoadScore, RankedLayout,
+    AlikeContacts, DeadFilm, LayoutError, LayoutScore, LoadScore, RankedLayout,
 };
 pub use ranked_location::RankedLocation;
 use serde::{Deserialize, Serialize};

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::film_place::FilmPlace;
+
 /// One layout in the ranking.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -39,18 +41,6 @@ pub struct RankedLayout {
     /// Its scores at every load; absent from results of earlier versions.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub loads: Vec<LoadScore>,
-}
-
-/// A film of a layout.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-pub struct FilmPlace {
-    /// Wheel angle, degrees.
-    pub theta_deg: f64,
-    /// Section angle from the crown, degrees.
-    pub phi_deg: f64,
-    /// Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.
-    pub angle_deg: f64,
 }
 
 /// A layout's scores at one load.

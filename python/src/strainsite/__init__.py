@@ -33,7 +33,6 @@ from .answers.indices import CoarserIndices, ErrorParts, FormMisses, Output
 from .answers.maps import StrainMap
 from .answers.model import Choice, Input, Model, StudyIdentity
 from .answers.points import Cost, CutPoint, Evaluation, FailedPoint, LocationStrain
-from .answers.preset import Preset, Presets
 from .answers.ranked import (
     AlikeContacts,
     DeadFilm,
@@ -46,7 +45,7 @@ from .answers.ranked import (
 )
 from .answers.result import Result
 from .answers.signals import Claim, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth
-from .answers.summary import Design, DesignCounts, StudySummary, SweepSummary
+from .answers.summary import Design, DesignCounts, Preset, Presets, StudySummary, SweepSummary
 from .client import Client
 from .errors import (
     AnswerError,

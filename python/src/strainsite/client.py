@@ -10,9 +10,8 @@ from urllib.parse import quote
 from . import documents
 from .answers.comparison import Comparison
 from .answers.estimate import Estimate, SweepEstimate
-from .answers.preset import Presets
 from .answers.reading import read
-from .answers.summary import StudySummary
+from .answers.summary import Presets, StudySummary
 from .connection.download import download
 from .connection.transport import Transport
 from .errors import DocumentError, StrainsiteError

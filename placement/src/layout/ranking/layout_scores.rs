@@ -21,13 +21,13 @@ pub struct Scorer {
 }
 
 impl Scorer {
-    /// For these layouts at these depths. `dead`: also without the film whose loss costs most.
+    /// For these layouts at these depths, by so many simulated readings. `dead`: also without the film whose loss costs most.
     pub fn new<'a>(
         fields: &DepthFields,
         noise: Noise,
         depths_mm: Vec<f64>,
         layouts: impl Iterator<Item = &'a Arrangement>,
-        seed: u64,
+        (seed, samples): (u64, usize),
         dead: bool,
     ) -> Self {
         let (mut likelihoods, mut films) = (BTreeMap::new(), 0);
@@ -41,7 +41,7 @@ impl Scorer {
             noise,
             likelihoods,
             depths_mm,
-            draws: Draws::new(seed, films),
+            draws: Draws::new(seed, samples, films),
             dead,
         }
     }
@@ -179,6 +179,7 @@ fn renumbered(arrangement: &Arrangement, kinds: &[usize]) -> Arrangement {
 mod tests {
     use super::*;
     use crate::layout::fisher::bounds::tests::{NOISE, gaussian};
+    use crate::layout::simulate::simulation::SAMPLES;
 
     #[test]
     fn a_layout_of_some_kinds_has_the_scores_of_its_own() {
@@ -187,7 +188,14 @@ mod tests {
             Arrangement::regular(9, &[1], false),
             Arrangement::regular(9, &[0, 1], false),
         ];
-        let scorer = Scorer::new(&fields, NOISE, vec![1.0, 0.6], layouts.iter(), 1, true);
+        let scorer = Scorer::new(
+            &fields,
+            NOISE,
+            vec![1.0, 0.6],
+            layouts.iter(),
+            (1, SAMPLES),
+            true,
+        );
         let [alone, both] = [&layouts[0], &layouts[1]].map(|layout| scorer.scores(layout));
         assert_eq!((alone.len(), both.len()), (2, 2));
         let expected = bounds(&fields.at(1.0), &layouts[0], &NOISE).expect("regular");
@@ -218,7 +226,7 @@ mod tests {
             NOISE,
             vec![1.0],
             std::iter::once(&one),
-            1,
+            (1, SAMPLES),
             true,
         );
         let score = &scorer.scores(&one)[0];

@@ -16,6 +16,7 @@ use crate::layout::ranking::asked_layouts::{
 use crate::layout::ranking::layout_order::{front, rank, tau_of_bound, with_scores};
 use crate::layout::ranking::layout_scores::Scorer;
 use crate::layout::search::{KEPT, SearchPlaces};
+use crate::layout::simulate::simulation::SAMPLES;
 use crate::layout::solving::layout_fields::{MeshFields, mesh_fields};
 use crate::layout::solving::layout_scenes::{LayoutScenes, Pressed, readout};
 use crate::result::{
@@ -147,6 +148,15 @@ pub(crate) fn scorings(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize
         .map_or(0, |search| search.films.len() * KEPT);
     let layouts = Asked::of(study).layouts.len() + found;
     layouts * loads * (series + usize::from(study.layouts.dead && series > 0))
+}
+
+/// Simulated readings of a layout at a load: fewer where the mesh is rougher, too.
+fn samples(level: Level) -> usize {
+    match level {
+        Level::Draft => SAMPLES / 4,
+        Level::Coarse => SAMPLES / 2,
+        Level::Standard | Level::Reference => SAMPLES,
+    }
 }
 
 fn on_level(scene: &Scene, level: Level) -> Scene {
@@ -310,7 +320,7 @@ impl Answer<'_> {
             noise(&study.layouts, fields),
             self.depths(),
             arrangements,
-            study.method.seed,
+            (study.method.seed, samples(self.level)),
             study.layouts.dead,
         )
     }

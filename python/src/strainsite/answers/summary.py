@@ -1,4 +1,4 @@
-"""Where studies and sweeps stand."""
+"""Where studies and sweeps stand, and the documents to start from."""
 
 from __future__ import annotations
 
@@ -67,3 +67,22 @@ class SweepSummary:
     priority: int
     created: str
     finished: str | None
+
+
+@dataclass(frozen=True)
+class Preset:
+    """A document to start from."""
+
+    name: str
+    title: str
+    document: dict[str, Any]
+    comment: str
+    """What it is for."""
+
+
+@dataclass(frozen=True)
+class Presets:
+    """The documents that the service ships."""
+
+    studies: tuple[Preset, ...]
+    scenes: tuple[Preset, ...]
