@@ -29,10 +29,11 @@ with strainsite.local("tire.db") as client:
     for note in result.notes:
         print("-", note)
 
-    # The best of the layouts around the wheel, by how well 95 % of contacts are known from noisy readings at the worst load.
+    # The best of the layouts around the wheel: 95 % of contacts, read with noise at the worst load, are known so well.
     best = result.layouts[0]
-    known = f"known to {best.score.simulated_p95_angle_error_deg:.1f} degrees"
-    print(f"best layout: {best.units} units at the {best.position}, {best.spacing_deg:g} degrees apart; the contact angle is {known}")
+    error = best.score.simulated_p95_angle_error_deg
+    print(f"best layout: {best.units} units at the {best.position}, {best.spacing_deg:g} degrees apart")
+    print(f"it knows the contact angle to {error:.1f} degrees")
 
     result.plot_ranking().savefig("ranking.png")
     result.plot_map("y", input="P3").savefig("map.png")

@@ -59,7 +59,8 @@ def result(study: Study) -> strainsite.Result:
 @pytest.fixture(scope="session")
 def sweep(client: Client) -> Sweep:
     """Two designs of two inputs on the coarse mesh, from which on every index has an error."""
-    document = client.document("foot-tire", FEW | {"accuracy.preset": "coarse", "method.nodes": 3, "method.check_points": 2})
+    few = FEW | {"accuracy.preset": "coarse", "method.nodes": 3, "method.check_points": 2}
+    document = client.document("foot-tire", few)
     document["inputs"] = document["inputs"][1:3]
     grid = {"geometry.wall_mm": [3.0, 2.0], "carcass.angle_deg": [60.0]}
     return client.sweep(document, grid=grid, name="wall & cord").wait(timeout=100)

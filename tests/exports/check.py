@@ -139,9 +139,9 @@ def rows_of(table, result, evaluations):
                 **{name: score[name] for name in ["worst_angle_error_deg", "rms_angle_error_deg", "worst_depth_error_mm"]},
                 "noise_strain": score["noise_strain"], "reason": score.get("reason"),
                 "rank_certain": layout["rank_certain"], "name": layout.get("name"), "staggered": layout.get("staggered", False),
-                "film_count": layout["film_count"],
-                **{name: score[name] for name in SIMULATED},
-                "simulated_p95_error_deg": error.get("simulated_p95_angle_error_deg"), "alike_sigmas": score["alike"]["sigmas"],
+                "film_count": layout.get("film_count"),
+                **{name: score.get(name) for name in SIMULATED},
+                "simulated_p95_error_deg": error.get("simulated_p95_angle_error_deg"), "alike_sigmas": (score.get("alike") or {}).get("sigmas"),
                 "worst_angle_mesh_error_deg": error.get("worst_angle_error_deg"), "doubt": layout.get("doubt"),
             }
     elif table == "candidates":
@@ -215,6 +215,9 @@ def check_tables(service, ident, program, folder):
     by_hand = [program, "export", ident, "--db", folder / "studies.db"]
     for table in TABLES:
         expected = [{**row, **origin} for row in rows_of(table, result, evaluations)]
+        if table == "candidates" and not expected:
+            # A tire that feels nothing has no layouts to score.
+            continue
         assert expected, table
         fetch = lambda ending: service.export(ident, MEDIA_TYPES[ending], format=ending, table=table)
         values += check_table(table, fetch, by_hand, folder / f"{ident}-{table}", expected, origin)

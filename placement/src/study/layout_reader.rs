@@ -288,16 +288,12 @@ fn loads(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> LayoutLoads {
     };
     let depths = read("depths_mm", "ground.depths_mm[0]", faults);
     let forces = read("loads_n", "ground.load_n", faults);
+    if fields.get("depths_mm").is_some() && fields.get("loads_n").is_some() {
+        let detail = "and depths_mm are two ways to say the same: give one of them";
+        Fault::add(faults, &fields.at("loads_n"), detail);
+    }
     match (depths, forces) {
-        (Some(_), Some(_)) => {
-            Fault::add(
-                faults,
-                &fields.at("loads_n"),
-                "and depths_mm are two ways to say the same: give one of them",
-            );
-            LayoutLoads::Mean
-        }
-        (Some(depths), None) => LayoutLoads::Depths(depths),
+        (Some(depths), _) => LayoutLoads::Depths(depths),
         (None, Some(forces)) => LayoutLoads::Forces(forces),
         (None, None) => LayoutLoads::Mean,
     }

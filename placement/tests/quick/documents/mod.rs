@@ -344,3 +344,58 @@ fn the_accuracy_sets_the_level_of_the_scene() {
     assert_eq!(study.level.as_str(), "draft");
     assert_eq!(study.scene.model.level, study.level);
 }
+
+#[test]
+fn layouts_have_every_fault_at_its_place() {
+    let mut document = valid();
+    document["layouts"] = json!({
+        "units": [6, 0, 6], "section_deg": [30, 110], "directions": [["x", "z"], []], "staggered": "yes", "noise_share": 0, "noise_strain": 1e-3,
+        "depths_mm": [1, -1], "loads_n": [5], "gain_std": -1, "level": "fine",
+        "free": [{"name": "a", "films": [{"theta_deg": 400}, {"phi_deg": 119}]}, {"films": []}],
+        "search": {"films": [3, 2000], "slots": 2},
+    });
+    assert_eq!(
+        pointers(&document),
+        [
+            "/layouts/units/1",
+            "/layouts/units/2",
+            "/layouts/section_deg/1",
+            "/layouts/directions/0/1",
+            "/layouts/directions/1",
+            "/layouts/staggered",
+            "/layouts/free/0/films/0/theta_deg",
+            "/layouts/free/0/films/1/phi_deg",
+            "/layouts/free/1/name",
+            "/layouts/free/1/films",
+            "/layouts/depths_mm/1",
+            "/layouts/loads_n",
+            "/layouts/noise_share",
+            "/layouts/noise_strain",
+            "/layouts/gain_std",
+            "/layouts/level",
+            "/layouts/search/films/1",
+            "/layouts/search/slots",
+        ]
+    );
+    let mut large = valid();
+    large["layouts"] = json!({"search": {"films": [3], "slots": 120, "section_deg": [0, 10, 20, 30, 40, 50, 60, 70, 80], "directions": ["x", "y"]}});
+    assert_eq!(pointers(&large), ["/layouts/search"]);
+}
+
+#[test]
+fn a_study_of_layouts_reads_back_as_itself() {
+    let mut document = valid();
+    document["layouts"] = json!({
+        "units": [7], "section_deg": [-20], "directions": [["x", "y"], [45]], "staggered": true, "loads_n": [5, 13], "noise_strain": 1e-3,
+        "gain_std": 0.1, "place_std_deg": 3, "dead": true, "level": "coarse",
+        "free": [{"name": "a", "films": [{"theta_deg": 10, "phi_deg": 20, "angle_deg": 30}]}],
+        "search": {"films": [3]},
+    });
+    let read = Study::from_value(&document, &|path| Err(path.to_owned())).unwrap();
+    assert_eq!(Study::from_canonical(&read.canonical()), Ok(read));
+    let mut none = valid();
+    none.as_object_mut().unwrap().remove("layouts");
+    let read = Study::from_value(&none, &|path| Err(path.to_owned())).unwrap();
+    assert!(!read.layouts.is_asked());
+    assert_eq!(Study::from_canonical(&read.canonical()), Ok(read));
+}

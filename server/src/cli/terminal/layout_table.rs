@@ -22,7 +22,7 @@ pub fn layouts(result: &StudyResult) -> String {
         loads(result)
     );
     text.push_str(&header(
-        "rank  layout                                 films  angle, deg: 95 %        its bound   lost, %  force, N  one dead  rank is\n",
+        "rank  layout                                       films  angle, deg: 95 %        its bound   lost, %  force, N  one dead  rank is\n",
     ));
     let paper = result.layouts.iter().position(is_the_papers);
     let beyond = paper.filter(|paper| *paper >= SHOWN);
@@ -74,7 +74,7 @@ fn row(layout: &RankedLayout) -> String {
         _ => painted(FAINT, "uncertain"),
     };
     format!(
-        "{:>4}  {:<37}{:>7}  {:<20}{:>13}{:>10}{:>10}{:>10}  {certain}\n",
+        "{:>4}  {:<43}{:>7}  {:<20}{:>13}{:>10}{:>10}{:>10}  {certain}\n",
         layout.rank,
         described(layout),
         number(layout.film_count.map(|films| films as f64), 0),
