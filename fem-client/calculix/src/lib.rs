@@ -29,11 +29,11 @@ use fem_client::scene::Scene;
 use fem_client::solver::Coarser;
 use fem_client::solver::gauge;
 use fem_client::solver::{
-    Cost, SolveError, SolveRequest, Solved, Solver, StartState, by_depth_only,
+    Cost, Readout, SolveError, SolveRequest, Solved, Solver, StartState, by_depth_only,
 };
 use tire::mesh::tire_grid::MeshPlan;
 use tire::mesh_error;
-use tire::model::mesh_plan;
+use tire::model::{mesh_plan, mesh_plan_for};
 
 pub use self::program::NotInstalled;
 
@@ -109,8 +109,12 @@ impl Solver for CalculixSolver {
         mesh_plan(scene, scene.model.level).cells()
     }
 
+    fn cells_read(&self, scene: &Scene, readout: &Readout) -> usize {
+        mesh_plan_for(scene, scene.model.level, readout).cells()
+    }
+
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
-        let plan = mesh_plan(request.scene, request.scene.model.level);
+        let plan = mesh_plan_for(request.scene, request.scene.model.level, request.readout);
         self.solve_on(request, &linear(&plan))
     }
 }
