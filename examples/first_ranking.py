@@ -7,7 +7,12 @@ and writes the ranking, a map and the solved points. Run again, it finds the poi
 import strainsite
 
 # The coarse mesh knows its own error; a "draft" is faster and doesn't, "standard" is what to publish.
-CHANGES = {"scene.geometry.wall_mm": 2.5, "accuracy.preset": "coarse"}
+CHANGES = {
+    "scene.geometry.wall_mm": 2.5,
+    "accuracy.preset": "coarse",
+    "layouts.spacings_deg": [60, 90],
+    "layouts.depths_mm": [1.0],
+}
 
 with strainsite.local("tire.db") as client:
     expected = client.estimate("foot-tire", set=CHANGES)
