@@ -2,7 +2,7 @@
 
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
-.PHONY: help run build check test prove audit \
+.PHONY: help run build build-all check test prove audit pictures \
 	test-cargo test-program format clippy doc house test-unit test-rust verify test-conformance test-attacks test-exports test-python test-browser test-web \
 	setup-build setup-rust setup-npm setup-browser setup-python setup-test
 
@@ -27,6 +27,7 @@ help:
 	@echo "make build   the program alone, $(STRAINSITE)"
 	@echo "make check   format, lints, rules of the house and unit tests: what one runs every few minutes"
 	@echo "make test    every check and test; a suite alone: test-rust test-web test-browser test-conformance test-attacks test-exports test-python verify"
+	@echo "make pictures   the pictures of the README, drawn anew; VIEWS=--all for every view, into web/screenshots/"
 	@echo "make prove   what takes hours: advisories, 200 kills, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs or values)"
 
 run: build
@@ -36,13 +37,17 @@ run: build
 build: setup-build
 	$(CARGO) build --release --locked --bin strainsite
 
+# The program with the Rust tests, whose compilation fills the core that the program's crates, one waiting for the other, leave idle.
+build-all: setup-rust
+	$(CARGO) test $(ALL) --tests --no-run
+
 # After a small change the compiler takes from its last pass what still holds: half the time. The program that ships is compiled without.
 check: export CARGO_INCREMENTAL := 1
 check: format house clippy test-unit
 
 # The suites that drive the program wait more than they work: they run beside Cargo's lints and tests, and are told at the end, in one piece.
 test:
-	@$(MAKE) --no-print-directory -j2 build setup-test
+	@$(MAKE) --no-print-directory -j2 build-all setup-test
 	@log=$(TARGET)/test-program.log; program=passed; cargo=passed; \
 	$(MAKE) --no-print-directory --keep-going BUILT=yes test-program >$$log 2>&1 & beside=$$!; \
 	nice $(MAKE) --no-print-directory BUILT=yes test-cargo || cargo=FAILED; \
@@ -110,6 +115,10 @@ test-exports: $(PROGRAM) setup-python
 # The Python client against the running service.
 test-python: $(PROGRAM) setup-python
 	python/check
+
+# The pictures of the README, from the real program; every view with VIEWS=--all, into web/screenshots/.
+pictures: $(PROGRAM) setup-browser tests/browser/node_modules/.package-lock.json
+	node tests/browser/pictures.mjs $(VIEWS)
 
 # The real program in a real browser.
 test-browser: $(PROGRAM) setup-browser tests/browser/node_modules/.package-lock.json

@@ -3,10 +3,11 @@
 use std::time::Instant;
 
 use placement::layout::arrangement::{Arrangement, LaidFilm};
-use placement::layout::field::film_field::{DepthFields, Noise};
+use placement::layout::field::film_field::{DepthFields, LoadField, Noise};
 use placement::layout::field::hermite::Nodes;
 use placement::layout::ranking::layout_scores::Scorer;
-use placement::layout::search::SearchPlaces;
+use placement::layout::search::layout_search::SearchPlaces;
+use placement::layout::search::search_criterion::{SearchCriterion, SearchFields};
 use placement::layout::simulate::simulation::SAMPLES;
 
 const WIDTH_DEG: f64 = 7.6;
@@ -18,14 +19,24 @@ const NOISE: Noise = Noise {
 
 fn main() {
     let fields = fields();
-    let load = fields.at(1.0);
     let slot = |slot: usize| {
         (0..2).map(move |kind| LaidFilm {
             theta_deg: 15.0 * slot as f64,
             kind,
         })
     };
-    let places = SearchPlaces::new((0..24).flat_map(slot).collect(), &[load], &NOISE);
+    let at = |depths: &[f64]| -> Vec<LoadField> {
+        depths.iter().map(|depth| fields.at(*depth)).collect()
+    };
+    let others = fields.evenly(8);
+    let places = |criterion| {
+        let fields = SearchFields {
+            loads: &at(&[1.0]),
+            others: &others,
+        };
+        SearchPlaces::new((0..24).flat_map(slot).collect(), criterion, &fields, &NOISE)
+    };
+    let [by_bound, by_errors] = SearchCriterion::ALL.map(places);
     println!("| what | number | s |\n|---|---|---|");
     for count in [20_000, 40_000] {
         let begun = Instant::now();
@@ -33,12 +44,21 @@ fn main() {
         let sum: f64 = (0..count)
             .map(|k| {
                 let chosen = [0, 7, 13, 22, 31, 40].map(|first| (first + k * (first % 5 + 1)) % 48);
-                places.criterion(&chosen)
+                by_bound.bound_deg(&chosen)
             })
             .sum();
         assert!(sum.is_finite());
         println!(
             "| bound of six films | {count} | {:.2} |",
+            begun.elapsed().as_secs_f64()
+        );
+    }
+    for (name, places) in [("bound", &by_bound), ("interval errors", &by_errors)] {
+        let begun = Instant::now();
+        let found = places.search(12);
+        println!(
+            "| search for twelve films, by {name} | {} | {:.2} |",
+            found.looked_at,
             begun.elapsed().as_secs_f64()
         );
     }
@@ -83,5 +103,6 @@ fn fields() -> DepthFields {
         depths: Nodes::new(depths.to_vec()),
         forces_n: depths.iter().map(|depth| 13.1 * depth.powf(1.3)).collect(),
         signals: vec![over(&bell), over(&|u| -u / WIDTH_DEG * bell(u))],
+        sheared: Vec::new(),
     }
 }

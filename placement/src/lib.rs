@@ -8,12 +8,14 @@
 //! - [`run`]: solves the points that the archive lacks, on all cores, and assembles the answer
 //! - [`score`]: responses to indices and ranked locations
 //! - [`layout`]: strain rings to ranked layouts
+//! - [`answer`]: all of that in one sentence, and how sure it is
 //! - [`ladder`]: meshes times methods, from quick to accurate
 //! - [`signals`]: films' voltages over load, pressure and contact angle
 //! - [`compare`]: studies side by side, and which differences are real
 //! - [`estimate`]: what a study will cost, before anything is solved
 //! - [`own_model`]: inputs and outputs of models that others run
 
+pub mod answer;
 pub mod compare;
 pub mod estimate;
 pub mod ladder;

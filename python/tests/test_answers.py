@@ -52,6 +52,22 @@ def test_the_result_is_the_services(study: Study, service: Service, result: Resu
         result.output("P6", "x")
 
 
+def test_the_answer_is_told_with_its_verdict_and_graded_notes(result: Result) -> None:
+    answer = result.answer
+    assert answer is not None
+    assert answer.sentence
+    assert answer.verdict == "unknown", "a draft knows no error"
+    assert answer.place is not None
+    assert answer.place.names == ("P3",)
+    best = result.locations[0]
+    index = best.gsi_x_percent if answer.place.direction == "x" else best.gsi_y_percent
+    assert index is not None
+    assert answer.place.index == pytest.approx(index / 100, rel=1e-12)
+    assert answer.surer is not None
+    assert answer.surer.level == "coarse"
+    assert tuple(note.text for note in result.graded_notes) == result.notes
+
+
 def test_frames_are_the_exported_tables(study: Study, service: Service, result: Result) -> None:
     assert_equal(result.locations_frame(), exported(service, study, "locations"))
     assert_equal(result.indices_frame(), exported(service, study, "indices"))
@@ -108,8 +124,9 @@ def test_layouts_are_the_services(arranged: Study, service: Service) -> None:
         assert layout.score in [load.score for load in layout.loads]
         assert layout.score.error is not None
         assert layout.score.dead is not None
-    [search] = result.layout_findings.searches
-    assert any(layout.places == search.best for layout in result.layouts)
+    assert [search.criterion for search in result.layout_findings.searches] == ["bound", "interval errors"]
+    for search in result.layout_findings.searches:
+        assert any(layout.places == search.best for layout in result.layouts)
     least = result.layout_findings.front[-1]
     assert result.layouts[least.index].score.simulated_p95_angle_error_deg == least.simulated_p95_angle_error_deg
     assert result.cost.layout_solves > 0
@@ -140,12 +157,12 @@ def test_errors_are_in_the_frames_where_they_are_known(coarse: Result) -> None:
 
 def test_maps_are_the_services(study: Study, service: Service, result: Result) -> None:
     for direction, name in (("x", "P1"), ("y", "P3"), ("x", None)):
-        params = {"direction": direction} | ({} if name is None else {"input": name})
+        params = {"direction": direction, "index": "total"} | ({} if name is None else {"input": name})
         layer = rest(service, study, "map", **params).json()
         for found in (study.map(direction, name), result.map(direction, name)):
             assert found.strain.shape == (len(found.phi_deg), len(found.theta_deg)) == (11, 21)
             assert (found.direction, found.input) == (direction, name or "P1")
-            for field in ("theta_deg", "phi_deg", "first_order", "std", "strain", "error"):
+            for field in ("theta_deg", "phi_deg", "first_order", "total", "std", "strain", "error"):
                 values = [np.nan if value is None else value for value in layer[field]]
                 np.testing.assert_array_equal(getattr(found, field).ravel(), values)
             assert found.status.ravel().tolist() == layer["status"]
@@ -172,6 +189,46 @@ def test_null_in_a_map_is_nan(result: Result) -> None:
     found = Result.of(raw).map("x", "P1")
     assert np.isnan(found.first_order[0, 5])
     assert np.isfinite(found.first_order).sum() == found.first_order.size - 1
+
+
+def test_sections_and_rings_are_the_services(study: Study, service: Service, result: Result) -> None:
+    sections = study.sections("P3")
+    assert (sections.input, len(sections.nodes), sections.failed) == ("P3", 5, ())
+    answer = rest(service, study, "sections", input="P3").json()
+    assert [node.strain_x for node in sections.nodes] == [tuple(node["strain_x"]) for node in answer["nodes"]]
+    (means,) = [node for node in sections.nodes if node.cut_point]
+    assert np.array_equal(means.strain_y, result.map("y").strain.ravel())
+    displacements = np.array([node.displacement_mm for node in sections.nodes])
+    assert displacements.shape == (5, 11 * 21, 3)
+    # The deeper the ground at the centre, the higher it lifts the crown.
+    assert (np.diff(displacements[:, 5 * 21 + 10, 2]) > 0).all()
+    rings = study.rings()
+    assert (rings.unit, [ring.section_deg for ring in rings.rings]) == ("strain", [0.0])
+    assert len(rings.rings[0].strain_x or ()) == 360
+
+
+def test_layouts_of_ones_own_are_scored(study: Study) -> None:
+    films = [{"theta_deg": 15.0 * k, "phi_deg": 0.0, "angle_deg": 90.0 * (k % 2)} for k in range(24)]
+    whole, less = study.score_layouts([{"name": "mine", "films": films}, {"films": films[:-1]}])
+    assert (whole.name, whole.film_count, less.name) == ("mine", 24, "layout 2")
+    bounds = [layout.score.rms_angle_error_deg for layout in (whole, less)]
+    assert bounds[0] is not None and (bounds[1] is None or bounds[1] > bounds[0])
+    assert whole.score.simulated_p95_angle_error_deg is None
+    (simulated,) = study.score_layouts([{"films": films}], simulated=True)
+    assert simulated.score.simulated_p95_angle_error_deg is not None
+
+
+def test_the_surface_is_the_whole_wheel(study: Study, result: Result) -> None:
+    surface = study.surface()
+    rows, columns = surface.phi_deg.size, surface.theta_deg.size
+    assert surface.level == result.model.level
+    assert surface.inner_inflated_mm.shape == surface.outer_displacement_mm.shape == (rows, columns, 3)
+    crown = (np.flatnonzero(surface.phi_deg == 0)[0], np.flatnonzero(surface.theta_deg == 0)[0])
+    shape = result.raw["map"]["shape"]
+    assert surface.inner_inflated_mm[crown] == pytest.approx(shape["inflated_mm"][5 * 21 + 10], abs=1e-5)
+    assert surface.inner_displacement_mm[crown] == pytest.approx(shape["displacement_mm"][5 * 21 + 10], abs=1e-5)
+    lowest = (surface.outer_inflated_mm + surface.outer_displacement_mm)[..., 2].min()
+    assert lowest == pytest.approx(surface.ground_mm[:, 1].max(), abs=0.05)
 
 
 def test_exports_are_the_services_files(study: Study, service: Service, tmp_path: Path) -> None:

@@ -39,7 +39,7 @@ def test_the_map_is_drawn_with_its_values_and_the_locations(result: Result, tmp_
     path = tmp_path / "map.png"
     figure.savefig(path)
     assert path.stat().st_size > 5_000
-    with pytest.raises(strainsite.StrainsiteError, match="value is one of first_order, std, strain, error"):
+    with pytest.raises(strainsite.StrainsiteError, match="value is one of first_order, total, std, strain, error"):
         result.plot_map(value="colour")
 
 

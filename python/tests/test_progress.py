@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 CODE = """
 import sys, strainsite
 with strainsite.Client(sys.argv[1]) as client:
-    client.submit(sys.argv[2], set={"accuracy.preset": "draft", "name": "watched"}).wait(progress=sys.argv[3] == "yes")
+    changes = {"accuracy.preset": "draft", "name": "watched", "layouts.spacings_deg": [60]}
+    client.submit(sys.argv[2], set=changes).wait(progress=sys.argv[3] == "yes")
 """
 
 

@@ -1,4 +1,4 @@
-"""The scripts with which the READMEs begin."""
+"""The first scripts of the pages that have some."""
 
 from __future__ import annotations
 
@@ -19,16 +19,17 @@ def first_script(readme: str) -> str:
 @pytest.mark.parametrize(
     ("readme", "said", "written"),
     [
-        ("README.md", r"wall_mm = 2\.5 +P3 +1 .* (noise|unknown|real)\n", {"comparison.png", "map.png"}),
+        ("docs/sweeps.md", r"wall_mm = 2\.5 +P3 +1 .* (noise|unknown|real)\n", {"comparison.png", "map.png"}),
         ("python/README.md", r"1 +P3 ", {"ranking.png", "map.png", "points.csv"}),
     ],
 )
 def test_the_first_script_runs(readme: str, said: str, written: set[str], tmp_path: Path) -> None:
     script = first_script(readme)
     assert len(script.splitlines()) <= 12
-    # What differs: where program and study are, and the mesh, so that it takes a second.
+    # What differs: where program and study are, and mesh and layouts, so that it takes a second.
     script = script.replace("target/release/strainsite", str(BINARY)).replace("studies/", f"{ROOT}/studies/")
-    script = re.sub('"(coarse|standard)"', '"draft"', script)
+    script, changed = re.subn('"(coarse|standard)"', '"draft", "layouts.spacings_deg": []', script)
+    assert changed == 1
     printed = said_by(["-c", script], tmp_path, 60, MPLBACKEND="Agg")
     assert re.search(said, printed), printed
     assert written <= {path.name for path in tmp_path.iterdir()}

@@ -31,6 +31,21 @@ def test_a_study_is_submitted_and_waited_for(study: Study, client: Client) -> No
     assert estimate.solves.own == 26
 
 
+def test_a_study_is_renamed_found_and_archived(client: Client) -> None:
+    study = client.submit(STUDY, set=DRAFT)
+    name = study.document["name"]
+    assert study.rename("Thin 50%_wall").name == "Thin 50%_wall"
+    assert study.document["name"] == name
+    assert [found.id for found in client.studies(search="50%_WALL")] == [study.id]
+    assert study.archive().summary.archived is not None
+    assert list(client.studies(search="50%_wall")) == []
+    assert [found.id for found in client.studies(search="50%_wall", archived="true")] == [study.id]
+    assert study.unarchive().summary.archived is None
+    with pytest.raises(strainsite.ProblemError, match="1 to 200 characters"):
+        study.rename(" ")
+    study.remove()
+
+
 def test_a_removed_study_is_gone(client: Client) -> None:
     study = client.submit(STUDY, set=DRAFT)
     study.remove()
@@ -52,6 +67,15 @@ def test_an_estimate_solves_nothing(client: Client) -> None:
     assert estimate.wall_s is not None
     assert 0 < estimate.wall_s.least <= estimate.wall_s.expected <= estimate.wall_s.most
     assert [study.id for study in client.studies()] == before
+
+
+def test_a_preview_ranks_places_and_stores_nothing(client: Client, study: Study) -> None:
+    before = [known.id for known in client.studies()]
+    preview = client.preview(STUDY, set=DRAFT)
+    assert (preview.claim, preview.level, preview.solves) == ("none", "draft", 26)
+    assert preview.locations == study.locations()
+    assert preview.map == study.result().raw["map"]
+    assert [known.id for known in client.studies()] == before
 
 
 def test_every_fault_of_a_document_is_named_with_its_pointer(client: Client) -> None:

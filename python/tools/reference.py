@@ -12,8 +12,21 @@ import strainsite
 
 GROUPS = {
     "The way to a service": ["Client", "local"],
-    "Studies": ["Study", "StudySummary", "Estimate"],
-    "Answers": ["Result", "StrainMap", "Location", "Layout", "LayoutFindings", "Signals", "Output", "Evaluation"],
+    "Studies": ["Study", "StudySummary", "Estimate", "Preview"],
+    "Answers": [
+        "Result",
+        "Answer",
+        "StrainMap",
+        "Sections",
+        "Rings",
+        "Surface",
+        "Location",
+        "Layout",
+        "LayoutFindings",
+        "Signals",
+        "Output",
+        "Evaluation",
+    ],
     "Sweeps and comparisons": ["Sweep", "SweepSummary", "Design", "SweepEstimate", "Comparison"],
     "Errors": [
         name

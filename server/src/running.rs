@@ -17,10 +17,11 @@ use crate::http::edge::listener;
 use crate::http::edge::room::Room;
 use crate::http::edge::streams::Streams;
 use crate::http::router::app;
-use crate::http::routes::sent_result::Intact;
+use crate::http::routes::answers::sent_result::Intact;
 use crate::token::{Token, TokenError};
 use service::engine::Engine;
 use service::metrics::Metrics;
+use service::previewer::Previewer;
 use service::queue::{self, Queue};
 use service::shutdown;
 use store::{Store, StoreError};
@@ -36,6 +37,8 @@ pub struct ServiceParts {
     pub database: PathBuf,
     /// Who solves.
     pub solver: Arc<dyn Solver>,
+    /// Who solves previews: another one, so that a running study keeps what its solves share.
+    pub previewer: Arc<dyn Solver>,
     /// Solves that run at once.
     pub threads: usize,
     /// How long a study runs before another one that waits has its turn.
@@ -170,6 +173,7 @@ impl Service {
             limits.waiting_studies,
             stopping.clone(),
         ));
+        let previewer = Previewer::new(parts.previewer, parts.threads, stopping.clone());
         let access = Access::of(token.clone(), address.port());
         let login = access.link()?;
         let hosts = HostList::of(address, hosts);
@@ -177,6 +181,7 @@ impl Service {
             store: store.clone(),
             engine,
             queue: queue.clone(),
+            previewer: Arc::new(previewer),
             shutdown: stopping.clone(),
             access,
             metrics,

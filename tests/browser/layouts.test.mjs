@@ -1,8 +1,11 @@
 // Layouts on a study's page: the answer in a sentence, the plot, the tables.
 import assert from "node:assert/strict";
-import { mkdirSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { test } from "node:test";
-import { fileURLToPath } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { openBrowser, openPage } from "./page.mjs";
 import { startService } from "./service.mjs";
 
@@ -19,6 +22,19 @@ const STUDY = {
   accuracy: { preset: "draft" },
 };
 
+const WEB = fileURLToPath(new URL("../../web/", import.meta.url));
+const LAYOUTS = 50;
+/** Relative; both sum the same terms in the same order, which leaves the last digits. */
+const EQUAL = 1e-9;
+const HAND_STUDY = {
+  name: "by hand",
+  scene: { preset: "foot-tire" },
+  inputs: [{ name: "depth", vary: "ground.depths_mm[2]", distribution: { kind: "uniform", min: 0.7, max: 1.3 } }],
+  layouts: { depths_mm: [1, 2], units: [12, 24], spacings_deg: [], positions: ["crown", "shoulder"], directions: [["x", "y"], ["y"]], gain_std: 0.05, place_std_deg: 1 },
+  method: { kind: "mdrm", nodes: 3, check_points: 0 },
+  accuracy: { preset: "draft" },
+};
+
 test("layouts are answered in a sentence, drawn over their units, and listed", { timeout: 600_000 }, async (t) => {
   mkdirSync(SCREENSHOTS, { recursive: true });
   const service = await startService();
@@ -29,14 +45,11 @@ test("layouts are answered in a sentence, drawn over their units, and listed", {
   const body = JSON.stringify(STUDY);
   const answer = await fetch(`${service.url}/v1/studies`, { method: "POST", headers: { "Content-Type": "application/json" }, body });
   const { id } = await answer.json();
-  await page.goto(`${service.url}/#/studies/${id}`);
+  await page.goto(`${service.url}/#/studies/${id}/layouts`);
   const panel = page.locator('section[aria-labelledby="layouts-title"]');
   await panel.waitFor({ timeout: 540_000 });
   const { layouts, findings } = await (await fetch(`${service.url}/v1/studies/${id}/layouts`)).json();
 
-  // A study with one input is one of layouts: they stand before the ranking of locations.
-  const titles = await page.locator("main section h2").allInnerTexts();
-  assert.ok(titles.indexOf("Layouts around the wheel") < titles.indexOf("Ranking"), titles.join(", "));
   const [best] = layouts;
   const [first, papers] = await panel.locator(".layout-answer p").allInnerTexts();
   t.diagnostic(`${first} | ${papers}`);
@@ -64,10 +77,11 @@ test("layouts are answered in a sentence, drawn over their units, and listed", {
   assert.equal(await ranked.count(), 20);
   await panel.getByRole("button", { name: `Show all ${layouts.length} layouts` }).click();
   assert.equal(await ranked.count(), layouts.length);
-  const rowsOf = (name) => panel.getByRole("table", { name }).locator("tbody tr").count();
+  const grounds = page.locator('section[aria-labelledby="grounds-title"]');
+  const rowsOf = (name) => grounds.getByRole("table", { name }).locator("tbody tr").count();
   assert.equal(await rowsOf("Best layout for each number of films"), findings.front.length);
   assert.equal(await rowsOf("From how many units on a ring is dense enough"), findings.loads[0].knees.length);
-  assert.equal(await rowsOf("Searched layouts"), 1);
+  assert.equal(await rowsOf("Searched layouts"), findings.searches.length);
   assert.equal(await rowsOf("Kinds of film by several criteria"), findings.candidates.length);
   assert.equal(await rowsOf("Kendall's tau between criteria"), 6);
 
@@ -86,11 +100,11 @@ test("bounds of a result of an earlier version are a table", { timeout: 60_000 }
   const body = JSON.stringify({ ...STUDY, layouts: { spacings_deg: [60, 30], positions: ["crown"] } });
   const answer = await fetch(`${service.url}/v1/studies`, { method: "POST", headers: { "Content-Type": "application/json" }, body });
   const { id } = await answer.json();
-  await page.route(/\/v1\/studies\/[^/]+\/result$/, async (route) => {
+  await page.route(/\/v1\/studies\/[^/]+\/result\?map=false$/, async (route) => {
     const response = await route.fetch();
     await route.fulfill({ response, json: response.ok() ? earlier(await response.json()) : await response.json() });
   });
-  await page.goto(`${service.url}/#/studies/${id}`);
+  await page.goto(`${service.url}/#/studies/${id}/layouts`);
   const rows = page.getByRole("table", { name: "Ranked layouts" }).locator("tbody tr");
   await rows.first().waitFor({ timeout: 50_000 });
   assert.equal(await rows.count(), 2);
@@ -107,3 +121,102 @@ function earlier({ layout_findings: _, ...result }) {
   });
   return { ...result, layouts };
 }
+
+/** The page's modules of these names, as Node runs them. */
+async function modulesOf(names, t) {
+  const { transpileModule, ModuleKind, ScriptTarget } = createRequire(`${WEB}package.json`)("typescript");
+  const folder = mkdtempSync(join(tmpdir(), "strainsite-by-hand-"));
+  t.after(() => rmSync(folder, { recursive: true }));
+  writeFileSync(join(folder, "package.json"), '{"type": "module"}');
+  const compilerOptions = { module: ModuleKind.ESNext, target: ScriptTarget.ES2022, rewriteRelativeImportExtensions: true };
+  for (const name of names) {
+    const text = readFileSync(join(WEB, "src/lib/layouts", `${name}.ts`), "utf8").replaceAll('"../wheel-films.ts"', '"./wheel-films.ts"');
+    writeFileSync(join(folder, `${name.split("/").at(-1)}.js`), transpileModule(text, { compilerOptions }).outputText);
+  }
+  return (name) => import(pathToFileURL(join(folder, `${name}.js`)).href);
+}
+
+/** Numbers from 0 to 1, the same for a seed (mulberry32). */
+function random(seed) {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
+    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
+    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+async function studyOn(service) {
+  const send = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(HAND_STUDY) };
+  const { id } = await (await fetch(`${service.url}/v1/studies`, send)).json();
+  for (;;) {
+    const { state, error } = await (await fetch(`${service.url}/v1/studies/${id}`)).json();
+    if (state === "done") return id;
+    assert.ok(state === "queued" || state === "running", `${state}: ${error}`);
+    await new Promise((resolve) => setTimeout(resolve, 200));
+  }
+}
+
+/** Films added, dropped and moved by chance, as a reader would. */
+function byChance(edits, kinds, chance) {
+  const kind = () => kinds[Math.floor(chance() * kinds.length)];
+  const angle = () => (chance() < 0.5 ? Math.floor(360 * chance()) : 360 * chance());
+  let films = [];
+  for (let k = 0; k < 14; k += 1) films = edits.added(films, kind(), 24 * k + 20 * chance());
+  for (let step = 0; step < 12; step += 1) {
+    const index = Math.floor(chance() * films.length);
+    const deed = chance();
+    if (deed < 0.3) films = edits.added(films, kind(), angle());
+    else if (deed < 0.5) films = edits.dropped(films, index);
+    else if (deed < 0.6) films = edits.turnedInto(films, index, kind());
+    else films = edits.movedTo(films, index, films[index].theta_deg + 5 * (chance() < 0.5 ? -1 : 1) + (chance() < 0.5 ? 0 : chance()));
+  }
+  return films;
+}
+
+const isEqual = (a, b) => Math.abs(a - b) <= EQUAL * Math.abs(b);
+
+test("the page's bounds of 50 layouts moved by chance are the service's", { timeout: 600_000 }, async (t) => {
+  const service = await startService();
+  t.after(() => service.stop());
+  const id = await studyOn(service);
+  const load = await modulesOf(["moving/film-turn", "moving/layout-bounds", "moving/moved-films", "wheel-films"], t);
+  const [{ layoutBounds, readyFields }, edits] = [await load("layout-bounds"), await load("moved-films")];
+  const fields = await (await fetch(`${service.url}/v1/studies/${id}/layouts/fields`)).json();
+  const ready = readyFields(fields);
+  const chance = random(7);
+  const layouts = Array.from({ length: LAYOUTS }, () => ({ films: byChance(edits, fields.kinds, chance) }));
+  const send = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ layouts }) };
+  const answer = await fetch(`${service.url}/v1/studies/${id}/layouts:score`, send);
+  const scored = await answer.json();
+  assert.equal(answer.status, 200, JSON.stringify(scored));
+  let [told, largest] = [0, 0];
+  scored.layouts.forEach(({ loads }, k) => {
+    layoutBounds(ready, layouts[k].films).forEach((own, at) => {
+      const { score } = loads[at];
+      if ("blind_deg" in own) return assert.match(score.reason, new RegExp(`contact at ${own.blind_deg} degrees`));
+      told += 1;
+      const pairs = [
+        [own.bounds.worst_angle_deg, score.worst_angle_error_deg],
+        [own.bounds.rms_angle_deg, score.rms_angle_error_deg],
+        [own.bounds.worst_depth_mm, score.worst_depth_error_mm],
+      ];
+      for (const [a, b] of pairs) {
+        largest = Math.max(largest, Math.abs(a / b - 1));
+        assert.ok(isEqual(a, b), `layout ${k}, load ${at}: ${a} for ${b}`);
+      }
+    });
+  });
+  t.diagnostic(`${told} loads of ${LAYOUTS} layouts have bounds; the largest relative difference is ${largest}`);
+  assert.ok(told > LAYOUTS, "most layouts tell the contact");
+
+  const films = Array.from({ length: 24 }, (_, k) => ({ theta_deg: 15 * k + 0.5, phi_deg: 0, angle_deg: 90 }));
+  const times = Array.from({ length: 5 }, () => {
+    const begun = performance.now();
+    layoutBounds(ready, films);
+    return performance.now() - begun;
+  }).sort((a, b) => a - b);
+  t.diagnostic(`bounds of 24 films at ${fields.loads.length} loads take ${times[2].toFixed(1)} ms, median of 5`);
+  assert.ok(times[2] < 100);
+});

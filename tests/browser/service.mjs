@@ -13,22 +13,24 @@ const STOP_MS = 30_000;
 /** With further arguments of `serve`, if any. */
 export async function startService(...more) {
   const folder = mkdtempSync(join(tmpdir(), "strainsite-browser-"));
-  const child = spawn(binary, ["serve", "--addr", "127.0.0.1:0", "--db", join(folder, "studies.db"), ...more], {
-    cwd: root,
-    stdio: ["ignore", "pipe", "pipe"],
-  });
-  let log = "";
-  let printed = "";
-  child.stdout.on("data", (chunk) => (printed += chunk));
-  child.stderr.on("data", (chunk) => (log += chunk));
-  const exited = new Promise((resolve) => child.on("close", (code, signal) => resolve({ code, signal })));
-  const url = await readUrl(child, exited, () => log);
+  const begin = (address) => begun(address, join(folder, "studies.db"), more);
+  let running = await begin("127.0.0.1:0");
   return {
-    url,
-    log: () => log,
-    printed: () => printed,
+    url: running.url,
+    log: () => running.log(),
+    printed: () => running.printed(),
+    /** Ends the service as a power cut would. */
+    async kill() {
+      running.child.kill("SIGKILL");
+      await running.exited;
+    },
+    /** Begins again where it was, on the same database. */
+    async restart() {
+      running = await begin(new URL(running.url).host);
+    },
     /** Interrupts the service and gives its exit code. */
     async stop() {
+      const { child, exited } = running;
       child.kill("SIGINT");
       const timer = setTimeout(() => child.kill("SIGKILL"), STOP_MS);
       const end = await exited;
@@ -37,6 +39,16 @@ export async function startService(...more) {
       return end;
     },
   };
+}
+
+async function begun(address, database, more) {
+  const child = spawn(binary, ["serve", "--addr", address, "--db", database, ...more], { cwd: root, stdio: ["ignore", "pipe", "pipe"] });
+  const texts = { log: "", printed: "" };
+  child.stdout.on("data", (chunk) => (texts.printed += chunk));
+  child.stderr.on("data", (chunk) => (texts.log += chunk));
+  const exited = new Promise((resolve) => child.on("close", (code, signal) => resolve({ code, signal })));
+  const url = await readUrl(child, exited, () => texts.log);
+  return { child, exited, url, log: () => texts.log, printed: () => texts.printed };
 }
 
 function readUrl(child, exited, log) {

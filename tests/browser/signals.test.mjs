@@ -27,7 +27,7 @@ test("signals are drawn as curves and told in a table, on a narrow page too", { 
   const body = JSON.stringify(STUDY);
   const answer = await fetch(`${service.url}/v1/studies`, { method: "POST", headers: { "Content-Type": "application/json" }, body });
   const { id } = await answer.json();
-  await page.goto(`${service.url}/#/studies/${id}`);
+  await page.goto(`${service.url}/#/studies/${id}/layouts`);
   const panel = page.locator('section[aria-labelledby="signals-title"]');
   await panel.waitFor({ timeout: 240_000 });
   // Two directions over load, pressure and contact angle, three positions by two films in each.

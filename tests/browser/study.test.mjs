@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { openBrowser, openPage, readCanvas } from "./page.mjs";
+import { openBrowser, openPage, readCanvas, showText } from "./page.mjs";
 import { startService } from "./service.mjs";
 
 const SCREENSHOTS = fileURLToPath(new URL("screenshots/", import.meta.url));
@@ -26,6 +26,14 @@ after(async () => {
   await service?.stop();
 });
 
+/** Writes few layouts into the chosen preset, at one depth: the preset's own take four times as long as all the rest, and have a test of their own. */
+async function askForFewLayouts(page) {
+  const text = await showText(page);
+  const document = JSON.parse(await text.inputValue());
+  const layouts = { spacings_deg: [60, 90], positions: ["crown"], depths_mm: [1] };
+  await text.fill(JSON.stringify({ ...document, layouts }, null, 2));
+}
+
 /** Opens the page and chooses the first preset, the depths of 1 mm and 30 percent about it. */
 async function choosePreset(page) {
   await page.goto(service.url);
@@ -34,7 +42,7 @@ async function choosePreset(page) {
   await presets.first().waitFor();
   assert.ok((await presets.count()) >= 2, "both studies of the paper are offered");
   await page.locator('.preset input[value="foot-tire"]').check();
-  const text = await page.getByLabel("Study document (JSON)").inputValue();
+  const text = await (await showText(page)).inputValue();
   assert.equal(JSON.parse(text).inputs.length, 5);
   return text;
 }
@@ -69,8 +77,8 @@ test("a wrong document is refused with every fault at its place", async () => {
   assert.ok(selected.length > 0 && JSON.stringify(document, null, 2).includes(selected));
   await page.screenshot({ path: `${SCREENSHOTS}faults.png`, fullPage: true });
   assert.ok(requests.every((url) => new URL(url).origin === service.url), requests.join(" "));
-  // The browser itself writes the refusal to its console; nothing else may stand there.
-  const others = complaints.filter((text) => !/status of 4(00|22) .*\/v1\/studies$/.test(text));
+  // The browser itself writes refusals to its console, of the study and of what is asked while it is written; nothing else may stand there.
+  const others = complaints.filter((text) => !/status of 4(00|22) .*\/v1\/studies(:estimate|:preview)?$/.test(text));
   assert.deepEqual(others, []);
   await page.context().close();
 });
@@ -78,6 +86,7 @@ test("a wrong document is refused with every fault at its place", async () => {
 test("a study runs from the preset to the ranking and its map", { timeout: STUDY_MS + 60_000 }, async (t) => {
   const { page, requests, complaints } = await openPage(browser, { viewport: { width: 1280, height: 900 } });
   await choosePreset(page);
+  await askForFewLayouts(page);
   // Seconds at the standard level, long enough for the progress to be seen.
   for (const preset of ["reference", "standard"]) {
     await page.getByLabel("Accuracy").selectOption(preset);
@@ -87,13 +96,14 @@ test("a study runs from the preset to the ranking and its map", { timeout: STUDY
 
   await page.getByRole("button", { name: "Run study" }).click();
   await page.waitForURL(/#\/studies\//);
+  const study = page.url();
   const bar = page.getByRole("progressbar", { name: "Points solved" });
   await bar.waitFor();
   const shares = new Set();
-  const ranking = page.locator("table.ranking");
+  const answer = page.locator(".answer-sentence");
   const deadline = Date.now() + STUDY_MS;
-  while (!(await ranking.isVisible())) {
-    assert.ok(Date.now() < deadline, `no ranking after ${STUDY_MS} ms; the service says ${service.log()}`);
+  while (!(await answer.isVisible())) {
+    assert.ok(Date.now() < deadline, `no answer after ${STUDY_MS} ms; the service says ${service.log()}`);
     assert.equal(await page.locator(".badge-failed").count(), 0, await page.locator("main").innerText());
     if (await bar.isVisible()) shares.add(await bar.evaluate((element) => element.value).catch(() => 0));
     await page.waitForTimeout(20);
@@ -101,6 +111,10 @@ test("a study runs from the preset to the ranking and its map", { timeout: STUDY
   assert.ok(shares.size >= 3, `progress was seen at ${[...shares].join(", ")}`);
   t.diagnostic(`progress was seen at ${shares.size} values`);
 
+  await page.screenshot({ path: `${SCREENSHOTS}study.png`, fullPage: true });
+  await page.getByRole("link", { name: "Indices", exact: true }).click();
+  const ranking = page.locator("table.ranking");
+  await page.getByRole("checkbox", { name: /Compare with the paper/ }).check();
   const rows = await rankedRows(page);
   t.diagnostic(rows.map((row) => row.cells.join(" ")).join(" | "));
   assert.deepEqual(rows.map((row) => row.name).toSorted(), Object.keys(PAPER_X));
@@ -109,6 +123,7 @@ test("a study runs from the preset to the ranking and its map", { timeout: STUDY
   for (const row of rows) assert.ok(row.cells.includes(PAPER_X[row.name]), `${row.name}: ${row.cells.join(" ")}`);
   assert.match(rows[0].cells[3], /^\d+\.\d\d ± (\d+\.\d\d|\?)$/, "an index stands with its error");
 
+  await page.getByRole("link", { name: "Run", exact: true }).click();
   const compared = await page.locator("table.estimate").innerText();
   assert.match(compared, /Wall time.* s.*Peak memory.*[MG]B/s, "what was expected stands beside what it took");
 
@@ -126,10 +141,11 @@ test("a study runs from the preset to the ranking and its map", { timeout: STUDY
   );
   assert.ok(lengths.every((length) => length > 0), `every link gives a file: ${lengths.join(" ")}`);
 
+  await page.getByRole("link", { name: "Tire", exact: true }).click();
+  await page.locator(".map canvas").waitFor();
   const drawn = await readCanvas(page);
   // A blank canvas has one colour at most; a field of 61 by 21 cells has dozens.
   assert.ok(drawn.colours > 20, `the map shows ${drawn.colours} colours`);
-  await page.screenshot({ path: `${SCREENSHOTS}study.png`, fullPage: true });
 
   await page.locator('input[name="map-direction"][value="y"]').check({ force: true });
   await page.waitForURL(/direction=y/);
@@ -141,11 +157,16 @@ test("a study runs from the preset to the ranking and its map", { timeout: STUDY
   await page.locator(".map").focus();
   await page.keyboard.press("ArrowUp");
   await page.locator(".readout strong").waitFor();
-  assert.match(await page.locator(".readout").innerText(), /θ .*φ .*(%|µε)/s);
+  assert.match(await page.locator(".reading").innerText(), /θ .*φ .*(%|µε)/s);
 
   await page.reload();
-  await ranking.waitFor();
+  await page.locator(".map canvas").waitFor();
   assert.ok(await page.locator('input[name="map-direction"][value="y"]').isChecked(), "the address keeps the view");
+  // Links from before the sections opened one long page.
+  await page.goto(`${study}?direction=y&quantity=std`);
+  await page.locator(".map canvas").waitFor();
+  await page.goto(`${study}/indices`);
+  await ranking.waitFor();
 
   await page.setViewportSize({ width: 400, height: 800 });
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
@@ -168,6 +189,10 @@ test("a running study is cancelled from the page", { timeout: STUDY_MS }, async 
   await page.getByRole("button", { name: "Cancel study" }).click();
   await page.locator(".study-head .badge-cancelled").waitFor();
   assert.equal(await page.getByRole("button", { name: "Cancel study" }).count(), 0);
+  const again = await page.getByRole("link", { name: "Run again with changes" }).getAttribute("href");
+  assert.match(again, /^#\/\?again=[0-9a-f-]{36}$/);
+  await page.getByText("The document as the service reads it").click();
+  assert.match(await page.locator(".document-text").innerText(), /one to cancel/);
   assert.deepEqual(complaints, []);
   await page.context().close();
 });
@@ -178,6 +203,7 @@ test("a study is removed from the list, once that is confirmed", { timeout: STUD
   const entries = page.locator(".study-list li");
   await entries.first().waitFor();
   const before = await entries.count();
+  await entries.first().getByRole("button", { name: /^More for/ }).click();
   page.once("dialog", (dialog) => void dialog.dismiss());
   await entries.first().locator(".entry-remove").click();
   await page.waitForTimeout(200);
@@ -198,9 +224,10 @@ test("a browser is let in by the printed address, once, and follows a study by i
   await page.goto(link);
   assert.equal(page.url(), `${locked.url}/`, "the address that worked once is left behind");
   await page.locator('.preset input[value="foot-tire"]').check();
+  await askForFewLayouts(page);
   await page.getByLabel("Accuracy").selectOption("draft");
   await page.getByRole("button", { name: "Run study" }).click();
-  await page.locator("table.ranking").waitFor({ timeout: STUDY_MS });
+  await page.locator(".answer-sentence").waitFor({ timeout: STUDY_MS });
   assert.deepEqual(complaints, []);
   await page.context().close();
 

@@ -3,6 +3,7 @@
 Usage: check.py URL PROGRAM FOLDER
 """
 
+import gzip
 import json
 import math
 import subprocess
@@ -69,6 +70,12 @@ class Service:
         except urllib.error.HTTPError as error:
             raise Refused(error.code, json.loads(error.read())) from error
 
+    def packed(self, path):
+        """Headers and body of an answer to a client that takes gzip."""
+        request = urllib.request.Request(self.url + path, headers={"Accept-Encoding": "gzip"})
+        with urllib.request.urlopen(request, timeout=60) as answer:
+            return answer.headers, answer.read()
+
     def run(self, document):
         """Submits a study, waits until it is done and returns its identifier."""
         ident = json.loads(self.ask("/v1/studies", document)[1])["id"]
@@ -133,6 +140,8 @@ def rows_of(table, result, evaluations):
         for layout in result["layouts"]:
             score = layout["score"]
             error = score.get("error") or {}
+            shear = score.get("shear") or {}
+            forces = shear.get("worst_force_error_n") or [None] * 3
             yield {
                 **{name: layout[name] for name in ["rank", "spacing_deg", "units", "position"]},
                 "films": "+".join(layout["films"]), "weakest_signal_strain": score["weakest_signal"],
@@ -143,10 +152,13 @@ def rows_of(table, result, evaluations):
                 **{name: score.get(name) for name in SIMULATED},
                 "simulated_p95_error_deg": error.get("simulated_p95_angle_error_deg"), "alike_sigmas": (score.get("alike") or {}).get("sigmas"),
                 "worst_angle_mesh_error_deg": error.get("worst_angle_error_deg"), "doubt": layout.get("doubt"),
+                "shear_angle_error_deg": shear.get("worst_angle_error_deg"),
+                **{f"shear_force_{axis}_error_n": force for axis, force in zip("xyz", forces, strict=True)},
+                "shear_reason": shear.get("reason"),
             }
     elif table == "candidates":
         for film in result["layout_findings"]["candidates"]:
-            yield {"angle_information_error": None, **film}
+            yield {"angle_information_error": None, "length_mm": None, "width_mm": None, **film}
     elif table == "signals":
         for row in result["signals"]["rows"]:
             error = row["error"] or {}
@@ -204,7 +216,7 @@ def check_table(table, fetch, by_hand, path, expected, origin):
     return 2 * len(expected) * len(parquet.column_names)
 
 
-def check_tables(service, ident, program, folder):
+def check_tables(service, ident, program, folder, tables=TABLES):
     """The tables of a study against the REST documents; returns the number of values."""
     result = service.part(ident, "result")
     evaluations = service.part(ident, "evaluations")["evaluations"]
@@ -213,7 +225,7 @@ def check_tables(service, ident, program, folder):
     }
     values = 0
     by_hand = [program, "export", ident, "--db", folder / "studies.db"]
-    for table in TABLES:
+    for table in tables:
         expected = [{**row, **origin} for row in rows_of(table, result, evaluations)]
         if table == "candidates" and not expected:
             # A tire that feels nothing has no layouts to score.
@@ -223,6 +235,30 @@ def check_tables(service, ident, program, folder):
         values += check_table(table, fetch, by_hand, folder / f"{ident}-{table}", expected, origin)
     assert json.loads(service.export(ident, "application/json", format="json")) == result
     return values
+
+
+def check_packed(service, ident):
+    """What a client gets that takes gzip; a tag of it is known again. Events aren't packed."""
+    path = f"/v1/studies/{ident}"
+    for part in ("result", "evaluations", "export?format=csv", "export?format=parquet"):
+        headers, whole = service.ask(f"{path}/{part}")
+        packed_headers, packed = service.packed(f"{path}/{part}")
+        assert headers["Content-Encoding"] is None and packed_headers["Content-Encoding"] == "gzip", part
+        assert "accept-encoding" in packed_headers["Vary"].lower(), part
+        assert gzip.decompress(packed) == whole, part
+        if part == "result":
+            # Its numbers are printed to the last digit: text of them packs to two fifths at worst.
+            assert len(packed) < 0.4 * len(whole), (len(packed), len(whole))
+            tag = packed_headers["ETag"]
+            assert tag.startswith("W/") and tag[2:] == headers["ETag"], tag
+            again = urllib.request.Request(service.url + f"{path}/{part}", headers={"If-None-Match": tag, "Accept-Encoding": "gzip"})
+            try:
+                urllib.request.urlopen(again, timeout=60)
+                raise AssertionError("a known tag should need no body")
+            except urllib.error.HTTPError as unchanged:
+                assert unchanged.code == 304, unchanged.code
+    headers, _ = service.packed(f"{path}/events")
+    assert headers["Content-Encoding"] is None and headers["Content-Type"].startswith("text/event-stream"), headers
 
 
 def settings_of(comparison):
@@ -436,8 +472,14 @@ def main():
         # A tire without cords bursts at this pressure: its row has a reason.
         signals={**SIGNALS, "films": ["bare"], "tires": [{"name": "weak, \"µ\"", "scene": {}}]},
     ))
-    without = service.run(study("no map", accuracy={"preset": "draft"}, candidates={"points": "P1-P5"}))
+    without = service.run(study(
+        "no map", accuracy={"preset": "draft"}, candidates={"points": "P1-P5"},
+        scene={"preset": "foot-tire", "contact": {"friction": 0.5}},
+        layouts={**LAYOUTS, "spacings_deg": [15, 60], "positions": ["crown", "shoulder"], "shear": True},
+    ))
+    check_packed(service, with_map)
     values = sum(check_tables(service, ident, program, folder) for ident in (with_map, idle))
+    values += check_tables(service, without, program, folder, ["layouts"])
     print(f"tables: {values} values by pandas and pyarrow, as in the REST result")
     print(f"comparison: {check_comparison(service, program, folder)} values by pandas and pyarrow")
     for ident in (with_map, idle):

@@ -1,9 +1,10 @@
 /** The only file that talks to the network. */
 
-import type { Page } from "./lib/pages.ts";
+import type { Page } from "./lib/shell/pages.ts";
+import type { Description } from "./lib/reference/description.ts";
 import { EVENT_KINDS, type StudyEvent } from "./lib/study/stream-events.ts";
 import type {
-  Comparison, Presets, ProblemDocument, StudyDetail, StudyPage, StudyResult, StudySummary, SweepDetail, SweepEstimate, SweepPage, SweepSummary, Trade,
+  Comparison, EntryChange, Estimate, FilmFields, FilmPlace, Presets, Preview, ProblemDocument, ScoredLayouts, Sections, StudyDetail, StudyPage, StudyResult, StudySummary, SweepDetail, SweepEstimate, SweepPage, SweepSummary, Trade,
 } from "./wire.ts";
 
 const ROOT = "/v1";
@@ -38,13 +39,26 @@ export interface StreamListener {
   lost(): void;
 }
 
+/** The service's description of itself. */
+export function description(): Promise<Description> {
+  return asked("GET", "/openapi.json");
+}
+
 export function presets(): Promise<Presets> {
   return request("GET", "/presets");
 }
 
+/** What is looked for in the lists. */
+export interface Wanted {
+  /** A part of the name, or the beginning of the identifier; all when empty. */
+  search: string;
+  /** Archived ones alone; others alone otherwise. */
+  archived: boolean;
+}
+
 /** Studies by themselves: the designs of a sweep are on its own page. */
-export async function studies(cursor: string | null): Promise<Page<StudySummary>> {
-  const page = await request<StudyPage>("GET", `/studies?sweep=none${further(cursor)}`);
+export async function studies(wanted: Wanted, cursor: string | null): Promise<Page<StudySummary>> {
+  const page = await request<StudyPage>("GET", `/studies?sweep=none${listed(wanted, cursor)}`);
   return { entries: page.studies, next_cursor: page.next_cursor ?? null };
 }
 
@@ -52,17 +66,48 @@ export function study(id: string): Promise<StudyDetail> {
   return request("GET", path(id));
 }
 
-export function result(id: string): Promise<StudyResult> {
-  return request("GET", path(id, "/result"));
+/** The result with its map, which is most of the document. A service that doesn't know the question always sends it. */
+export function result(id: string, map: boolean): Promise<StudyResult> {
+  return request("GET", path(id, map ? "/result" : "/result?map=false"));
 }
 
 export function trade(id: string): Promise<Trade> {
   return request("GET", path(id, "/trade"));
 }
 
+/** Both skins of the whole wheel, as `readSurface` reads them. */
+export async function surface(id: string): Promise<ArrayBuffer> {
+  return (await answer("GET", `${ROOT}${path(id, "/surface")}`)).arrayBuffer();
+}
+
+/** Strain and shape over the map at the solved values of an input. */
+export function sections(id: string, input: string): Promise<Sections> {
+  return request("GET", path(id, `/sections?input=${encodeURIComponent(input)}`));
+}
+
+/** What every kind of film reads around the wheel, as exactly as the service scores layouts by it. */
+export function filmFields(id: string): Promise<FilmFields> {
+  return request("GET", path(id, "/layouts/fields"));
+}
+
+/** The service's scores of a layout, simulated errors with them. */
+export function scoreLayout(id: string, films: readonly FilmPlace[]): Promise<ScoredLayouts> {
+  return request("POST", path(id, "/layouts:score"), { layouts: [{ films }], simulated: true });
+}
+
 /** Submits a document; the same key finds the same study again, so that a lost answer can be asked for twice. */
 export function submit(document: unknown, idempotencyKey: string): Promise<{ id: string }> {
   return request("POST", "/studies", document, { "Idempotency-Key": idempotencyKey });
+}
+
+/** Checks a document, and asks what its study would take. */
+export function estimate(document: unknown, signal: AbortSignal): Promise<Estimate> {
+  return request("POST", "/studies:estimate", document, {}, signal);
+}
+
+/** Solves a document on the draft mesh at once; nothing of it is stored. */
+export function preview(document: unknown): Promise<Preview> {
+  return request("POST", "/studies:preview", document);
 }
 
 export function cancel(id: string): Promise<unknown> {
@@ -74,8 +119,18 @@ export function removeStudy(id: string): Promise<unknown> {
   return request("DELETE", path(id, "?purge"));
 }
 
-export async function sweeps(cursor: string | null): Promise<Page<SweepSummary>> {
-  const page = await request<SweepPage>("GET", `/sweeps?limit=${SWEEPS_OF_A_PAGE}${further(cursor)}`);
+/** Renames or archives a study: what lists say of it alone. */
+export function changeStudy(id: string, change: EntryChange): Promise<StudySummary> {
+  return request("PATCH", path(id), change);
+}
+
+/** The same of a sweep. */
+export function changeSweep(id: string, change: EntryChange): Promise<SweepSummary> {
+  return request("PATCH", sweepPath(id), change);
+}
+
+export async function sweeps(wanted: Wanted, cursor: string | null): Promise<Page<SweepSummary>> {
+  const page = await request<SweepPage>("GET", `/sweeps?limit=${SWEEPS_OF_A_PAGE}${listed(wanted, cursor)}`);
   return { entries: page.sweeps, next_cursor: page.next_cursor ?? null };
 }
 
@@ -99,6 +154,13 @@ export function resumeSweep(id: string): Promise<SweepDetail> {
 /** The designs of a sweep beside the one of this study, or beside the first that has a result. */
 export function comparison(sweep: string, baseline: string | null): Promise<Comparison> {
   return request("GET", comparisonPath(sweep, baseline));
+}
+
+/** Studies beside the first that has a result, or beside the baseline. */
+export function studyComparison(studies: readonly string[], baseline: string | null): Promise<Comparison> {
+  const values = new URLSearchParams({ studies: studies.join(",") });
+  if (baseline !== null) values.set("baseline", baseline);
+  return request("GET", `/comparison?${values.toString()}`);
 }
 
 export function estimateSweep(document: unknown): Promise<SweepEstimate> {
@@ -144,8 +206,13 @@ export function follow(id: string, listener: StreamListener): () => void {
   return () => source.close();
 }
 
-function further(cursor: string | null): string {
-  return cursor === null ? "" : `&cursor=${encodeURIComponent(cursor)}`;
+/** The rest of a list's query. */
+function listed({ search, archived }: Wanted, cursor: string | null): string {
+  const values = new URLSearchParams();
+  if (search !== "") values.set("search", search);
+  if (archived) values.set("archived", "true");
+  if (cursor !== null) values.set("cursor", cursor);
+  return values.size === 0 ? "" : `&${values.toString()}`;
 }
 
 function path(id: string, rest = ""): string {
@@ -162,25 +229,35 @@ function comparisonPath(sweep: string, baseline: string | null): string {
   return `/comparison?${values.toString()}`;
 }
 
-async function request<T>(method: string, where: string, body?: unknown, headers: HeadersInit = {}): Promise<T> {
-  const options: RequestInit = { method, headers: { Accept: "application/json", ...headers } };
-  if (body !== undefined) {
-    options.body = JSON.stringify(body);
-    options.headers = { ...options.headers, "Content-Type": "application/json" };
-  }
-  let response: Response;
-  try {
-    response = await fetch(`${ROOT}${where}`, options);
-  } catch {
-    throw new ApiError({ title: "The service doesn't answer. Is strainsite still running?", status: 0 });
-  }
-  if (!response.ok) throw new ApiError(await problemIn(response));
+function request<T>(method: string, where: string, body?: unknown, headers: HeadersInit = {}, signal: AbortSignal | null = null): Promise<T> {
+  return asked(method, `${ROOT}${where}`, body, headers, signal);
+}
+
+async function asked<T>(method: string, where: string, body?: unknown, headers: HeadersInit = {}, signal: AbortSignal | null = null): Promise<T> {
+  const response = await answer(method, where, body, headers, signal);
   const text = await response.text();
   try {
     return (text === "" ? null : JSON.parse(text)) as T;
   } catch {
     throw new ApiError({ title: "The service's answer is not JSON.", status: response.status });
   }
+}
+
+/** What the service answers, unless it refuses. */
+async function answer(method: string, where: string, body?: unknown, headers: HeadersInit = {}, signal: AbortSignal | null = null): Promise<Response> {
+  const options: RequestInit = { method, signal, headers: { Accept: "application/json", ...headers } };
+  if (body !== undefined) {
+    options.body = JSON.stringify(body);
+    options.headers = { ...options.headers, "Content-Type": "application/json" };
+  }
+  let response: Response;
+  try {
+    response = await fetch(where, options);
+  } catch {
+    throw new ApiError({ title: "The service doesn't answer. Is strainsite still running?", status: 0 });
+  }
+  if (!response.ok) throw new ApiError(await problemIn(response));
+  return response;
 }
 
 async function problemIn(response: Response): Promise<Problem> {

@@ -1,10 +1,12 @@
 import { render } from "preact";
 import { createActions } from "./state/actions.ts";
 import { initialState } from "./state/app-state.ts";
+import { startTheme } from "./state/preferences.ts";
 import { createStore } from "./state/store.ts";
 import "./style/all.css";
 import { App } from "./views/app.tsx";
 
+startTheme();
 const root = document.getElementById("app");
 if (root !== null) {
   const store = createStore(initialState(location.hash, Date.now()));

@@ -42,7 +42,20 @@ export interface components {
              */
             sigmas: number;
         };
-        /** @description A kind of film: where in the section, along which direction. */
+        /** @description Where the films go, how sure that is, and what could overturn it. */
+        Answer: {
+            /** @description The answer: the best layout and what it knows, or the best place where no layouts are asked for. */
+            sentence: string;
+            /** @description The weaker of the verdicts on place and layout. */
+            verdict: components["schemas"]["Certainty"];
+            /** @description Why it isn't surer, or why it is certain, with the figures that decide; whole sentences. */
+            reason: string;
+            place?: components["schemas"]["PlaceAnswer"] | null;
+            layout?: components["schemas"]["LayoutAnswer"] | null;
+            left_out?: components["schemas"]["LeftOut"] | null;
+            surer?: components["schemas"]["Surer"] | null;
+        };
+        /** @description A kind of film: where in the section, along which direction, how large. */
         CandidateFilm: {
             /**
              * Format: double
@@ -51,6 +64,16 @@ export interface components {
             section_deg: number;
             /** @description Direction of its length. */
             direction: string;
+            /**
+             * Format: double
+             * @description Its length, mm; null of a point.
+             */
+            length_mm?: number | null;
+            /**
+             * Format: double
+             * @description Its width, mm; null of a point.
+             */
+            width_mm?: number | null;
             /**
              * Format: double
              * @description Largest signal around the wheel, over all loads.
@@ -100,6 +123,11 @@ export interface components {
             /** @description `circumferential` and `meridional` numbers of points of the dense map, and `half_width_deg`. */
             grid: Record<string, unknown>;
         };
+        /**
+         * @description How sure a first rank is, by what the order goes by; surest first. Mirror images tie by symmetry: that isn't uncertainty.
+         * @enum {string}
+         */
+        Certainty: "certain" | "likely" | "tied" | "unknown";
         /** @description One modelling choice with its reason. */
         Choice: {
             /** @description The part. */
@@ -383,6 +411,13 @@ export interface components {
             /** @description The study that answers for it. */
             study: components["schemas"]["StudySummary"];
         };
+        /** @description What lists say of a study or a sweep: `name`, `archived` or both. What is left out stays as it is. */
+        EntryChange: {
+            /** @description Another name. The document, its hash and the result keep the one that was submitted. */
+            name?: string;
+            /** @description Whether lists leave it out. */
+            archived?: boolean;
+        };
         /** @description What a study is expected to cost, and to be worth. */
         Estimate: {
             /** @description Equilibria to solve. */
@@ -457,6 +492,16 @@ export interface components {
             /** @description Why there are no figures. */
             reason?: string | null;
         };
+        /** @description A node without an equilibrium. */
+        FailedNode: {
+            /**
+             * Format: double
+             * @description Value of the input.
+             */
+            value: number;
+            /** @description Why, a sentence. */
+            reason: string;
+        };
         /** @description A point without a response. */
         FailedPoint: {
             /** @description Ordinal in the plan. */
@@ -484,16 +529,82 @@ export interface components {
             /** @description Points off the lines, at the start where the method adds some. */
             check_points: number;
         };
+        /** @description What films read at one load. */
+        FieldLoad: {
+            /**
+             * Format: double
+             * @description How far the ground stands above the inflated outer radius, mm.
+             */
+            depth_mm: number;
+            /**
+             * Format: double
+             * @description Vertical force, N.
+             */
+            load_n?: number | null;
+            /**
+             * Format: double
+             * @description Its derivative by the depth, N/mm.
+             */
+            force_slope_n_per_mm: number;
+            /** @description Signal of each kind: a sample for each degree from the contact to the film, from -180 on. */
+            signals: number[][];
+            /** @description Its derivative by the depth, per mm: as many samples. */
+            slopes_per_mm: number[][];
+        };
         /**
          * @description How a file is written.
          * @enum {string}
          */
-        FileFormat: "csv" | "json" | "parquet" | "vtu";
+        FileFormat: "csv" | "json" | "parquet" | "vtu" | "glb";
+        /** @description Signals of every kind of film at every load of a study's layouts. */
+        FilmFields: {
+            /** @description What signals are in: `strain`, or `V` of glued films. */
+            unit: string;
+            /** @description Length and width of every film, mm; null: points. */
+            size_mm?: number[] | null;
+            /** @description Errors of a reading. */
+            noise: components["schemas"]["FilmNoise"];
+            /** @description Kinds of film; the lists of a load are in their order. */
+            kinds: components["schemas"]["FilmKindPlace"][];
+            /** @description Loads that were reached. */
+            loads: components["schemas"]["FieldLoad"][];
+        };
+        /** @description Where in the section a film lies, and how it is turned. */
+        FilmKindPlace: {
+            /**
+             * Format: double
+             * @description Section angle from the crown, degrees.
+             */
+            phi_deg: number;
+            /**
+             * Format: double
+             * @description Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.
+             */
+            angle_deg: number;
+        };
         /**
          * @description How a film is modelled.
          * @enum {string}
          */
         FilmModel: "bare" | "transfer" | "coupled";
+        /** @description Errors of a film's reading: the variance of one of signal h is floor² + (gain h)² + (place dh/du)². */
+        FilmNoise: {
+            /**
+             * Format: double
+             * @description Standard deviation whatever the signal, in its unit.
+             */
+            floor: number;
+            /**
+             * Format: double
+             * @description Standard deviation of the gain, relative.
+             */
+            gain_std: number;
+            /**
+             * Format: double
+             * @description Standard deviation of the film's place around the wheel, degrees.
+             */
+            place_std_deg: number;
+        };
         /** @description The difference of two films at the crown, 30 degrees before and behind a point of the wheel, as the contact moves away from that point. */
         FilmPair: {
             /** @description Name of the tire. */
@@ -595,6 +706,52 @@ export interface components {
             name: string;
             /** @description As a study's scene. */
             scene: Record<string, unknown>;
+        };
+        /**
+         * @description What a note does to the answer; gravest first.
+         * @enum {string}
+         */
+        Grade: "changes-answer" | "bears-on-figure" | "for-the-record";
+        /** @description A note with its grade. */
+        GradedNote: {
+            /** @description What it does to the answer. */
+            grade: components["schemas"]["Grade"];
+            /** @description What it is about. */
+            about: components["schemas"]["Topic"];
+            /** @description Whole sentences. */
+            text: string;
+        };
+        /** @description A film of a layout; an angle that is left out is 0. */
+        HandFilm: {
+            /**
+             * Format: double
+             * @description Wheel angle, degrees.
+             */
+            theta_deg?: number;
+            /**
+             * Format: double
+             * @description Section angle from the crown, degrees: one of the study's kinds.
+             */
+            phi_deg?: number;
+            /**
+             * Format: double
+             * @description Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.
+             */
+            angle_deg?: number;
+        };
+        /** @description A layout film by film. */
+        HandLayout: {
+            /** @description Its name, of at most 60 characters; its number when left out. */
+            name?: string | null;
+            /** @description Its films, each at a place of its own. */
+            films: components["schemas"]["HandFilm"][];
+        };
+        /** @description Layouts to be scored. */
+        HandLayoutsDocument: {
+            /** @description The layouts. */
+            layouts: components["schemas"]["HandLayout"][];
+            /** @description Whether errors are simulated beside the bounds, of 4 layouts at most; false when left out. */
+            simulated?: boolean;
         };
         /** @description The service answers. */
         Health: {
@@ -700,6 +857,33 @@ export interface components {
              */
             of_60_deg?: number | null;
         };
+        /** @description The layout that ranks first. */
+        LayoutAnswer: {
+            /** @description Its rank in `layouts`. */
+            rank: number;
+            /** @description What it is, as in `12 units of x and y at the crown, every 30 degrees`. */
+            words: string;
+            /** @description Its units; of a layout without units its films. */
+            units: number;
+            /** @description All its films. */
+            film_count: number;
+            /**
+             * Format: double
+             * @description 95 of 100 simulated contacts are estimated better than this at the worst load, degrees.
+             */
+            angle_error_deg: number;
+            /**
+             * Format: double
+             * @description Claimed error of that, degrees; null where there is no coarser mesh.
+             */
+            error_deg?: number | null;
+            /** @description Ranks of layouts that the errors can't tell from it. */
+            tied_with: number[];
+            /** @description How sure the first rank is, by what layouts are ranked by: that error times the root of the number of films. */
+            verdict: components["schemas"]["Certainty"];
+            /** @description Why, with the figures that decide; where forces along and across are unknown, too, also what tells them from the angle. */
+            reason: string;
+        };
         /** @description Claimed errors of a layout's scores, each in the unit of its score. */
         LayoutError: {
             /**
@@ -732,6 +916,10 @@ export interface components {
         LayoutFindings: {
             /** @description Mesh level of the fields, which is fine to 60 degrees from the contact. */
             level: string;
+            /** @description Unit of films' signals: `strain`, or `V` of glued ones. Noise, weakest signals, candidates' signals and rings are in it. */
+            unit?: string;
+            /** @description Length and width of the layouts' films, mm; absent of points. */
+            size_mm?: number[] | null;
             /** @description Coarser level that shows their errors. */
             coarser_level?: string | null;
             /** @description The loads at which layouts are scored. */
@@ -749,7 +937,7 @@ export interface components {
             candidates: components["schemas"]["CandidateFilm"][];
             /** @description Kendall's tau between each two of these criteria. */
             agreement: components["schemas"]["OrderAgreement"][];
-            /** @description Strains around the wheel. */
+            /** @description Films' signals around the wheel. */
             rings: components["schemas"]["StrainRing"][];
             /** @description Why something is missing, whole sentences. */
             reasons?: string[];
@@ -771,6 +959,7 @@ export interface components {
              * @description Derivative of the force by the depth, N/mm.
              */
             force_slope_n_per_mm?: number | null;
+            shear?: components["schemas"]["LoadShear"] | null;
             /** @description From how many units on each section angle and set of films is dense enough. */
             knees: components["schemas"]["Knee"][];
             /** @description Why there are no scores. */
@@ -780,7 +969,7 @@ export interface components {
         LayoutScore: {
             /**
              * Format: double
-             * @description Strain of the film that sees most, at the contact angle where that is least.
+             * @description Signal of the film that sees most, strain or volts of a glued one, at the contact angle where that is least.
              */
             weakest_signal?: number | null;
             /**
@@ -840,6 +1029,7 @@ export interface components {
             force_error_n?: number | null;
             alike?: components["schemas"]["AlikeContacts"] | null;
             dead?: components["schemas"]["DeadFilm"] | null;
+            shear?: components["schemas"]["ShearScore"] | null;
             /**
              * Format: double
              * @description Noise of each film assumed for the bounds, in the unit of the signal: strain, or volts of glued films.
@@ -857,11 +1047,13 @@ export interface components {
             places: number;
             /** @description `exhaustive`, or `greedy and exchange`. */
             method: string;
-            /** @description Layouts whose bound was computed. */
+            /** @description What it went by: `bound`, or `interval errors`, which count contacts that are mistaken for others, too. */
+            criterion?: string;
+            /** @description Layouts whose criterion was computed. */
             looked_at: number;
             /**
              * Format: double
-             * @description The best bound of the angle with a flat prior, root mean square over angles and loads, degrees.
+             * @description Bound of the angle with a flat prior of the best one, root mean square over angles and loads, degrees.
              */
             bayes_angle_error_deg: number;
             /** @description Its films. */
@@ -889,20 +1081,31 @@ export interface components {
             staggered?: boolean;
             /** @description Layouts film by film: `name`, and `films` with `theta_deg`, `phi_deg` and `angle_deg`. */
             free: Record<string, unknown>[];
+            /** @description How films are modelled: `bare` when left out, or `transfer`: glued on with their stiffness, by the transfer of two coupled solves, and read in volts. */
+            film?: string;
+            /** @description Length and width of all films, mm; points when left out, the glued film's with `transfer`. */
+            size_mm?: number[];
+            /** @description Further lengths and widths that the candidates have, mm. */
+            candidate_sizes_mm?: number[][];
             /** @description Depths at which layouts are scored, mm; the mean one when left out. */
             depths_mm?: number[];
             /** @description Forces in their place, N. */
             loads_n?: number[];
             /**
              * Format: double
-             * @description Noise of a film over the crown's largest strain; 0.02 when left out.
+             * @description Noise of a film over the crown's largest signal; 0.02 when left out.
              */
             noise_share?: number;
             /**
              * Format: double
-             * @description Noise of a film, strain.
+             * @description Noise of a bare film, strain.
              */
             noise_strain?: number;
+            /**
+             * Format: double
+             * @description Noise of a glued film, V.
+             */
+            noise_v?: number;
             /**
              * Format: double
              * @description Standard deviation of a film's gain, relative.
@@ -915,10 +1118,26 @@ export interface components {
             place_std_deg?: number;
             /** @description Whether every layout is also scored without the film whose loss costs most. */
             dead?: boolean;
+            /** @description Whether forces along the wheel and across it are unknown, too: takes ground with friction, and a solve of the whole tire for every load and mesh. */
+            shear?: boolean;
             /** @description Mesh level of the layouts' own solves; the study's, the standard at most, when left out. */
             level?: string;
             /** @description Layouts to search for: numbers of `films` among `slots`, `section_deg` and `directions`. */
             search: Record<string, unknown>;
+        };
+        /** @description What the model leaves out. */
+        LeftOut: {
+            /** @description As in `model.left_out`. */
+            what: string;
+            /** @description As in `model.left_out`. */
+            why: string;
+            /**
+             * Format: double
+             * @description Largest change of a strain at P1, P2, ... over the largest strain of its direction.
+             */
+            effect: number;
+            /** @description What it would do, in a sentence. */
+            sentence: string;
         };
         /** @description A layout's scores at one load. */
         LoadScore: {
@@ -934,6 +1153,16 @@ export interface components {
             load_n?: number | null;
             /** @description The scores. */
             score: components["schemas"]["LayoutScore"];
+        };
+        /** @description What dragging the ground a little shows at a load. */
+        LoadShear: {
+            /** @description Forces along the wheel and across it by the shifts that way, N/mm. */
+            slopes_n_per_mm: number[];
+            /**
+             * Format: double
+             * @description Force from which the ground slides: the coefficient of friction times the load, N.
+             */
+            sliding_n: number;
         };
         /** @description Estimated discretisation errors at a location, absolute: see [`crate::gauge::GaugeError`]. */
         LocationError: {
@@ -1006,6 +1235,8 @@ export interface components {
              *     versions.
              */
             first_order_error?: (number | null)[][];
+            /** @description Total index per input, in the order of the inputs, each rows x columns: without errors of their own. Empty in documents of earlier versions. */
+            total?: (number | null)[][];
             /** @description `ok`, `constant`, `product-form-broken` or `unusable`, rows x columns. */
             status: string[];
         };
@@ -1028,6 +1259,8 @@ export interface components {
             phi_deg: number[];
             /** @description First-order index of the input. */
             first_order?: (number | null)[] | null;
+            /** @description Total index of the input, without an error of its own; null unless it is asked for (`index=total`), and of results of earlier versions. */
+            total?: (number | null)[] | null;
             /** @description Standard deviation of the strain. */
             std: (number | null)[];
             /** @description Strain at the means. */
@@ -1132,6 +1365,29 @@ export interface components {
             coarser?: components["schemas"]["CoarserIndices"] | null;
             misses?: components["schemas"]["FormMisses"] | null;
         };
+        /** @description The location that ranks first. */
+        PlaceAnswer: {
+            /** @description All that share the first rank or, where the verdict is tied, can't be told from the first. */
+            names: string[];
+            /** @description Direction of the strain, of those asked for, whose index is larger there. */
+            direction: string;
+            /**
+             * Format: double
+             * @description First-order index of the location's own depth for that strain at the contact centre, 0 to 1.
+             */
+            index: number;
+            /**
+             * Format: double
+             * @description Its claimed error; null where it isn't known.
+             */
+            error?: number | null;
+            /** @description How sure the first rank is, by what locations are ranked by. */
+            verdict: components["schemas"]["Certainty"];
+            /** @description Why, with the figures that decide. */
+            reason: string;
+            /** @description The place in a sentence. */
+            sentence: string;
+        };
         /** @description A document to start from. */
         Preset: {
             /** @description What `scene = { preset = ... }` calls it. */
@@ -1149,6 +1405,31 @@ export interface components {
             studies: components["schemas"]["Preset"][];
             /** @description Scenes alone. */
             scenes: components["schemas"]["Preset"][];
+        };
+        /** @description A study's places on the draft mesh. It claims nothing: no error is known. */
+        Preview: {
+            /** @description `none`. */
+            claim: string;
+            /** @description Mesh level: `draft`. */
+            level: string;
+            /**
+             * Format: double
+             * @description Time from the request to the answer, s.
+             */
+            wall_s: number;
+            /** @description Points that were solved. */
+            solves: number;
+            /** @description What the study would have beside, whole sentences. */
+            left_out: string[];
+            /** @description What varied. */
+            inputs: components["schemas"]["InputReport"][];
+            /** @description Ranked locations. */
+            locations: components["schemas"]["RankedLocation"][];
+            /** @description The response at the means. */
+            cut_point: components["schemas"]["CutPoint"];
+            map?: components["schemas"]["IndexMap"] | null;
+            /** @description What the user must know before believing the numbers, whole sentences. */
+            notes: string[];
         };
         /** @description What a client is told when a request can't be answered: RFC 9457. */
         ProblemDocument: {
@@ -1285,6 +1566,26 @@ export interface components {
             /** @description `ready` */
             status: string;
         };
+        /** @description A load of layouts. */
+        RingLoad: {
+            /**
+             * Format: double
+             * @description How far the ground stands above the inflated outer radius, mm.
+             */
+            depth_mm: number;
+            /**
+             * Format: double
+             * @description Vertical force, N; null where it isn't known.
+             */
+            load_n?: number | null;
+        };
+        /** @description What is known around the whole wheel. */
+        Rings: {
+            /** @description What the lists named `strain` and, by the depth, `slope` are in: `strain`, or `V` where layouts are of glued films. */
+            unit: string;
+            /** @description A ring for each section angle that layouts have; none where the study asks for no layouts. */
+            rings: components["schemas"]["WheelRing"][];
+        };
         /** @description One way to answer the study, and what it gave. */
         Rung: {
             /** @description In a few words. */
@@ -1324,6 +1625,80 @@ export interface components {
             pareto: boolean;
             /** @description Indices of the locations, in the order of their names. */
             indices: components["schemas"]["Index"][];
+        };
+        /** @description Layouts with their scores. */
+        ScoredLayouts: {
+            /** @description In the order of the request. */
+            layouts: components["schemas"]["RankedLayout"][];
+        };
+        /** @description One solved node. */
+        SectionNode: {
+            /**
+             * Format: double
+             * @description Value of the input.
+             */
+            value: number;
+            /** @description Place among the study's points. */
+            ordinal: number;
+            /** @description Whether it is the cut point, where the input is at its mean, too. */
+            cut_point: boolean;
+            /**
+             * Format: double
+             * @description Vertical force, N.
+             */
+            reaction_n: number;
+            /** @description Circumferential strain, rows x columns. */
+            strain_x: number[];
+            /** @description Meridional strain, rows x columns. */
+            strain_y: number[];
+            /**
+             * @description From `inflated_mm` to the node's equilibrium, mm, rows x columns: also where the input changes the inflated state. Null where the study was solved by a version
+             *     that didn't keep it.
+             */
+            displacement_mm?: number[][] | null;
+        };
+        /** @description Strains and displacements over the map along the line of one input; all others are at their means. */
+        Sections: {
+            /** @description Name of the input. */
+            input: string;
+            /** @description Path of the scene's field. */
+            vary: string;
+            /** @description Angles of the columns from the contact centre, degrees. */
+            theta_deg: number[];
+            /** @description Angles of the rows from the crown, degrees. */
+            phi_deg: number[];
+            /** @description Where the map's points lie in the inflated state at the means, mm, rows x columns; null where the study was solved by a version that didn't keep it. */
+            inflated_mm?: number[][] | null;
+            /** @description The solved nodes, by value. A design of scattered points has the means alone. */
+            nodes: components["schemas"]["SectionNode"][];
+            /** @description Nodes that have no equilibrium, by value. */
+            failed: components["schemas"]["FailedNode"][];
+        };
+        /** @description Claimed errors of bounds with four unknowns, each in the unit of its bound. */
+        ShearError: {
+            /**
+             * Format: double
+             * @description Of the bound of the angle, degrees.
+             */
+            worst_angle_error_deg?: number | null;
+            /** @description Of the bounds of the forces, N. */
+            worst_force_error_n?: (number | null)[] | null;
+        };
+        /**
+         * @description Cramer-Rao bounds with four unknowns: contact angle, depth, and the ground's shifts along the wheel and across it, about a contact that isn't dragged. A
+         *     shift across that no film feels doesn't enter.
+         */
+        ShearScore: {
+            /**
+             * Format: double
+             * @description Of the contact angle, worst angle, degrees.
+             */
+            worst_angle_error_deg?: number | null;
+            /** @description Of the ground's forces on the tire along the wheel, across it (null where no film feels it) and up, worst angle, N. */
+            worst_force_error_n?: (number | null)[] | null;
+            error?: components["schemas"]["ShearError"] | null;
+            /** @description What can't be told. */
+            reason?: string | null;
         };
         /**
          * @description What changes along a curve.
@@ -1511,7 +1886,7 @@ export interface components {
          * @enum {string}
          */
         State: "queued" | "running" | "done" | "failed" | "cancelled";
-        /** @description Strains around the wheel at one load, of one kind of film. */
+        /** @description Signals around the wheel at one load, of one kind of film: strains, or volts of glued films. */
         StrainRing: {
             /**
              * Format: double
@@ -1531,7 +1906,7 @@ export interface components {
             by_depth: number[];
             /**
              * Format: double
-             * @description Largest error of the strain by the coarser mesh.
+             * @description Largest error of the signal by the coarser mesh.
              */
             strain_error?: number | null;
             /**
@@ -1695,6 +2070,7 @@ export interface components {
         StudyResult: {
             /** @description Which study. */
             study: components["schemas"]["StudyIdentity"];
+            answer?: components["schemas"]["Answer"] | null;
             /** @description What was modelled. */
             model: components["schemas"]["ModelSummary"];
             /** @description What varied. */
@@ -1708,8 +2084,10 @@ export interface components {
             layout_findings?: components["schemas"]["LayoutFindings"] | null;
             map?: components["schemas"]["IndexMap"] | null;
             signals?: components["schemas"]["Signals"] | null;
-            /** @description What the user must know before believing the numbers, whole sentences. */
+            /** @description What the user must know before believing the numbers, whole sentences: the texts of `graded_notes`. */
             notes: string[];
+            /** @description The same with what each does to the answer; empty in results of earlier versions. */
+            graded_notes?: components["schemas"]["GradedNote"][];
             /** @description Points that have no equilibrium, with their causes; the indices are taken from the others. */
             failed_points: components["schemas"]["FailedPoint"][];
             /** @description The cut point's own response in short: reaction and strains at the means. */
@@ -1723,7 +2101,7 @@ export interface components {
         StudySummary: {
             /** @description UUID, ordered by time. */
             id: string;
-            /** @description Name from the document. */
+            /** @description Name in lists: the document's, unless it was changed since. */
             name: string;
             /** @description Where it stands. */
             state: components["schemas"]["State"];
@@ -1752,6 +2130,25 @@ export interface components {
             started?: string | null;
             /** @description When it ended. */
             finished?: string | null;
+            /** @description When it was archived; null unless it is. */
+            archived?: string | null;
+        };
+        /** @description What a surer answer costs. */
+        Surer: {
+            /** @description What the next level would do, and how long it would take, in a sentence. */
+            sentence: string;
+            /** @description Mesh level to ask for. */
+            level: string;
+            /**
+             * Format: double
+             * @description Its work over that of this study with nothing solved before, by the law of solve times; null of solvers without one.
+             */
+            times?: number | null;
+            /**
+             * Format: double
+             * @description Expected wall-clock time with what the database has, s; null where it can't be told.
+             */
+            expected_s?: number | null;
         };
         /** @description A sweep with its designs. */
         SweepDetail: components["schemas"]["SweepSummary"] & {
@@ -1795,7 +2192,7 @@ export interface components {
         SweepSummary: {
             /** @description UUID, ordered by time. */
             id: string;
-            /** @description Its name. */
+            /** @description Name in lists: as it was submitted, unless it was changed since. */
             name: string;
             /** @description `queued` before any design is begun, `running` while some aren't ended, `cancelled` when any was, `done` when any has a result. */
             state: components["schemas"]["State"];
@@ -1820,12 +2217,19 @@ export interface components {
             created: string;
             /** @description When its last design ended. */
             finished?: string | null;
+            /** @description When it was archived; null unless it is. */
+            archived?: string | null;
         };
         /**
          * @description What is wanted of a study.
          * @enum {string}
          */
         Table: "indices" | "locations" | "layouts" | "points" | "signals" | "candidates";
+        /**
+         * @description The part of a result that a note is about.
+         * @enum {string}
+         */
+        Topic: "place" | "layout" | "map" | "indices" | "signals" | "model" | "cost";
         /** @description The measured trade of a study. */
         Trade: {
             /** @description Name of the study. */
@@ -1847,6 +2251,25 @@ export interface components {
          * @enum {string}
          */
         Verdict: "real" | "noise" | "unknown";
+        /** @description Both directions around the wheel at one section angle. */
+        WheelRing: {
+            /**
+             * Format: double
+             * @description Section angle from the crown, degrees.
+             */
+            section_deg: number;
+            load?: components["schemas"]["RingLoad"] | null;
+            /** @description Angles from the contact, degrees: from -180 on. */
+            theta_deg: number[];
+            /** @description Circumferential strain; null where no layout has such a film. */
+            strain_x?: number[] | null;
+            /** @description Meridional strain; null where no layout has such a film. */
+            strain_y?: number[] | null;
+            /** @description Derivative of the circumferential strain by the depth, 1/mm. */
+            slope_x_per_mm?: number[] | null;
+            /** @description Derivative of the meridional strain by the depth, 1/mm. */
+            slope_y_per_mm?: number[] | null;
+        };
     };
     responses: never;
     parameters: never;
@@ -1856,9 +2279,11 @@ export interface components {
 }
 export type AccuracyDocument = components['schemas']['AccuracyDocument'];
 export type AlikeContacts = components['schemas']['AlikeContacts'];
+export type Answer = components['schemas']['Answer'];
 export type CandidateFilm = components['schemas']['CandidateFilm'];
 export type Candidates = components['schemas']['Candidates'];
 export type CandidatesDocument = components['schemas']['CandidatesDocument'];
+export type Certainty = components['schemas']['Certainty'];
 export type Choice = components['schemas']['Choice'];
 export type Claim = components['schemas']['Claim'];
 export type ClaimRow = components['schemas']['ClaimRow'];
@@ -1878,15 +2303,21 @@ export type DesignCounts = components['schemas']['DesignCounts'];
 export type DesignDocument = components['schemas']['DesignDocument'];
 export type DesignEstimate = components['schemas']['DesignEstimate'];
 export type DesignView = components['schemas']['DesignView'];
+export type EntryChange = components['schemas']['EntryChange'];
 export type Estimate = components['schemas']['Estimate'];
 export type EvaluationView = components['schemas']['EvaluationView'];
 export type Evaluations = components['schemas']['Evaluations'];
 export type ExpectedAccuracy = components['schemas']['ExpectedAccuracy'];
+export type FailedNode = components['schemas']['FailedNode'];
 export type FailedPoint = components['schemas']['FailedPoint'];
 export type Fault = components['schemas']['Fault'];
 export type FidelityReport = components['schemas']['FidelityReport'];
+export type FieldLoad = components['schemas']['FieldLoad'];
 export type FileFormat = components['schemas']['FileFormat'];
+export type FilmFields = components['schemas']['FilmFields'];
+export type FilmKindPlace = components['schemas']['FilmKindPlace'];
 export type FilmModel = components['schemas']['FilmModel'];
+export type FilmNoise = components['schemas']['FilmNoise'];
 export type FilmPair = components['schemas']['FilmPair'];
 export type FilmPlace = components['schemas']['FilmPlace'];
 export type Forecast = components['schemas']['Forecast'];
@@ -1894,6 +2325,11 @@ export type FormMisses = components['schemas']['FormMisses'];
 export type FrontLayout = components['schemas']['FrontLayout'];
 export type FurtherDesigns = components['schemas']['FurtherDesigns'];
 export type FurtherTireDocument = components['schemas']['FurtherTireDocument'];
+export type Grade = components['schemas']['Grade'];
+export type GradedNote = components['schemas']['GradedNote'];
+export type HandFilm = components['schemas']['HandFilm'];
+export type HandLayout = components['schemas']['HandLayout'];
+export type HandLayoutsDocument = components['schemas']['HandLayoutsDocument'];
 export type Health = components['schemas']['Health'];
 export type Holds = components['schemas']['Holds'];
 export type Index = components['schemas']['Index'];
@@ -1902,6 +2338,7 @@ export type IndexMap = components['schemas']['IndexMap'];
 export type InputDocument = components['schemas']['InputDocument'];
 export type InputReport = components['schemas']['InputReport'];
 export type Knee = components['schemas']['Knee'];
+export type LayoutAnswer = components['schemas']['LayoutAnswer'];
 export type LayoutError = components['schemas']['LayoutError'];
 export type LayoutFindings = components['schemas']['LayoutFindings'];
 export type LayoutLoad = components['schemas']['LayoutLoad'];
@@ -1909,7 +2346,9 @@ export type LayoutScore = components['schemas']['LayoutScore'];
 export type LayoutSearch = components['schemas']['LayoutSearch'];
 export type Layouts = components['schemas']['Layouts'];
 export type LayoutsDocument = components['schemas']['LayoutsDocument'];
+export type LeftOut = components['schemas']['LeftOut'];
 export type LoadScore = components['schemas']['LoadScore'];
+export type LoadShear = components['schemas']['LoadShear'];
 export type LocationError = components['schemas']['LocationError'];
 export type LocationStrain = components['schemas']['LocationStrain'];
 export type Locations = components['schemas']['Locations'];
@@ -1921,14 +2360,23 @@ export type MethodDocument = components['schemas']['MethodDocument'];
 export type ModelSummary = components['schemas']['ModelSummary'];
 export type OrderAgreement = components['schemas']['OrderAgreement'];
 export type Output = components['schemas']['Output'];
+export type PlaceAnswer = components['schemas']['PlaceAnswer'];
 export type Preset = components['schemas']['Preset'];
 export type Presets = components['schemas']['Presets'];
+export type Preview = components['schemas']['Preview'];
 export type ProblemDocument = components['schemas']['ProblemDocument'];
 export type RankedLayout = components['schemas']['RankedLayout'];
 export type RankedLocation = components['schemas']['RankedLocation'];
 export type Reached = components['schemas']['Reached'];
 export type Readiness = components['schemas']['Readiness'];
+export type RingLoad = components['schemas']['RingLoad'];
+export type Rings = components['schemas']['Rings'];
 export type Rung = components['schemas']['Rung'];
+export type ScoredLayouts = components['schemas']['ScoredLayouts'];
+export type SectionNode = components['schemas']['SectionNode'];
+export type Sections = components['schemas']['Sections'];
+export type ShearError = components['schemas']['ShearError'];
+export type ShearScore = components['schemas']['ShearScore'];
 export type SignalAxis = components['schemas']['SignalAxis'];
 export type SignalCurve = components['schemas']['SignalCurve'];
 export type SignalError = components['schemas']['SignalError'];
@@ -1947,14 +2395,17 @@ export type StudyIdentity = components['schemas']['StudyIdentity'];
 export type StudyPage = components['schemas']['StudyPage'];
 export type StudyResult = components['schemas']['StudyResult'];
 export type StudySummary = components['schemas']['StudySummary'];
+export type Surer = components['schemas']['Surer'];
 export type SweepDetail = components['schemas']['SweepDetail'];
 export type SweepDocument = components['schemas']['SweepDocument'];
 export type SweepEstimate = components['schemas']['SweepEstimate'];
 export type SweepPage = components['schemas']['SweepPage'];
 export type SweepSummary = components['schemas']['SweepSummary'];
 export type Table = components['schemas']['Table'];
+export type Topic = components['schemas']['Topic'];
 export type Trade = components['schemas']['Trade'];
 export type Trend = components['schemas']['Trend'];
 export type Verdict = components['schemas']['Verdict'];
+export type WheelRing = components['schemas']['WheelRing'];
 export type $defs = Record<string, never>;
 export type operations = Record<string, never>;

@@ -217,6 +217,7 @@ impl Field {
             strain: strains.into_iter().collect(),
             theta_deg,
             phi_deg,
+            position_mm: request.readout.positions.then(|| moved(&shape)),
             shape: request.readout.shape.then_some(shape),
         }
     }
@@ -310,4 +311,11 @@ fn model(scene: &Scene) -> ModelSummary {
             effect: Some(1.0),
         }],
     }
+}
+/// Where the points of a shape have moved to.
+fn moved(shape: &MapShape) -> Vec<f64> {
+    let points = shape.inflated_mm.iter().zip(&shape.displacement_mm);
+    points
+        .flat_map(|(x, u)| [0, 1, 2].map(|i| x[i] + u[i]))
+        .collect()
 }

@@ -141,6 +141,7 @@ mod tests {
         let readout = Readout {
             grid: Some(grid),
             shape: true,
+            positions: true,
             rings: [0.0, 90.0].map(RingLine::at).to_vec(),
             fine_deg: None,
             gauges: Vec::new(),

@@ -13,6 +13,9 @@ pub struct Readout {
     /// Where the map's points lie, too: a picture needs it of one point of a study, and no other grows by it.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub shape: bool,
+    /// Where the map's points have moved to, too: without where they were, which a neighbour says.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub positions: bool,
     /// Lines around the wheel.
     pub rings: Vec<RingLine>,
     /// Half of the sector around the contact that is meshed finely, degrees, where the ground itself asks for less: slopes of strains far from the contact

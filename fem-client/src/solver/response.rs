@@ -172,6 +172,9 @@ pub struct StrainMap {
     /// Where its points lie, when asked for.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub shape: Option<MapShape>,
+    /// Where its points lie in the equilibrium, mm, when asked for: x, y and z of one point after the other, axes as in [`MapShape`].
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub position_mm: Option<Vec<f64>>,
 }
 
 /// Where the points of a map lie: x in the rolling direction, y along the axle, z upward, from the wheel's centre.

@@ -1,10 +1,12 @@
-//! Unstructured grids as VTU files, VTK's XML format, for ParaView and its like.
+//! Solved tires for pictures: unstructured grids as VTU files, VTK's XML format, for ParaView and its like; and the skins of the whole wheel as glTF.
 //!
 //! Arrays follow the grid as base64 of little-endian numbers, so that the file is well-formed XML and every bit of a number is kept. A text of the
 //! field data is an array of its UTF-8 bytes, with the text itself as the name of its component: meshio refuses whole files for VTK's
 //! arrays of strings. An array's unit is VTK's own `UNITS_LABEL`.
 
 pub mod solved_body;
+pub mod wheel_glb;
+pub mod wheel_skins;
 
 use std::fmt::Write;
 

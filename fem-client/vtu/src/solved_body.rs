@@ -1,18 +1,20 @@
 //! The whole solved tire, for pictures.
 
 use fem::cell::element::Order;
+use fem::load::obstacle::HeightField;
 use fem::problem::State;
 use fem::solid::{MeanStress, SolidGeometry};
 use fem::tensor::{Tensor, Vector};
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
+use crate::wheel_skins::WheelSkins;
 use crate::{CellShape, DataArray, VtuGrid};
 use fem_client::scene::Scene;
 use fem_client::solver::StartState;
 use tire::embedded::extent;
 use tire::mesh::tire_grid::Extent;
-use tire::model::{TireModel, mesh_plan};
+use tire::model::{TireModel, ground, mesh_plan};
 
 /// A tire's mesh with its two states.
 #[derive(Debug)]
@@ -21,6 +23,7 @@ pub struct Body {
     scene: Scene,
     inflated: State,
     equilibrium: State,
+    depths_mm: Vec<f64>,
 }
 
 impl Body {
@@ -35,6 +38,7 @@ impl Body {
             inflated: inflated?,
             equilibrium: equilibrium?,
             scene: scene.clone(),
+            depths_mm: state.depths_mm.clone(),
             model,
         })
     }
@@ -61,6 +65,17 @@ impl Body {
             cell_data: self.stresses(),
             texts: self.texts(version),
         }
+    }
+
+    /// Both skins of the whole wheel, and the ground.
+    pub fn skins(&self) -> WheelSkins {
+        let radius = self.model.crown_radius(&self.inflated);
+        // Ground that presses with a force stands where the state says.
+        let ground = HeightField {
+            depths: self.depths_mm.clone(),
+            ..ground(&self.scene.ground, radius)
+        };
+        WheelSkins::of(&self.model, [&self.inflated, &self.equilibrium], &ground)
     }
 
     fn stresses(&self) -> Vec<DataArray> {

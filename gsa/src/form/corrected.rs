@@ -189,16 +189,14 @@ impl Frame {
         let factors = self.dictionary.factors(&self.tables, sections, modes);
         let points: Vec<_> = checks.iter().map(|(check, _)| *check).collect();
         let candidates = self.dictionary.candidates(&factors, &points);
-        let all = vec![1.0; residuals.len()];
         let noise = NOISE_IN_EPS * f64::EPSILON * sections.largest;
-        let fit = regression::fit(&candidates, residuals, &all, noise);
+        let images = evidence::images(checks);
+        let (fit, unseen) = regression::fit(&candidates, residuals, noise, &images);
         for &(product, coefficient) in &fit.terms {
             for (index, c) in self.dictionary.expand(&factors, product) {
                 composite.add(index, coefficient * c);
             }
         }
-        let unseen =
-            regression::cross_validate(&candidates, residuals, noise, &evidence::images(checks));
         (unseen, fit.terms.len())
     }
 

@@ -63,23 +63,17 @@ impl Dictionary {
 
     /// The factors' products at the check points.
     pub(crate) fn candidates(&self, factors: &[Vec<Factor>], checks: &[&CheckPoint]) -> Candidates {
-        let column = |product: &Product| {
-            let at = |check: &&CheckPoint| {
-                let values = product.iter();
-                values
-                    .map(|&(input, k)| factors[input][k].values[check.nodes()[input]])
-                    .product()
-            };
-            checks.iter().map(at).collect()
-        };
         let preference = |product: &Product| {
             let degree: usize = product.iter().map(|(_, k)| (*k).max(1)).sum();
             PREFERENCE.powi(degree as i32)
         };
-        Candidates {
-            columns: self.products.iter().map(column).collect(),
-            preference: self.products.iter().map(preference).collect(),
-        }
+        let preference = self.products.iter().map(preference).collect();
+        Candidates::new(preference, checks.len(), |product, k| {
+            let factor = |&(input, factor): &(usize, usize)| {
+                factors[input][factor].values[checks[k].nodes()[input]]
+            };
+            self.products[product].iter().map(factor).product()
+        })
     }
 
     /// The product's coefficients on the orthonormal polynomials, each with its multi-index.

@@ -1,4 +1,4 @@
-//! Is the paper's choice of a method sound? The tables and the figure of `docs/paper-choice/README.md`.
+//! Is the paper's choice of a method sound? The tables and the figure of `docs/verification/paper-choice/README.md`.
 //!
 //! `cargo run --release -p lab --example paper_choice [-- FIGURE.svg]`
 

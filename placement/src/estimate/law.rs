@@ -22,6 +22,8 @@ const IMAGE_S: f64 = 0.003;
 const FRICTION: f64 = 24.0;
 /// A solve with a glued film, in solves without.
 const FILM: f64 = 2.0;
+/// A solve whose ground is dragged along the wheel, and one across it, in solves of a mesh of that size: on the coarse and the standard mesh.
+const DRAGGED: [f64; 2] = [1.3, 2.4];
 /// The tangents that the points near a cut point share, in solves from nothing.
 const TANGENTS: f64 = 0.6;
 /// Memory of a mesh in work: bytes on the draft mesh, exponent, through studies on the draft (34 MB) and the reference mesh (1.2 GB); the standard
@@ -70,6 +72,8 @@ pub(crate) struct Task {
     /// How much longer the mesh is where more of the wheel is meshed finely, relative.
     pub stretch: f64,
     pub friction: bool,
+    /// Further work of ground that is dragged, relative.
+    pub drag: f64,
     /// Whether a film is glued on.
     pub film: bool,
     /// Whether the ground comes further up than the wall is thick, and than [`DEEP`] of the section's radius: the solve then leaves the shared tangent for tangents of its own, as one with friction
@@ -91,6 +95,7 @@ impl Task {
             cells: solver.cells(scene) as f64,
             stretch: stretch(scene, readout, solver),
             friction: scene.contact.friction > 0.0,
+            drag: drag(scene),
             film: scene.film.is_some(),
             deep: deepest
                 > scene
@@ -115,8 +120,8 @@ impl Task {
         };
         let glued = if self.film { FILM } else { 1.0 };
         match self.how {
-            How::Cut | How::Afresh => self.stretch * (glued * power(AFRESH) + slip),
-            How::Near => self.stretch * (glued * power(NEAR) + slip),
+            How::Cut | How::Afresh => self.stretch * self.drag * (glued * power(AFRESH) + slip),
+            How::Near => self.stretch * self.drag * (glued * power(NEAR) + slip),
             How::Image => IMAGE_S,
         }
     }
@@ -129,14 +134,26 @@ impl Task {
 }
 
 /// A mesh that reaches further around the wheel is longer, not thicker: time and memory grow in proportion. What asks for it presses with flat ground, of which
-/// half as much is meshed as the law's solves had.
+/// half as much is meshed as the law's solves had; dragged across the wheel it needs twice as much.
 fn stretch(scene: &Scene, readout: &Readout, solver: &dyn Solver) -> f64 {
     const SYMMETRIC: f64 = 0.5;
+    const WHOLE: f64 = 2.0;
     let [own, read] = [solver.cells(scene), solver.cells_read(scene, readout)];
-    if read > own && scene.ground.is_symmetric() {
-        SYMMETRIC * read as f64 / own as f64
-    } else {
-        1.0
+    let longer = read as f64 / own as f64;
+    let of_wheel = match (scene.ground.shift_mm[1] == 0.0, scene.ground.is_symmetric()) {
+        (false, _) => WHOLE,
+        (true, true) if read > own => SYMMETRIC,
+        _ => 1.0,
+    };
+    of_wheel * longer.max(1.0)
+}
+
+/// Further work of ground that is dragged: steps, and of the whole tire larger factors.
+fn drag(scene: &Scene) -> f64 {
+    match scene.ground.shift_mm {
+        [0.0, 0.0] => 1.0,
+        [_, 0.0] => DRAGGED[0],
+        _ => DRAGGED[1],
     }
 }
 

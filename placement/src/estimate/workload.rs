@@ -11,7 +11,7 @@ use gsa::method::{Kind, Method};
 use super::law::{How, Task, mirror_class, tire};
 use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
-use crate::layout::solving::measuring_layouts::{largest_layout, layout_series, scorings};
+use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings};
 use crate::run::keys;
 use crate::signals::measuring::signal_series;
 use crate::study::plan::{Plan, PlanError, PlannedStudy};

@@ -10,11 +10,12 @@ use std::time::{Duration, Instant};
 use fem_client::scene::Level;
 use gsa::method::Kind;
 
+use crate::answer::{answer_of, effect_notes};
 use crate::ladder::effects;
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::measuring_layouts;
-use crate::result::{Climb, ClimbRung, Output, StudyResult};
-use crate::run::usage::cpu_s;
+use crate::result::{Climb, ClimbRung, GradedNote, Output, StudyResult, Topic};
+use crate::run::usage::{cpu_s, peak_memory_bytes};
 use crate::run::{RunContext, RunError, run_from};
 use crate::signals::measuring;
 use crate::study::directions::Directions;
@@ -52,15 +53,17 @@ pub fn answer(
     plan: &Plan,
     context: RunContext<'_>,
 ) -> Result<StudyResult, RunError> {
-    match study.accuracy {
+    let mut result = match study.accuracy {
         Accuracy::Preset => {
             let (mut result, points) = run_from(0, study, plan, context)?;
             with_further_solves(points, study, plan, &mut result, context)?;
-            Ok(result)
+            result
         }
-        Accuracy::Tolerance(_) => Climber::new(study, plan, context).climb(),
-        Accuracy::Budget(seconds) => within(seconds, study, plan, context),
-    }
+        Accuracy::Tolerance(_) => Climber::new(study, plan, context).climb()?,
+        Accuracy::Budget(seconds) => within(seconds, study, plan, context)?,
+    };
+    result.answer = answer_of(study, &result);
+    Ok(result)
 }
 
 /// Adds the effects of what is left out and films' signals, and the time that they took.
@@ -73,12 +76,16 @@ fn with_further_solves(
 ) -> Result<(), RunError> {
     let (begun, cpu_before) = (Instant::now(), cpu_s());
     effects::measure(first, study, plan, result, context)?;
+    for note in effect_notes(&result.model.left_out) {
+        result.note(note);
+    }
     let first = first + result.cost.effect_solves;
     measuring_layouts::measure(first, study, plan, result, context)?;
     let first = first + result.cost.layout_solves;
     measuring::measure(first, study, plan, result, context)?;
     result.cost.wall_s += begun.elapsed().as_secs_f64();
     result.cost.cpu_s += (cpu_s() - cpu_before).max(0.0);
+    result.cost.peak_memory_bytes = peak_memory_bytes();
     Ok(())
 }
 
@@ -168,10 +175,10 @@ impl<'c> Climber<'c> {
             // They are worth knowing, not worth the answer.
             Err(RunError::Stopped) if self.is_late() => {
                 if self.study.signals.is_some() && best.signals.is_none() {
-                    best.notes.push(SIGNALS_LEFT_OUT.to_owned());
+                    best.note(GradedNote::changing(Topic::Signals, SIGNALS_LEFT_OUT));
                 }
                 if self.study.layouts.is_asked() && best.layout_findings.is_none() {
-                    best.notes.push(LAYOUTS_LEFT_OUT.to_owned());
+                    best.note(GradedNote::changing(Topic::Layout, LAYOUTS_LEFT_OUT));
                 }
             }
             other => other?,

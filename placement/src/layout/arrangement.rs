@@ -1,12 +1,81 @@
 //! Which films a layout has, and where.
 
-/// A kind of film: where it lies in the section, and along which direction.
+use fem_client::scene::Geometry;
+
+use crate::layout::film_extent::{FilmExtent, FilmPoint};
+
+/// A kind of film: where it lies in the section, along which direction, and how large it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FilmKind {
     /// Section angle from the crown, degrees.
     pub phi_deg: f64,
     /// Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.
     pub angle_deg: f64,
+    /// Its rectangle on the inner surface; none: it reads the strain at a point.
+    pub extent: Option<FilmExtent>,
+    /// What it reads of the mean strains under it.
+    pub reads: FilmReads,
+}
+
+/// What a film reads of the bare wall's mean strains over its area.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FilmReads {
+    /// The one along it: it follows the wall and resists nothing.
+    Strain,
+    /// Volts of the open circuit by the strains along and across: it is glued on, with its stiffness. Nothing until the mesh's transfer is known.
+    Volts([f64; 2]),
+}
+
+impl FilmReads {
+    /// Directions in which strains are read for a film in this direction, degrees, each with what a strain there is in its signal.
+    pub fn directions(self, angle_deg: f64) -> Vec<(f64, f64)> {
+        match self {
+            Self::Strain => vec![(angle_deg, 1.0)],
+            Self::Volts([along, across]) => {
+                vec![
+                    (angle_deg, along),
+                    ((angle_deg + 90.0).rem_euclid(180.0), across),
+                ]
+            }
+        }
+    }
+}
+
+impl FilmKind {
+    /// One that reads the strain at a point.
+    pub fn point(phi_deg: f64, angle_deg: f64) -> Self {
+        Self {
+            phi_deg,
+            angle_deg,
+            extent: None,
+            reads: FilmReads::Strain,
+        }
+    }
+
+    /// One of this length and width, mm, on the inner surface of a tire; without a size a point.
+    pub fn sized(
+        geometry: &Geometry,
+        size_mm: Option<[f64; 2]>,
+        phi_deg: f64,
+        angle_deg: f64,
+    ) -> Self {
+        let extent = |size| FilmExtent::on(geometry, size, phi_deg, angle_deg);
+        Self {
+            extent: size_mm.map(extent),
+            ..Self::point(phi_deg, angle_deg)
+        }
+    }
+
+    /// Where strains are read for it, with their shares in the mean.
+    pub fn points(&self) -> Vec<FilmPoint> {
+        let middle = || FilmPoint {
+            share: 1.0,
+            wheel_deg: 0.0,
+            section_deg: self.phi_deg,
+        };
+        self.extent
+            .map_or_else(|| vec![middle()], |extent| extent.points())
+    }
 }
 
 /// A film of a layout.

@@ -1,11 +1,14 @@
 //! What a study asks of layouts.
 
-use fem_client::scene::{Level, Scene};
+use fem_client::scene::{Film, Geometry, Level};
 use fem_client::solver::Position;
 use fem_client::solver::direction::Direction;
 use serde_json::{Map, Value, json};
 
+use crate::layout::arrangement::FilmReads;
 use crate::result::film_place::FilmPlace;
+use crate::result::layout_findings::STRAIN_UNIT;
+use crate::result::signal_words::FilmModel;
 use crate::study::directions::Directions;
 
 /// Share of the crown's largest strain that a film's noise has unless the study says otherwise.
@@ -28,12 +31,20 @@ pub struct Layouts {
     pub staggered: bool,
     /// Layouts film by film.
     pub free: Vec<FreeLayout>,
+    /// Length and width of all films, mm; none: they are points.
+    pub size_mm: Option<[f64; 2]>,
+    /// Further lengths and widths of the candidates, mm.
+    pub candidate_sizes_mm: Vec<[f64; 2]>,
+    /// The film that is glued on, wherever it is placed; none: films follow the wall and resist nothing.
+    pub glued: Option<Film>,
     /// Loads; none: the study's mean depth, or its load.
     pub loads: LayoutLoads,
     /// Errors of a film's reading.
     pub noise: NoiseSettings,
     /// Whether every single film is taken out.
     pub dead: bool,
+    /// Whether forces along and across the wheel are unknown, too.
+    pub shear: bool,
     /// Mesh level; none: the study's own, the standard at most.
     pub level: Option<Level>,
     /// What to search for.
@@ -75,10 +86,12 @@ pub struct NoiseSettings {
 /// Standard deviation of a reading whatever its size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NoiseFloor {
-    /// Of the crown's largest strain at the load in the middle.
+    /// Of the crown's largest signal at the load in the middle.
     Share(f64),
     /// In strain.
     Strain(f64),
+    /// In volts, of glued films.
+    Volts(f64),
 }
 
 impl Default for NoiseSettings {
@@ -114,9 +127,13 @@ impl Default for Layouts {
             directions: Vec::new(),
             staggered: false,
             free: Vec::new(),
+            size_mm: None,
+            candidate_sizes_mm: Vec::new(),
+            glued: None,
             loads: LayoutLoads::Mean,
             noise: NoiseSettings::default(),
             dead: false,
+            shear: false,
             level: None,
             search: None,
         }
@@ -168,9 +185,25 @@ impl Layouts {
         }
     }
 
-    /// Mesh level of a study on this scene.
-    pub fn level_on(&self, scene: &Scene) -> Level {
-        self.level.unwrap_or(scene.model.level.min(Level::Standard))
+    /// What its films read; volts come with each mesh's transfer.
+    pub fn reads(&self) -> FilmReads {
+        match self.glued {
+            Some(_) => FilmReads::Volts([0.0; 2]),
+            None => FilmReads::Strain,
+        }
+    }
+
+    /// Unit of its films' signals.
+    pub fn unit(&self) -> &'static str {
+        match self.glued {
+            Some(_) => "V",
+            None => STRAIN_UNIT,
+        }
+    }
+
+    /// Mesh level for a study on this one.
+    pub fn level_on(&self, study: Level) -> Level {
+        self.level.unwrap_or(study.min(Level::Standard))
     }
 
     /// The table as in a document, every default filled in that this study uses.
@@ -203,6 +236,15 @@ impl Layouts {
                 .map(|layout| json!({"name": layout.name, "films": layout.films}));
             put("free", free.collect());
         }
+        if self.glued.is_some() {
+            put("film", FilmModel::Transfer.as_str().into());
+        }
+        if let Some(size) = self.size_mm {
+            put("size_mm", json!(size));
+        }
+        if !self.candidate_sizes_mm.is_empty() {
+            put("candidate_sizes_mm", json!(self.candidate_sizes_mm));
+        }
         match &self.loads {
             LayoutLoads::Mean => None,
             LayoutLoads::Depths(depths) => put("depths_mm", json!(depths)),
@@ -212,6 +254,7 @@ impl Layouts {
             NoiseFloor::Share(NOISE_SHARE) => None,
             NoiseFloor::Share(share) => put("noise_share", share.into()),
             NoiseFloor::Strain(strain) => put("noise_strain", strain.into()),
+            NoiseFloor::Volts(volts) => put("noise_v", volts.into()),
         };
         if self.noise.gain_std > 0.0 {
             put("gain_std", self.noise.gain_std.into());
@@ -221,6 +264,9 @@ impl Layouts {
         }
         if self.dead {
             put("dead", true.into());
+        }
+        if self.shear {
+            put("shear", true.into());
         }
         if let Some(level) = self.level {
             put("level", level.as_str().into());
@@ -238,6 +284,12 @@ impl Layouts {
         }
         Value::Object(table)
     }
+}
+
+/// The section angle up to which films are laid, degrees: a wall's thickness off the bead, where the clamp makes strains of its own.
+pub fn farthest_section_deg(geometry: &Geometry) -> f64 {
+    let inner = geometry.section_radius_mm - geometry.wall_mm;
+    (geometry.bead_angle_deg - (geometry.wall_mm / inner).to_degrees()).max(0.0)
 }
 
 /// Angle to the circumference, degrees.

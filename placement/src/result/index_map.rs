@@ -41,6 +41,9 @@ pub struct MapLayer {
     /// versions.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub first_order_error: Vec<Vec<Option<f64>>>,
+    /// Total index per input, in the order of the inputs, each rows x columns: without errors of their own. Empty in documents of earlier versions.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub total: Vec<Vec<Option<f64>>>,
     /// `ok`, `constant`, `product-form-broken` or `unusable`, rows x columns.
     #[serde(with = "named::list")]
     #[cfg_attr(feature = "openapi", schema(value_type = Vec<String>))]

@@ -4,12 +4,25 @@ use serde::{Deserialize, Serialize};
 
 use super::film_place::FilmPlace;
 
+/// Unit of films that follow the wall and resist nothing.
+pub(crate) const STRAIN_UNIT: &str = "strain";
+
+fn strain_unit() -> String {
+    STRAIN_UNIT.to_owned()
+}
+
 /// What a study's layouts show together: loads, knees, fronts, second opinions.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct LayoutFindings {
     /// Mesh level of the fields, which is fine to 60 degrees from the contact.
     pub level: String,
+    /// Unit of films' signals: `strain`, or `V` of glued ones. Noise, weakest signals, candidates' signals and rings are in it.
+    #[serde(default = "strain_unit")]
+    pub unit: String,
+    /// Length and width of the layouts' films, mm; absent of points.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub size_mm: Option<[f64; 2]>,
     /// Coarser level that shows their errors.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub coarser_level: Option<String>,
@@ -26,7 +39,7 @@ pub struct LayoutFindings {
     pub candidates: Vec<CandidateFilm>,
     /// Kendall's tau between each two of these criteria.
     pub agreement: Vec<OrderAgreement>,
-    /// Strains around the wheel.
+    /// Films' signals around the wheel.
     pub rings: Vec<StrainRing>,
     /// Why something is missing, whole sentences.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
@@ -43,11 +56,24 @@ pub struct LayoutLoad {
     pub load_n: Option<f64>,
     /// Derivative of the force by the depth, N/mm.
     pub force_slope_n_per_mm: Option<f64>,
+    /// What dragging the ground shows, where forces along and across the wheel are unknown, too.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub shear: Option<LoadShear>,
     /// From how many units on each section angle and set of films is dense enough.
     pub knees: Vec<Knee>,
     /// Why there are no scores.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
+}
+
+/// What dragging the ground a little shows at a load.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct LoadShear {
+    /// Forces along the wheel and across it by the shifts that way, N/mm.
+    pub slopes_n_per_mm: [f64; 2],
+    /// Force from which the ground slides: the coefficient of friction times the load, N.
+    pub sliding_n: f64,
 }
 
 /// From how many units on more of them bring no more than their number: the worst bound of the angle times the root of the number of units stays within
@@ -89,15 +115,23 @@ pub struct LayoutSearch {
     pub places: usize,
     /// `exhaustive`, or `greedy and exchange`.
     pub method: String,
-    /// Layouts whose bound was computed.
+    /// What it went by: `bound`, or `interval errors`, which count contacts that are mistaken for others, too.
+    #[serde(default = "bound")]
+    pub criterion: String,
+    /// Layouts whose criterion was computed.
     pub looked_at: usize,
-    /// The best bound of the angle with a flat prior, root mean square over angles and loads, degrees.
+    /// Bound of the angle with a flat prior of the best one, root mean square over angles and loads, degrees.
     pub bayes_angle_error_deg: f64,
     /// Its films.
     pub best: Vec<FilmPlace>,
 }
 
-/// A kind of film: where in the section, along which direction.
+/// What searches of earlier versions went by.
+fn bound() -> String {
+    "bound".to_owned()
+}
+
+/// A kind of film: where in the section, along which direction, how large.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct CandidateFilm {
@@ -105,6 +139,10 @@ pub struct CandidateFilm {
     pub section_deg: f64,
     /// Direction of its length.
     pub direction: String,
+    /// Its length, mm; null of a point.
+    pub length_mm: Option<f64>,
+    /// Its width, mm; null of a point.
+    pub width_mm: Option<f64>,
     /// Largest signal around the wheel, over all loads.
     pub signal: f64,
     /// Root of the mean information on the contact angle over the turn and the loads, 1/degree, at the noise of the layouts.
@@ -134,7 +172,7 @@ pub struct OrderAgreement {
     pub tau: Option<f64>,
 }
 
-/// Strains around the wheel at one load, of one kind of film.
+/// Signals around the wheel at one load, of one kind of film: strains, or volts of glued films.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct StrainRing {
@@ -148,7 +186,7 @@ pub struct StrainRing {
     pub strain: Vec<f64>,
     /// Derivative by the depth, 1/mm.
     pub by_depth: Vec<f64>,
-    /// Largest error of the strain by the coarser mesh.
+    /// Largest error of the signal by the coarser mesh.
     pub strain_error: Option<f64>,
     /// Largest error of the derivative by the coarser mesh, 1/mm.
     pub by_depth_error: Option<f64>,

@@ -1,7 +1,8 @@
 //! The answer of a study: the result document, field by field.
 //!
-//! Numbers that do not exist are `None` (null in JSON) with a reason beside them.
+//! Numbers that do not exist are `None` (null in JSON) with a reason beside them. What they say in a sentence is in [`answer`].
 
+pub mod answer;
 mod climb_report;
 mod cost_forecast;
 mod failed_point;
@@ -9,13 +10,16 @@ pub mod film_place;
 mod film_signals;
 mod index_map;
 mod indexed_output;
-mod layout_findings;
+pub(crate) mod layout_findings;
 pub mod named;
 mod ranked_layout;
 mod ranked_location;
 pub mod signal_words;
 mod study_cost;
 
+pub use answer::{
+    Answer, Certainty, Grade, GradedNote, LayoutAnswer, LeftOut, PlaceAnswer, Surer, Topic,
+};
 pub use climb_report::{Climb, ClimbRung};
 pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast};
 pub use failed_point::{Cause, FailedPoint};
@@ -27,11 +31,12 @@ pub use film_signals::{
 pub use index_map::{IndexMap, MapLayer};
 pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};
 pub use layout_findings::{
-    CandidateFilm, FrontLayout, Knee, LayoutFindings, LayoutLoad, LayoutSearch, OrderAgreement,
-    StrainRing,
+    CandidateFilm, FrontLayout, Knee, LayoutFindings, LayoutLoad, LayoutSearch, LoadShear,
+    OrderAgreement, StrainRing,
 };
 pub use ranked_layout::{
-    AlikeContacts, DeadFilm, LayoutError, LayoutScore, LoadScore, RankedLayout,
+    AlikeContacts, DeadFilm, LayoutError, LayoutScore, LoadScore, RankedLayout, ShearError,
+    ShearScore,
 };
 pub use ranked_location::RankedLocation;
 use serde::{Deserialize, Serialize};
@@ -44,6 +49,9 @@ pub use study_cost::StudyCost;
 pub struct StudyResult {
     /// Which study.
     pub study: StudyIdentity,
+    /// The answer in a sentence, and how sure it is; absent from results of earlier versions, and where nothing has a rank.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub answer: Option<Answer>,
     /// What was modelled.
     pub model: ModelSummary,
     /// What varied.
@@ -62,8 +70,11 @@ pub struct StudyResult {
     /// Films' signals over load, pressure and contact angle; absent where the study asks for none.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub signals: Option<Signals>,
-    /// What the user must know before believing the numbers, whole sentences.
+    /// What the user must know before believing the numbers, whole sentences: the texts of `graded_notes`.
     pub notes: Vec<String>,
+    /// The same with what each does to the answer; empty in results of earlier versions.
+    #[serde(default)]
+    pub graded_notes: Vec<GradedNote>,
     /// Points that have no equilibrium, with their causes; the indices are taken from the others.
     pub failed_points: Vec<FailedPoint>,
     /// The cut point's own response in short: reaction and strains at the means.
@@ -76,6 +87,14 @@ pub struct StudyResult {
     /// What it was expected to take when the run began; not part of the result's hash either. Absent where nobody asked.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub estimate: Option<Estimate>,
+}
+
+impl StudyResult {
+    /// Adds a note, graded and plain.
+    pub(crate) fn note(&mut self, note: GradedNote) {
+        self.notes.push(note.text.clone());
+        self.graded_notes.push(note);
+    }
 }
 
 /// Which study, which document, which program.

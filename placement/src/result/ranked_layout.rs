@@ -59,7 +59,7 @@ pub struct LoadScore {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct LayoutScore {
-    /// Strain of the film that sees most, at the contact angle where that is least.
+    /// Signal of the film that sees most, strain or volts of a glued one, at the contact angle where that is least.
     pub weakest_signal: Option<f64>,
     /// Cramer-Rao bound of the contact angle, worst angle, degrees.
     pub worst_angle_error_deg: Option<f64>,
@@ -97,6 +97,9 @@ pub struct LayoutScore {
     /// With the one film dead whose loss costs most, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub dead: Option<DeadFilm>,
+    /// With forces along and across the wheel unknown, too, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub shear: Option<ShearScore>,
     /// Noise of each film assumed for the bounds, in the unit of the signal: strain, or volts of glued films.
     pub noise_strain: f64,
     /// What the mesh and the number of simulated contacts leave open; absent where there is no coarser mesh.
@@ -121,6 +124,33 @@ pub struct LayoutError {
     pub simulated_rms_angle_error_deg: Option<f64>,
     /// Of the simulated 95th percentile, degrees.
     pub simulated_p95_angle_error_deg: Option<f64>,
+}
+
+/// Cramer-Rao bounds with four unknowns: contact angle, depth, and the ground's shifts along the wheel and across it, about a contact that isn't dragged. A
+/// shift across that no film feels doesn't enter.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ShearScore {
+    /// Of the contact angle, worst angle, degrees.
+    pub worst_angle_error_deg: Option<f64>,
+    /// Of the ground's forces on the tire along the wheel, across it (null where no film feels it) and up, worst angle, N.
+    pub worst_force_error_n: Option<[Option<f64>; 3]>,
+    /// What the coarser mesh leaves open; absent where there is none.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub error: Option<ShearError>,
+    /// What can't be told.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+}
+
+/// Claimed errors of bounds with four unknowns, each in the unit of its bound.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ShearError {
+    /// Of the bound of the angle, degrees.
+    pub worst_angle_error_deg: Option<f64>,
+    /// Of the bounds of the forces, N.
+    pub worst_force_error_n: Option<[Option<f64>; 3]>,
 }
 
 /// Two contacts that readings can hardly tell apart.

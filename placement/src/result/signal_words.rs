@@ -31,7 +31,7 @@ macro_rules! words {
             pub const ALL: [Self; [$($name),+].len()] = [$(Self::$value),+];
 
             /// The name in documents.
-            pub fn as_str(self) -> &'static str {
+            pub const fn as_str(self) -> &'static str {
                 match self {
                     $(Self::$value => $name,)+
                 }

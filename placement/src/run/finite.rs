@@ -33,7 +33,9 @@ fn in_response(response: &Response) -> Option<&'static str> {
         finite([&location.theta_deg, &location.von_mises_mpa]) && finite(location.strain.iter())
     };
     let over_map = |map: &StrainMap| {
-        finite(map.theta_deg.iter().chain(&map.phi_deg)) && finite(map.strain.iter().flatten())
+        let places = map.position_mm.iter().flatten();
+        finite(map.theta_deg.iter().chain(&map.phi_deg).chain(places))
+            && finite(map.strain.iter().flatten())
     };
     let of_film = |signal: &FilmSignal| {
         let FilmSignal {

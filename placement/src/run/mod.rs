@@ -5,6 +5,7 @@ mod attempt;
 mod finite;
 pub mod memory;
 mod planned_points;
+mod point_readouts;
 mod run_error;
 mod run_event;
 pub mod usage;

@@ -12,6 +12,7 @@ use fem_client::scene::Scene;
 use fem_client::solver::{Readout, SolveError, SolveRequest, Solver, StartState};
 
 use super::attempt::{Costed, Found, Process, ask, quarantined};
+use super::point_readouts::PointReadouts;
 use super::run_error::{RunError, refusals};
 use super::run_event::{Event, Observer};
 use crate::result::{Cause, FailedPoint};
@@ -57,14 +58,15 @@ pub(crate) struct Answers {
 
 /// Content keys: SHA-256 over all that determines an outcome to the bit, which is the solver's version, the scene, the
 /// readout and the start. The cut point starts from scratch, the others from the cut point, which its key stands for.
-pub(crate) fn keys(
-    scenes: &[Scene],
+pub(crate) fn keys<'k>(
+    scenes: &'k [Scene],
     solver: &dyn Solver,
-    readout: &Readout,
-) -> impl Iterator<Item = String> {
+    readout: &'k Readout,
+) -> impl Iterator<Item = String> + 'k {
     let version = solver.version();
+    let readouts = PointReadouts::new(readout, scenes);
     let key = move |ordinal: usize, start: &str| {
-        let (scene, readout) = (scenes[ordinal].to_value(), readout_of(readout, ordinal));
+        let (scene, readout) = (scenes[ordinal].to_value(), readouts.of(ordinal));
         let content = serde_json::json!({
             "solver": version, "scene": scene, "readout": readout, "start": start,
         });
@@ -75,14 +77,6 @@ pub(crate) fn keys(
         0 => cut.clone(),
         _ => key(ordinal, &cut),
     })
-}
-
-/// What is read of a point: of the cut point also where its map lies.
-fn readout_of(readout: &Readout, ordinal: usize) -> Readout {
-    Readout {
-        shape: ordinal == 0 && readout.grid.is_some(),
-        ..readout.clone()
-    }
 }
 
 /// Points looked up in the archive before the run asks whether it is to stop.
@@ -350,7 +344,7 @@ impl Points<'_> {
         self.archive.begin(key).map_err(Lack::Archive)?;
         let request = SolveRequest {
             scene: &self.scenes[ordinal],
-            readout: &readout_of(self.readout, ordinal),
+            readout: &PointReadouts::new(self.readout, self.scenes).of(ordinal),
             start,
             stop: self.stop,
         };

@@ -35,7 +35,7 @@ pub fn assemble(
     let failed_points = failed_points(plan, outcomes);
     let scores = score(study, plan.campaign(), cut, outcomes, coarse, stop)?;
     let locations = rank(study, &scores);
-    let notes = notes(study, plan, cut, &scores, &locations, &failed_points);
+    let graded_notes = notes(study, plan, cut, &scores, &locations, &failed_points);
     Ok(StudyResult {
         study: StudyIdentity {
             id: String::new(),
@@ -43,6 +43,7 @@ pub fn assemble(
             spec_sha256: study.spec_sha256(),
             version: version(solver_version),
         },
+        answer: None,
         model: largest_model(outcomes),
         inputs: study.inputs.iter().map(input_report).collect(),
         outputs: scores.outputs().cloned().collect(),
@@ -51,7 +52,8 @@ pub fn assemble(
         layout_findings: None,
         map: scores.map,
         signals: None,
-        notes,
+        notes: graded_notes.iter().map(|note| note.text.clone()).collect(),
+        graded_notes,
         failed_points,
         cut_point: CutPoint {
             values: plan.values()[0].clone(),

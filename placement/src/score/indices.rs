@@ -253,12 +253,14 @@ fn index_map(map: &StrainMap, inputs: usize, analyses: &[Analysed]) -> IndexMap 
 }
 
 fn layer(direction: Direction, strain: &[f64], analyses: &[Analysed], inputs: usize) -> MapLayer {
-    let index = |input: usize| {
+    let over_all = |of: fn(&Analysis) -> &Option<Vec<f64>>, input: usize| {
         analyses
             .iter()
-            .map(move |output| Some(output.analysis.first_order.as_ref()?[input]))
+            .map(|output| Some(of(&output.analysis).as_ref()?[input]))
             .collect()
     };
+    let first_order = |input| over_all(|analysis| &analysis.first_order, input);
+    let total = |input| over_all(|analysis| &analysis.total, input);
     let errors: Vec<Option<Vec<f64>>> = analyses.iter().map(total_by_input).collect();
     let error = |input: usize| {
         errors
@@ -273,7 +275,8 @@ fn layer(direction: Direction, strain: &[f64], analyses: &[Analysed], inputs: us
             .iter()
             .map(|output| std(&output.analysis))
             .collect(),
-        first_order: (0..inputs).map(index).collect(),
+        first_order: (0..inputs).map(first_order).collect(),
+        total: (0..inputs).map(total).collect(),
         error: errors
             .iter()
             .map(|errors| errors.as_deref().map(largest))

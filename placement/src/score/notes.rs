@@ -4,7 +4,7 @@ use fem_client::solver::Response;
 use fem_client::solver::direction::{Direction, PerDirection};
 use gsa::method::analysis::Status;
 
-use crate::result::{FailedPoint, Output, RankedLocation};
+use crate::result::{FailedPoint, Grade, GradedNote, Output, RankedLocation, Topic};
 use crate::score::indices::{NO_MESH_ERROR, Scores};
 use crate::score::location_scores::{GSI, SCORES};
 use crate::score::quantity::QUANTITY;
@@ -25,7 +25,7 @@ pub(crate) fn notes(
     scores: &Scores,
     locations: &[RankedLocation],
     failed: &[FailedPoint],
-) -> Vec<String> {
+) -> Vec<GradedNote> {
     let mut notes = Vec::new();
     notes.extend(one_direction(study));
     notes.extend(without_equilibrium(study, plan, failed));
@@ -50,33 +50,42 @@ pub(crate) fn notes(
 }
 
 /// What the answer goes by, where one strain alone is asked for.
-fn one_direction(study: &Study) -> Option<String> {
+fn one_direction(study: &Study) -> Option<GradedNote> {
     let [asked] = study.directions.asked() else {
         return None;
     };
     let other = Direction::ALL
         .iter()
         .find(|direction| *direction != asked)?;
-    Some(format!(
-        "Only the {asked} {QUANTITY} is asked for: ranks, layouts and the accuracy go by it. The {other} {QUANTITY} is what the same points give."
+    Some(GradedNote::bearing(
+        Topic::Place,
+        format!(
+            "Only the {asked} {QUANTITY} is asked for: ranks, layouts and the accuracy go by it. The {other} {QUANTITY} is what the same points give."
+        ),
     ))
 }
 
 /// That the mesh's part of the errors is missing, where it is.
-fn without_mesh_error(scores: &Scores) -> Option<String> {
+fn without_mesh_error(scores: &Scores) -> Option<GradedNote> {
     let indexed = |output: &&Output| output.first_order.is_some();
     let mut outputs = scores.outputs().filter(indexed);
     let without = outputs.find(|output| output.error.mesh.is_none())?;
     Some(match without.error.total {
-        Some(_) => format!("The errors of the indices leave out the mesh: {NO_MESH_ERROR}."),
-        None => format!(
-            "How far the indices are off isn't known, and no rank is certain: {NO_MESH_ERROR}, as on the draft level. The next level knows."
+        Some(_) => GradedNote::bearing(
+            Topic::Indices,
+            format!("The errors of the indices leave out the mesh: {NO_MESH_ERROR}."),
+        ),
+        None => GradedNote::changing(
+            Topic::Place,
+            format!(
+                "How far the indices are off isn't known, and no rank is certain: {NO_MESH_ERROR}, as on the draft level. The next level knows."
+            ),
         ),
     })
 }
 
 /// `P1`, `P1 and P2`, `P1, P2 and P3`.
-fn listed(names: &[&str]) -> String {
+pub(crate) fn listed(names: &[&str]) -> String {
     match names.split_last() {
         Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
         _ => names.concat(),
@@ -84,7 +93,7 @@ fn listed(names: &[&str]) -> String {
 }
 
 /// What failed points are, and what they do to the indices.
-fn without_equilibrium(study: &Study, plan: &Plan, failed: &[FailedPoint]) -> Option<String> {
+fn without_equilibrium(study: &Study, plan: &Plan, failed: &[FailedPoint]) -> Option<GradedNote> {
     let named: Vec<String> = failed
         .iter()
         .take(NAMED)
@@ -102,13 +111,14 @@ fn without_equilibrium(study: &Study, plan: &Plan, failed: &[FailedPoint]) -> Op
         more => format!("; and {more} more"),
     };
     (!named.is_empty()).then(|| {
-        format!(
+        let text = format!(
             "{} of {} points without an equilibrium: {}{more}. The indices are taken from the other points, as if the loads between \
              and beyond them could be borne, with the errors that this leaves.",
             failed.len(),
             plan.values().len(),
             named.join("; "),
-        )
+        );
+        GradedNote::changing(Topic::Indices, text)
     })
 }
 
@@ -141,26 +151,32 @@ fn names<'o>(outputs: &[&'o Output]) -> Vec<&'o str> {
         .collect()
 }
 
-fn broken(scores: &Scores, direction: Direction) -> Option<String> {
+fn broken(scores: &Scores, direction: Direction) -> Option<GradedNote> {
     let outputs = with_status(scores, direction, Status::ProductFormBroken);
     let method = outputs.first()?.method.as_str();
-    Some(format!(
-        "M-DRM's product form doesn't hold for the {direction} {QUANTITY} at {}: the {method} reduction gives the indices there.",
-        listed(&names(&outputs))
+    Some(GradedNote::bearing(
+        Topic::Indices,
+        format!(
+            "M-DRM's product form doesn't hold for the {direction} {QUANTITY} at {}: the {method} reduction gives the indices there.",
+            listed(&names(&outputs))
+        ),
     ))
 }
 
-fn constant(scores: &Scores, direction: Direction) -> Option<String> {
+fn constant(scores: &Scores, direction: Direction) -> Option<GradedNote> {
     let outputs = with_status(scores, direction, Status::Constant);
     let reason = outputs.first()?.reason.as_deref().unwrap_or_default();
-    Some(format!(
-        "The {direction} {QUANTITY} at {} doesn't vary with the inputs, so it has no indices: {reason}.",
-        listed(&names(&outputs))
+    Some(GradedNote::bearing(
+        Topic::Indices,
+        format!(
+            "The {direction} {QUANTITY} at {} doesn't vary with the inputs, so it has no indices: {reason}.",
+            listed(&names(&outputs))
+        ),
     ))
 }
 
 /// Where M-DRM would say something else at the contact centre, it is said in figures.
-fn mdrm_at_centre(study: &Study, scores: &Scores) -> Vec<String> {
+fn mdrm_at_centre(study: &Study, scores: &Scores) -> Vec<GradedNote> {
     let mut notes = Vec::new();
     let centre = &scores.at_locations[scores.at_locations.len() / 2];
     for scored in centre.iter() {
@@ -176,17 +192,31 @@ fn mdrm_at_centre(study: &Study, scores: &Scores) -> Vec<String> {
             .zip(chosen.iter().zip(mdrm))
             .filter(differs)
         {
-            notes.push(format!(
+            let text = format!(
                 "M-DRM would give {:.1} % to {} in the {} {QUANTITY} at {}, where the {} reduction gives {:.1} %.",
-                100.0 * mdrm, input.name, output.direction, output.location, output.method.as_str(), 100.0 * chosen
-            ));
+                100.0 * mdrm,
+                input.name,
+                output.direction,
+                output.location,
+                output.method.as_str(),
+                100.0 * chosen
+            );
+            notes.push(GradedNote::bearing(Topic::Indices, text));
         }
     }
     notes
 }
 
+/// What touches the first place changes the answer.
+fn grade_of(first_place: bool) -> Grade {
+    match first_place {
+        true => Grade::ChangesAnswer,
+        false => Grade::BearsOnFigure,
+    }
+}
+
 /// Other fair ways to rank, where they disagree with the default one.
-fn other_orders(locations: &[RankedLocation]) -> Vec<String> {
+fn other_orders(locations: &[RankedLocation]) -> Vec<GradedNote> {
     let in_order = |key: Key<'_>| -> Vec<&str> {
         let order = ordered(locations, &[key]).into_iter();
         order.map(|i| locations[i].name.as_str()).collect()
@@ -205,11 +235,13 @@ fn other_orders(locations: &[RankedLocation]) -> Vec<String> {
             }
             let (default, found) = (in_order(&at_centre), in_order(&other));
             if default != found {
-                notes.push(format!(
+                let text = format!(
                     "By the {direction} {QUANTITY}{what} the order is {}; by the same {QUANTITY} at the contact centre it is {}.",
                     found.join(", "),
                     default.join(", ")
-                ));
+                );
+                let grade = grade_of(found.first() != default.first());
+                notes.push(GradedNote::of(grade, Topic::Place, text));
             }
         }
     }
@@ -217,12 +249,11 @@ fn other_orders(locations: &[RankedLocation]) -> Vec<String> {
 }
 
 /// Ranks that known errors leave open; where none is known another note says so.
-fn uncertain(locations: &[RankedLocation]) -> Option<String> {
-    let unsure: Vec<&str> = locations
-        .iter()
-        .filter(|location| !location.rank_certain && location.knows_error())
-        .map(|location| location.name.as_str())
-        .collect();
+fn uncertain(locations: &[RankedLocation]) -> Option<GradedNote> {
+    let is_unsure = |location: &&RankedLocation| !location.rank_certain && location.knows_error();
+    let unsure: Vec<&RankedLocation> = locations.iter().filter(is_unsure).collect();
+    let first = unsure.iter().any(|location| location.rank == 1);
+    let unsure: Vec<&str> = unsure.iter().map(|l| l.name.as_str()).collect();
     (!unsure.is_empty()).then(|| {
         let verb = if unsure.len() == 1 {
             "rank of"
@@ -230,14 +261,15 @@ fn uncertain(locations: &[RankedLocation]) -> Option<String> {
             "ranks of"
         };
         let is = if unsure.len() == 1 { "is" } else { "are" };
-        format!(
+        let text = format!(
             "The {verb} {} {is} not certain: the errors bridge the distance to a neighbour.",
             listed(&unsure)
-        )
+        );
+        GradedNote::of(grade_of(first), Topic::Place, text)
     })
 }
 
-fn without_location(study: &Study, cut: &Response) -> Option<String> {
+fn without_location(study: &Study, cut: &Response) -> Option<GradedNote> {
     let own = own_inputs(study, cut.locations.len());
     let homeless = |i: &usize| !own.contains(&Some(*i));
     let names: Vec<&str> = (0..study.inputs.len())
@@ -249,16 +281,17 @@ fn without_location(study: &Study, cut: &Response) -> Option<String> {
             1 => "varies: it has",
             _ => "vary: they have",
         };
-        format!(
+        let text = format!(
             "No location lies above what {} {has} indices, but no part in the ranking.",
             listed(&names)
-        )
+        );
+        GradedNote::bearing(Topic::Place, text)
     })
 }
 
 /// Stations that touch at one end of their range and not at the other, judged by the undeformed profile: the ground
 /// at a distance x from the centre meets a circle of radius R at a depth of R - sqrt(R^2 - x^2).
-fn contact_edges(study: &Study, plan: &Plan, cut: &Response) -> Option<String> {
+fn contact_edges(study: &Study, plan: &Plan, cut: &Response) -> Option<GradedNote> {
     let radius = cut.inflated.outer_radius_mm;
     let ground = &study.scene.ground;
     let middle = (ground.stations - 1) as f64 / 2.0;
@@ -278,16 +311,17 @@ fn contact_edges(study: &Study, plan: &Plan, cut: &Response) -> Option<String> {
     }
     let edges: Vec<&str> = edges.iter().map(String::as_str).collect();
     (!edges.is_empty()).then(|| {
-        format!(
+        let text = format!(
             "Within the range of its depth the station of {} gains or loses contact, judged by the undeformed profile: \
              the strain bends there, and Gauss rules converge slowly.",
             listed(&edges)
-        )
+        );
+        GradedNote::bearing(Topic::Indices, text)
     })
 }
 
 /// Which locations share their rank, as mirror images do.
-fn ties(locations: &[RankedLocation]) -> Option<String> {
+fn ties(locations: &[RankedLocation]) -> Option<GradedNote> {
     let of_rank = |equals: &[RankedLocation]| {
         let names: Vec<&str> = equals.iter().map(|l| l.name.as_str()).collect();
         let (rank, is_certain) = (equals[0].rank, equals[0].rank_certain);
@@ -297,9 +331,10 @@ fn ties(locations: &[RankedLocation]) -> Option<String> {
     let runs = locations.chunk_by(|a, b| a.rank == b.rank);
     let ranks: Vec<String> = runs.filter(|run| run.len() > 1).map(of_rank).collect();
     (!ranks.is_empty()).then(|| {
-        format!(
+        let text = format!(
             "Equal locations, as mirror images are, share a rank, and their order in it says nothing: {}.",
             ranks.join("; ")
-        )
+        );
+        GradedNote::record(Topic::Place, text)
     })
 }

@@ -117,7 +117,7 @@ fn unranked(
 pub(crate) type Key<'k> = &'k dyn Fn(&RankedLocation) -> Option<f64>;
 
 /// What the default order goes by: the index that is asked for, or the sum of both, percent.
-fn default_key(location: &RankedLocation, directions: Directions) -> Option<f64> {
+pub(crate) fn default_key(location: &RankedLocation, directions: Directions) -> Option<f64> {
     of_asked(
         location.scores.of_score(GSI),
         directions,
@@ -127,7 +127,7 @@ fn default_key(location: &RankedLocation, directions: Directions) -> Option<f64>
 }
 
 /// Its error; the two of a sum come from different outputs.
-fn key_error(location: &RankedLocation, directions: Directions) -> Option<f64> {
+pub(crate) fn key_error(location: &RankedLocation, directions: Directions) -> Option<f64> {
     of_asked(
         location.scores.of_score(GSI),
         directions,

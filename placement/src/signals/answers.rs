@@ -122,9 +122,7 @@ impl<'s> MeshAnswers<'s> {
 
     /// From the bare wall's strains to a glued film's tensions, by two loads.
     fn transfer(&self, place: Place, pressure_mpa: f64) -> Result<TensionTransfer, String> {
-        if reads_bending(&self.settings.film) {
-            return Err("the film's piezoelectric layer lies off the neutral plane: it reads how the film bends, which tensions don't tell".to_owned());
-        }
+        check_transferable(&self.settings.film)?;
         let loads = self.settings.transfer_loads();
         let loads = loads.ok_or("two loads give a transfer; there is one")?;
         let pressings = loads.map(|load_n| Pressing {
@@ -135,15 +133,22 @@ impl<'s> MeshAnswers<'s> {
         let [first, second] = pressings.map(|pressing| {
             let bare = self.bare(place, &pressing)?.signal;
             let coupled = self.coupled(place, &pressing)?.signal;
-            let tension = [
-                coupled.mean_tension_1_n_per_mm,
-                coupled.mean_tension_2_n_per_mm,
-            ];
-            Ok::<_, String>((strain(&bare), tension))
+            Ok::<_, String>((strain(&bare), tension(&coupled)))
         });
         let ((strain_a, tension_a), (strain_b, tension_b)) = (first?, second?);
         TensionTransfer::of([strain_a, strain_b], [tension_a, tension_b])
     }
+}
+
+/// Whether a film's tensions tell what it reads.
+///
+/// # Errors
+/// Why they don't.
+pub(crate) fn check_transferable(film: &Film) -> Result<(), String> {
+    if reads_bending(film) {
+        return Err("the film's piezoelectric layer lies off the neutral plane: it reads how the film bends, which tensions don't tell".to_owned());
+    }
+    Ok(())
 }
 
 /// Whether a change of curvature makes charge, round-off of the neutral plane apart.
@@ -155,8 +160,16 @@ fn strain(signal: &FilmSignal) -> [f64; 2] {
     [signal.mean_strain_1, signal.mean_strain_2]
 }
 
+/// Mean tensions along and across, N/mm.
+pub(crate) fn tension(signal: &FilmSignal) -> [f64; 2] {
+    [
+        signal.mean_tension_1_n_per_mm,
+        signal.mean_tension_2_n_per_mm,
+    ]
+}
+
 /// What a flat film with these tensions along and across reads, N/mm.
-fn signal_of_tension(film: &Film, [along, across]: [f64; 2]) -> FilmSignal {
+pub(crate) fn signal_of_tension(film: &Film, [along, across]: [f64; 2]) -> FilmSignal {
     let [[a, b, _], [c, d, _], _] = film.laminate().membrane;
     let determinant = a * d - b * c;
     let strain = [

@@ -139,17 +139,30 @@ fn series_answers(
 ) -> Result<Vec<Answer>, RunError> {
     let scenes = settings.scenes(tire, series);
     let readout = settings.readout(series);
+    let least = series.least_load();
+    answers_from_first(&scenes, least, &readout, values, place, context)
+}
+
+/// What scenes answer that start from the first one's equilibrium, or, where that has none, from that of the `least` loaded one. The place moves behind them.
+pub(crate) fn answers_from_first(
+    scenes: &[Scene],
+    least: Option<usize>,
+    readout: &Readout,
+    values: &[f64],
+    place: &mut Place,
+    context: RunContext<'_>,
+) -> Result<Vec<Answer>, RunError> {
     let values = vec![values.to_vec(); scenes.len()];
     let begun_at = |begin: usize, place: Place| {
-        let mut ordered = scenes.clone();
+        let mut ordered = scenes.to_vec();
         ordered.swap(0, begin);
-        let mut outcomes = outcomes_of(&ordered, &values, &readout, place, context)?;
+        let mut outcomes = outcomes_of(&ordered, &values, readout, place, context)?;
         outcomes.swap(0, begin);
         Ok::<_, RunError>(outcomes)
     };
     let mut found = begun_at(0, *place);
     place.first += scenes.len();
-    if let (Err(RunError::PointsFailed { .. }), Some(least)) = (&found, series.least_load()) {
+    if let (Err(RunError::PointsFailed { .. }), Some(least)) = (&found, least) {
         place.of += scenes.len();
         found = begun_at(least, *place);
         place.first += scenes.len();

@@ -104,17 +104,7 @@ impl SignalSettings {
 
     /// The two loads whose equilibria give a film's transfer: nearest to a third and to two thirds of the largest; `None` of a single load.
     pub fn transfer_loads(&self) -> Option<[f64; 2]> {
-        let largest = self.loads_n.iter().copied().fold(0.0, f64::max);
-        let nearest = |aim: f64, but: Option<f64>| {
-            let others = self
-                .loads_n
-                .iter()
-                .copied()
-                .filter(|load| Some(*load) != but);
-            others.min_by(|a, b| (a - aim).abs().total_cmp(&(b - aim).abs()))
-        };
-        let first = nearest(largest / 3.0, None)?;
-        Some([first, nearest(2.0 * largest / 3.0, Some(first))?])
+        loads_of_transfer(&self.loads_n)
     }
 
     fn bare_pressings(&self, tire: &Scene) -> Vec<Pressing> {
@@ -218,6 +208,17 @@ impl SignalSettings {
         };
         series.pressings.iter().map(pressed).collect()
     }
+}
+
+/// The two loads nearest to a third and to two thirds of the largest; `None` of a single load.
+pub(crate) fn loads_of_transfer(loads: &[f64]) -> Option<[f64; 2]> {
+    let largest = loads.iter().copied().fold(0.0, f64::max);
+    let nearest = |aim: f64, but: Option<f64>| {
+        let others = loads.iter().copied().filter(|load| Some(*load) != but);
+        others.min_by(|a, b| (a - aim).abs().total_cmp(&(b - aim).abs()))
+    };
+    let first = nearest(largest / 3.0, None)?;
+    Some([first, nearest(2.0 * largest / 3.0, Some(first))?])
 }
 
 fn own_pressure(tire: &Scene, load_n: f64, contact_deg: f64) -> Pressing {

@@ -5,21 +5,26 @@
 
 use fem_client::document::fault::{Fault, entry, member};
 use fem_client::document::fields::{Fields, Range, choice, integer, number, shown};
-use fem_client::scene::{Level, Scene};
+use fem_client::scene::{Film, Level, Scene};
 use serde_json::Value;
 
 use crate::layout::layout_settings::{
     FreeLayout, LayoutLoads, Layouts, NoiseFloor, NoiseSettings, SearchSettings,
+    farthest_section_deg,
 };
 use crate::result::FilmPlace;
 use crate::study::POSITIONS;
 use crate::study::candidate_reader::list;
+use crate::study::directions::Directions;
+use crate::study::film_size_reader::{check_film, check_sizes, read_films};
 use crate::study::input_reader::read_name;
+use crate::study::signal_reader::of_scene;
 
 const SPACING: Range = Range::new(1.0, 360.0, "degrees");
 const ANGLE: Range = Range::new(-360.0, 360.0, "degrees");
 const SHARE: Range = Range::new(1e-6, 1.0, "");
 const STRAIN: Range = Range::new(1e-9, 0.1, "");
+const VOLTS: Range = Range::new(1e-9, 1e4, "V");
 const GAIN: Range = Range::new(0.0, 1.0, "");
 const PLACE: Range = Range::new(0.0, 30.0, "degrees");
 /// Most entries of a list of spacings, numbers of units, section angles or sets of directions.
@@ -35,12 +40,16 @@ const MOST_SLOTS: u64 = 120;
 const MOST_LAYOUTS: usize = 1000;
 /// Most places that a search tries.
 const MOST_PLACES: usize = 2000;
-const LONGEST_LAYOUT: usize = 60;
+/// Characters of a layout's name.
+pub(crate) const LONGEST_LAYOUT: usize = 60;
 
-/// The layouts to score: none without the table, the common ones where it names none. Section angles are checked against the scene, where it is known.
+/// The layouts to score: none without the table, the common ones where it names none. Section angles and sizes are checked against the scene, where it is
+/// known; films lie in the directions that the study asks for, where the table names none. `film` is the one that is glued on, where the table asks for that.
 pub(crate) fn layouts(
     fields: &Fields<'_>,
     scene: Option<&Scene>,
+    directions: Directions,
+    film: Option<&Film>,
     faults: &mut Vec<Fault>,
 ) -> Option<Layouts> {
     let Some((value, pointer)) = fields.get("layouts") else {
@@ -55,13 +64,18 @@ pub(crate) fn layouts(
         "directions",
         "staggered",
         "free",
+        "film",
+        "size_mm",
+        "candidate_sizes_mm",
         "depths_mm",
         "loads_n",
         "noise_share",
         "noise_strain",
+        "noise_v",
         "gain_std",
         "place_std_deg",
         "dead",
+        "shear",
         "level",
         "search",
     ];
@@ -119,6 +133,16 @@ pub(crate) fn layouts(
     );
     layouts.staggered = flag(&fields, "staggered", faults);
     layouts.dead = flag(&fields, "dead", faults);
+    layouts.shear = flag(&fields, "shear", faults);
+    if layouts.shear && scene.is_some_and(|scene| scene.contact.friction == 0.0) {
+        let detail = "needs ground that takes the tread along: the scene's contact.friction above 0; it is 0";
+        Fault::add(faults, &fields.at("shear"), detail);
+    }
+    if layouts.shear && scene.is_some_and(|scene| scene.ground.is_dragged()) {
+        let detail =
+            "is about ground that isn't dragged: the scene's ground.shift_mm must be left out";
+        Fault::add(faults, &fields.at("shear"), detail);
+    }
     let free =
         |value: &Value, at: &str, faults: &mut Vec<Fault>| free_layout(value, at, scene, faults);
     if let Some((value, at)) = fields.get("free") {
@@ -131,6 +155,11 @@ pub(crate) fn layouts(
     }
     layouts.search = search(&fields, scene, faults);
     check_count(&layouts, &pointer, faults);
+    read_films(&fields, &mut layouts, film, faults);
+    if let Some(scene) = scene.filter(|_| faults.len() == before) {
+        check_film(&layouts, &fields, scene, faults);
+        check_sizes(&layouts, &fields, &scene.geometry, directions, faults);
+    }
     (faults.len() == before).then_some(layouts)
 }
 
@@ -183,11 +212,7 @@ fn section(
     scene: Option<&Scene>,
     faults: &mut Vec<Fault>,
 ) -> Option<f64> {
-    let farthest = scene.map_or(180.0, |scene| {
-        let geometry = &scene.geometry;
-        let inner = geometry.section_radius_mm - geometry.wall_mm;
-        (geometry.bead_angle_deg - (geometry.wall_mm / inner).to_degrees()).max(0.0)
-    });
+    let farthest = scene.map_or(180.0, |scene| farthest_section_deg(&scene.geometry));
     let read = value.as_f64().filter(|angle| angle.abs() <= farthest);
     if read.is_none() {
         let detail = format!(
@@ -247,7 +272,7 @@ fn free_layout(
     Some(FreeLayout { name: name?, films })
 }
 
-fn film(
+pub(crate) fn film(
     value: &Value,
     pointer: &str,
     scene: Option<&Scene>,
@@ -301,11 +326,7 @@ fn loads(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> LayoutLoads {
 
 /// A number as a scene reads the field at this path, above zero.
 fn positive(path: &str, value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<f64> {
-    let mut scene = Scene::default();
-    let read = scene.set(path, value).and_then(|()| scene.number_at(path));
-    let read = read
-        .inspect_err(|fault| Fault::add(faults, pointer, fault.detail.clone()))
-        .ok()?;
+    let read = of_scene(path, value, pointer, faults)?;
     if read <= 0.0 {
         Fault::add(
             faults,
@@ -325,14 +346,19 @@ fn noise(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> NoiseSettings {
     let strain = fields
         .get("noise_strain")
         .map(|(value, at)| number(value, &at, STRAIN, faults));
-    match (share, strain) {
-        (Some(_), Some(_)) => Fault::add(
-            faults,
-            &fields.at("noise_strain"),
-            "and noise_share are two ways to say the same: give one of them",
-        ),
-        (Some(Some(share)), None) => noise.floor = NoiseFloor::Share(share),
-        (None, Some(Some(strain))) => noise.floor = NoiseFloor::Strain(strain),
+    let volts = fields
+        .get("noise_v")
+        .map(|(value, at)| number(value, &at, VOLTS, faults));
+    for (name, given) in [("noise_strain", strain), ("noise_v", volts)] {
+        if given.is_some() && share.is_some() {
+            let detail = "and noise_share are two ways to say the same: give one of them";
+            Fault::add(faults, &fields.at(name), detail);
+        }
+    }
+    match (share.flatten(), strain.flatten(), volts.flatten()) {
+        (Some(share), ..) => noise.floor = NoiseFloor::Share(share),
+        (_, Some(strain), _) => noise.floor = NoiseFloor::Strain(strain),
+        (.., Some(volts)) => noise.floor = NoiseFloor::Volts(volts),
         _ => {}
     }
     let numbers = [

@@ -1,13 +1,15 @@
 //! The study document: what varies, what is asked.
 //!
 //! - [`directions`]: which strains are asked for, and what follows from that
-//! - [`study_reader`] and, for its parts, `candidate_reader`, [`distribution_reader`], `input_reader`, `layout_reader`, `method_reader`, [`scene_reader`],
+//! - [`study_reader`] and, for its parts, `candidate_reader`, [`distribution_reader`], [`hand_layout_reader`], `input_reader`, `layout_reader`, `method_reader`, [`scene_reader`],
 //!   `signal_reader`: read a study, with every fault at once
 //! - [`plan`]: the design points of a study, a pure function of the document
 
 pub(crate) mod candidate_reader;
 pub mod directions;
 pub mod distribution_reader;
+pub(crate) mod film_size_reader;
+pub mod hand_layout_reader;
 pub(crate) mod input_reader;
 pub(crate) mod layout_reader;
 pub(crate) mod method_reader;

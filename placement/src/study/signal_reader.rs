@@ -139,7 +139,12 @@ fn pressure(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<f64
 }
 
 /// Reads a number as a scene reads the field at this path.
-fn of_scene(path: &str, value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<f64> {
+pub(crate) fn of_scene(
+    path: &str,
+    value: &Value,
+    pointer: &str,
+    faults: &mut Vec<Fault>,
+) -> Option<f64> {
     let mut scene = Scene::default();
     let read = scene.set(path, value).and_then(|()| scene.number_at(path));
     read.inspect_err(|fault| Fault::add(faults, pointer, fault.detail.clone()))

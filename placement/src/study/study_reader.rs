@@ -6,11 +6,13 @@
 use fem_client::document::fault::Fault;
 use fem_client::document::fields::{Fields, Range, alternatives};
 use fem_client::document::{Format, parse};
-use fem_client::scene::{Level, Scene};
+use fem_client::scene::{Film, Level, Scene};
 use gsa::method::{Kind, Method};
 use serde_json::Value;
 
+use crate::signals::signal_settings::SignalSettings;
 use crate::study::candidate_reader::candidates;
+use crate::study::directions::Directions;
 use crate::study::input_reader::{read_inputs, read_name};
 use crate::study::layout_reader::layouts;
 use crate::study::method_reader::{Limits, read_method};
@@ -131,14 +133,21 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
     let name = read_name(&fields, "name", LONGEST_NAME, faults);
     let scene = scene(&fields, resolve, faults);
     let candidates = candidates(&fields, faults);
-    let layouts = layouts(&fields, scene.as_ref(), faults);
+    let directions = candidates
+        .as_ref()
+        .map_or(Directions::Both, |(directions, _)| *directions);
+    // Layouts of glued films have the film of the signals. Faults stay in the order of the document's tables.
+    let mut of_signals = Vec::new();
+    let signals = signals(&fields, scene.as_ref(), resolve, &mut of_signals);
+    let film = film_of(signals.as_ref(), scene.as_ref());
+    let layouts = layouts(&fields, scene.as_ref(), directions, film.as_ref(), faults);
     let method = read_method(&fields, LIMITS, faults);
     let accuracy = accuracy(&fields, scene.as_ref(), faults);
     let nodes = method
         .as_ref()
         .map_or(Method::of(Kind::Mdrm).nodes, |method| method.nodes);
     let inputs = read_inputs(&fields, scene.as_ref(), nodes, faults);
-    let signals = signals(&fields, scene.as_ref(), resolve, faults);
+    faults.append(&mut of_signals);
     let (mut scene, (accuracy, level)) = (scene?, accuracy?);
     scene.model.level = level;
     let mut signals = signals?;
@@ -158,6 +167,14 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         accuracy,
         signals,
     })
+}
+
+/// The film of the signals; where the study asks for none, that of the scene, or a common one.
+fn film_of(signals: Option<&Option<SignalSettings>>, scene: Option<&Scene>) -> Option<Film> {
+    match signals? {
+        Some(signals) => Some(signals.film.clone()),
+        None => scene.map(|scene| SignalSettings::on(scene).film),
+    }
 }
 
 /// Whether the plan is small enough to be made at all. The other methods bound their designs by themselves.

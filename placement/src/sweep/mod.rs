@@ -139,7 +139,7 @@ pub fn designs_of(base: &Study, value: &Value) -> Result<Vec<Design>, Vec<Fault>
     }
 }
 
-/// A study with some fields set otherwise, by path as in a design.
+/// A study with some fields set otherwise, by path as in a design. Where no name is set, it gets one that says what differs.
 ///
 /// # Errors
 /// Every fault of the values, at `/set/` and their path.
@@ -148,12 +148,15 @@ pub fn changed(
     mut set: Map<String, Value>,
 ) -> Result<PlannedStudy, Vec<Fault>> {
     let mut faults = Vec::new();
-    if let Some(name) = set.shift_remove("name") {
-        let named = json!({"name": name});
-        let fields = Fields::open(&named, "/set", &["name"], &mut faults);
-        let name = fields.and_then(|f| read_name(&f, "name", LONGEST_NAME, &mut faults));
-        base.study.name = name.unwrap_or(base.study.name);
-    }
+    base.study.name = match set.shift_remove("name") {
+        Some(name) => {
+            let named = json!({"name": name});
+            let fields = Fields::open(&named, "/set", &["name"], &mut faults);
+            let name = fields.and_then(|f| read_name(&f, "name", LONGEST_NAME, &mut faults));
+            name.unwrap_or(base.study.name)
+        }
+        None => name_of_changed(&base.study.name, &set),
+    };
     if set.is_empty() {
         return if faults.is_empty() {
             Ok(base)
@@ -172,6 +175,28 @@ pub fn changed(
         }
         _ => Err(faults.into_iter().map(of_setting).collect()),
     }
+}
+
+/// `foot tire · scene.geometry.wall_mm = 5`: what was set stands behind the name, with its whole path; the name alone where nothing was. Cut where it is too long.
+fn name_of_changed(name: &str, set: &Map<String, Value>) -> String {
+    let change = |(path, value): (&String, &Value)| {
+        let field = field_of(path);
+        let of_scene = match OF_STUDY.contains(&first_step(field)) {
+            true => "",
+            false => "scene.",
+        };
+        let value = match value {
+            Value::String(text) => text.clone(),
+            other => other.to_string(),
+        };
+        format!("{of_scene}{field} = {value}")
+    };
+    let changes: Vec<String> = set.iter().map(change).collect();
+    let full = match changes.is_empty() {
+        true => name.to_owned(),
+        false => format!("{name} · {}", visible(&changes.join(", "))),
+    };
+    full.chars().take(LONGEST_NAME).collect()
 }
 
 /// Of the only design in a list: its place there tells nothing.

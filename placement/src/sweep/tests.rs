@@ -179,7 +179,7 @@ fn what_would_take_too_much_is_refused_before_it_is_made() {
 }
 
 #[test]
-fn a_study_is_changed_as_a_design_is_and_keeps_its_name() {
+fn a_study_is_changed_as_a_design_is_and_its_name_says_how() {
     let base = read(json!({"grid": {"geometry.wall_mm": [2]}}))
         .unwrap()
         .base;
@@ -189,7 +189,18 @@ fn a_study_is_changed_as_a_design_is_and_keeps_its_name() {
     let changed = set(json!({"geometry.wall_mm": 2.5, "method.nodes": 3})).unwrap();
     let study = changed.study;
     assert_eq!(changed.plan, Plan::new(&study).unwrap());
-    assert_eq!((&study.name, study.method.nodes), (&base.name, 3));
+    assert_eq!(study.method.nodes, 3);
+    let name = format!(
+        "{} · scene.geometry.wall_mm = 2.5, method.nodes = 3",
+        base.name
+    );
+    assert_eq!(study.name, name);
+    let long = set(json!({"scene.geometry.wall_mm": 2.5, "accuracy.preset": "draft"})).unwrap();
+    assert!(
+        long.study
+            .name
+            .ends_with("scene.geometry.wall_mm = 2.5, accuracy.preset = draft")
+    );
     let mut scene = base.scene.clone();
     scene.set("geometry.wall_mm", &json!(2.5)).unwrap();
     assert_eq!(study.scene, scene);

@@ -2,7 +2,7 @@
 
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::direction::Direction;
-use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
+use fem_client::solver::{Position, SolveError, SolveRequest, Solved, Solver};
 use gsa::method::analysis::Status;
 use placement::layout::layout_settings::{LayoutLoads, Layouts};
 use placement::result::{Output, RankedLayout, RankedLocation, StudyResult};
@@ -223,6 +223,56 @@ fn layouts_are_ranked_by_what_each_film_contributes() {
         .collect();
     assert!(front.is_sorted_by(|a, b| a > b), "{front:?}");
     assert_eq!(answered(&study).layouts, result.layouts);
+}
+
+#[test]
+fn films_of_a_size_are_scored_beside_points() {
+    let mut study = shipped("foot-tire");
+    study.layouts = Layouts {
+        spacings_deg: vec![15.0],
+        positions: vec![Position::Crown],
+        loads: LayoutLoads::Depths(vec![1.0]),
+        candidate_sizes_mm: vec![[10.0, 5.0], [25.0, 10.0]],
+        ..Layouts::default()
+    };
+    let points = answered(&study);
+    let found = &points.layout_findings.as_ref().unwrap().candidates;
+    // The section ends at 102 degrees. Along y 10 mm fit to 71, 25 mm to 26; across it their widths fit to 86 and 71.
+    let count = |length| {
+        let sized = found.iter().filter(|film| film.length_mm == length);
+        [
+            sized.clone().filter(|film| film.direction == "x").count(),
+            sized.filter(|film| film.direction == "y").count(),
+        ]
+    };
+    assert_eq!(
+        [count(None), count(Some(10.0)), count(Some(25.0))],
+        [[7, 7], [6, 5], [5, 2]]
+    );
+    assert!(
+        found
+            .iter()
+            .all(|film| film.length_mm.is_some() == film.width_mm.is_some())
+    );
+    // A tiny film is a point, and a large one isn't; the noise is the point's.
+    let p95 = |result: &StudyResult| {
+        let score = &result.layouts[0].score;
+        (
+            score.simulated_p95_angle_error_deg.unwrap(),
+            score.noise_strain,
+        )
+    };
+    let mut sized = |size_mm| {
+        study.layouts.size_mm = Some(size_mm);
+        p95(&answered(&study))
+    };
+    let (point, [tiny, large]) = (p95(&points), [sized([1e-6, 1e-6]), sized([25.0, 10.0])]);
+    assert!((tiny.0 / point.0 - 1.0).abs() < 1e-6, "{tiny:?} {point:?}");
+    assert!(
+        (large.0 / point.0 - 1.0).abs() > 0.05,
+        "{large:?} {point:?}"
+    );
+    assert_eq!([tiny.1, large.1], [point.1; 2]);
 }
 
 #[test]

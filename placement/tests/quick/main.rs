@@ -9,6 +9,7 @@ mod directions;
 mod documents;
 mod failing;
 mod fuzzed;
+mod glued_layouts;
 mod mirrored;
 mod paper_choice;
 mod running;

@@ -5,9 +5,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use fem_client::closed_form::ClosedFormSolver;
-use fem_client::solver::{SolveError, SolveRequest};
+use fem_client::scene::Level;
+use fem_client::solver::{Position, SolveError, SolveRequest};
+use placement::ladder::climb::answer;
+use placement::layout::layout_settings::{Layouts, SearchSettings};
 use placement::run::usage::cpu_s;
-use placement::run::{Event, RunContext, RunError, run};
+use placement::run::{Event, RunContext, RunError};
 use placement::study::plan::Plan;
 
 use crate::support::{MemoryArchive, Twisted, observed, shipped, text};
@@ -28,6 +31,36 @@ fn the_result_is_the_same_to_the_bit_on_any_number_of_threads() {
     let one = on(1);
     assert_eq!(on(2), one);
     assert_eq!(on(7), one);
+}
+
+#[test]
+fn layouts_are_scored_and_searched_alike_on_any_number_of_threads() {
+    let mut study = shipped("foot-tire");
+    study.level = Level::Draft;
+    study.layouts = Layouts {
+        units: vec![5, 6],
+        staggered: true,
+        dead: true,
+        search: Some(SearchSettings {
+            films: vec![2, 4],
+            slots: 9,
+            section_deg: vec![0.0],
+            directions: vec![0.0, 90.0],
+        }),
+        ..Layouts::none()
+    };
+    study.layouts.positions = vec![Position::Crown];
+    let on = |threads| {
+        let solver = ClosedFormSolver::new();
+        text(
+            &observed(&study, &solver, &MemoryArchive::default(), threads)
+                .0
+                .unwrap(),
+        )
+    };
+    let one = on(1);
+    assert!(one.contains("best 4 films, 1") && one.contains("interval errors"));
+    assert_eq!(on(3), one);
 }
 
 #[test]
@@ -52,7 +85,7 @@ fn a_stopped_run_goes_on_where_it_ended_and_gives_the_same_bits() {
         pause: None,
         observer: &stop_at_nine,
     };
-    let stopped = run(&study, &plan, context);
+    let stopped = answer(&study, &plan, context);
     assert_eq!(stopped, Err(RunError::Stopped));
     // The other thread may have been in the middle of one more solve.
     let stored = archive.points.lock().unwrap().len();
@@ -98,7 +131,7 @@ fn a_run_that_is_paused_again_and_again_comes_to_its_end() {
     };
     let mut stored = Vec::new();
     let result = loop {
-        match run(&study, &plan, context) {
+        match answer(&study, &plan, context) {
             Err(RunError::Paused) => stored.push(archive.points.lock().unwrap().len()),
             other => break other.unwrap(),
         }

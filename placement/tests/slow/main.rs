@@ -1,4 +1,5 @@
 //! Studies that are solved with finite elements.
 
 mod effects;
+mod film_points;
 mod layouts;

@@ -43,7 +43,7 @@ from .answers.ranked import (
     LoadScore,
     Location,
 )
-from .answers.result import Result
+from .answers.result import Answer, GradedNote, LayoutAnswer, LeftOut, PlaceAnswer, Preview, Result, Surer
 from .answers.signals import Claim, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth
 from .answers.summary import Design, DesignCounts, Preset, Presets, StudySummary, SweepSummary
 from .client import Client
@@ -64,12 +64,15 @@ from .errors import (
     StudyFailed,
     WaitTimeout,
 )
+from .fields.sections import FailedNode, RingLoad, Rings, SectionNode, Sections, WheelRing
+from .fields.surface import Surface
 from .local import local
 from .study import Study
 from .sweep import Sweep
 
 __all__ = [
     "AlikeContacts",
+    "Answer",
     "AnswerError",
     "Busy",
     "Candidate",
@@ -94,6 +97,7 @@ __all__ = [
     "Estimate",
     "Evaluation",
     "ExpectedAccuracy",
+    "FailedNode",
     "FailedPoint",
     "Fault",
     "FilmPair",
@@ -101,15 +105,18 @@ __all__ = [
     "Forecast",
     "FormMisses",
     "FrontLayout",
+    "GradedNote",
     "Input",
     "InvalidDocument",
     "Knee",
     "Layout",
+    "LayoutAnswer",
     "LayoutError",
     "LayoutFindings",
     "LayoutLoad",
     "LayoutScore",
     "LayoutSearch",
+    "LeftOut",
     "LoadScore",
     "LocalServerError",
     "Location",
@@ -119,11 +126,17 @@ __all__ = [
     "NotFound",
     "OrderAgreement",
     "Output",
+    "PlaceAnswer",
     "Preset",
     "Presets",
+    "Preview",
     "ProblemError",
     "Refused",
     "Result",
+    "RingLoad",
+    "Rings",
+    "SectionNode",
+    "Sections",
     "ServerLost",
     "SignalCurve",
     "SignalError",
@@ -139,9 +152,12 @@ __all__ = [
     "StudyFailed",
     "StudyIdentity",
     "StudySummary",
+    "Surer",
+    "Surface",
     "Sweep",
     "SweepEstimate",
     "SweepSummary",
     "WaitTimeout",
+    "WheelRing",
     "local",
 ]

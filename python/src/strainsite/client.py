@@ -11,6 +11,7 @@ from . import documents
 from .answers.comparison import Comparison
 from .answers.estimate import Estimate, SweepEstimate
 from .answers.reading import read
+from .answers.result import Preview
 from .answers.summary import Presets, StudySummary
 from .connection.download import download
 from .connection.transport import Transport
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from types import TracebackType
 
     from .answers.comparison import ComparisonTable
-    from .answers.summary import State
+    from .answers.summary import Archived, State
 
     Document = Mapping[str, Any] | str | Path
     """A study: its fields, a TOML or JSON file, or the name of one that the service ships."""
@@ -158,6 +159,19 @@ class Client:
         """
         return read(Estimate, self._transport.post("/v1/studies:estimate", self.document(document, set)))
 
+    def preview(self, document: Document, set: Mapping[str, Any] | None = None) -> Preview:
+        """A document's ranked places on the draft mesh, solved at once; nothing is stored.
+
+        One preview is solved at a time in the whole service: a newer one ends the one before.
+
+        Raises:
+            DocumentError: As for `submit`.
+            InvalidDocument: As for `submit`.
+            ProblemError: A newer one was asked for (409), or it took longer than 10 s (503).
+
+        """
+        return read(Preview, self._transport.post("/v1/studies:preview", self.document(document, set)))
+
     def study(self, id: str) -> Study:
         """The study of this identifier.
 
@@ -167,15 +181,29 @@ class Client:
         """
         return Study(self._transport, read(StudySummary, self._transport.get(f"/v1/studies/{_part(id)}")))
 
-    def studies(self, state: State | None = None, sweep: Sweep | str | None = None) -> Iterator[Study]:
-        """All studies, newest first; pages are asked for as they are needed.
+    def studies(
+        self,
+        state: State | None = None,
+        sweep: Sweep | str | None = None,
+        *,
+        search: str | None = None,
+        archived: Archived = "false",
+    ) -> Iterator[Study]:
+        """All studies that aren't archived, newest first; pages are asked for as they are needed.
 
         Args:
             state: Those of this state alone.
             sweep: Designs of this sweep alone, or with `"none"` studies that are no design of any.
+            search: Those alone whose name has this, whatever the case, or whose identifier begins so.
+            archived: `"true"`: archived ones alone; `"all"`: those, too.
 
         """
-        asked = {"state": state, "sweep": sweep.id if isinstance(sweep, Sweep) else sweep}
+        asked = {
+            "state": state,
+            "sweep": sweep.id if isinstance(sweep, Sweep) else sweep,
+            "search": search,
+            "archived": archived,
+        }
         for entry in self._pages("studies", {name: value for name, value in asked.items() if value is not None}):
             yield Study(self._transport, read(StudySummary, entry))
 
@@ -234,9 +262,16 @@ class Client:
         """
         return Sweep(self._transport, self._transport.get(f"/v1/sweeps/{_part(id)}"))
 
-    def sweeps(self) -> Iterator[Sweep]:
-        """All sweeps, newest first; pages are asked for as they are needed."""
-        for entry in self._pages("sweeps", {}):
+    def sweeps(self, *, search: str | None = None, archived: Archived = "false") -> Iterator[Sweep]:
+        """All sweeps that aren't archived, newest first; pages are asked for as they are needed.
+
+        Args:
+            search: Those alone whose name has this, whatever the case, or whose identifier begins so.
+            archived: `"true"`: archived ones alone; `"all"`: those, too.
+
+        """
+        asked = {"archived": archived, **({} if search is None else {"search": search})}
+        for entry in self._pages("sweeps", asked):
             yield Sweep(self._transport, entry)
 
     def compare(self, studies: Iterable[Study | str], baseline: Study | str | None = None) -> Comparison:

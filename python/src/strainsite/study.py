@@ -18,10 +18,13 @@ from .connection.download import download
 from .connection.follow import ENDED, Follower
 from .connection.progress import Deadline, Progress
 from .errors import NotFound, StudyCancelled, StudyFailed
+from .fields.sections import Rings, Sections
+from .fields.surface import Surface
 from .views import frames, html
 
 if TYPE_CHECKING:
     import os
+    from collections.abc import Mapping, Sequence
     from pathlib import Path
 
     import pandas as pd
@@ -51,7 +54,7 @@ class Study:
 
     @property
     def name(self) -> str:
-        """The name from its document."""
+        """Its name in lists: the document's, unless `rename` changed it."""
         return self.summary.name
 
     @property
@@ -106,6 +109,27 @@ class Study:
         """Cancels it; what it has solved is kept. Nothing happens to a study that has ended."""
         answer = self._transport.request("DELETE", self._path)
         self.summary = read(StudySummary, answer.json())
+        return self
+
+    def rename(self, name: str) -> Study:
+        """Gives it another name in lists; document and result keep the one that was submitted.
+
+        Raises:
+            ProblemError: It is no name: 1 to 200 characters without control characters (422).
+
+        """
+        return self._change({"name": name})
+
+    def archive(self) -> Study:
+        """Leaves it out of lists; nothing of it is lost."""
+        return self._change({"archived": True})
+
+    def unarchive(self) -> Study:
+        """Takes it back into lists."""
+        return self._change({"archived": False})
+
+    def _change(self, change: Mapping[str, Any]) -> Study:
+        self.summary = read(StudySummary, self._transport.patch(self._path, change))
         return self
 
     def remove(self) -> None:
@@ -175,8 +199,53 @@ class Study:
 
     def map(self, direction: str = "x", input: str | None = None) -> StrainMap:
         """One layer of the map over the inner surface: direction `x` or `y`, and an input (the first when left out)."""
-        params = {"direction": direction} | ({} if input is None else {"input": input})
+        params = {"direction": direction, "index": "total"} | ({} if input is None else {"input": input})
         return StrainMap.of(self._answer("map", params))
+
+    def sections(self, input: str | None = None) -> Sections:
+        """The map at the solved values of an input (the first when left out), all others at their means.
+
+        Raises:
+            NotFound: Its document asks for no map.
+
+        """
+        params = {} if input is None else {"input": input}
+        return read(Sections, self._answer("sections", params), "sections")
+
+    def rings(self) -> Rings:
+        """What layouts' films read around the whole wheel; without rings where it asks for no layouts."""
+        return read(Rings, self._answer("rings"), "rings")
+
+    def score_layouts(
+        self,
+        layouts: Sequence[Mapping[str, Any]],
+        *,
+        simulated: bool = False,
+    ) -> tuple[Layout, ...]:
+        """Scores layouts of your own, film by film, from what it has stored; nothing is solved.
+
+        Args:
+            layouts: Up to 50 like `{"films": [{"theta_deg": 0, "phi_deg": 0, "angle_deg": 90}]}`, with a `name` or
+                without; films are of the kinds that the study has read.
+            simulated: Whether errors are simulated beside the bounds, of four layouts at most.
+
+        Raises:
+            InvalidDocument: A film is of a kind that it has nothing of, or the layouts have other faults.
+            ProblemError: Its document asks for no layouts, or their solves are no longer stored.
+
+        """
+        body = {"layouts": [dict(layout) for layout in layouts], "simulated": simulated}
+        answer = self._transport.post(f"{self._path}/layouts:score", body)
+        return records(answer.get("layouts"), Layout, "layouts")
+
+    def surface(self) -> Surface:
+        """Both skins of the whole wheel at the means.
+
+        Raises:
+            NotFound: It isn't done yet, or another solver solved it.
+
+        """
+        return Surface.of(self._transport.request("GET", f"{self._path}/surface").content)
 
     def export(
         self,
@@ -187,7 +256,8 @@ class Study:
         """Writes the service's export to a file and returns its path.
 
         Args:
-            format: `csv`, `parquet`, `vtu` (the map on the inner surface, for ParaView) or `json` (the result).
+            format: `csv`, `parquet`, `vtu` (the map on the inner surface, for ParaView), `glb` (the whole wheel, for
+                any 3-D viewer) or `json` (the result).
             table: `indices` (when left out), `locations`, `layouts`, `candidates`, `points` or `signals`, for
                 formats of one table.
             path: The file, or a folder; the name that the service proposes, in the working folder, when left out.

@@ -52,7 +52,7 @@ class Sweep:
 
     @property
     def name(self) -> str:
-        """Its name."""
+        """Its name in lists: as it was submitted, unless `rename` changed it."""
         return self.summary.name
 
     @property
@@ -108,6 +108,27 @@ class Sweep:
     def cancel(self) -> Sweep:
         """Cancels all designs that haven't ended; what is solved is kept."""
         self._take(self._transport.request("DELETE", self._path).json())
+        return self
+
+    def rename(self, name: str) -> Sweep:
+        """Gives it another name in lists; its designs keep theirs.
+
+        Raises:
+            ProblemError: It is no name: 1 to 200 characters without control characters (422).
+
+        """
+        return self._change({"name": name})
+
+    def archive(self) -> Sweep:
+        """Leaves it out of lists; nothing of it is lost."""
+        return self._change({"archived": True})
+
+    def unarchive(self) -> Sweep:
+        """Takes it back into lists."""
+        return self._change({"archived": False})
+
+    def _change(self, change: Mapping[str, Any]) -> Sweep:
+        self.summary = read(SweepSummary, self._transport.patch(self._path, change))
         return self
 
     def remove(self) -> None:

@@ -23,7 +23,7 @@ use tokio::time::timeout;
 
 use crate::answered::{Answered, answered};
 use crate::database_archive::StoreArchive;
-use crate::forecast::{ForecastError, pace};
+use crate::forecast::{ForecastError, forecast_next, pace};
 use crate::metrics::{Metrics, PointOutcome};
 use crate::solving::timekeeper::Timekeeper;
 use crate::solving::traced::Traced;
@@ -151,6 +151,7 @@ impl Engine {
                 reused: points,
             });
             result.estimate = estimate;
+            runtime.block_on(self.tell_surer(study, &mut result));
             result.cost.wall_s = begun.0.elapsed().as_secs_f64();
             result.cost.cpu_s = (cpu_s() - begun.1).max(0.0);
             result.cost.peak_memory_bytes = peak_memory_bytes();
@@ -159,6 +160,7 @@ impl Engine {
         match climb::answer(study, plan, context) {
             Ok(mut result) => {
                 result.estimate = estimate;
+                runtime.block_on(self.tell_surer(study, &mut result));
                 result.study.id.clone_from(&row.id);
                 End::Done(Box::new(result))
             }
@@ -216,6 +218,28 @@ impl Engine {
             tracing::warn!(%error, "the study's estimate could not be stored");
         }
         Some(pace)
+    }
+
+    /// Adds to an answer what a surer one costs. Not worth a study: without it the answer stands.
+    async fn tell_surer(&self, study: &Study, result: &mut StudyResult) {
+        let Some(answer) = &mut result.answer else {
+            return;
+        };
+        answer.surer = match forecast_next(
+            &self.store,
+            &self.solver,
+            self.threads,
+            study,
+            &result.model.level,
+        )
+        .await
+        {
+            Ok(surer) => surer,
+            Err(error) => {
+                tracing::warn!(%error, "what a surer answer costs isn't known");
+                None
+            }
+        };
     }
 
     async fn record(&self, study: &str, event: &Event) -> Result<(), StoreError> {

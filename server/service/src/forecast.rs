@@ -4,9 +4,10 @@ use std::collections::HashSet;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
+use fem_client::scene::Level;
 use fem_client::solver::Solver;
-use placement::estimate::{Machine, Pace, Workload, estimate};
-use placement::result::Estimate;
+use placement::estimate::{Machine, NextLevel, Pace, Workload, estimate};
+use placement::result::{Estimate, Surer};
 use placement::study::Study;
 use placement::study::plan::{Estimable, PlanError, PlannedStudy};
 use placement::sweep::Sweep;
@@ -101,6 +102,35 @@ pub async fn forecast_of(
     let samples = evaluations::samples(&mut connection).await?;
     let machine = Machine::measured(solves_at_once(threads), &samples, solver.as_ref());
     Ok(estimate(&work, &known, &machine))
+}
+
+/// What a surer answer costs than that of a study on a level: the next one. `None` at the top of the ladder.
+///
+/// # Errors
+/// See [`ForecastError`].
+pub async fn forecast_next(
+    store: &Store,
+    solver: &Arc<dyn Solver>,
+    threads: usize,
+    study: &Study,
+    level: &str,
+) -> Result<Option<Surer>, ForecastError> {
+    let Some((_, answered)) = Level::NAMES.iter().find(|(name, _)| *name == level) else {
+        return Ok(None);
+    };
+    let (own, asked) = (study.clone(), solver.clone());
+    let next = tokio::task::spawn_blocking(move || NextLevel::of(&own, *answered, asked.as_ref()));
+    let Some(next) = next.await.map_err(|_| ForecastError::Broken)?? else {
+        return Ok(None);
+    };
+    let asked = match Estimable::is_counted(&next.study) {
+        true => Estimable::Counted(next.study.clone()),
+        false => Estimable::Planned(PlannedStudy::new(next.study.clone())?),
+    };
+    let estimate = forecast_of(store, solver, threads, asked).await?;
+    Ok(Some(
+        next.surer(estimate.wall_s.map(|wall_s| wall_s.expected)),
+    ))
 }
 
 fn solves_at_once(threads: usize) -> usize {

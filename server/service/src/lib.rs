@@ -5,12 +5,13 @@
 //! - [`solving`]: which solver answers, chosen here and nowhere else, and how a solve is watched
 //! - [`shutdown`]: the wish to stop
 //! - [`study_document`]: study documents from files and from the database
-//! - [`point_views`]: the points of a study as a reader sees them
+//! - [`views`]: what a study has solved as a reader sees it
 //! - [`wire`]: what goes over the wire
 //! - [`metrics`]: what is counted and measured
 //! - [`database_archive`]: the database as the place where solved points are kept
 //! - [`forecast`]: what a study would cost
 //! - [`answered`]: the same study again
+//! - [`previewer`]: places at once, for somebody who writes a document
 //! - [`engine`]: runs one study from its document to its end
 //! - [`queue`]: the queue of studies; sweeps; removal
 //! - [`comparison`]: studies side by side
@@ -23,9 +24,10 @@ pub mod engine;
 pub mod export;
 pub mod forecast;
 pub mod metrics;
-pub mod point_views;
+pub mod previewer;
 pub mod queue;
 pub mod shutdown;
 pub mod solving;
 pub mod study_document;
+pub mod views;
 pub mod wire;

@@ -47,6 +47,9 @@ enum Command {
     /// Compare studies, or the designs of a sweep: what differs, and which differences are real
     #[command(after_help = help_examples::COMPARE)]
     Compare(compare::Compare),
+    /// List the studies and scenes that ship, whose names stand for files
+    #[command(after_help = help_examples::PRESETS)]
+    Presets(library::Presets),
     /// List the studies of a database, newest first
     #[command(after_help = help_examples::LIST)]
     List(library::List),
@@ -104,6 +107,7 @@ impl Command {
             Self::Trade(command) => command.execute(),
             Self::Sweep(command) => command.execute(),
             Self::Compare(command) => command.execute(),
+            Self::Presets(command) => command.execute(),
             Self::List(command) => command.execute(),
             Self::Show(command) => command.execute(),
             Self::Export(command) => command.execute(),
@@ -124,6 +128,7 @@ impl Command {
             Self::Trade(command) => command.json.clone(),
             Self::Sweep(command) => command.json.clone(),
             Self::Compare(command) => command.json.clone(),
+            Self::Presets(command) => command.json.clone(),
             Self::List(command) => command.json.clone(),
             Self::Show(command) => command.json.clone(),
             // The document of verify holds the failed cases already.
@@ -145,6 +150,7 @@ impl Command {
             Self::Trade(command) => command.files(),
             Self::Sweep(command) => command.files(),
             Self::Compare(command) => command.files(),
+            Self::Presets(command) => command.files(),
             Self::List(command) => command.files(),
             Self::Show(command) => command.files(),
             Self::Export(command) => command.files(),

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use axum::extract::FromRef;
 use service::engine::Engine;
 use service::metrics::Metrics;
+use service::previewer::Previewer;
 use service::queue::Queue;
 use service::shutdown::Shutdown;
 use store::Store;
@@ -12,7 +13,7 @@ use store::Store;
 use crate::http::edge::access::Access;
 use crate::http::edge::room::Room;
 use crate::http::edge::streams::Streams;
-use crate::http::routes::sent_result::Intact;
+use crate::http::routes::answers::sent_result::Intact;
 
 /// What every handler may use.
 #[derive(Clone)]
@@ -23,6 +24,8 @@ pub struct AppState {
     pub engine: Engine,
     /// The queue of studies.
     pub queue: Arc<Queue>,
+    /// Solves previews beside it.
+    pub previewer: Arc<Previewer>,
     /// Memory that a study may take, bytes.
     pub memory_bytes: u64,
     /// Hears when the service is to stop.

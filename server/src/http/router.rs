@@ -3,14 +3,14 @@
 use std::any::Any;
 
 use axum::http::StatusCode;
-use axum::middleware::{from_fn, from_fn_with_state};
+use axum::middleware::{from_fn, from_fn_with_state, map_response};
 use axum::response::{IntoResponse, Response};
 use axum::{Router, body::Body};
 use tower_http::catch_panic::CatchPanicLayer;
 
 use crate::http::app_state::AppState;
 use crate::http::edge::problem_document::Problem;
-use crate::http::edge::{access, guard, request_id, room};
+use crate::http::edge::{access, guard, packed, request_id, room};
 use crate::http::routes::{assets, metric_routes, openapi};
 
 /// All routes, guarded: the innermost layer stands first.
@@ -25,6 +25,8 @@ pub fn app(state: AppState, hosts: guard::HostList) -> Router {
         .fallback(assets::fallback)
         .with_state(state)
         .layer(CatchPanicLayer::custom(panicked))
+        .layer(packed::layer())
+        .layer(map_response(packed::weaken))
         .layer(from_fn_with_state(access, access::authorise))
         .layer(from_fn_with_state(hosts, guard::admit))
         .layer(from_fn(guard::harden))

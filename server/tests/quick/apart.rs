@@ -41,6 +41,7 @@ fn readout() -> Readout {
             half_width_deg: 40.0,
         }),
         shape: true,
+        positions: true,
         rings: vec![RingLine::at(45.0)],
         fine_deg: None,
         gauges: vec![Gauge {

@@ -91,6 +91,7 @@ async fn serve_to(
     let parts = ServiceParts {
         address: "127.0.0.1:0".parse().expect("address"),
         database,
+        previewer: solver.clone(),
         solver,
         threads: 2,
         turn: TURN,

@@ -9,3 +9,4 @@ mod long_results;
 mod numerics;
 mod own_models;
 mod program;
+mod told_answers;

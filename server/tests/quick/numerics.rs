@@ -9,13 +9,15 @@ use crate::program::{command, text};
 /// Has the C library compute elementary functions as on a processor without these instructions.
 const OTHER: &str = "glibc.cpu.hwcaps=-FMA,-AVX2,-AVX,-FMA4";
 
-/// The shipped study on the draft mesh, with these tunables of the C library.
+/// The shipped study on the draft mesh, without layouts, whose loads are solved as all points are, with these tunables of the C library.
 fn result(folder: &Path, database: &str, tunables: &str) -> Value {
     let arguments = [
         "run",
         "foot-tire",
         "--set",
         "accuracy.preset=draft",
+        "--set",
+        "layouts.spacings_deg=[]",
         "--db",
         database,
         "--json",

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { css, diverging, oklabOfRgb, rgbOfOklab, sequential, type Rgb } from "./colour.ts";
+import { contrast, css, diverging, inkOn, oklabOfRgb, rgbOfOklab, sequential, type Rgb } from "./colour.ts";
 
 const shares = Array.from({ length: 33 }, (_, index) => index / 32);
 const distance = (from: Rgb, to: Rgb): number => {
@@ -42,4 +42,11 @@ test("values outside the scale and missing ones take an end of the map", () => {
   assert.deepEqual(sequential(7), sequential(1));
   assert.deepEqual(sequential(Number.NaN), sequential(0));
   assert.equal(css([1, 2, 3]), "rgb(1 2 3)");
+});
+
+test("ink is read on every colour of the maps", () => {
+  assert.equal(contrast([0, 0, 0], [255, 255, 255]), 21);
+  for (const share of shares) {
+    for (const ground of [sequential(share), diverging(share)]) assert.ok(contrast(ground, inkOn(ground)) >= 4.5, css(ground));
+  }
 });

@@ -94,3 +94,20 @@ export const diverging: ColourMap = mapOf(
 export function css([red, green, blue]: Rgb): string {
   return `rgb(${red} ${green} ${blue})`;
 }
+
+const [DARK, LIGHT]: [Rgb, Rgb] = [[0, 0, 0], [255, 255, 255]];
+
+/** The ratio of two colours' luminances after WCAG 2.2, from 1 to 21. */
+export function contrast(a: Rgb, b: Rgb): number {
+  const [low, high] = [luminance(a), luminance(b)].sort((one, other) => one - other) as [number, number];
+  return (high + 0.05) / (low + 0.05);
+}
+
+/** Black or white, whichever is read better on a colour. */
+export function inkOn(ground: Rgb): Rgb {
+  return contrast(ground, DARK) >= contrast(ground, LIGHT) ? DARK : LIGHT;
+}
+
+function luminance([red, green, blue]: Rgb): number {
+  return 0.2126 * decode(red) + 0.7152 * decode(green) + 0.0722 * decode(blue);
+}

@@ -33,6 +33,12 @@ export function grouped(text: string): string {
   return fraction === undefined ? spaced : `${spaced}.${fraction}`;
 }
 
+/** A rank among all ranks, as in sports: 2= where several share it. */
+export function rankWords(rank: number, all: readonly { rank: number }[]): string {
+  const sharing = all.filter((each) => each.rank === rank).length;
+  return sharing > 1 ? `${rank}=` : `${rank}`;
+}
+
 export function integer(value: number | null | undefined): string {
   return exists(value) ? grouped(fixed(value, 0)) : MISSING;
 }
@@ -82,6 +88,17 @@ export function moment(text: string | null, now: Date): string {
   const clock = `${pad(date.getHours())}:${pad(date.getMinutes())}`;
   if (date.toDateString() === now.toDateString()) return clock;
   return `${date.getFullYear()}-${pad(date.getMonth() + 1)}-${pad(date.getDate())} ${clock}`;
+}
+
+/** How long ago a moment was, in one unit: just now, 5 min ago, 3 h ago, 2 days ago. */
+export function ago(text: string | null, now: Date): string {
+  const seconds = text === null ? Number.NaN : (now.getTime() - Date.parse(text)) / 1000;
+  if (Number.isNaN(seconds)) return MISSING;
+  if (seconds < 60) return "just now";
+  if (seconds < 3600) return `${Math.floor(seconds / 60)} min ago`;
+  if (seconds < 86_400) return `${Math.floor(seconds / 3600)} h ago`;
+  const days = Math.floor(seconds / 86_400);
+  return days === 1 ? "yesterday" : `${days} days ago`;
 }
 
 /** Round numbers that divide a scale from low to high into about `count` parts. */

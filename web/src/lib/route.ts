@@ -1,34 +1,74 @@
 import type { Direction } from "./direction.ts";
+import { PLAIN_SIGHT, readSight, writeSight, type Sight } from "./tire/view-address.ts";
 
 /** The view in the address bar: what a link shows is what its sender saw. */
 
-
 /** What the map of the inner surface shows. */
-export type Quantity = "index" | "std" | "strain" | "error";
+export type Quantity = "index" | "total" | "std" | "strain" | "error" | "signal";
 
-export const QUANTITIES: readonly Quantity[] = ["index", "std", "strain", "error"];
+export const QUANTITIES: readonly Quantity[] = ["index", "total", "std", "strain", "error", "signal"];
 
 /** What the charts of a sweep show: the indices, or how they differ from the baseline's. */
 export type Shown = "index" | "difference";
 
-export type HomeRoute = { view: "home"; preset: string | null };
-export type SweepRoute = { view: "sweep"; id: string; baseline: string | null; shown: Shown };
-export type StudyRoute = { view: "study"; id: string; direction: Direction; quantity: Quantity; input: string | null };
-export type Route = HomeRoute | SweepRoute | StudyRoute;
+/** The form of a new study: of a preset, or of a study that is to be run again with changes, such as a layout with these films. */
+export type HomeRoute = { view: "home"; preset: string | null; again: string | null; films: string | null };
+/** The layer of the inner surface that is shown. */
+interface LayerChoice {
+  direction: Direction;
+  quantity: Quantity;
+  /** Null for the centre's own. */
+  input: string | null;
+}
+/** Whether compared layers are drawn unrolled or on the tires. */
+export type DrawnAs = "maps" | "tires";
+/** Studies side by side; the baseline is the first of them when none is named. */
+export type CompareRoute = { view: "compare"; studies: string[]; baseline: string | null; shown: Shown; drawnAs: DrawnAs; sight: Sight } & LayerChoice;
+/** What the cells of a grid of two fields show. */
+export const CELL_FIGURES = ["answer", "index-x", "index-y", "angle-error"] as const;
+export type CellFigure = (typeof CELL_FIGURES)[number];
+export type SweepRoute = { view: "sweep"; id: string; baseline: string | null; shown: Shown; figure: CellFigure };
 
-/** Reads `#/studies/{id}?direction=x&quantity=index&input=P3` and `#/sweeps/{id}?baseline=STUDY&shown=difference`; anything else is the home view. */
+/** A study's pages, in the order of their links. */
+export const SECTIONS = ["answer", "tire", "layouts", "indices", "trade", "run"] as const;
+export type Section = (typeof SECTIONS)[number];
+
+export type StudyRoute = { view: "study"; id: string; section: Section; films: string | null; sight: Sight } & LayerChoice;
+export type Route = HomeRoute | SweepRoute | StudyRoute | CompareRoute;
+
+/** Reads `#/studies/{id}/tire?direction=x&quantity=index&input=P3` and `#/sweeps/{id}?baseline=STUDY&shown=difference`; anything else is the home view. */
 export function parseRoute(hash: string): Route {
   const [path = "", query = ""] = hash.replace(/^#/, "").split("?", 2);
   const values = new URLSearchParams(query);
-  const [, kind, id] = /^\/(studies|sweeps)\/([^/]+)$/.exec(path) ?? [];
-  if (id === undefined) return { view: "home", preset: values.get("preset") };
-  if (kind === "sweeps") {
-    const shown = values.get("shown") === "difference" ? "difference" : "index";
-    return { view: "sweep", id: decode(id), baseline: values.get("baseline"), shown };
+  const shown = values.get("shown") === "difference" ? "difference" : "index";
+  if (path === "/compare") {
+    const studies = (values.get("studies") ?? "").split(",").filter((id) => id !== "");
+    const drawnAs = values.get("as") === "tires" ? "tires" : "maps";
+    return { view: "compare", studies, baseline: values.get("baseline"), shown, drawnAs, sight: readSight(values), ...layerIn(values) };
   }
+  const [, kind, id, section] = /^\/(studies|sweeps)\/([^/]+)(?:\/([^/]*))?$/.exec(path) ?? [];
+  if (id === undefined) return { view: "home", preset: values.get("preset"), again: values.get("again"), films: values.get("films") };
+  const figure = CELL_FIGURES.find((name) => name === values.get("figure")) ?? "answer";
+  if (kind === "sweeps") return { view: "sweep", id: decode(id), baseline: values.get("baseline"), shown, figure };
+  return { view: "study", id: decode(id), section: sectionOf(section, values), films: values.get("films"), sight: readSight(values), ...layerIn(values) };
+}
+
+function layerIn(values: URLSearchParams): LayerChoice {
   const quantity = QUANTITIES.find((name) => name === values.get("quantity")) ?? "index";
-  const direction = values.get("direction") === "y" ? "y" : "x";
-  return { view: "study", id: decode(id), direction, quantity, input: values.get("input") };
+  return { direction: values.get("direction") === "y" ? "y" : "x", quantity, input: values.get("input") };
+}
+
+function writeLayer({ direction, quantity, input }: LayerChoice, values: URLSearchParams): void {
+  if (direction !== "x") values.set("direction", direction);
+  if (quantity !== "index") values.set("quantity", quantity);
+  if (input !== null) values.set("input", input);
+}
+
+/** Of links from before the sections: those that choose what the map shows open the map. */
+function sectionOf(name: string | undefined, values: URLSearchParams): Section {
+  const named = SECTIONS.find((section) => section === name);
+  if (named !== undefined) return named;
+  return values.has("quantity") || values.has("input") ? "tire" : "answer";
 }
 
 /** The address of a view; what is at its default is left out. */
@@ -36,27 +76,53 @@ export function formatRoute(route: Route): string {
   const values = new URLSearchParams();
   if (route.view === "home") {
     if (route.preset !== null) values.set("preset", route.preset);
+    if (route.again !== null) values.set("again", route.again);
+    if (route.films !== null) values.set("films", route.films);
     return withQuery("#/", values);
   }
-  if (route.view === "sweep") {
+  if (route.view === "sweep" || route.view === "compare") {
+    if (route.view === "compare") values.set("studies", route.studies.join(","));
     if (route.baseline !== null) values.set("baseline", route.baseline);
     if (route.shown !== "index") values.set("shown", route.shown);
-    return withQuery(`#/sweeps/${encodeURIComponent(route.id)}`, values);
+    if (route.view === "sweep" && route.figure !== "answer") values.set("figure", route.figure);
+    if (route.view === "sweep") return withQuery(`#/sweeps/${encodeURIComponent(route.id)}`, values);
+    if (route.drawnAs !== "maps") values.set("as", route.drawnAs);
+    writeLayer(route, values);
+    writeSight(route.sight, values);
+    return withQuery("#/compare", values);
   }
-  values.set("direction", route.direction);
-  if (route.quantity !== "index") values.set("quantity", route.quantity);
-  if (route.input !== null) values.set("input", route.input);
-  return withQuery(`#/studies/${encodeURIComponent(route.id)}`, values);
+  const study = `#/studies/${encodeURIComponent(route.id)}`;
+  writeLayer(route, values);
+  writeSight(route.sight, values);
+  if (route.films !== null) values.set("films", route.films);
+  return withQuery(route.section === "answer" ? study : `${study}/${route.section}`, values);
+}
+
+const FIRST_LAYER: LayerChoice = { direction: "x", quantity: "index", input: null };
+
+/** The form before its reader chose anything. */
+export function homeRoute(): HomeRoute {
+  return { view: "home", preset: null, again: null, films: null };
+}
+
+/** The form with the document of a study, and a layout of these films in it. */
+export function againRoute(id: string, films: string | null = null): HomeRoute {
+  return { ...homeRoute(), again: id, films };
 }
 
 /** The view of a study before its reader chose anything. */
 export function studyRoute(id: string): StudyRoute {
-  return { view: "study", id, direction: "x", quantity: "index", input: null };
+  return { view: "study", id, section: "answer", films: null, sight: PLAIN_SIGHT, ...FIRST_LAYER };
+}
+
+/** Studies side by side before their reader chose anything. */
+export function compareRoute(studies: string[]): CompareRoute {
+  return { view: "compare", studies, baseline: null, shown: "index", drawnAs: "maps", sight: PLAIN_SIGHT, ...FIRST_LAYER };
 }
 
 /** The view of a sweep before its reader chose anything. */
 export function sweepRoute(id: string): SweepRoute {
-  return { view: "sweep", id, baseline: null, shown: "index" };
+  return { view: "sweep", id, baseline: null, shown: "index", figure: "answer" };
 }
 
 function withQuery(path: string, values: URLSearchParams): string {

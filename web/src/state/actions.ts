@@ -2,12 +2,17 @@
 
 import * as api from "../api.ts";
 import { formatRoute, parseRoute, type Route } from "../lib/route.ts";
+import { createBrowsing, type BrowsingActions } from "./browsing.ts";
+import { createDraftCheck } from "./draft/draft-check.ts";
 import { createEntryList, type EntryList } from "./entry-list.ts";
+import { createOpenComparison, type OpenComparisonActions } from "./open-comparison.ts";
 import { createOpenStudy, type OpenStudyActions } from "./open-study.ts";
 import { createOpenSweep, type OpenSweepActions } from "./open-sweep.ts";
 import { partOf, type Store } from "./store.ts";
-import { createStudyDraft, type StudyDraftActions } from "./study-draft.ts";
-import { createSweepDraft, type SweepDraftActions } from "./sweep-draft.ts";
+import type { StudySummary, SweepSummary } from "../wire.ts";
+import { createStudyDraft, type StudyDraftActions } from "./draft/study-draft.ts";
+import { createStudyPreview } from "./draft/study-preview.ts";
+import { createSweepDraft, type SweepDraftActions } from "./draft/sweep-draft.ts";
 
 const LIST_REFRESH_MS = 4000;
 const CLOCK_MS = 1000;
@@ -23,14 +28,42 @@ export interface Actions {
   sweepDraft: SweepDraftActions;
   openStudy: OpenStudyActions;
   openSweep: OpenSweepActions;
+  openComparison: OpenComparisonActions;
+  browsing: BrowsingActions;
 }
 
 export function createActions(store: Store): Actions {
-  const studies = createEntryList(partOf(store, "studies"), api.studies, api.removeStudy);
-  const sweeps = createEntryList(partOf(store, "sweeps"), api.sweeps, api.removeSweep);
-  const studyDraft = createStudyDraft(store, (route) => go(route, studies));
+  const wanted = (): api.Wanted => store.get().browsing.wanted;
+  const isListed = ({ archived }: { archived?: string | null }): boolean => (archived != null) === wanted().archived;
+  const studies = createEntryList<StudySummary>(partOf(store, "studies"), {
+    page: (cursor) => api.studies(wanted(), cursor),
+    remove: api.removeStudy,
+    change: async (id, change) => {
+      const changed = await api.changeStudy(id, change);
+      openStudy.refresh(id);
+      return changed;
+    },
+    isListed,
+  });
+  const sweeps = createEntryList<SweepSummary>(partOf(store, "sweeps"), {
+    page: (cursor) => api.sweeps(wanted(), cursor),
+    remove: api.removeSweep,
+    change: async (id, change) => {
+      const changed = await api.changeSweep(id, change);
+      openSweep.refresh(id);
+      return changed;
+    },
+    isListed,
+  });
+  const check = createDraftCheck(store);
+  const preview = createStudyPreview(store);
+  const studyDraft = createStudyDraft(store, (route) => go(route, studies), lookAtDraft);
   const sweepDraft = createSweepDraft(store, (route) => go(route, sweeps));
   const openStudy = createOpenStudy(store, () => void studies.reload());
+  const openComparison = createOpenComparison(store);
+  const browsing = createBrowsing(store, async () => {
+    await Promise.all([studies.renew().then(tellApart), sweeps.renew()]);
+  });
   const openSweep = createOpenSweep(store, () => void sweeps.reload());
 
   /** To what was submitted; its list has a new entry. */
@@ -39,13 +72,25 @@ export function createActions(store: Store): Actions {
     location.hash = formatRoute(route);
   }
 
+  /** Checks and solves what is written, as long as somebody is at it. */
+  function lookAtDraft(): void {
+    if (store.get().route.view !== "home") return;
+    check.look();
+    preview.look();
+  }
+
   function showRoute(route: Route): void {
     store.update((state) => ({ ...state, route }));
     if (route.view === "study") openStudy.open(route.id);
     else openStudy.close();
     if (route.view === "sweep") openSweep.open(route.id);
     else openSweep.close();
-    if (route.view === "home") studyDraft.showPreset(route.preset);
+    if (route.view === "compare") openComparison.open(route);
+    else openComparison.close();
+    if (route.view !== "home") return;
+    if (store.get().presets.status !== "ready") void studyDraft.reloadPresets();
+    studyDraft.showOrigin(route);
+    lookAtDraft();
   }
 
   function adjust(route: Route): void {
@@ -53,14 +98,17 @@ export function createActions(store: Store): Actions {
     showRoute(route);
   }
 
+  function tellApart(): Promise<void> {
+    return browsing.tellApart();
+  }
+
   function reloadLists(): void {
-    void studies.reload();
+    void studies.reload().then(tellApart);
     void sweeps.reload();
   }
 
   function start(): void {
     window.addEventListener("hashchange", () => showRoute(parseRoute(location.hash)));
-    void studyDraft.reloadPresets();
     reloadLists();
     showRoute(parseRoute(location.hash));
     window.setInterval(() => store.update((state) => ({ ...state, now_ms: Date.now() })), CLOCK_MS);
@@ -69,5 +117,5 @@ export function createActions(store: Store): Actions {
     }, LIST_REFRESH_MS);
   }
 
-  return { start, adjust, studies, sweeps, studyDraft, sweepDraft, openStudy, openSweep };
+  return { start, adjust, studies, sweeps, studyDraft, sweepDraft, openStudy, openSweep, openComparison, browsing };
 }

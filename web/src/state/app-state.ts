@@ -1,21 +1,63 @@
 /** The one state of the page. Views are functions of it; actions alone change it. */
 
-import type { Problem } from "../api.ts";
+import type { Problem, Wanted } from "../api.ts";
 import { textOf } from "../lib/document/draft-text.ts";
-import type { Page } from "../lib/pages.ts";
+import type { TypedToml } from "../lib/document/toml/toml-text.ts";
+import type { Page } from "../lib/shell/pages.ts";
 import { parseRoute, type Route } from "../lib/route.ts";
 import type { Progress } from "../lib/study/point-progress.ts";
-import type { Comparison, Presets, StudyDetail, StudyResult, StudySummary, SweepDetail, SweepEstimate, SweepSummary, Trade } from "../wire.ts";
+import type {
+  Comparison, Estimate, Presets, Preview, StudyDetail, StudyResult, StudySummary, SweepDetail, SweepEstimate, SweepSummary, Trade,
+} from "../wire.ts";
 import type { Loadable } from "./loadable.ts";
 
-/** The study document being written. */
+/** The document that a draft began with. */
+export interface Origin {
+  name: string;
+  document: unknown;
+  /** The study that has it; null for a preset. */
+  study: string | null;
+  /** The films of a layout that was moved by hand and is added to it, as an address has them. */
+  films: string | null;
+}
+
+export type FormTab = "form" | "text" | "toml";
+
+/** The study document being written. Its text is the one source: the form's fields write into it. */
 export interface StudyDraft {
   preset: string | null;
+  /** Null until something was chosen. */
+  origin: Origin | null;
+  tab: FormTab;
   text: string;
+  /** What was typed as TOML last; null before anything was. */
+  toml: TypedToml | null;
   sending: boolean;
   problem: Problem | null;
   /** Renewed with every edit. */
   idempotencyKey: string;
+}
+
+/** What the service says of a draft while it is written. */
+export interface DraftCheck {
+  /** The draft that was asked about last. */
+  text: string;
+  asking: boolean;
+  /** Null while nothing of the draft is known. */
+  estimate: Estimate | null;
+  problem: Problem | null;
+}
+
+/** A draft solved on the coarsest mesh while it is written. */
+export interface StudyPreview {
+  /** Whether the service has previews; null until it was asked. */
+  isOffered: boolean | null;
+  asking: boolean;
+  /** The newest answer, and the draft that it is of. */
+  shown: { text: string; preview: Preview } | null;
+  /** The first answer since the draft began, which the others are compared with. */
+  start: { origin: Origin | null; preview: Preview } | null;
+  problem: Problem | null;
 }
 
 /** How the page hears of a running study. */
@@ -27,8 +69,12 @@ export interface OpenStudy {
   detail: Loadable<StudyDetail>;
   progress: Progress | null;
   link: Link;
-  /** Null until the study is done. */
+  /** Since when the service doesn't answer, milliseconds since the epoch; null while it does. */
+  lost_ms: number | null;
+  /** Without its map; null until the study is done. */
   result: Loadable<StudyResult> | null;
+  /** With its map; null until a section needs that. */
+  whole: Loadable<StudyResult> | null;
   /** What accuracy costs; null where nobody has measured it. */
   trade: Trade | null;
   /** Why it couldn't be cancelled. */
@@ -66,6 +112,37 @@ export interface OpenSweep {
   problem: Problem | null;
 }
 
+/** An entry that has just left its list. */
+export interface Moved {
+  kind: "studies" | "sweeps";
+  id: string;
+  name: string;
+  /** Archived, or taken back. */
+  archived: boolean;
+}
+
+/** What its reader looks for and has ticked in the lists. */
+export interface Browsing {
+  /** As it is typed. */
+  search: string;
+  /** What the lists were asked for last. */
+  wanted: Wanted;
+  /** Until it is undone, or another one is. */
+  moved: Moved | null;
+  /** Studies to compare, in the order in which they were ticked. */
+  ticked: string[];
+  /** Documents of studies that share their name with others. */
+  documents: ReadonlyMap<string, unknown>;
+}
+
+/** Studies side by side. */
+export interface OpenComparison {
+  /** Their identifiers and the baseline's, as the address has them. */
+  id: string;
+  details: Loadable<StudyDetail[]>;
+  comparison: Loadable<Comparison>;
+}
+
 export interface AppState {
   route: Route;
   /** The page's clock, milliseconds since the epoch. */
@@ -73,10 +150,14 @@ export interface AppState {
   studies: Loadable<Page<StudySummary>>;
   sweeps: Loadable<Page<SweepSummary>>;
   presets: Loadable<Presets>;
+  browsing: Browsing;
   studyDraft: StudyDraft;
+  draftCheck: DraftCheck;
+  preview: StudyPreview;
   sweepDraft: SweepDraft;
   openStudy: OpenStudy | null;
   openSweep: OpenSweep | null;
+  openComparison: OpenComparison | null;
 }
 
 export function initialState(hash: string, now_ms: number): AppState {
@@ -86,27 +167,36 @@ export function initialState(hash: string, now_ms: number): AppState {
     studies: { status: "loading" },
     sweeps: { status: "loading" },
     presets: { status: "loading" },
+    browsing: { search: "", wanted: { search: "", archived: false }, moved: null, ticked: [], documents: new Map() },
     studyDraft: emptyDraft(),
+    draftCheck: { text: "", asking: false, estimate: null, problem: null },
+    preview: { isOffered: null, asking: false, shown: null, start: null, problem: null },
     sweepDraft: { name: "", grid: "", busy: null, problem: null, estimated: null },
     openStudy: null,
     openSweep: null,
+    openComparison: null,
   };
 }
 
 function emptyDraft(): StudyDraft {
-  return { preset: null, text: "", sending: false, problem: null, idempotencyKey: newKey() };
+  return { preset: null, origin: null, tab: "form", text: "", toml: null, sending: false, problem: null, idempotencyKey: newKey() };
 }
 
-export function draftOf(preset: string, document: unknown): StudyDraft {
-  return { ...emptyDraft(), preset, text: textOf(document) };
+/** A new draft of this document; the reader's choice of form or text stays. */
+export function draftOf(origin: Origin, preset: string | null, tab: FormTab): StudyDraft {
+  return { ...emptyDraft(), preset, origin, tab, text: textOf(origin.document) };
 }
 
 export function openedStudy(id: string): OpenStudy {
-  return { id, detail: { status: "loading" }, progress: null, link: "connecting", result: null, trade: null, problem: null };
+  return { id, detail: { status: "loading" }, progress: null, link: "connecting", lost_ms: null, result: null, whole: null, trade: null, problem: null };
 }
 
 export function openedSweep(id: string): OpenSweep {
   return { id, detail: { status: "loading" }, lost: false, comparison: null, problem: null };
+}
+
+export function openedComparison(id: string): OpenComparison {
+  return { id, details: { status: "loading" }, comparison: { status: "loading" } };
 }
 
 /** 128 random bits in hex; `crypto.randomUUID` is missing on plain http beyond localhost. */

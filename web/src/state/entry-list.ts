@@ -1,42 +1,80 @@
 /** A list of the sidebar: asked for again and again, its older entries on demand. */
 
-import { mergePages, type Page } from "../lib/pages.ts";
+import type { Problem } from "../api.ts";
+import { changedPage, mergePages, type Page } from "../lib/shell/pages.ts";
+import type { EntryChange } from "../wire.ts";
 import { answerTo, type Loadable } from "./loadable.ts";
 import type { Part } from "./store.ts";
 
 export interface EntryList {
   reload(): Promise<void>;
+  /** Other entries are looked for: those shown give way when these come. */
+  renew(): Promise<void>;
   loadOlder(): Promise<void>;
   /** Removes an entry for good. */
   remove(id: string): Promise<void>;
+  /** Renames or archives an entry; why it couldn't be. */
+  change(id: string, change: EntryChange): Promise<Problem | null>;
 }
 
-export function createEntryList<T extends { id: string }>(
-  list: Part<Loadable<Page<T>>>,
-  ask: (cursor: string | null) => Promise<Page<T>>,
-  drop: (id: string) => Promise<unknown>,
-): EntryList {
+/** How the service is asked about a list. */
+export interface EntryQuestions<T> {
+  page(cursor: string | null): Promise<Page<T>>;
+  remove(id: string): Promise<unknown>;
+  change(id: string, change: EntryChange): Promise<T>;
+  /** Whether the list shows it, as it is looked at now. */
+  isListed(entry: T): boolean;
+}
+
+export function createEntryList<T extends { id: string }>(list: Part<Loadable<Page<T>>>, ask: EntryQuestions<T>): EntryList {
+  /** How often other entries were looked for, and of which time those shown are. */
+  let looked = 0;
+  let shownOf = 0;
+
   /** Asks for a page and puts it together with what is shown when it comes. */
   async function load(cursor: string | null, together: (page: Page<T>, shown: Page<T>) => Page<T>): Promise<void> {
-    const answer = await answerTo(ask(cursor));
+    const mine = looked;
+    const answer = await answerTo(ask.page(cursor));
+    if (mine !== looked) return;
     const shown = list.get();
-    const both = answer.status === "ready" && shown.status === "ready";
+    const both = answer.status === "ready" && shown.status === "ready" && shownOf === mine;
     list.set(both ? { status: "ready", value: together(answer.value, shown.value) } : answer);
+    shownOf = mine;
   }
 
   async function loadOlder(): Promise<void> {
     const shown = list.get();
-    if (shown.status !== "ready" || shown.value.next_cursor === null) return;
+    if (shown.status !== "ready" || shown.value.next_cursor === null || shownOf !== looked) return;
     await load(shown.value.next_cursor, (older, newer) => mergePages(older, newer));
   }
 
   const reload = () => load(null, (newer, older) => mergePages(older, newer));
 
-  async function remove(id: string): Promise<void> {
-    const answer = await answerTo(drop(id));
-    if (answer.status === "failed") list.set(answer);
-    else await reload();
+  function renew(): Promise<void> {
+    looked += 1;
+    return reload();
   }
 
-  return { reload, loadOlder, remove };
+  /** An entry beyond the first page isn't in the next answer. */
+  function show(id: string, changed: T | null): void {
+    const shown = list.get();
+    if (shown.status === "ready") list.set({ status: "ready", value: changedPage(shown.value, id, changed) });
+  }
+
+  async function remove(id: string): Promise<void> {
+    const answer = await answerTo(ask.remove(id));
+    if (answer.status === "failed") return list.set(answer);
+    show(id, null);
+    await reload();
+  }
+
+  async function change(id: string, change: EntryChange): Promise<Problem | null> {
+    const answer = await answerTo(ask.change(id, change));
+    if (answer.status === "failed") return answer.problem;
+    show(id, ask.isListed(answer.value) ? answer.value : null);
+    void reload();
+    return null;
+  }
+
+  return { reload, renew, loadOlder, remove, change };
 }

@@ -6,13 +6,17 @@ import type { StudyEvent } from "../lib/study/stream-events.ts";
 import type { StudyDetail, StudyResult, Trade } from "../wire.ts";
 import { openedStudy, type OpenStudy } from "./app-state.ts";
 import { createInView, type InView } from "./in-view.ts";
-import { answerTo } from "./loadable.ts";
+import { answerTo, type Loadable } from "./loadable.ts";
 import { partOf, type Store } from "./store.ts";
 
 const POLL_MS = 2000;
 
 export interface OpenStudyActions extends Pick<InView<OpenStudy>, "open" | "close" | "reopen"> {
   cancel(): Promise<void>;
+  /** Asks for this study again, if it is the one in view. */
+  refresh(id: string): void;
+  /** Asks for the result with its map. */
+  loadMap(): Promise<void>;
 }
 
 export function createOpenStudy(store: Store, onChanged: () => void): OpenStudyActions {
@@ -69,13 +73,17 @@ export function createOpenStudy(store: Store, onChanged: () => void): OpenStudyA
   function refresh(): void {
     const id = inView.get()?.id;
     if (id === undefined) return;
-    // A poll that fails is followed by the next; the state says that the page is polling.
-    api.study(id).then((detail) => takeDetail(id, detail), () => undefined);
+    // A poll that fails is followed by the next; the state says since when they do.
+    api.study(id).then(
+      (detail) => takeDetail(id, detail),
+      () => inView.edit(id, (study) => ({ ...study, lost_ms: study.lost_ms ?? Date.now() })),
+    );
   }
 
   function takeDetail(id: string, detail: StudyDetail): void {
     inView.edit(id, (study) => ({
       ...study,
+      lost_ms: null,
       detail: { status: "ready", value: detail },
       progress: study.progress === null ? fromSummary(detail) : withSummary(study.progress, detail),
     }));
@@ -87,6 +95,8 @@ export function createOpenStudy(store: Store, onChanged: () => void): OpenStudyA
     inView.edit(id, (study) =>
       study.progress === null ? study : { ...study, progress: advance(study.progress, event, now_ms) },
     );
+    // What the study is expected to take is stored when it starts.
+    if (event.kind === "started") refresh();
     finishIfOver(id);
   }
 
@@ -106,7 +116,23 @@ export function createOpenStudy(store: Store, onChanged: () => void): OpenStudyA
     const answer = await answerTo(resultAndTrade(id));
     if (answer.status === "failed") return inView.edit(id, (study) => ({ ...study, result: answer }));
     const { result, trade } = answer.value;
-    inView.edit(id, (study) => ({ ...study, result: { status: "ready", value: result }, trade }));
+    const whole: Loadable<StudyResult> | null = result.map == null ? null : { status: "ready", value: result };
+    inView.edit(id, (study) => ({ ...study, result: { status: "ready", value: result }, whole, trade }));
+    loadMapIfShown();
+  }
+
+  function loadMapIfShown(): void {
+    const [{ route }, study] = [store.get(), inView.get()];
+    const isShown = route.view === "study" && route.section === "tire";
+    if (isShown && study?.result?.status === "ready" && study.whole === null) void loadMap();
+  }
+
+  async function loadMap(): Promise<void> {
+    const id = inView.get()?.id;
+    if (id === undefined) return;
+    inView.edit(id, (study) => ({ ...study, whole: { status: "loading" } }));
+    const whole = await answerTo(api.result(id, true));
+    inView.edit(id, (study) => ({ ...study, whole }));
   }
 
   async function cancel(): Promise<void> {
@@ -118,12 +144,17 @@ export function createOpenStudy(store: Store, onChanged: () => void): OpenStudyA
     onChanged();
   }
 
-  const { open, close, reopen } = inView;
-  return { open, close, reopen, cancel };
+  function open(id: string): void {
+    if (inView.isOpen(id)) loadMapIfShown();
+    else inView.open(id);
+  }
+
+  const { close, reopen } = inView;
+  return { open, close, reopen, cancel, loadMap, refresh: (id) => void (inView.isOpen(id) && refresh()) };
 }
 
-/** The answer of a study, and what accuracy costs where that was measured. */
+/** The answer of a study without its map, and what accuracy costs where that was measured. */
 async function resultAndTrade(id: string): Promise<{ result: StudyResult; trade: Trade | null }> {
-  const [result, { trade_measured }] = await Promise.all([api.result(id), api.study(id)]);
+  const [result, { trade_measured }] = await Promise.all([api.result(id, false), api.study(id)]);
   return { result, trade: trade_measured ? await api.trade(id) : null };
 }

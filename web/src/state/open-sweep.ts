@@ -15,6 +15,8 @@ const REST = 10;
 export interface OpenSweepActions extends Pick<InView<OpenSweep>, "open" | "close" | "reopen"> {
   cancel(): Promise<void>;
   resume(): Promise<void>;
+  /** Asks for this sweep again, if it is the one in view. */
+  refresh(id: string): void;
 }
 
 export function createOpenSweep(store: Store, onChanged: () => void): OpenSweepActions {
@@ -105,7 +107,7 @@ export function createOpenSweep(store: Store, onChanged: () => void): OpenSweepA
   }
 
   const { close, reopen } = inView;
-  return { open, close, reopen, cancel: () => ask(api.cancelSweep), resume: () => ask(api.resumeSweep) };
+  return { open, close, reopen, cancel: () => ask(api.cancelSweep), resume: () => ask(api.resumeSweep), refresh: (id) => void (inView.isOpen(id) && load(id)) };
 }
 
 /** The designs that have a result, as one text. */

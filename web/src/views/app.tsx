@@ -1,50 +1,60 @@
-import { formatRoute } from "../lib/route.ts";
+import { useEffect, useState } from "preact/hooks";
+import { formatRoute, type Route } from "../lib/route.ts";
+import { actionOf } from "../lib/shell/page-keys.ts";
 import type { Actions } from "../state/actions.ts";
 import type { AppState } from "../state/app-state.ts";
-import { StudyForm } from "./home/study-form.tsx";
+import { hasSingleKeys } from "../state/preferences.ts";
+import { later } from "./shared/later.tsx";
+import { KeyDialog } from "./shell/key-dialog.tsx";
+import { Masthead } from "./shell/masthead.tsx";
 import { StudyList } from "./sidebar/study-list.tsx";
 import { SweepList } from "./sidebar/sweep-list.tsx";
 import { StudyPage } from "./study/study-page.tsx";
-import { SweepPage } from "./sweep/sweep-page.tsx";
 
-const HOME = formatRoute({ view: "home", preset: null });
+const ComparePage = later("the comparison", async () => (await import("./compare/compare-page.tsx")).ComparePage);
+const StudyForm = later("the form", async () => (await import("./home/study-form.tsx")).StudyForm);
+const SweepPage = later("the sweep", async () => (await import("./sweep/sweep-page.tsx")).SweepPage);
 
-/** The whole page. */
+/** The whole page. What it is opened for comes before the lists and the links on top, for those who go by Tab. */
 export function App({ state, actions }: { state: AppState; actions: Actions }) {
-  const isHome = state.route.view === "home";
+  const { route } = state;
+  const [isHelp, setHelp] = useState(false);
+  useEffect(() => listenForKeys(route, () => setHelp(true)), [route]);
   return (
-    <div class={isHome ? "page page-home" : "page page-study"}>
-      <a class="skip" href="#main" onClick={skipToMain}>
+    <div class={route.view === "home" ? "page page-home" : "page page-study"}>
+      <a class="skip" href="#main" onClick={skipToContent}>
         Skip to the content
       </a>
-      <header class="masthead">
-        <a class="brand" href={HOME}>
-          <span class="brand-name">strainsite</span>
-          <span class="brand-line">where to glue strain films in a tire, and how sure that is</span>
-        </a>
-        <nav aria-label="Service">
-          <a href={HOME} aria-current={isHome ? "page" : undefined}>
-            New study
-          </a>
-        </nav>
-      </header>
+      <main id="main" tabIndex={-1}>
+        {route.view === "home" && <StudyForm state={state} actions={actions} />}
+        {route.view === "compare" && <ComparePage state={state} route={route} actions={actions} />}
+        {route.view === "study" && <StudyPage state={state} route={route} actions={actions} />}
+        {route.view === "sweep" && <SweepPage state={state} route={route} actions={actions} />}
+      </main>
       <aside class="sidebar" aria-label="Sweeps and studies">
         <SweepList state={state} actions={actions} />
         <StudyList state={state} actions={actions} />
       </aside>
-      <main id="main" tabIndex={-1}>
-        {state.route.view === "home" && (
-          <StudyForm draft={state.studyDraft} sweep={state.sweepDraft} presets={state.presets} actions={actions} />
-        )}
-        {state.route.view === "study" && <StudyPage state={state} route={state.route} actions={actions} />}
-        {state.route.view === "sweep" && <SweepPage state={state} route={state.route} actions={actions} />}
-      </main>
+      <Masthead route={route} onHelp={() => setHelp(true)} />
+      {isHelp && <KeyDialog onClose={() => setHelp(false)} />}
     </div>
   );
 }
 
-/** The hash is the route, so the link moves the focus itself. */
-function skipToMain(event: Event): void {
+/** To the section that is open, below its links. The hash is the route, so the link moves the focus itself. */
+function skipToContent(event: Event): void {
   event.preventDefault();
-  document.getElementById("main")?.focus();
+  (document.getElementById("section") ?? document.getElementById("main"))?.focus();
+}
+
+function listenForKeys(route: Route, onHelp: () => void): () => void {
+  function press(event: KeyboardEvent): void {
+    if (!hasSingleKeys() || document.querySelector("dialog[open]") !== null) return;
+    const isTyping = event.target instanceof Element && event.target.closest("input, textarea, select, [contenteditable]") !== null;
+    const action = actionOf({ key: event.key, isModified: event.ctrlKey || event.altKey || event.metaKey, isTyping }, route);
+    if (action?.does === "help") onHelp();
+    if (action?.does === "open" && route.view === "study") location.hash = formatRoute({ ...route, section: action.section });
+  }
+  window.addEventListener("keydown", press);
+  return () => window.removeEventListener("keydown", press);
 }

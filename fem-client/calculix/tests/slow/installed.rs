@@ -16,6 +16,7 @@ static RUNNING: AtomicBool = AtomicBool::new(false);
 static NO_READOUT: Readout = Readout {
     grid: None,
     shape: false,
+    positions: false,
     rings: Vec::new(),
     fine_deg: None,
     gauges: Vec::new(),

@@ -156,27 +156,29 @@ impl TireGrid {
     }
 
     /// Distinct nodes along the wheel: all around, the last line is the first.
-    pub(crate) fn theta_nodes(&self) -> usize {
+    pub fn theta_nodes(&self) -> usize {
         let lines = (self.order.edge_nodes() - 1) * self.bricks()[1];
         lines + usize::from(!self.is_closed)
     }
 
-    pub(crate) fn phi_nodes(&self) -> usize {
+    /// Nodes along the section, from crown (or bead) to bead.
+    pub fn phi_nodes(&self) -> usize {
         (self.order.edge_nodes() - 1) * self.bricks()[0] + 1
     }
 
-    pub(crate) fn rho_nodes(&self) -> usize {
+    /// Nodes through the wall, the inner surface first.
+    pub fn rho_nodes(&self) -> usize {
         (self.order.edge_nodes() - 1) * self.bricks()[2] + 1
     }
 
     /// Node number from node indices along phi, theta and rho.
-    pub(crate) fn node(&self, [phi, theta, rho]: [usize; 3]) -> u32 {
+    pub fn node(&self, [phi, theta, rho]: [usize; 3]) -> u32 {
         let theta = theta % self.theta_nodes();
         ((theta * self.phi_nodes() + phi) * self.rho_nodes() + rho) as u32
     }
 
     /// Angles of a node line: the brick edges and, for order 2, their midpoints.
-    pub(crate) fn line(&self, edges: &[f64], index: usize) -> f64 {
+    pub fn line(&self, edges: &[f64], index: usize) -> f64 {
         let e = self.order.edge_nodes() - 1;
         let (brick, within) = (index / e, index % e);
         if within == 0 {

@@ -94,6 +94,7 @@ impl<'m> Reader<'m> {
             model: diagnostics.model,
             map: readout.grid.as_ref().map(|grid| StrainMap {
                 shape: readout.shape.then(|| self.shape(grid)),
+                position_mm: readout.positions.then(|| self.positions(grid)),
                 ..self.map(grid)
             }),
             rings: readout.rings.iter().map(|line| self.ring(line)).collect(),
@@ -280,7 +281,20 @@ impl<'m> Reader<'m> {
             theta_deg,
             phi_deg,
             shape: None,
+            position_mm: None,
         }
+    }
+
+    /// Where the points of a map lie in the equilibrium.
+    fn positions(&self, grid: &Grid) -> Vec<f64> {
+        let (theta_deg, phi_deg) = self.map_lines(grid);
+        let points = phi_deg
+            .iter()
+            .flat_map(|phi| theta_deg.iter().map(move |theta| (theta, phi)));
+        let position = |(theta, phi): (&f64, &f64)| {
+            self.position(&self.current, theta.to_radians(), phi.to_radians())
+        };
+        points.flat_map(position).map(to_picometre).collect()
     }
 
     fn shape(&self, grid: &Grid) -> MapShape {

@@ -54,13 +54,8 @@ fn inflate(
     Ok((start, ending))
 }
 
-/// The maximum of the pressure approached from larger volumes only: secants of the slope.
-fn from_beyond(problem: &Problem, stop: &AtomicBool) -> Result<f64, Unsolved> {
-    let Ending::LimitPoint(limit) = inflate(problem, f64::INFINITY, stop)?.1 else {
-        return Err(Unsolved::NoLimitPoint {
-            ratio: LARGEST_VOLUME,
-        });
-    };
+/// The maximum of the pressure approached from volumes larger than that of the limit point: secants of the slope.
+fn from_beyond(problem: &Problem, limit: &Inflated, stop: &AtomicBool) -> Result<f64, Unsolved> {
     let mut control = VolumeControl::new(problem)?;
     let mut at = |near: &Inflated, volume: f64| {
         let solved = control.solve(near, volume, stop);
@@ -69,7 +64,7 @@ fn from_beyond(problem: &Problem, stop: &AtomicBool) -> Result<f64, Unsolved> {
             cause: failure.cause,
         })
     };
-    let mut before = at(&limit, FAR_SIDE[0] * limit.volume)?;
+    let mut before = at(limit, FAR_SIDE[0] * limit.volume)?;
     let mut now = at(&before, FAR_SIDE[1] * limit.volume)?;
     for _ in 0..MOST_STEPS {
         let step = now.slope * (now.volume - before.volume) / (now.slope - before.slope);
@@ -83,10 +78,10 @@ fn from_beyond(problem: &Problem, stop: &AtomicBool) -> Result<f64, Unsolved> {
     Err(Unsolved::Other(lost.to_owned()))
 }
 
-/// The limit pressure that ends inflation to a higher one.
-fn limit(problem: &Problem, pressure: f64, stop: &AtomicBool) -> Result<f64, Unsolved> {
+/// The limit point that ends inflation to a higher pressure.
+fn limit(problem: &Problem, pressure: f64, stop: &AtomicBool) -> Result<Inflated, Unsolved> {
     match inflate(problem, pressure, stop)?.1 {
-        Ending::LimitPoint(limit) => Ok(limit.pressure),
+        Ending::LimitPoint(limit) => Ok(limit),
         Ending::Lost { failure, .. } => Err(Unsolved::LimitPoint {
             cause: failure.cause,
         }),
@@ -132,10 +127,9 @@ fn stretch(problem: &Problem, pressure: f64, stop: &AtomicBool) -> Result<f64, U
 /// Stretches below the limit point, and the limit named from beyond it.
 pub(super) fn cases(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     let [coarse, fine] = MESHES.map(|n| octant(n, OUTER, NEO_HOOKEAN));
-    let (coarse, own) = (
-        limit(&coarse, f64::INFINITY, stop)?,
-        limit(&fine, f64::INFINITY, stop)?,
-    );
+    let coarse = limit(&coarse, f64::INFINITY, stop)?.pressure;
+    let from_below = limit(&fine, f64::INFINITY, stop)?;
+    let own = from_below.pressure;
     let meshes = Refinement::new(vec![coarse], vec![own], RATIO);
     let bound = meshes.bound(SLOPE);
     let mut cases = Vec::new();
@@ -149,13 +143,13 @@ pub(super) fn cases(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
         cases.push(case.within(tolerance, STRETCH_SOURCE));
     }
     let name = "sphere B/A = 2, from larger volumes: limit / mu";
-    let case = Case::relative(name, from_beyond(&fine, stop)?, own);
+    let case = Case::relative(name, from_beyond(&fine, &from_below, stop)?, own);
     cases.push(case.within(
         2.0 * LIMIT_TOLERANCE,
         "from smaller volumes, same mesh; both searches end at 1e-6",
     ));
     for share in BEYOND {
-        let computed = limit(&fine, share * own, stop)?;
+        let computed = limit(&fine, share * own, stop)?.pressure;
         let name = format!("sphere B/A = 2 asked for {share} times its limit pressure: limit / mu");
         let case = Case::relative(name, computed, LIMIT[1]).within(
             bound,

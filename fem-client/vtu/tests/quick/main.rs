@@ -1,3 +1,4 @@
 //! Pictures of solved tires.
 
 mod pictures;
+mod skins;

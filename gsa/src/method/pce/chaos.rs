@@ -106,13 +106,7 @@ impl Chaos {
     pub(super) fn analyse(&self, values: &[f64]) -> Option<Scattered> {
         let terms = self.terms(|k| values[k].is_finite());
         self.found(&terms, values, |candidates, values| {
-            let all = vec![1.0; values.len()];
-            let noise = NOISE_IN_EPS * f64::EPSILON;
-            let fit = regression::fit(candidates, values, &all, noise);
-            (
-                fit,
-                regression::cross_validate(candidates, values, noise, &[]),
-            )
+            regression::fit(candidates, values, NOISE_IN_EPS * f64::EPSILON, &[])
         })
     }
 
@@ -129,12 +123,10 @@ impl Chaos {
     fn terms(&self, gave_one: impl Fn(usize) -> bool) -> Terms {
         let points = self.columns.first().map_or(0, Vec::len);
         let rows: Vec<usize> = (0..points).filter(|k| gave_one(*k)).collect();
-        let of_rows = |column: &Vec<f64>| rows.iter().map(|&k| column[k]).collect();
+        let preference = self.indices.iter().map(|index| preference(index)).collect();
+        let value = |term: usize, k: usize| self.columns[term][rows[k]];
         Terms {
-            candidates: Candidates {
-                columns: self.columns.iter().map(of_rows).collect(),
-                preference: self.indices.iter().map(|index| preference(index)).collect(),
-            },
+            candidates: Candidates::new(preference, rows.len(), value),
             rows,
         }
     }
@@ -182,11 +174,9 @@ impl Chaos {
                 [] => mean = *c,
                 [(i, _)] => {
                     main[i] += c * c;
-                    let column = &candidates.columns[*candidate];
-                    effects[i]
-                        .iter_mut()
-                        .zip(column)
-                        .for_each(|(g, p)| *g += c * p);
+                    for (k, effect) in effects[i].iter_mut().enumerate() {
+                        *effect += candidates.combined(&[(*candidate, *c)], k);
+                    }
                 }
                 [(i, _), (j, _)] => pairs[pair(n, i, j)] += c * c,
                 _ => {}

@@ -112,11 +112,14 @@ pub fn known(family: &'static str, inputs: Vec<Distribution>, terms: Vec<Term>) 
         for a in 0..m {
             mean[i][a] = points.iter().map(|(f, w)| w * f[a]).sum();
         }
-        for a in 0..m {
-            for b in 0..m {
+        // A constant has none.
+        let varying = |a: &usize| !matches!(terms[*a].1[i], Factor::One);
+        for a in (0..m).filter(varying) {
+            for b in (0..=a).filter(varying) {
                 let centred =
                     |(f, w): &(Vec<f64>, f64)| w * (f[a] - mean[i][a]) * (f[b] - mean[i][b]);
                 covariance[i][a][b] = points.iter().map(centred).sum();
+                covariance[i][b][a] = covariance[i][a][b];
             }
         }
     }

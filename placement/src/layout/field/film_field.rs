@@ -2,6 +2,12 @@
 
 use crate::layout::field::hermite::{Nodes, Turn, summed};
 
+/// A force presses to depths that differ by less between meshes, relative.
+const SAME_LOAD: f64 = 0.05;
+
+/// Share of the slopes over a shift along below which those over one across are rounding.
+const FELT: f64 = 1e-9;
+
 /// Signals of every kind of film over depth and wheel angle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DepthFields {
@@ -11,6 +17,21 @@ pub struct DepthFields {
     pub forces_n: Vec<f64>,
     /// Signals by kind and depth: a sample each degree from -180.
     pub signals: Vec<Vec<Vec<f64>>>,
+    /// Loads at which the ground was dragged.
+    pub sheared: Vec<ShearField>,
+}
+
+/// What changes with a small shift of the ground at one load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShearField {
+    /// Depth, mm.
+    pub depth_mm: f64,
+    /// Forces along the wheel and across it by the shifts that way, N/mm.
+    pub force_slopes: [f64; 2],
+    /// Derivatives of the signals by both shifts, 1/mm, by kind: a sample each degree from -180.
+    pub slopes: Vec<[Vec<f64>; 2]>,
+    /// Force from which the ground slides, N.
+    pub sliding_n: f64,
 }
 
 /// Signals of every kind of film at one depth.
@@ -57,6 +78,31 @@ impl DepthFields {
 }
 
 impl DepthFields {
+    /// The fields at so many depths, two or more, evenly from the least solved one to the largest.
+    pub fn evenly(&self, count: usize) -> Vec<LoadField> {
+        let [low, high] = self.depths.ends();
+        (0..count)
+            .map(|k| self.at(low + (high - low) * k as f64 / (count - 1) as f64))
+            .collect()
+    }
+
+    /// The fields at a depth at which the ground was dragged, with its shift along the wheel as a further unknown, and the one across, if any film feels it.
+    pub fn with_shear(&self, depth_mm: f64) -> Option<(LoadField, &ShearField)> {
+        let apart = |shear: &ShearField| (shear.depth_mm - depth_mm).abs();
+        let nearest = |a: &&ShearField, b: &&ShearField| apart(a).total_cmp(&apart(b));
+        let shear = self.sheared.iter().min_by(nearest)?;
+        if apart(shear) > SAME_LOAD * depth_mm {
+            return None;
+        }
+        let mut field = self.at(depth_mm);
+        let axes = if shear.feels_across() { 2 } else { 1 };
+        for (kind, slopes) in field.kinds.iter_mut().zip(&shear.slopes) {
+            let felt = slopes.iter().take(axes).cloned();
+            kind.slopes.extend(felt.map(Turn::new));
+        }
+        Some((field, shear))
+    }
+
     /// The signal of a kind of film above the contact's centre, at a depth taken into the solved range.
     pub fn signal_at_centre(&self, kind: usize, depth_mm: f64) -> f64 {
         let [value, _] = self.depths.shares(depth_mm);
@@ -70,7 +116,33 @@ impl DepthFields {
                 .iter()
                 .map(|&kind| self.signals[kind].clone())
                 .collect(),
+            sheared: self
+                .sheared
+                .iter()
+                .map(|shear| shear.of_kinds(kinds))
+                .collect(),
             ..self.clone()
+        }
+    }
+}
+
+impl ShearField {
+    /// Whether any film feels a shift across: those along x and y at the crown don't, by symmetry.
+    fn feels_across(&self) -> bool {
+        let largest = |axis: usize| {
+            let slopes = self.slopes.iter().flat_map(|slopes| &slopes[axis]);
+            slopes.fold(0.0, |largest: f64, slope| largest.max(slope.abs()))
+        };
+        largest(1) > FELT * largest(0)
+    }
+
+    fn of_kinds(&self, kinds: &[usize]) -> Self {
+        Self {
+            slopes: kinds
+                .iter()
+                .map(|&kind| self.slopes[kind].clone())
+                .collect(),
+            ..*self
         }
     }
 }

@@ -34,7 +34,7 @@ pub struct Bounds {
     /// Of the depth, worst angle, mm.
     pub worst_depth_mm: f64,
     /// Of the shifts along and across the wheel, worst angle, mm, where they are unknowns.
-    pub worst_shift_mm: Option<[f64; 2]>,
+    pub worst_shift_mm: [Option<f64>; 2],
 }
 
 /// Information on angle, depth and further unknowns with the contact at an angle, degrees.
@@ -70,13 +70,13 @@ pub fn bounds(
         worst_angle_deg: 0.0,
         rms_angle_deg: 0.0,
         worst_depth_mm: 0.0,
-        worst_shift_mm: None,
+        worst_shift_mm: [None; 2],
     };
-    let has_shift = field.kinds.iter().any(|kind| kind.slopes.len() > 1);
+    let shifts = field.kinds.first().map_or(0, |kind| kind.slopes.len() - 1);
     let mut squares = 0.0;
     for contact in arrangement.degrees() {
         let information = information(field, arrangement, noise, contact);
-        let [angle, depth, along, across] = information
+        let [angle, depth, shift @ ..] = information
             .deviations()
             .map_err(|blind| blind_at(contact, blind))?;
         if !(angle <= BLIND_DEG && depth.is_finite()) {
@@ -87,9 +87,8 @@ pub fn bounds(
         squares += angle * angle;
         bounds.worst_angle_deg = bounds.worst_angle_deg.max(angle);
         bounds.worst_depth_mm = bounds.worst_depth_mm.max(depth);
-        if has_shift {
-            let [x, y] = bounds.worst_shift_mm.unwrap_or_default();
-            bounds.worst_shift_mm = Some([x.max(along), y.max(across)]);
+        for (worst, shift) in bounds.worst_shift_mm.iter_mut().zip(shift).take(shifts) {
+            *worst = Some(worst.map_or(shift, |worst| worst.max(shift)));
         }
     }
     bounds.rms_angle_deg = (squares / arrangement.degrees().count() as f64).sqrt();
@@ -171,6 +170,7 @@ pub(crate) mod tests {
             depths: Nodes::new(depths.to_vec()),
             forces_n: depths.iter().map(|d| 13.0 * d).collect(),
             signals: vec![over(&bell), over(&slope)],
+            sheared: Vec::new(),
         }
     }
 

@@ -35,6 +35,8 @@ pub fn candidates(
         CandidateFilm {
             section_deg: kind.phi_deg,
             direction: direction_name(kind.angle_deg),
+            length_mm: kind.extent.map(|extent| extent.length_mm),
+            width_mm: kind.extent.map(|extent| extent.width_mm),
             signal: loads
                 .iter()
                 .flat_map(|load| load.kinds[k].signal.samples())
@@ -135,10 +137,7 @@ mod tests {
 
     #[test]
     fn criteria_see_different_things() {
-        let kinds = [0.0, 90.0].map(|angle_deg| FilmKind {
-            phi_deg: 0.0,
-            angle_deg,
-        });
+        let kinds = [0.0, 90.0].map(|angle_deg| FilmKind::point(0.0, angle_deg));
         let fields = gaussian(15.0);
         let found = candidates(
             &kinds,

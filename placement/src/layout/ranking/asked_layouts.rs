@@ -1,6 +1,8 @@
 //! From what a document asks for to layouts and kinds of film.
 
-use crate::layout::arrangement::{Arrangement, FilmKind, LaidFilm};
+use fem_client::scene::Geometry;
+
+use crate::layout::arrangement::{Arrangement, FilmKind, FilmReads, LaidFilm};
 use crate::layout::layout_settings::{
     FreeLayout, Layouts, SearchSettings, direction_name, section_name,
 };
@@ -10,9 +12,15 @@ use crate::study::directions::Directions;
 /// Distance of the candidates' section angles, degrees.
 const SECTION_STEP_DEG: f64 = 15.0;
 
-/// Kinds of film, each once; a layout's films name them by number.
+/// Kinds of film on a tire, each once; a layout's films name them by number.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Kinds(Vec<FilmKind>);
+pub struct Kinds {
+    all: Vec<FilmKind>,
+    geometry: Geometry,
+    /// Length and width of the layouts' films, mm; none: points.
+    size_mm: Option<[f64; 2]>,
+    reads: FilmReads,
+}
 
 /// A layout to be scored.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,37 +32,64 @@ pub struct AskedLayout {
 }
 
 impl Kinds {
-    /// The two of the crown, whose strains set the noise.
-    pub fn of_crown() -> Self {
-        Self(
-            [0.0, 90.0]
-                .map(|angle_deg| FilmKind {
-                    phi_deg: 0.0,
-                    angle_deg,
-                })
-                .to_vec(),
-        )
+    /// The two of the crown, whose signals set the noise: points, so that films of any size have the same, unless they are glued. Layouts have films of this length
+    /// and width on this tire, mm, that read this.
+    pub fn of_crown(geometry: &Geometry, size_mm: Option<[f64; 2]>, reads: FilmReads) -> Self {
+        let mut kinds = Self {
+            all: Vec::new(),
+            geometry: geometry.clone(),
+            size_mm,
+            reads,
+        };
+        kinds.all = [0.0, 90.0]
+            .map(|angle| match reads {
+                FilmReads::Strain => FilmKind::point(0.0, angle),
+                FilmReads::Volts(_) => kinds.of_size(size_mm, 0.0, angle),
+            })
+            .to_vec();
+        kinds
     }
 
     /// All of them.
     pub fn all(&self) -> &[FilmKind] {
-        &self.0
+        &self.all
+    }
+
+    /// The number of the layouts' kind of film at a section angle along a direction, degrees.
+    pub fn laid(&mut self, phi_deg: f64, angle_deg: f64) -> usize {
+        let kind = self.of_size(self.size_mm, phi_deg, angle_deg);
+        self.number(kind)
+    }
+
+    /// Whether a kind is one of the layouts' own films: of their size.
+    pub(crate) fn is_laid(&self, kind: usize) -> bool {
+        let FilmKind {
+            phi_deg, angle_deg, ..
+        } = self.all[kind];
+        self.all[kind] == self.of_size(self.size_mm, phi_deg, angle_deg)
+    }
+
+    fn of_size(&self, size_mm: Option<[f64; 2]>, phi_deg: f64, angle_deg: f64) -> FilmKind {
+        FilmKind {
+            reads: self.reads,
+            ..FilmKind::sized(&self.geometry, size_mm, phi_deg, angle_deg)
+        }
     }
 
     /// The number of a kind, which is added where it is new.
-    pub fn number(&mut self, kind: FilmKind) -> usize {
-        self.0
+    fn number(&mut self, kind: FilmKind) -> usize {
+        self.all
             .iter()
             .position(|known| *known == kind)
             .unwrap_or_else(|| {
-                self.0.push(kind);
-                self.0.len() - 1
+                self.all.push(kind);
+                self.all.len() - 1
             })
     }
 
     /// Where a film lies.
     pub fn place(&self, film: &LaidFilm) -> FilmPlace {
-        let kind = self.0[film.kind];
+        let kind = self.all[film.kind];
         FilmPlace {
             theta_deg: film.theta_deg,
             phi_deg: kind.phi_deg,
@@ -62,14 +97,29 @@ impl Kinds {
         }
     }
 
-    /// Those that are compared as candidates: x and y every 15 degrees up to an angle off the crown, degrees.
-    pub fn candidates(&mut self, farthest_deg: f64) -> Vec<usize> {
+    /// Those that are compared as candidates: x and y every 15 degrees up to an angle off the crown, degrees, of the layouts' size and of others, mm, where they
+    /// reach no farther. Of glued films those that there are: each further one would take two solves more.
+    pub fn candidates(&mut self, farthest_deg: f64, sizes_mm: &[[f64; 2]]) -> Vec<usize> {
+        if self.reads != FilmReads::Strain {
+            return (0..self.all.len()).collect();
+        }
+        let mut sizes = vec![self.size_mm];
+        sizes.extend(sizes_mm.iter().map(|size| Some(*size)));
         let sections = (0..)
             .map(|k| f64::from(k) * SECTION_STEP_DEG)
             .take_while(|section| *section <= farthest_deg);
-        let kinds = sections
-            .flat_map(|phi_deg| [0.0, 90.0].map(|angle_deg| FilmKind { phi_deg, angle_deg }));
-        kinds.map(|kind| self.number(kind)).collect()
+        let mut numbers = Vec::new();
+        for phi_deg in sections {
+            for angle_deg in [0.0, 90.0] {
+                for size in &sizes {
+                    let kind = self.of_size(*size, phi_deg, angle_deg);
+                    let fits = kind.extent.is_none_or(|extent| extent.fits(farthest_deg));
+                    let number = fits.then(|| self.number(kind));
+                    numbers.extend(number.filter(|number| !numbers.contains(number)));
+                }
+            }
+        }
+        numbers
     }
 }
 
@@ -84,12 +134,7 @@ pub fn asked_layouts(
         for set in settings.sets(directions) {
             let of_set: Vec<usize> = set
                 .iter()
-                .map(|&angle_deg| {
-                    kinds.number(FilmKind {
-                        phi_deg: section,
-                        angle_deg,
-                    })
-                })
+                .map(|&angle_deg| kinds.laid(section, angle_deg))
                 .collect();
             for units in settings.unit_counts() {
                 layouts.push(regular(units, section, &set, &of_set, false));
@@ -127,13 +172,11 @@ fn regular(
     }
 }
 
-fn free(layout: &FreeLayout, kinds: &mut Kinds) -> AskedLayout {
+/// A layout film by film, whose kinds are added where they are new.
+pub(crate) fn free(layout: &FreeLayout, kinds: &mut Kinds) -> AskedLayout {
     let film = |place: &FilmPlace| LaidFilm {
         theta_deg: place.theta_deg,
-        kind: kinds.number(FilmKind {
-            phi_deg: place.phi_deg,
-            angle_deg: place.angle_deg,
-        }),
+        kind: kinds.laid(place.phi_deg, place.angle_deg),
     };
     let films = layout.films.iter().map(film).collect();
     listed(layout.name.clone(), films, kinds)
@@ -175,7 +218,7 @@ pub fn search_films(search: &SearchSettings, kinds: &mut Kinds) -> Vec<LaidFilm>
         let theta_deg = slot as f64 * 360.0 / search.slots as f64;
         for &phi_deg in &search.section_deg {
             for &angle_deg in &search.directions {
-                let kind = kinds.number(FilmKind { phi_deg, angle_deg });
+                let kind = kinds.laid(phi_deg, angle_deg);
                 films.push(LaidFilm { theta_deg, kind });
             }
         }
@@ -189,7 +232,7 @@ mod tests {
 
     #[test]
     fn a_default_document_asks_for_seven_spacings_at_three_positions() {
-        let mut kinds = Kinds::of_crown();
+        let mut kinds = Kinds::of_crown(&Geometry::default(), None, FilmReads::Strain);
         let layouts = asked_layouts(&Layouts::default(), Directions::Both, &mut kinds);
         assert_eq!((layouts.len(), kinds.all().len()), (21, 6));
         assert_eq!(
@@ -225,7 +268,7 @@ mod tests {
             }],
             ..Layouts::default()
         };
-        let mut kinds = Kinds::of_crown();
+        let mut kinds = Kinds::of_crown(&Geometry::default(), None, FilmReads::Strain);
         let layouts = asked_layouts(&settings, Directions::Both, &mut kinds);
         let shown: Vec<(String, Vec<String>, bool, Option<usize>)> = layouts
             .iter()

@@ -4,7 +4,10 @@ use gsa::judge::certainty::{Estimate, places_certain};
 
 use crate::layout::opinions::kendall::tau;
 use crate::layout::simulate::simulation::LOST_DEG;
-use crate::result::{FrontLayout, LayoutError, LayoutLoad, LayoutScore, LoadScore, RankedLayout};
+use crate::result::{
+    FrontLayout, LayoutError, LayoutLoad, LayoutScore, LoadScore, RankedLayout, ShearError,
+    ShearScore,
+};
 
 /// Claimed errors in standard errors of the simulation.
 const DEVIATIONS: f64 = 2.0;
@@ -28,6 +31,12 @@ pub fn with_scores(
         .enumerate()
         .map(|(k, (load, mut score))| {
             score.error = coarse.map(|(coarse, factor)| error(&score, &coarse[k], factor));
+            if let (Some(shear), Some((coarse, factor))) = (&mut score.shear, coarse) {
+                shear.error = coarse[k]
+                    .shear
+                    .as_ref()
+                    .map(|coarse| shear_error(shear, coarse, factor));
+            }
             LoadScore {
                 depth_mm: load.depth_mm,
                 load_n: load.load_n,
@@ -69,6 +78,17 @@ fn error(fine: &LayoutScore, coarse: &LayoutScore, factor: f64) -> LayoutError {
     }
 }
 
+fn shear_error(fine: &ShearScore, coarse: &ShearScore, factor: f64) -> ShearError {
+    let of_mesh = |fine: f64, coarse: f64| factor * (fine - coarse).abs();
+    let angles = fine.worst_angle_error_deg.zip(coarse.worst_angle_error_deg);
+    let forces = fine.worst_force_error_n.zip(coarse.worst_force_error_n);
+    ShearError {
+        worst_angle_error_deg: angles.map(|(fine, coarse)| of_mesh(fine, coarse)),
+        worst_force_error_n: forces
+            .map(|(fine, coarse)| std::array::from_fn(|k| Some(of_mesh(fine[k]?, coarse[k]?)))),
+    }
+}
+
 /// Which figures have an error beyond a fifth of themselves.
 fn doubt(score: &LayoutScore) -> Option<String> {
     let error = score.error.as_ref()?;
@@ -103,16 +123,41 @@ fn doubt(score: &LayoutScore) -> Option<String> {
 /// that number, so that this compares what a film contributes. Where one contact in twenty is lost, another film doesn't count: such layouts come last, by
 /// the percentile alone.
 fn key(layout: &RankedLayout) -> f64 {
-    p95(&layout.score) * weight(layout)
+    weighted(layout, p95(&layout.score))
 }
 
-/// What an error counts in a layout.
-fn weight(layout: &RankedLayout) -> f64 {
-    if p95(&layout.score) <= LOST_DEG {
-        films(layout).sqrt()
+/// What an error of so many degrees counts in a layout.
+fn weighted(layout: &RankedLayout, error_deg: f64) -> f64 {
+    let films = if error_deg <= LOST_DEG {
+        films(layout)
     } else {
-        MOST_FILMS.sqrt()
-    }
+        MOST_FILMS
+    };
+    error_deg * films.sqrt()
+}
+
+/// What the order goes by, with its range.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct OrderKey {
+    /// The error times the root of the number of films, degrees; infinite where there is no error.
+    pub value: f64,
+    /// How far down and up it may be off by the claimed error; `None` where that isn't known. An error that may be beyond the loss of the contact weighs as such.
+    pub off: Option<[f64; 2]>,
+}
+
+/// What the order goes by in a layout.
+pub(crate) fn order_key(layout: &RankedLayout) -> OrderKey {
+    let (value, middle) = (key(layout), p95(&layout.score));
+    let error = layout.score.error.as_ref();
+    let error = error.and_then(|error| error.simulated_p95_angle_error_deg);
+    let off = error.filter(|_| value.is_finite()).map(|error| {
+        let [low, high] = [(middle - error).max(0.0), middle + error];
+        [
+            value - weighted(layout, low),
+            weighted(layout, high) - value,
+        ]
+    });
+    OrderKey { value, off }
 }
 
 fn films(layout: &RankedLayout) -> f64 {
@@ -122,15 +167,13 @@ fn films(layout: &RankedLayout) -> f64 {
 /// Puts layouts in order, best first: equal ones share the rank of the first of them and stand in the order in which they came.
 pub fn rank(layouts: &mut [RankedLayout]) {
     layouts.sort_by(|a, b| key(a).total_cmp(&key(b)));
-    let estimate = |layout: &RankedLayout| Estimate {
-        // What is best is greatest.
-        value: -key(layout),
-        error: layout
-            .score
-            .error
-            .as_ref()
-            .and_then(|error| error.simulated_p95_angle_error_deg)
-            .map_or(f64::INFINITY, |error| error * weight(layout)),
+    let estimate = |layout: &RankedLayout| {
+        let OrderKey { value, off } = order_key(layout);
+        Estimate {
+            // What is best is greatest.
+            value: -value,
+            error: off.map_or(f64::INFINITY, |[down, up]| down.max(up)),
+        }
     };
     let estimates: Vec<Estimate> = layouts.iter().map(estimate).collect();
     let known: Vec<Estimate> = estimates
@@ -266,6 +309,7 @@ mod tests {
             depth_mm: Some(depth_mm),
             load_n: None,
             force_slope_n_per_mm: None,
+            shear: None,
             knees: Vec::new(),
             reason: None,
         };

@@ -18,10 +18,8 @@ pub fn alike(
     arrangement: &Arrangement,
     noise: &Noise,
 ) -> Option<AlikeContacts> {
-    let [low, high] = fields.depths.ends();
     let own = fields.at(depth_mm);
-    let depths = (0..DEPTHS).map(|k| low + (high - low) * k as f64 / (DEPTHS - 1) as f64);
-    let others: Vec<LoadField> = depths.map(|depth| fields.at(depth)).collect();
+    let others = fields.evenly(DEPTHS);
     let angles: Vec<f64> = (0..360).step_by(STEP_DEG).map(f64::from).collect();
     let readings_of = |field: &LoadField| -> Vec<Vec<f64>> {
         angles

@@ -47,8 +47,8 @@ pub struct Estimator<'l> {
     films: usize,
     /// Parts of a cell around the wheel for which there are functions.
     finest: usize,
-    /// Middles of these parts, degrees.
-    angles_deg: Vec<f64>,
+    /// Sine and cosine of the middles of these parts.
+    directions: Vec<(f64, f64)>,
     /// By angle, then depth.
     cells: Vec<Cell>,
     /// By part of an angle: functions of the products at each film, product after product.
@@ -127,7 +127,10 @@ impl<'l> Estimator<'l> {
             quadratic: quadratic
                 .map_or_else(Vec::new, |field| at_films(field, arrangement, &angles_deg)),
             constant: summed(&parts.constant, arrangement, &angles_deg),
-            angles_deg,
+            directions: angles_deg
+                .iter()
+                .map(|angle| angle.to_radians().sin_cos())
+                .collect(),
         };
         for cell in 0..estimator.cells.len() {
             estimator.cells[cell].constant = estimator.constant_at(cell);
@@ -187,7 +190,7 @@ impl<'l> Estimator<'l> {
         let (mut mass, mut depths, mut vector) = (0.0, 0.0, [0.0; 2]);
         for (log, angle, depth) in points.iter().filter(|point| point.0 > largest - NEGLIGIBLE) {
             let weight = (log - largest).exp();
-            let (sin, cos) = self.angles_deg[*angle].to_radians().sin_cos();
+            let (sin, cos) = self.directions[*angle];
             mass += weight;
             depths += weight * self.likelihood.depths_mm[*depth];
             vector = [vector[0] + weight * cos, vector[1] + weight * sin];

@@ -1,16 +1,19 @@
 //! Solved loads as fields of every kind of film.
 
-use fem_client::solver::{Response, Ring};
+use fem_client::solver::{Readout, Response, Ring};
 
 use crate::layout::arrangement::FilmKind;
 use crate::layout::field::film_field::DepthFields;
-use crate::layout::field::hermite::Nodes;
+use crate::layout::field::hermite::{DEGREES, Nodes, Turn};
 use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
 use crate::run::archive::Outcome;
 use crate::score::quantity::around;
 
 /// Depths nearer than this are one, mm.
 const SAME_DEPTH_MM: f64 = 1e-6;
+
+/// The sample of a film at the contact's centre.
+pub const CONTACT: usize = DEGREES / 2;
 
 /// What one mesh answers about the loads of a study.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,8 +22,10 @@ pub struct MeshFields {
     pub fields: DepthFields,
     /// For each load asked for: its depth (mm), or why it wasn't reached.
     pub loads: Vec<Result<f64, String>>,
-    /// The crown's largest strain at the load in the middle.
+    /// The crown's largest signal at the load in the middle.
     pub crown: f64,
+    /// Why there are no slopes over the ground's shift, where they were asked for.
+    pub without_shear: Vec<String>,
 }
 
 /// Fields of the kinds of film from what was solved, in the order of the scenes; the first two kinds are those of the crown.
@@ -58,7 +63,7 @@ pub fn mesh_fields(
     let signals = kinds.iter().map(|kind| {
         nodes
             .iter()
-            .map(|(_, response)| samples(response, kind, kinds))
+            .map(|(_, response)| samples(&response.rings, kind, kinds))
             .collect()
     });
     let fields = DepthFields {
@@ -67,6 +72,7 @@ pub fn mesh_fields(
         signals: signals
             .collect::<Option<_>>()
             .ok_or("The solver gives no strains around the wheel.")?,
+        sheared: Vec::new(),
     };
     let (middle, _) = solved(scenes.middle())
         .map_err(|reason| format!("The load in the middle has no equilibrium: {reason}"))?;
@@ -75,26 +81,116 @@ pub fn mesh_fields(
         .iter()
         .flat_map(|kind| kind.signal.samples());
     let crown = crown.fold(0.0, |largest: f64, strain| largest.max(strain.abs()));
+    if crown == 0.0 {
+        return Err("The crown feels nothing, so that layouts have no scores.".to_owned());
+    }
     Ok(MeshFields {
         fields,
         loads,
         crown,
+        without_shear: Vec::new(),
     })
 }
 
-/// Strains of one kind of film around the wheel.
-fn samples(response: &Response, kind: &FilmKind, kinds: &[FilmKind]) -> Option<Vec<f64>> {
+/// Signal of one kind of film around the wheel: the mean over its points, a linear function of what the lines read.
+pub fn samples(rings: &[Ring], kind: &FilmKind, kinds: &[FilmKind]) -> Option<Vec<f64>> {
     let readout = readout(kinds);
-    let lines = readout.rings.iter().zip(&response.rings);
-    let (line, ring): (_, &Ring) = lines
-        .into_iter()
-        .find(|(line, _)| line.section_deg == kind.phi_deg)?;
-    match kind.angle_deg {
-        0.0 => Some(around(ring).x.clone()),
-        90.0 => Some(around(ring).y.clone()),
+    let mut mean = vec![0.0; DEGREES];
+    for point in kind.points() {
+        for (angle_deg, weight) in kind.reads.directions(kind.angle_deg) {
+            let along = along(rings, &readout, point.section_deg, angle_deg)?;
+            let along = Turn::new(along.clone());
+            for (sum, degree) in mean.iter_mut().zip(-180..180) {
+                *sum += weight * point.share * along.at(f64::from(degree) + point.wheel_deg);
+            }
+        }
+    }
+    Some(mean)
+}
+
+/// Strains at a section angle along a direction, degrees.
+fn along<'r>(
+    rings: &'r [Ring],
+    readout: &Readout,
+    section_deg: f64,
+    angle_deg: f64,
+) -> Option<&'r Vec<f64>> {
+    let mut lines = readout.rings.iter().zip(rings);
+    let (line, ring) = lines.find(|(line, _)| line.section_deg == section_deg)?;
+    match angle_deg {
+        0.0 => Some(&around(ring).x),
+        90.0 => Some(&around(ring).y),
         angle => {
             let turned = line.turned_deg.iter().position(|turned| *turned == angle)?;
-            ring.turned.get(turned).cloned()
+            ring.turned.get(turned)
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use fem_client::scene::Geometry;
+    use fem_client::solver::direction::PerDirection;
+
+    use super::*;
+
+    /// Lines for a kind of film, with strains by the wheel angle, degrees.
+    fn rings(kind: FilmKind, x: impl Fn(f64) -> f64) -> Vec<Ring> {
+        let theta_deg: Vec<f64> = (-180..180).map(f64::from).collect();
+        let ring = |section_deg| Ring {
+            section_deg,
+            strain: PerDirection {
+                x: theta_deg.iter().map(|theta| x(*theta)).collect(),
+                y: vec![0.0; DEGREES],
+            },
+            turned: Vec::new(),
+            theta_deg: theta_deg.clone(),
+        };
+        let lines = readout(&[kind]).rings.into_iter();
+        lines.map(|line| ring(line.section_deg)).collect()
+    }
+
+    #[test]
+    fn a_long_film_reads_a_wider_peak() {
+        // 10 mm are 12.2 degrees at the crown.
+        let (width, length_mm) = (8.0, 10.0);
+        let long = FilmKind::sized(&Geometry::default(), Some([length_mm, 1.0]), 0.0, 0.0);
+        let peak = |theta: f64| (-0.5 * (theta / width) * (theta / width)).exp();
+        let found = samples(&rings(long, peak), &long, &[long]).expect("lines");
+        let moment = |power: i32| -> f64 {
+            let terms = found.iter().zip(-180..180);
+            terms.map(|(f, u)| f * f64::from(u).powi(power)).sum()
+        };
+        let squared = moment(2) / moment(0);
+        let covered = (length_mm / 47.0f64).to_degrees();
+        let expected = width * width + covered * covered / 12.0;
+        // The mean of a film adds its own second moment; the interpolation's fourth order leaves 1e-5.
+        assert!(
+            (squared / expected - 1.0).abs() < 1e-4,
+            "{squared} {expected}"
+        );
+        assert!((moment(0) / (width * std::f64::consts::TAU.sqrt()) - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn a_tiny_film_reads_what_a_point_reads() {
+        let of = |kind: FilmKind| {
+            let rings = rings(kind, |theta| (-0.01 * theta * theta).exp());
+            samples(&rings, &kind, &[kind]).expect("lines")
+        };
+        let point = of(FilmKind::point(0.0, 0.0));
+        assert_eq!(point[180], 1.0);
+        let tiny = FilmKind::sized(&Geometry::default(), Some([1e-6, 1e-6]), 0.0, 0.0);
+        for (a, b) in of(tiny).iter().zip(&point) {
+            assert!((a - b).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn without_its_lines_a_film_reads_nothing() {
+        let kind = FilmKind::sized(&Geometry::default(), Some([10.0, 5.0]), 0.0, 0.0);
+        assert_eq!(samples(&[], &kind, &[kind]), None);
+        let rings = rings(FilmKind::point(0.0, 0.0), |_| 1.0);
+        assert_eq!(samples(&rings, &kind, &[kind]), None);
     }
 }

@@ -5,6 +5,7 @@ use fem_client::solver::{Readout, RingLine};
 
 use crate::layout::arrangement::FilmKind;
 use crate::layout::layout_settings::{LayoutLoads, Layouts};
+use crate::signals::series::loads_of_transfer;
 
 /// Half of the sector that is meshed finely, degrees: slopes of strains 20 to 60 degrees from the contact decide how well its angle is known.
 pub const FINE_DEG: f64 = 60.0;
@@ -12,6 +13,8 @@ pub const FINE_DEG: f64 = 60.0;
 const BESIDE: [f64; 2] = [0.9, 1.1];
 /// How far the depths of the study reach beyond the least and the largest load, over these.
 const BEYOND: [f64; 2] = [0.5, 1.25];
+/// The ground's shift over the section's radius: 0.02 mm on the foot tire, of the 0.7 mm at which it slides.
+const SHIFT_OF_SECTION: f64 = 1.6e-3;
 /// Solves nearer than this to another are left out, relative.
 const TOO_NEAR: f64 = 0.04;
 
@@ -50,6 +53,15 @@ impl Pressed {
     }
 }
 
+impl std::fmt::Display for Pressed {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Depth(depth) => write!(f, "{depth} mm"),
+            Self::Force(force) => write!(f, "{force} N"),
+        }
+    }
+}
+
 impl LayoutScenes {
     /// Those of a tire: a study's scene at its means.
     ///
@@ -59,6 +71,11 @@ impl LayoutScenes {
         let mut tire = means.clone();
         tire.film = None;
         let loads = loads(settings, means)?;
+        if let Some(load) = loads.iter().find(|load| pressed(&tire, **load).is_none()) {
+            return Err(format!(
+                "Layouts have no scores: this tire can't be pressed by {load} as a scene can."
+            ));
+        }
         let mut sorted = loads.clone();
         sorted.sort_by(|a, b| a.value().total_cmp(&b.value()));
         let (least, largest) = (sorted[0], sorted[sorted.len() - 1]);
@@ -93,6 +110,38 @@ impl LayoutScenes {
             scene
         };
         self.solved.iter().map(on_level).collect()
+    }
+
+    /// The loads asked for, each with the ground dragged along the wheel and across it at once, by [`LayoutScenes::shift_mm`].
+    pub fn sheared(&self, level: Level) -> Vec<Scene> {
+        let dragged = |load: &Pressed| {
+            let mut scene = pressed(&self.tire, *load).unwrap_or_else(|| self.tire.clone());
+            scene.ground.shift_mm = [self.shift_mm(); 2];
+            scene.model.level = level;
+            scene
+        };
+        self.loads.iter().map(dragged).collect()
+    }
+
+    /// How far the ground is dragged for slopes over its shift, mm: so little that all but the contact's rim sticks.
+    pub fn shift_mm(&self) -> f64 {
+        SHIFT_OF_SECTION * self.tire.geometry.section_radius_mm
+    }
+
+    /// Coefficient of friction.
+    pub fn friction(&self) -> f64 {
+        self.tire.contact.friction
+    }
+
+    /// Which two of the solved loads give a glued film's transfer: of those asked for the nearest to a third and to two thirds of the largest, as of films'
+    /// signals; of a single one those beside it count, too.
+    pub fn of_transfer(&self) -> Option<[usize; 2]> {
+        let values =
+            |loads: &[Pressed]| -> Vec<f64> { loads.iter().map(|load| load.value()).collect() };
+        let (asked, solved) = (values(&self.loads), values(&self.solved));
+        let two = loads_of_transfer(&asked).or_else(|| loads_of_transfer(&solved))?;
+        let [first, second] = two.map(|load| solved.iter().position(|other| *other == load));
+        Some([first?, second?])
     }
 
     /// Which of the solved loads sets the noise.
@@ -135,20 +184,24 @@ fn loads(settings: &Layouts, means: &Scene) -> Result<Vec<Pressed>, String> {
     })
 }
 
-/// Where strains are read: a line around the wheel for every section angle.
+/// Where strains are read: a line around the wheel for every section angle at which a film has a point.
 pub fn readout(kinds: &[FilmKind]) -> Readout {
     let mut rings: Vec<RingLine> = Vec::new();
     for kind in kinds {
-        let known = rings
-            .iter()
-            .position(|ring| ring.section_deg == kind.phi_deg);
-        let ring = known.unwrap_or_else(|| {
-            rings.push(RingLine::at(kind.phi_deg));
-            rings.len() - 1
-        });
-        let turned = &mut rings[ring].turned_deg;
-        if ![0.0, 90.0].contains(&kind.angle_deg) && !turned.contains(&kind.angle_deg) {
-            turned.push(kind.angle_deg);
+        for point in kind.points() {
+            let known = rings
+                .iter()
+                .position(|ring| ring.section_deg == point.section_deg);
+            let ring = known.unwrap_or_else(|| {
+                rings.push(RingLine::at(point.section_deg));
+                rings.len() - 1
+            });
+            let turned = &mut rings[ring].turned_deg;
+            for (angle_deg, _) in kind.reads.directions(kind.angle_deg) {
+                if ![0.0, 90.0].contains(&angle_deg) && !turned.contains(&angle_deg) {
+                    turned.push(angle_deg);
+                }
+            }
         }
     }
     Readout {
@@ -202,7 +255,7 @@ mod tests {
 
     #[test]
     fn lines_are_read_once_for_all_directions() {
-        let kind = |phi_deg, angle_deg| FilmKind { phi_deg, angle_deg };
+        let kind = FilmKind::point;
         let readout = readout(&[
             kind(0.0, 0.0),
             kind(0.0, 90.0),

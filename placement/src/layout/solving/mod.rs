@@ -1,5 +1,21 @@
-//! What layouts have solved: [`layout_scenes`], their answers as fields ([`layout_fields`]), and the result filled in ([`measuring_layouts`]).
+//! What layouts have solved, and what becomes of it:
+//!
+//! - `study_layouts`: layouts, kinds of film and places of the search, as a study asks for them
+//! - [`layout_scenes`]: a flat ground at every load
+//! - [`layout_fields`]: solved loads as fields; `glued_films`: what glued films make of the bare wall's strains
+//! - [`shear_fields`]: what a shift of the ground changes
+//! - `searched_layouts`: the best layouts of so many films
+//! - `judged_layouts`: fields of two meshes to ranked layouts, on all threads (`on_threads`)
+//! - `measuring_layouts`: solves and fills in a study's result
+//! - `layout_workload`: what all that takes
 
+pub(crate) mod glued_films;
+pub(crate) mod judged_layouts;
 pub mod layout_fields;
 pub mod layout_scenes;
-pub mod measuring_layouts;
+pub(crate) mod layout_workload;
+pub(crate) mod measuring_layouts;
+pub(crate) mod on_threads;
+pub(crate) mod searched_layouts;
+pub mod shear_fields;
+pub(crate) mod study_layouts;

@@ -380,6 +380,19 @@ fn layouts_have_every_fault_at_its_place() {
     let mut large = valid();
     large["layouts"] = json!({"search": {"films": [3], "slots": 120, "section_deg": [0, 10, 20, 30, 40, 50, 60, 70, 80], "directions": ["x", "y"]}});
     assert_eq!(pointers(&large), ["/layouts/search"]);
+    // Ground without friction drags nothing.
+    for shear in [json!(true), json!("yes")] {
+        let mut slippery = valid();
+        slippery["layouts"] = json!({"units": [7], "shear": shear});
+        assert_eq!(pointers(&slippery), ["/layouts/shear"]);
+    }
+    // Slopes are those about ground that rests.
+    let mut dragged = valid();
+    dragged["scene"] = json!({
+        "preset": "foot-tire", "contact": {"friction": 0.5}, "ground": {"shift_mm": [0.1, 0]},
+    });
+    dragged["layouts"] = json!({"units": [7], "shear": true});
+    assert_eq!(pointers(&dragged), ["/layouts/shear"]);
 }
 
 #[test]
@@ -389,13 +402,82 @@ fn a_study_of_layouts_reads_back_as_itself() {
         "units": [7], "section_deg": [-20], "directions": [["x", "y"], [45]], "staggered": true, "loads_n": [5, 13], "noise_strain": 1e-3,
         "gain_std": 0.1, "place_std_deg": 3, "dead": true, "level": "coarse",
         "free": [{"name": "a", "films": [{"theta_deg": 10, "phi_deg": 20, "angle_deg": 30}]}],
-        "search": {"films": [3]},
+        "search": {"films": [3]}, "size_mm": [12, 4.5], "candidate_sizes_mm": [[10, 5], [25, 10]],
     });
     let read = Study::from_value(&document, &|path| Err(path.to_owned())).unwrap();
     assert_eq!(Study::from_canonical(&read.canonical()), Ok(read));
+    document["scene"] = json!({"preset": "foot-tire", "contact": {"friction": 0.5}});
+    document["layouts"] = json!({"units": [7], "shear": true});
+    let sheared = Study::from_value(&document, &|path| Err(path.to_owned())).unwrap();
+    assert!(sheared.layouts.shear);
+    assert_eq!(Study::from_canonical(&sheared.canonical()), Ok(sheared));
     let mut none = valid();
     none.as_object_mut().unwrap().remove("layouts");
     let read = Study::from_value(&none, &|path| Err(path.to_owned())).unwrap();
     assert!(!read.layouts.is_asked());
     assert_eq!(Study::from_canonical(&read.canonical()), Ok(read));
+}
+
+#[test]
+fn films_of_a_size_fit_wherever_they_are_laid() {
+    let of = |layouts: Value| {
+        let mut document = valid();
+        document["layouts"] = layouts;
+        pointers(&document)
+    };
+    for (size, at) in [
+        (json!(25), "/layouts/size_mm"),
+        (json!([25]), "/layouts/size_mm"),
+        (json!([25, 0]), "/layouts/size_mm/1"),
+        (json!(["x", 10]), "/layouts/size_mm/0"),
+    ] {
+        assert_eq!(of(json!({"size_mm": size})), [at]);
+    }
+    assert_eq!(
+        of(json!({"candidate_sizes_mm": [[10, 5], [0, 5], [10, 5]]})),
+        [
+            "/layouts/candidate_sizes_mm/1/0",
+            "/layouts/candidate_sizes_mm/2"
+        ]
+    );
+    // The section is 9.5 mm wide and 102 degrees long to each side: 25 mm along y fit to 26 degrees, 10 mm across to 71.
+    let long = json!([25, 10]);
+    assert_eq!(
+        of(json!({
+            "size_mm": long, "units": [6], "section_deg": [0, 30, 80], "directions": [["x"], ["y"]],
+            "free": [{"name": "a", "films": [{"phi_deg": 20, "angle_deg": 90}, {"phi_deg": -40, "angle_deg": 90}]}],
+            "search": {"films": [3], "section_deg": [0, 45]},
+        })),
+        [
+            "/layouts/section_deg/1",
+            "/layouts/section_deg/2",
+            "/layouts/free/0/films/1",
+            "/layouts/search/section_deg/1",
+        ]
+    );
+    assert_eq!(
+        of(
+            json!({"size_mm": long, "units": [6], "section_deg": [26, 27], "directions": [["x"], ["y"]]})
+        ),
+        ["/layouts/section_deg/1"]
+    );
+    // The sidewall is one of the positions that a document without any has.
+    assert_eq!(
+        of(json!({"size_mm": long, "units": [6]})),
+        ["/layouts/size_mm"]
+    );
+    assert_eq!(
+        of(json!({"size_mm": long, "positions": ["crown", "shoulder"]})),
+        ["/layouts/positions/1"]
+    );
+    assert_eq!(
+        of(
+            json!({"size_mm": [300, 1], "units": [6], "positions": ["crown"], "directions": [["x"]]})
+        ),
+        ["/layouts/positions/0"]
+    );
+    assert_eq!(
+        of(json!({"candidate_sizes_mm": [[25, 10], [40, 36]]})),
+        ["/layouts/candidate_sizes_mm/1"]
+    );
 }

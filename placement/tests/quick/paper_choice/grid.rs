@@ -11,7 +11,7 @@ pub const STATIONS: usize = 5;
 /// Nodes of each input.
 pub const NODES: usize = 5;
 const OUTPUTS: usize = 2 * STATIONS;
-const TABLE: &str = include_str!("../../../../docs/paper-choice/strains.csv");
+const TABLE: &str = include_str!("../../../../docs/verification/paper-choice/strains.csv");
 
 /// Strains of all 3125 points. The table has one of each pair of mirror images.
 pub struct Grid {

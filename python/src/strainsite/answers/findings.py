@@ -27,6 +27,16 @@ class Knee:
 
 
 @dataclass(frozen=True)
+class LoadShear:
+    """What dragging the ground a little shows at a load."""
+
+    slopes_n_per_mm: tuple[float, float]
+    """Forces along the wheel and across it by the shifts that way."""
+    sliding_n: float
+    """Force from which the ground slides."""
+
+
+@dataclass(frozen=True)
 class LayoutLoad:
     """A load at which layouts are scored."""
 
@@ -35,6 +45,8 @@ class LayoutLoad:
     load_n: float | None
     """Vertical force."""
     force_slope_n_per_mm: float | None
+    shear: LoadShear | None
+    """Where forces along and across the wheel are unknown, too."""
     knees: tuple[Knee, ...]
     reason: str | None
     """Why there are no scores."""
@@ -61,22 +73,28 @@ class LayoutSearch:
     """That a film may have."""
     method: str
     """`exhaustive`, or `greedy and exchange`."""
+    criterion: str
+    """What it went by: `bound`, or `interval errors`, which count contacts that are mistaken for others, too."""
     looked_at: int
-    """Layouts whose bound was computed."""
+    """Layouts whose criterion was computed."""
     bayes_angle_error_deg: float
-    """The best bound with a flat prior, root mean square over angles and loads."""
+    """Bound of the best one with a flat prior, root mean square over angles and loads."""
     best: tuple[FilmPlace, ...]
     """Its films."""
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """A kind of film: where in the section, along which direction."""
+    """A kind of film: where in the section, along which direction, how large."""
 
     section_deg: float
     """From the crown."""
     direction: str
     """Of its length."""
+    length_mm: float | None
+    """None of a point."""
+    width_mm: float | None
+    """None of a point."""
     signal: float
     """The largest around the wheel, over all loads."""
     angle_information: float
@@ -105,7 +123,7 @@ class OrderAgreement:
 
 @dataclass(frozen=True)
 class StrainRing:
-    """Strains around the wheel at one load, of one kind of film."""
+    """Signals around the wheel at one load, of one kind of film: strains, or volts of glued films."""
 
     section_deg: float
     direction: str
@@ -136,6 +154,10 @@ class LayoutFindings:
     agreement: tuple[OrderAgreement, ...]
     """Of each two criteria of the candidates."""
     rings: tuple[StrainRing, ...]
+    unit: str = "strain"
+    """Of films' signals: `strain`, or `V` of glued films."""
+    size_mm: tuple[float, ...] | None = None
+    """Length and width of the layouts' films; None of points."""
     searches: tuple[LayoutSearch, ...] = ()
     reasons: tuple[str, ...] = ()
     """Why something is missing."""

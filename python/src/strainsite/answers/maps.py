@@ -36,6 +36,8 @@ class StrainMap:
     """Angles of the rows from the crown, degrees."""
     first_order: NDArray[np.float64]
     """First-order index of the input."""
+    total: NDArray[np.float64]
+    """Total index of the input; no error of its own is known. nan in results of earlier versions."""
     std: NDArray[np.float64]
     """Standard deviation of the strain."""
     strain: NDArray[np.float64]
@@ -62,6 +64,7 @@ class StrainMap:
                 theta_deg=theta,
                 phi_deg=phi,
                 first_order=grid("first_order") if layer.get("first_order") else np.full(shape, np.nan),
+                total=grid("total") if layer.get("total") else np.full(shape, np.nan),
                 std=grid("std"),
                 strain=grid("strain"),
                 error=grid("error"),
@@ -84,7 +87,7 @@ class StrainMap:
         if name not in inputs:
             raise StrainsiteError(f"input is one of {', '.join(inputs)}; it is {name!r}")
         layer = layers[direction]
-        indices = layer["first_order"]
+        indices, totals = layer["first_order"], layer.get("total", [])
         k = inputs.index(name)
         return cls.of(
             {
@@ -93,6 +96,7 @@ class StrainMap:
                 "theta_deg": found["theta_deg"],
                 "phi_deg": found["phi_deg"],
                 "first_order": indices[k] if k < len(indices) else None,
+                "total": totals[k] if k < len(totals) else None,
             }
         )
 
@@ -103,8 +107,14 @@ class StrainMap:
         locations: Iterable[LocationStrain] = (),
         ax: Axes | None = None,
     ) -> Axes:
-        """Draws it on the unrolled surface: `first_order`, `std`, `strain` or `error`."""
-        quantities = {"first_order": self.first_order, "std": self.std, "strain": self.strain, "error": self.error}
+        """Draws it on the unrolled surface: `first_order`, `total`, `std`, `strain` or `error`."""
+        quantities = {
+            "first_order": self.first_order,
+            "total": self.total,
+            "std": self.std,
+            "strain": self.strain,
+            "error": self.error,
+        }
         layer = surface.Layer(self.direction, self.input, self.theta_deg, self.phi_deg, quantities)
         marks = [(location.name, location.theta_deg) for location in locations]
         return surface.unrolled_map(layer, value, marks=marks, ax=ax)

@@ -80,6 +80,28 @@ class LayoutError:
 
 
 @dataclass(frozen=True)
+class ShearError:
+    """Claimed errors of bounds with four unknowns, by the coarser mesh."""
+
+    worst_angle_error_deg: float | None
+    worst_force_error_n: tuple[float | None, float | None, float | None] | None
+
+
+@dataclass(frozen=True)
+class ShearScore:
+    """Cramer-Rao bounds with four unknowns: contact angle, depth, and the ground's shifts along and across."""
+
+    worst_angle_error_deg: float | None
+    """At the worst angle."""
+    worst_force_error_n: tuple[float | None, float | None, float | None] | None
+    """Of the ground's forces along the wheel, across it (None where no film feels it) and up, at the worst angle."""
+    error: ShearError | None
+    """None without a coarser mesh."""
+    reason: str | None
+    """What can't be told."""
+
+
+@dataclass(frozen=True)
 class LayoutScore:
     """How well a layout sees the contact, over all angles at which it can touch down."""
 
@@ -109,6 +131,8 @@ class LayoutScore:
     """The two contacts, more than 20 degrees apart, that look most alike."""
     dead: DeadFilm | None
     """Where the study asks for it."""
+    shear: ShearScore | None
+    """With forces along and across the wheel unknown, too, where the study asks for it."""
     noise_strain: float
     """Of each film, in the unit of the signal: strain, or volts of glued films."""
     error: LayoutError | None

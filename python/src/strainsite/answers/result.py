@@ -1,4 +1,4 @@
-"""The whole answer of a study."""
+"""The whole answer of a study: in a sentence, and in full."""
 
 from __future__ import annotations
 
@@ -26,6 +26,127 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
+@dataclass(frozen=True)
+class PlaceAnswer:
+    """The location that ranks first."""
+
+    names: tuple[str, ...]
+    """All that share the first rank or, where the verdict is tied, can't be told from the first."""
+    direction: str
+    """Of the strain, of those asked for, whose index is larger there."""
+    index: float
+    """First-order index of the location's own depth for that strain at the contact centre, 0 to 1."""
+    error: float | None
+    """None where it isn't known."""
+    verdict: str
+    """`certain`, `likely`, `tied` or `unknown`."""
+    reason: str
+    """Why, with the figures that decide."""
+    sentence: str
+    """The place in a sentence."""
+
+
+@dataclass(frozen=True)
+class LayoutAnswer:
+    """The layout that ranks first."""
+
+    rank: int
+    """In the list of layouts."""
+    words: str
+    """What it is, as in `12 units of x and y at the crown, every 30 degrees`."""
+    units: int
+    """Of a layout without units its films."""
+    film_count: int
+    angle_error_deg: float
+    """95 of 100 simulated contacts are estimated better than this at the worst load."""
+    error_deg: float | None
+    """Claimed error of that; None without a coarser mesh."""
+    tied_with: tuple[int, ...]
+    """Ranks of layouts that the errors can't tell from it."""
+    verdict: str
+    """`certain`, `likely`, `tied` or `unknown`."""
+    reason: str
+    """Why, with the figures that decide."""
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """What the model leaves out that changes strains most."""
+
+    what: str
+    why: str
+    effect: float
+    """Largest change of a strain at the locations over the largest strain of its direction."""
+    sentence: str
+    """What it would do."""
+
+
+@dataclass(frozen=True)
+class Surer:
+    """What a surer answer costs."""
+
+    sentence: str
+    level: str
+    """Mesh level to ask for."""
+    times: float | None
+    """Its work over that of this study; None of solvers without a law of solve times."""
+    expected_s: float | None
+    """Wall-clock time with what the database has."""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """Where the films go, how sure that is, and what could overturn it."""
+
+    sentence: str
+    """The best layout and what it knows, or the best place where no layouts are asked for."""
+    verdict: str
+    """The weaker of place and layout: `certain`, `likely`, `tied` or `unknown`."""
+    reason: str
+    """Why it isn't surer, or why it is certain, with the figures that decide."""
+    place: PlaceAnswer | None
+    """None where no location has an index."""
+    layout: LayoutAnswer | None
+    """None where none is asked for, or none has a score."""
+    left_out: LeftOut | None
+    """None where no effect is known, as on the draft level."""
+    surer: Surer | None
+    """None at the top of the ladder."""
+
+
+@dataclass(frozen=True)
+class GradedNote:
+    """What to know before believing the numbers, with what it does to them."""
+
+    grade: str
+    """`changes-answer`, `bears-on-figure` or `for-the-record`."""
+    about: str
+    """`place`, `layout`, `map`, `indices`, `signals`, `model` or `cost`."""
+    text: str
+
+
+@dataclass(frozen=True)
+class Preview:
+    """A document's places on the draft mesh, solved at once and forgotten: figures without a claim."""
+
+    claim: str
+    """`none`."""
+    level: str
+    """`draft`."""
+    wall_s: float
+    solves: int
+    left_out: tuple[str, ...]
+    """What the study would have beside."""
+    inputs: tuple[Input, ...]
+    locations: tuple[Location, ...]
+    """Best first."""
+    cut_point: CutPoint
+    map: dict[str, Any] | None
+    """As in a result document; None where the document asks for none."""
+    notes: tuple[str, ...]
+    """What to know before believing the numbers."""
+
+
 @dataclass(frozen=True, repr=False)
 class Result:
     """The whole answer of a study; `raw` is the document itself, with what this client has no field for."""
@@ -50,6 +171,10 @@ class Result:
     """None where the study asks for none."""
     layout_findings: LayoutFindings | None
     """What the layouts show together; None where the study asks for none, and of earlier versions."""
+    answer: Answer | None
+    """The answer in a sentence, and how sure it is; None where nothing has a rank, and of earlier versions."""
+    graded_notes: tuple[GradedNote, ...] = ()
+    """The notes with what each does to the answer; empty of earlier versions."""
     raw: dict[str, Any] = field(default_factory=dict, compare=False)
 
     @classmethod

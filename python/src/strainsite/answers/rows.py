@@ -44,6 +44,11 @@ _LAYOUT_COLUMNS = [
     "alike_sigmas",
     "worst_angle_mesh_error_deg",
     "doubt",
+    "shear_angle_error_deg",
+    "shear_force_x_error_n",
+    "shear_force_y_error_n",
+    "shear_force_z_error_n",
+    "shear_reason",
 ]
 
 
@@ -87,6 +92,11 @@ def layouts(layouts: Sequence[Layout]) -> list[Row]:
         row["simulated_p95_error_deg"] = error.simulated_p95_angle_error_deg if error else None
         row["worst_angle_mesh_error_deg"] = error.worst_angle_error_deg if error else None
         row["alike_sigmas"] = score.alike.sigmas if score.alike else None
+        shear = score.shear
+        forces = (shear and shear.worst_force_error_n) or (None, None, None)
+        row["shear_angle_error_deg"] = shear.worst_angle_error_deg if shear else None
+        row |= {f"shear_force_{axis}_error_n": force for axis, force in zip("xyz", forces, strict=True)}
+        row["shear_reason"] = shear.reason if shear else None
         rows.append({name: row[name] for name in _LAYOUT_COLUMNS})
     return rows
 

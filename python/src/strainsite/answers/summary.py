@@ -7,6 +7,8 @@ from typing import Any, Literal
 
 State = Literal["queued", "running", "done", "failed", "cancelled"]
 
+Archived = Literal["true", "false", "all"]
+
 
 @dataclass(frozen=True)
 class StudySummary:
@@ -14,6 +16,7 @@ class StudySummary:
 
     id: str
     name: str
+    """Name in lists: the document's, unless `rename` changed it."""
     state: str
     """`queued`, `running`, `done`, `failed` or `cancelled`."""
     spec_sha256: str
@@ -26,6 +29,8 @@ class StudySummary:
     created: str
     started: str | None
     finished: str | None
+    archived: str | None = None
+    """When it was archived; None unless it is."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +72,8 @@ class SweepSummary:
     priority: int
     created: str
     finished: str | None
+    archived: str | None = None
+    """When it was archived; None unless it is."""
 
 
 @dataclass(frozen=True)

@@ -30,8 +30,8 @@ _PATIENCE_S = 30.0
 class Transport:
     """One service, and how long to try to reach it.
 
-    Every request of this client may be sent twice without harm: reads and cancellations by their nature, submissions by
-    their idempotency key. So all of them are retried when the connection fails or the service is busy.
+    Every request of this client may be sent twice without harm: reads, changes and cancellations by their nature,
+    submissions by their idempotency key. So all of them are retried when the connection fails or the service is busy.
     """
 
     def __init__(
@@ -96,6 +96,11 @@ class Transport:
             headers["Content-Type"] = "application/json"
             content = json.dumps(body, allow_nan=False).encode()
         return _object(self.request("POST", path, content=content, headers=headers, params=params))
+
+    def patch(self, path: str, change: Mapping[str, Any]) -> dict[str, Any]:
+        """The JSON object with which a change is answered; the same change again changes nothing."""
+        content = json.dumps(change, allow_nan=False).encode()
+        return _object(self.request("PATCH", path, content=content, headers={"Content-Type": "application/json"}))
 
     def request(
         self,

@@ -30,7 +30,7 @@ class Layer:
     theta_deg: NDArray[np.float64]
     phi_deg: NDArray[np.float64]
     quantities: Mapping[str, NDArray[np.float64]]
-    """`first_order`, `std`, `strain` and `error`; nan where there is no value."""
+    """`first_order`, `total`, `std`, `strain` and `error`; nan where there is no value."""
 
 
 def unrolled_map(layer: Layer, value: str, *, marks: Iterable[tuple[str, float]] = (), ax: Axes | None = None) -> Axes:
@@ -38,7 +38,7 @@ def unrolled_map(layer: Layer, value: str, *, marks: Iterable[tuple[str, float]]
 
     Args:
         layer: The layer.
-        value: `first_order`, `std`, `strain` or `error`.
+        value: `first_order`, `total`, `std`, `strain` or `error`.
         marks: Names on the crown with their angles from the contact centre, degrees.
         ax: Where to draw; the current axes when left out.
 
@@ -46,6 +46,7 @@ def unrolled_map(layer: Layer, value: str, *, marks: Iterable[tuple[str, float]]
     ax = cast("Axes", pyplot().gca()) if ax is None else ax
     labels = {
         "first_order": f"first-order index of {layer.input}",
+        "total": f"total index of {layer.input}",
         "std": "standard deviation of the strain",
         "strain": "strain at the means",
         "error": f"error of the index of {layer.input}",
@@ -72,7 +73,7 @@ def _scale(value: str, data: np.ma.MaskedArray[Any, np.dtype[np.float64]]) -> tu
     largest = largest or 1.0
     if value == "strain":
         return "RdBu_r", -largest, largest
-    return "viridis", 0.0, 1.0 if value == "first_order" else largest
+    return "viridis", 0.0, 1.0 if value in {"first_order", "total"} else largest
 
 
 def _mark(ax: Axes, name: str, theta_deg: float) -> None:

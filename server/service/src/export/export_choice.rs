@@ -61,10 +61,12 @@ pub enum FileFormat {
     Parquet,
     /// The map on the inner surface, for ParaView.
     Vtu,
+    /// Both skins of the whole wheel as glTF 2.0, for any viewer.
+    Glb,
 }
 
 impl FileFormat {
-    const ALL: [Self; 4] = [Self::Csv, Self::Json, Self::Parquet, Self::Vtu];
+    const ALL: [Self; 5] = [Self::Csv, Self::Json, Self::Parquet, Self::Vtu, Self::Glb];
 
     /// The name in addresses, and the ending of file names.
     pub fn as_str(self) -> &'static str {
@@ -73,6 +75,7 @@ impl FileFormat {
             Self::Json => "json",
             Self::Parquet => "parquet",
             Self::Vtu => "vtu",
+            Self::Glb => "glb",
         }
     }
 
@@ -88,6 +91,7 @@ impl FileFormat {
             Self::Json => "application/json",
             Self::Parquet => "application/vnd.apache.parquet",
             Self::Vtu => "application/xml",
+            Self::Glb => "model/gltf-binary",
         }
     }
 
@@ -113,6 +117,11 @@ pub enum ExportError {
         "this result was found by a version that didn't keep where the points of a map lie: submit its document again"
     )]
     NoShape,
+    /// There is nothing to draw the wheel from.
+    #[error(
+        "no state of a mesh is stored for this study's cut point: another solver found it, or another version's mesh"
+    )]
+    NoMesh,
     /// The map isn't one.
     #[error("the VTU file can't be made: {0}")]
     Vtu(#[from] vtu::VtuError),

@@ -1,10 +1,17 @@
 //! A study's answer as a file.
 
 use placement::result::StudyResult;
+use serde_json::json;
+use sqlx::SqliteConnection;
+use vtu::wheel_glb::glb;
+use vtu::wheel_skins::WheelSkins;
 
 use crate::export::export_choice::{ExportError, FileFormat, Table};
 use crate::export::{csv, map_grid, parquet, tables};
-use crate::point_views::EvaluationView;
+use crate::views::point_views::{self, EvaluationView};
+use crate::views::solved_wheel;
+use store::StoreError;
+use store::queue::study_rows::StudyRow;
 
 /// What is exported.
 #[derive(Debug, Clone, Copy)]
@@ -15,10 +22,51 @@ pub struct Export {
     pub table: Table,
 }
 
+/// What a file is made from.
+#[derive(Debug)]
+pub struct ExportSources {
+    /// What the study found.
+    pub result: StudyResult,
+    /// Its points, where the file has them.
+    points: Vec<EvaluationView>,
+    /// The wheel at its cut point, where the file has it.
+    skins: Option<WheelSkins>,
+}
+
+impl ExportSources {
+    /// Of a file that has neither points nor the wheel.
+    pub fn of(result: StudyResult) -> Self {
+        Self {
+            result,
+            points: Vec::new(),
+            skins: None,
+        }
+    }
+}
+
 impl Export {
-    /// Whether the solved points are needed beside the result.
-    pub fn needs_points(self) -> bool {
-        self.format.has_tables() && self.table == Table::Points
+    /// What this file of a study is made from, beside its result.
+    ///
+    /// # Errors
+    /// When the database can't be read, or what it holds is damaged.
+    pub async fn sources(
+        self,
+        connection: &mut SqliteConnection,
+        study: &StudyRow,
+        result: StudyResult,
+    ) -> Result<ExportSources, StoreError> {
+        let sources = ExportSources::of(result);
+        let has_points = self.format.has_tables() && self.table == Table::Points;
+        Ok(if has_points {
+            let points = point_views::of(connection, study).await?;
+            ExportSources { points, ..sources }
+        } else if self.format == FileFormat::Glb {
+            let level = &sources.result.model.level;
+            let skins = solved_wheel::skins(connection, &study.id, level).await?;
+            ExportSources { skins, ..sources }
+        } else {
+            sources
+        })
     }
 
     /// A name for the file.
@@ -31,20 +79,29 @@ impl Export {
         }
     }
 
-    /// The file's bytes; `points` are those of the study where they are needed.
+    /// The file's bytes.
     ///
     /// # Errors
     /// See [`ExportError`].
-    pub fn bytes(
-        self,
-        result: &StudyResult,
-        points: &[EvaluationView],
-    ) -> Result<Vec<u8>, ExportError> {
+    pub fn bytes(self, sources: &ExportSources) -> Result<Vec<u8>, ExportError> {
+        let ExportSources {
+            result,
+            points,
+            skins,
+        } = sources;
         let table = || tables::table(self.table, result, points);
         match self.format {
             FileFormat::Csv => Ok(csv::csv(&table()).into_bytes()),
             FileFormat::Json => Ok(serde_json::to_string_pretty(result)?.into_bytes()),
             FileFormat::Vtu => Ok(map_grid::vtu(result)?.into_bytes()),
+            FileFormat::Glb => {
+                let skins = skins.as_ref().ok_or(ExportError::NoMesh)?;
+                let study = &result.study;
+                let origin = json!({
+                    "study": study.id, "name": study.name, "spec_sha256": study.spec_sha256, "version": study.version,
+                });
+                Ok(glb(skins, &origin))
+            }
             FileFormat::Parquet => {
                 let study = &result.study;
                 let origin = [

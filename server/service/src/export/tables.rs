@@ -15,7 +15,7 @@ use placement::study::position_name;
 use super::export_choice::Table;
 use super::table::{Rows, TypedTable};
 use super::unit::{PURE, unit_of};
-use crate::point_views::EvaluationView;
+use crate::views::point_views::EvaluationView;
 
 /// A table of a result; `points` are read for [`Table::Points`] alone.
 pub fn table(table: Table, result: &StudyResult, points: &[EvaluationView]) -> TypedTable {
@@ -164,6 +164,20 @@ fn simulated(rows: Rows<Layout<'_>>) -> Rows<Layout<'_>> {
             l.score.error.as_ref()?.worst_angle_error_deg
         })
         .text("doubt", |(layout, _)| layout.doubt.as_deref())
+        .float("shear_angle_error_deg", "deg", |(l, _)| {
+            l.score.shear.as_ref()?.worst_angle_error_deg
+        })
+        .float("shear_force_x_error_n", "N", |(l, _)| sheared(l, 0))
+        .float("shear_force_y_error_n", "N", |(l, _)| sheared(l, 1))
+        .float("shear_force_z_error_n", "N", |(l, _)| sheared(l, 2))
+        .text("shear_reason", |(layout, _)| {
+            layout.score.shear.as_ref()?.reason.as_deref()
+        })
+}
+
+/// Bound of a force with shear unknown, N.
+fn sheared(layout: &RankedLayout, axis: usize) -> Option<f64> {
+    layout.score.shear.as_ref()?.worst_force_error_n?[axis]
 }
 
 /// Kinds of film by several criteria.
@@ -171,6 +185,8 @@ fn candidates(films: &[CandidateFilm]) -> Rows<&CandidateFilm> {
     Rows::of(films.iter())
         .float("section_deg", "deg", |film| Some(film.section_deg))
         .text("direction", |film| Some(&film.direction))
+        .float("length_mm", "mm", |film| film.length_mm)
+        .float("width_mm", "mm", |film| film.width_mm)
         .float("signal", PURE, |film| Some(film.signal))
         .float("angle_information", "1/deg", |film| {
             Some(film.angle_information)

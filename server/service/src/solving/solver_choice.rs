@@ -9,6 +9,7 @@ use calculix::CalculixSolver;
 use fem_client::solver::Solver;
 use tire::embedded::EmbeddedSolver;
 
+use crate::previewer;
 use crate::solving::apart::child;
 use crate::solving::apart::parent::{Apart, own_program};
 use crate::solving::numerics::Fingerprinted;
@@ -43,6 +44,12 @@ pub fn solver(name: SolverName<'_>, limit: Duration) -> Result<Arc<dyn Solver>, 
         SolverName::Calculix(program) => Arc::new(CalculixSolver::new(program, limit + GRACE)?),
     };
     Ok(Arc::new(Watched::new(solver, limit, GRACE)))
+}
+
+/// Who solves previews: this program's own finite elements, whoever solves studies. A preview's cut point isn't kept, so that its numerics need no name.
+pub fn preview_solver() -> Arc<dyn Solver> {
+    let solver = Arc::new(EmbeddedSolver::default());
+    Arc::new(Watched::new(solver, previewer::LIMIT, GRACE))
 }
 
 /// Solves for the parent process of this one, by this program's own finite elements.

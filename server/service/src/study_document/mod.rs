@@ -1,15 +1,18 @@
 //! Study documents from files and from the database.
 //!
 //! - [`text_files`]: files up to a limit
+//! - [`shipped`]: the documents that ship
 
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+pub mod shipped;
 pub mod text_files;
 
 use std::path::{Path, PathBuf};
 
 use fem_client::document::fault::Fault;
+use fem_client::document::fields::nearest;
 use fem_client::document::{Format, MAX_BYTES, parse};
 use fem_client::scene::PRESETS;
 use placement::study::plan::PlannedStudy;
@@ -73,12 +76,17 @@ pub fn read_scene_file(path: &Path) -> Result<String, Vec<Fault>> {
 fn read_file_or_preset(path: &Path, shipped: &[(&str, &str)]) -> Result<String, Vec<Fault>> {
     let named = |(name, _): &&(&str, &str)| path == Path::new(name);
     match shipped.iter().find(named) {
-        Some((_, text)) if !path.exists() => Ok((*text).to_owned()),
+        Some((_, text)) if !path.exists() || path.is_dir() => Ok((*text).to_owned()),
         _ => read_file(path).map_err(|mut faults| {
             if let Some(fault) = faults.first_mut().filter(|_| !path.exists()) {
                 let names: Vec<&str> = shipped.iter().map(|(name, _)| *name).collect();
-                let names = names.join(", ");
-                fault.detail += &format!(" (what ships can be named without a file: {names})");
+                fault.detail += &match nearest(&path.to_string_lossy(), names.iter().copied()) {
+                    Some(near) => format!(". Did you mean {near}, which ships?"),
+                    None => {
+                        let names = names.join(", ");
+                        format!(" (what ships can be named without a file: {names})")
+                    }
+                };
             }
             faults
         }),

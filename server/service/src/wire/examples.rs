@@ -23,7 +23,7 @@ pub fn study() -> Value {
 pub fn summary() -> Value {
     json!({
         "id": ID, "name": "two depths", "state": "running", "spec_sha256": SHA256, "points_total": 10, "points_done": 4,
-        "error": null, "priority": 0, "created": "2026-11-22T01:02:03.456Z", "started": "2026-11-22T01:02:03.460Z", "finished": null,
+        "error": null, "priority": 0, "created": "2026-11-22T01:02:03.456Z", "started": "2026-11-22T01:02:03.460Z", "finished": null, "archived": null,
     })
 }
 
@@ -48,6 +48,20 @@ pub fn estimate() -> Value {
         "threads": 2, "measured_solves": 0,
         "reasons": ["this database has no solves to measure this machine by: the times are those of another machine, and off by a factor of 3"],
     })
+}
+
+/// A document's places at once.
+pub fn preview() -> Value {
+    let result = result();
+    json!({
+        "claim": "none", "level": "draft", "wall_s": 0.2, "solves": 10, "inputs": result["inputs"], "locations": result["locations"],
+        "cut_point": result["cut_point"], "map": null, "left_out": ["Layouts: they take solves of their own."], "notes": result["notes"],
+    })
+}
+
+/// A preview that nobody waits for any more.
+pub fn superseded() -> Value {
+    json!({"type": "about:blank", "title": "Conflict", "status": 409, "detail": "superseded: a newer preview was asked for", "request_id": ID})
 }
 
 /// A place in the ranking.
@@ -79,7 +93,7 @@ pub fn layout() -> Value {
 /// Kinds of film by several criteria.
 pub fn candidates() -> Value {
     json!({
-        "candidates": [{"section_deg": 0.0, "direction": "y", "signal": 0.14, "angle_information": 1.1, "angle_information_error": 0.05,
+        "candidates": [{"section_deg": 0.0, "direction": "y", "length_mm": null, "width_mm": null, "signal": 0.14, "angle_information": 1.1, "angle_information_error": 0.05,
                         "depth_information": 13.0, "effective_independence": 0.9, "pivot_rank": 1, "centre_std": 0.03}],
         "agreement": [{"first": "angle information", "second": "variance at the centre", "tau": 0.33}],
     })
@@ -89,7 +103,7 @@ pub fn candidates() -> Value {
 pub fn layout_findings() -> Value {
     let of_candidates = candidates();
     json!({
-        "level": "standard", "coarser_level": "coarse",
+        "level": "standard", "unit": "strain", "coarser_level": "coarse",
         "loads": [{"depth_mm": 1.0, "load_n": 13.1, "force_slope_n_per_mm": 17.6,
                    "knees": [{"section_deg": 0.0, "films": ["x", "y"], "units": 24, "dense_deg": 0.75, "of_60_deg": 72.0}]}],
         "front": [{"film_count": 12, "simulated_p95_angle_error_deg": 65.0, "index": 0}], "tau_of_bound": 0.8,
@@ -141,8 +155,30 @@ pub fn event() -> Value {
 /// A layer of a map of one point.
 pub fn map() -> Value {
     json!({
-        "direction": "x", "input": "P3", "theta_deg": [0.0], "phi_deg": [0.0], "first_order": [0.883], "std": [0.0109], "strain": [0.0202],
+        "direction": "x", "input": "P3", "theta_deg": [0.0], "phi_deg": [0.0], "first_order": [0.883], "total": null, "std": [0.0109], "strain": [0.0202],
         "error": [0.002], "status": ["ok"],
+    })
+}
+
+/// An answer in a sentence.
+fn answer() -> Value {
+    let tied = "Rank 2 can't be told from it: by the angle's error times the root of the number of films, which the order goes by, it has 45.2 +- 7.1 \
+                and rank 2, 12 units of x and y at the shoulder, every 30 degrees, 57 +- 32.";
+    json!({
+        "sentence": "Glue films of x and y at the crown, 12 units every 30 degrees: in 95 of 100 contacts they know the contact angle to 9.2 +- 1.4 degrees \
+                     at the worst load.",
+        "verdict": "tied", "reason": tied,
+        "place": {"names": ["P3"], "direction": "x", "index": 0.729, "error": 0.029, "verdict": "certain",
+                  "reason": "Ranked by the indices of its own depth for both strains, added up, P3 has 128.2 +- 9.7 % and P2 and P4 33.6 +- 6.3 %, \
+                             which is more than the errors can explain.",
+                  "sentence": "P3 tells most: the depth below P3 makes 72.9 +- 2.9 % of the variance of the x strain at the contact centre."},
+        "layout": {"rank": 1, "words": "12 units of x and y at the crown, every 30 degrees", "units": 12, "film_count": 24, "angle_error_deg": 9.23,
+                   "error_deg": 1.45, "tied_with": [2], "verdict": "tied", "reason": tied},
+        "left_out": {"what": "friction", "why": "contact.friction is 0; its effect is that of 0.5", "effect": 0.063,
+                     "sentence": "The model leaves out friction, which would change a strain by 6.3 %."},
+        "surer": {"sentence": "The reference mesh would leave some 55 % of the mesh's claimed error in the indices, and the layouts as they are: 1.7 times the \
+                               work of this study, about 33 s here.",
+                  "level": "reference", "times": 1.7, "expected_s": 32.9},
     })
 }
 
@@ -150,6 +186,7 @@ pub fn map() -> Value {
 pub fn result() -> Value {
     json!({
         "study": {"id": ID, "name": "two depths", "spec_sha256": SHA256, "version": "strainsite 0.1.0"},
+        "answer": answer(),
         "model": {"dimension": "3d-half", "level": "draft", "elements": 600, "dofs": 2610,
                   "modelled": [{"what": "contact", "why": "rigid ground, penalty on the vertical gap"}], "left_out": []},
         "inputs": [{"name": "P3", "vary": "ground.depths_mm[2]", "distribution": {"kind": "uniform", "min": 0.7, "max": 1.3}}],
@@ -157,7 +194,8 @@ pub fn result() -> Value {
                      "method": "mdrm", "status": "ok",
                      "error": {"mesh": null, "quadrature": 1e-5, "decomposition": 0.001, "total": 0.00101, "reason": "a draft doesn't know its mesh's error"}}],
         "locations": [location()], "layouts": [layout()], "map": null,
-        "notes": ["The errors of the indices leave out the mesh."], "failed_points": [],
+        "notes": ["The errors of the indices leave out the mesh."],
+        "graded_notes": [{"grade": "bears-on-figure", "about": "indices", "text": "The errors of the indices leave out the mesh."}], "failed_points": [],
         "cut_point": {"values": [1.0], "reaction_n": 13.39, "inflated_outer_radius_mm": 50.39, "locations": [strain()], "residual_history": [[0.6, 0.003, 2e-9]]},
         "cost": {"solves": 10, "reused": 0, "newton_iterations": 40, "wall_s": 0.2, "cpu_s": 0.3, "peak_memory_bytes": 36_000_000,
                  "factorisation_share": 0.2, "assembly_share": 0.3, "other_share": 0.5},
@@ -178,6 +216,73 @@ pub fn parquet() -> &'static str {
 /// The beginning of a map's file.
 pub fn vtu() -> &'static str {
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+}
+
+/// The beginning of a glTF file.
+pub fn glb() -> &'static str {
+    "glTF"
+}
+
+/// The header of a surface, after its length.
+pub fn surface() -> &'static str {
+    "{\"study\":\"019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b\",\"level\":\"draft\",\"rows\":21,\"columns\":30,\"phi_deg\":[-120.0],\"theta_deg\":[-180.0],\"ground\":{\"x_mm\":[-50.0],\"z_mm\":[-49.0]},\"arrays\":[{\"name\":\"inner_inflated_mm\",\"unit\":\"mm\",\"components\":3,\"offset\":0,\"count\":630}]}"
+}
+
+/// A map of one place along an input.
+pub fn sections() -> Value {
+    json!({
+        "input": "P3", "vary": "ground.depths_mm[2]", "theta_deg": [0.0], "phi_deg": [0.0], "inflated_mm": [[0.0, 0.0, -47.4]],
+        "nodes": [{"value": 1.0, "ordinal": 0, "cut_point": true, "reaction_n": 13.39, "strain_x": [0.0202], "strain_y": [0.087], "displacement_mm": [[0.0, 0.0, 0.93]]}],
+        "failed": [{"value": 1.3, "reason": "limit-point: the tire buckles at a depth of 1.2 mm"}],
+    })
+}
+
+/// Strains around the wheel at four places.
+pub fn rings() -> Value {
+    json!({"unit": "strain", "rings": [{
+        "section_deg": 0.0, "load": {"depth_mm": 1.0, "load_n": 13.4}, "theta_deg": [-180.0, -90.0, 0.0, 90.0], "strain_x": [0.0, 0.001, 0.02, 0.001], "strain_y": null,
+        "slope_x_per_mm": [0.0, 0.001, 0.015, 0.001], "slope_y_per_mm": null,
+    }]})
+}
+
+/// A layout that somebody moves by hand.
+pub fn hand_layouts() -> Value {
+    json!({"layouts": [{"name": "mine", "films": [
+        {"theta_deg": 0.0, "phi_deg": 0.0, "angle_deg": 90.0}, {"theta_deg": 40.0, "phi_deg": 0.0, "angle_deg": 0.0},
+    ]}], "simulated": true})
+}
+
+/// The same as TOML.
+pub fn hand_layouts_toml() -> &'static str {
+    "simulated = true\n[[layouts]]\nname = \"mine\"\nfilms = [{ theta_deg = 0, phi_deg = 0, angle_deg = 90 }, { theta_deg = 40, phi_deg = 0, angle_deg = 0 }]\n"
+}
+
+/// Its scores.
+pub fn scored_layouts() -> Value {
+    let mut layout = layout();
+    layout["name"] = "mine".into();
+    layout["spacing_deg"] = Value::Null;
+    layout["units"] = 2.into();
+    layout["film_count"] = 2.into();
+    layout["places"] = hand_layouts()["layouts"][0]["films"].take();
+    json!({"layouts": [layout]})
+}
+
+/// What films read, at four places.
+pub fn film_fields() -> Value {
+    json!({
+        "unit": "strain", "size_mm": null, "noise": {"floor": 0.0017, "gain_std": 0.0, "place_std_deg": 0.0},
+        "kinds": [{"phi_deg": 0.0, "angle_deg": 0.0}],
+        "loads": [{"depth_mm": 1.0, "load_n": 13.4, "force_slope_n_per_mm": 17.2, "signals": [[0.0, 0.001, 0.02, 0.001]], "slopes_per_mm": [[0.0, 0.001, 0.015, 0.001]]}],
+    })
+}
+
+/// A study without layouts.
+pub fn no_layouts() -> Value {
+    json!({
+        "type": "about:blank", "title": "Conflict", "status": 409, "request_id": ID,
+        "detail": "the study asked for no layouts, so that nothing around the wheel is stored: add \"layouts\" to its document and run it again",
+    })
 }
 
 /// A trade of one rung.
@@ -236,13 +341,18 @@ pub fn faults() -> Value {
 #[cfg(test)]
 mod tests {
     use placement::ladder::trade::Trade;
+    use placement::layout::by_hand::film_fields::FilmFields;
     use placement::result::{Estimate, Signals, StudyResult};
     use placement::study::Study;
     use serde::de::DeserializeOwned;
 
+    use super::super::preview_wire::Preview;
     use super::super::study_wire as wire;
     use super::*;
-    use crate::point_views::EvaluationView;
+    use crate::views::point_views::EvaluationView;
+    use crate::views::rings::Rings;
+    use crate::views::sections::Sections;
+    use crate::wire::layout_wire::{HandLayoutsDocument, ScoredLayouts};
 
     fn reads<T: DeserializeOwned>(example: Value) {
         serde_json::from_value::<T>(example.clone())
@@ -259,6 +369,12 @@ mod tests {
         reads::<wire::Preset>(preset());
         reads::<wire::StudyDocument>(study());
         reads::<Estimate>(estimate());
+        reads::<Preview>(preview());
+        reads::<Rings>(rings());
+        reads::<HandLayoutsDocument>(hand_layouts());
+        reads::<ScoredLayouts>(scored_layouts());
+        reads::<FilmFields>(film_fields());
+        reads::<Sections>(sections());
         reads::<StudyResult>(result());
         reads::<Trade>(trade());
         reads::<Signals>(signals());

@@ -1,6 +1,9 @@
-//! What goes over the wire beside results: documents, states, estimates, comparisons; with an example of each.
+//! What goes over the wire beside results: documents, states, estimates, previews, comparisons; with an example of each.
 
+pub mod entry_change;
 pub mod examples;
+pub mod layout_wire;
+pub mod preview_wire;
 pub mod study_wire;
 pub mod sweep_examples;
 mod sweep_state;

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
 
-use crate::point_views::EvaluationView;
+use crate::views::point_views::EvaluationView;
 use store::queue::study_rows::{State, StudyRow};
 
 /// A study in the queue, at work, or at its end. Times are RFC 3339, UTC.
@@ -16,7 +16,7 @@ use store::queue::study_rows::{State, StudyRow};
 pub struct StudySummary {
     /// UUID, ordered by time.
     pub id: String,
-    /// Name from the document.
+    /// Name in lists: the document's, unless it was changed since.
     pub name: String,
     /// Where it stands.
     pub state: State,
@@ -36,6 +36,8 @@ pub struct StudySummary {
     pub started: Option<String>,
     /// When it ended.
     pub finished: Option<String>,
+    /// When it was archived; null unless it is.
+    pub archived: Option<String>,
 }
 
 impl StudySummary {
@@ -53,6 +55,7 @@ impl StudySummary {
             created: study.created.clone(),
             started: study.started.clone(),
             finished: study.finished.clone(),
+            archived: study.archived.clone(),
         }
     }
 }
@@ -142,6 +145,8 @@ pub struct MapView {
     pub phi_deg: Vec<f64>,
     /// First-order index of the input.
     pub first_order: Option<Vec<Option<f64>>>,
+    /// Total index of the input, without an error of its own; null unless it is asked for (`index=total`), and of results of earlier versions.
+    pub total: Option<Vec<Option<f64>>>,
     /// Standard deviation of the strain.
     pub std: Vec<Option<f64>>,
     /// Strain at the means.
@@ -300,18 +305,30 @@ pub struct LayoutsDocument {
     /// Layouts film by film: `name`, and `films` with `theta_deg`, `phi_deg` and `angle_deg`.
     #[schema(value_type = Vec<Object>, nullable = false)]
     pub free: Option<Value>,
+    /// How films are modelled: `bare` when left out, or `transfer`: glued on with their stiffness, by the transfer of two coupled solves, and read in volts.
+    #[schema(nullable = false)]
+    pub film: Option<String>,
+    /// Length and width of all films, mm; points when left out, the glued film's with `transfer`.
+    #[schema(nullable = false)]
+    pub size_mm: Option<[f64; 2]>,
+    /// Further lengths and widths that the candidates have, mm.
+    #[schema(nullable = false)]
+    pub candidate_sizes_mm: Option<Vec<[f64; 2]>>,
     /// Depths at which layouts are scored, mm; the mean one when left out.
     #[schema(nullable = false)]
     pub depths_mm: Option<Vec<f64>>,
     /// Forces in their place, N.
     #[schema(nullable = false)]
     pub loads_n: Option<Vec<f64>>,
-    /// Noise of a film over the crown's largest strain; 0.02 when left out.
+    /// Noise of a film over the crown's largest signal; 0.02 when left out.
     #[schema(nullable = false)]
     pub noise_share: Option<f64>,
-    /// Noise of a film, strain.
+    /// Noise of a bare film, strain.
     #[schema(nullable = false)]
     pub noise_strain: Option<f64>,
+    /// Noise of a glued film, V.
+    #[schema(nullable = false)]
+    pub noise_v: Option<f64>,
     /// Standard deviation of a film's gain, relative.
     #[schema(nullable = false)]
     pub gain_std: Option<f64>,
@@ -321,6 +338,9 @@ pub struct LayoutsDocument {
     /// Whether every layout is also scored without the film whose loss costs most.
     #[schema(nullable = false)]
     pub dead: Option<bool>,
+    /// Whether forces along the wheel and across it are unknown, too: takes ground with friction, and a solve of the whole tire for every load and mesh.
+    #[schema(nullable = false)]
+    pub shear: Option<bool>,
     /// Mesh level of the layouts' own solves; the study's, the standard at most, when left out.
     #[schema(nullable = false)]
     pub level: Option<String>,

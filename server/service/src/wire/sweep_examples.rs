@@ -31,7 +31,7 @@ pub fn further() -> Value {
 pub fn summary() -> Value {
     json!({
         "id": ID, "name": "two walls", "state": "running", "counts": {"queued": 1, "running": 1, "done": 0, "failed": 0, "cancelled": 0},
-        "points_total": null, "points_done": 4, "priority": 0, "created": "2026-11-22T01:02:03.456Z", "finished": null,
+        "points_total": null, "points_done": 4, "priority": 0, "created": "2026-11-22T01:02:03.456Z", "finished": null, "archived": null,
     })
 }
 

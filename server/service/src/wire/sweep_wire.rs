@@ -57,7 +57,7 @@ pub struct DesignDocument {
 pub struct SweepSummary {
     /// UUID, ordered by time.
     pub id: String,
-    /// Its name.
+    /// Name in lists: as it was submitted, unless it was changed since.
     pub name: String,
     /// `queued` before any design is begun, `running` while some aren't ended, `cancelled` when any was, `done` when any has a result.
     pub state: State,
@@ -73,6 +73,8 @@ pub struct SweepSummary {
     pub created: String,
     /// When its last design ended.
     pub finished: Option<String>,
+    /// When it was archived; null unless it is.
+    pub archived: Option<String>,
 }
 
 /// Designs by where they stand.
@@ -171,6 +173,7 @@ impl SweepSummary {
             priority: sweep.priority,
             created: sweep.created.clone(),
             finished: finished.max().filter(|_| ended).cloned(),
+            archived: sweep.archived.clone(),
         }
     }
 }

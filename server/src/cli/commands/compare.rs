@@ -17,6 +17,7 @@ use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::paint::{FAINT, HEADER, STRONG, header, left, of_state, painted};
+use crate::cli::terminal::wrapping::{COLUMNS, told_apart, wrapped};
 use service::comparison::{of_designs, of_studies};
 use service::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
 use store::queue::sweep_rows;
@@ -107,65 +108,60 @@ impl Compare {
 
 /// All that is printed of a comparison.
 pub fn table(comparison: &Comparison) -> String {
-    let width = comparison
+    let names: Vec<String> = comparison
         .studies
         .iter()
-        .map(|study| study.name.chars().count())
-        .max()
-        .unwrap_or(0)
-        .clamp(6, 60);
-    let mut text = overview(comparison, width);
+        .map(|study| study.name.escape_debug().to_string())
+        .collect();
+    let names = told_apart(&names, NAME);
+    let width = names.iter().map(|name| name.chars().count()).max();
+    let width = width.unwrap_or(0).max(6);
+    let mut text = overview(comparison, &names, width);
     for (direction, strain) in [
         (Direction::X, "circumferential (x)"),
         (Direction::Y, "meridional (y)"),
     ] {
-        text.push_str(&matrix(comparison, direction, strain, width));
+        text.push_str(&matrix(comparison, direction, strain, &names, width));
     }
     for study in &comparison.studies {
         if let Some(reason) = &study.reason {
-            let _ = writeln!(
-                text,
-                "- {}: {}: {}",
-                study.name.escape_debug(),
-                painted(of_state(&study.state), &study.state),
-                reason.escape_debug()
-            );
+            let label = format!("- {}: {}", study.name.escape_debug(), study.state);
+            text.push_str(&wrapped(&format!("{label}: {}", reason.escape_debug()), 2));
         }
     }
     for note in &comparison.notes {
-        let _ = writeln!(text, "- {note}");
+        text.push_str(&wrapped(&format!("- {note}"), 2));
     }
     text
 }
 
 /// A line for each study: force, signals, who wins, what it took.
-fn overview(comparison: &Comparison, width: usize) -> String {
+fn overview(comparison: &Comparison, names: &[String], width: usize) -> String {
     let mut text = header(&format!(
-        "{:width$}  {:<9} {:>8} {:>9} {:>9}  {:<14} {:<14} {:>7} {:>7} {:>8}\n{:width$}  {:<9} {:>8} {:>9} {:>9}\n",
+        "{:width$} {:<9} {:>8} {:>6} {:>6} {:<12} {:<12} {:>6} {:>6} {:>7}\n{:width$} {:<9} {:>8} {}\n",
         "design",
         "state",
         "force, N",
-        "signal x",
-        "signal y",
+        "std x",
+        "std y",
         "best",
-        "best layout",
+        "layout, deg",
         "solves",
         "reused",
         "time, s",
         "",
         "",
         "",
-        "(std of the strain, 1e-6)",
-        ""
+        "strain, 1e-6"
     ));
-    for study in &comparison.studies {
-        text.push_str(&line(study, width));
+    for (study, name) in comparison.studies.iter().zip(names) {
+        text.push_str(&line(study, name, width));
     }
     text.push('\n');
     text
 }
 
-fn line(study: &ComparedStudy, width: usize) -> String {
+fn line(study: &ComparedStudy, name: &str, width: usize) -> String {
     let number = |value: Option<f64>, decimals: usize| {
         value.map_or_else(|| "-".to_owned(), |value| format!("{value:.decimals$}"))
     };
@@ -176,60 +172,74 @@ fn line(study: &ComparedStudy, width: usize) -> String {
         (None, _) => (FAINT, "-".to_owned()),
     };
     let layout = match (study.layout_spacing_deg, &study.layout_position) {
-        (Some(spacing), Some(position)) => format!("{spacing} deg {position}"),
+        (Some(spacing), Some(position)) => format!("{spacing} {position}"),
         _ => "-".to_owned(),
     };
     let cost = study.cost.as_ref();
     let count = |part: Option<usize>| part.map_or_else(|| "-".to_owned(), |part| part.to_string());
     format!(
-        "{:width$}  {} {:>8} {:>9} {:>9}  {} {:<14} {:>7} {:>7} {:>8}\n",
-        shortened(&study.name, width),
+        "{:width$} {} {:>8} {:>6} {:>6} {} {:<12} {:>6} {:>6} {:>7}\n",
+        name,
         left(of_state(&study.state), &study.state, 9),
         number(study.reaction_n, 2),
         micro(study.std_strain_x),
         micro(study.std_strain_y),
-        left(style, &best, 14),
+        left(style, &best, 12),
         layout,
         count(cost.map(|cost| cost.solves
             + cost.coarser_solves
             + cost.effect_solves
             + cost.signal_solves)),
         count(cost.map(|cost| cost.reused)),
-        number(cost.map(|cost| cost.wall_s), 2),
+        number(cost.map(|cost| cost.wall_s), 1),
     )
 }
 
-fn shortened(name: &str, width: usize) -> String {
-    let name: String = name.escape_debug().collect();
-    if name.chars().count() <= width {
-        return name;
-    }
-    let start: String = name.chars().take(width - 3).collect();
-    start + "..."
-}
-
 /// Studies by locations: the index of each location's own depth, and its difference from the baseline.
-fn matrix(comparison: &Comparison, direction: Direction, strain: &str, width: usize) -> String {
-    let mut names: Vec<&str> = comparison
+fn matrix(
+    comparison: &Comparison,
+    direction: Direction,
+    strain: &str,
+    names: &[String],
+    width: usize,
+) -> String {
+    let mut places: Vec<&str> = comparison
         .rows
         .iter()
         .map(|row| row.location.as_str())
         .collect();
-    names.sort_unstable();
-    names.dedup();
-    if names.is_empty() {
+    places.sort_unstable();
+    places.dedup();
+    if places.is_empty() {
         return String::new();
     }
     let caption = format!(
-        "first-order index of each location's own depth for the {strain} strain at the centre, %; in brackets the difference from {}, with its error, * where it is real\n",
+        "first-order index of each location's own depth for the {strain} strain at the centre, %; in brackets the difference from {}, with its error, * where it is real",
         baseline_name(comparison)
     );
-    let mut heads = format!("{:width$}", "design");
-    for name in &names {
-        let _ = write!(heads, "  {name:<CELL$}");
+    let mut text = wrapped(&caption, 0);
+    // As many places beside each other as there is room for.
+    for few in places.chunks(((COLUMNS - width) / (CELL + 1)).max(1)) {
+        text.push_str(&block(comparison, direction, few, names, width));
     }
-    let mut text = caption + &painted(HEADER, heads) + "\n";
-    for study in &comparison.studies {
+    text.push('\n');
+    text
+}
+
+/// Some of the places, for every study that has them.
+fn block(
+    comparison: &Comparison,
+    direction: Direction,
+    places: &[&str],
+    names: &[String],
+    width: usize,
+) -> String {
+    let mut heads = format!("{:width$}", "design");
+    for place in places {
+        let _ = write!(heads, " {place:<CELL$}");
+    }
+    let mut text = painted(HEADER, heads.trim_end()) + "\n";
+    for (study, name) in comparison.studies.iter().zip(names) {
         let of_study: Vec<&ComparedLocation> = comparison
             .rows
             .iter()
@@ -238,23 +248,25 @@ fn matrix(comparison: &Comparison, direction: Direction, strain: &str, width: us
         if of_study.is_empty() {
             continue;
         }
-        let _ = write!(text, "{:width$}", shortened(&study.name, width));
-        for name in &names {
-            let row = of_study.iter().find(|row| row.location == *name);
+        let _ = write!(text, "{name:width$}");
+        for place in places {
+            let row = of_study.iter().find(|row| row.location == *place);
             let index = row.map(|row| row.in_direction(direction));
             let cell = index.map_or_else(|| pad("-", "", Style::new()), cell);
-            let _ = write!(text, "  {cell}");
+            let _ = write!(text, " {cell}");
         }
         // Padding at a line's end is of no use to anybody.
         text.truncate(text.trim_end().len());
         text.push('\n');
     }
-    text.push('\n');
     text
 }
 
+/// Most columns of a design's name.
+const NAME: usize = 19;
+
 /// Width of a cell.
-const CELL: usize = 22;
+const CELL: usize = 24;
 
 fn baseline_name(comparison: &Comparison) -> String {
     let id = comparison.baseline.as_deref();
@@ -299,6 +311,8 @@ fn pad(first: &str, second: &str, style: Style) -> String {
 
 #[cfg(test)]
 mod tests {
+    use serde_json::json;
+
     use super::*;
 
     #[test]
@@ -324,5 +338,41 @@ mod tests {
             let plain = anstream::adapter::strip_str(&cell).to_string();
             assert_eq!(plain.chars().count(), CELL, "{plain:?}");
         }
+    }
+
+    #[test]
+    fn long_names_and_many_places_fit_the_columns() -> Result<(), serde_json::Error> {
+        let ids = ["one", "two"];
+        let studies: Vec<_> = ids.map(study).into();
+        let index = json!({"gsi_percent": 71.64, "difference_percent": -13.55, "difference_error_percent": 11.82, "verdict": "real"});
+        let places = ["P1", "P2", "P3", "P4", "P5"];
+        let of = |id: &str| {
+            places.map(|place| json!({"study": id, "location": place, "rank": 1, "rank_certain": true, "x": index, "y": index}))
+        };
+        let rows: Vec<_> = ids.into_iter().flat_map(of).collect();
+        let notes = ["A note of many words. ".repeat(9)];
+        let comparison =
+            json!({"baseline": "one", "studies": studies, "rows": rows, "notes": notes});
+        let text = table(&serde_json::from_value(comparison)?);
+        let plain = anstream::adapter::strip_str(&text).to_string();
+        for line in plain.lines() {
+            assert!(line.chars().count() <= COLUMNS, "{line:?}");
+        }
+        for seen in [
+            "... one",
+            "... two",
+            "P5",
+            "180 shoulder",
+            "(-13.55+-11.82*)",
+        ] {
+            assert!(plain.contains(seen), "{seen}: {plain}");
+        }
+        Ok(())
+    }
+
+    fn study(id: &str) -> serde_json::Value {
+        let name = format!("a study with a name that many others of the database begin with, {id}");
+        json!({"id": id, "name": name, "state": "cancelled", "reaction_n": 123.456, "std_strain_x": 0.0125, "std_strain_y": 0.0069,
+            "best": "P3", "best_certain": false, "layout_spacing_deg": 180.0, "layout_position": "shoulder"})
     }
 }

@@ -13,11 +13,10 @@ use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::print;
 use crate::cli::terminal::output_place::write;
 use service::export::{self, ExportError, FileFormat, Table};
-use service::point_views;
 use store::answers::result_rows;
 use store::queue::study_rows::StudyRow;
 
-/// Write a study's answer as a file: a table, the map, or the whole result
+/// Write a study's answer as a file: a table, the map, the wheel, or the whole result
 #[derive(Debug, Args)]
 pub struct Export {
     /// Identifier of the study, or its beginning
@@ -51,14 +50,9 @@ impl Export {
         let bytes = self.database.read(async |connection| {
             let row = study(connection, &self.id).await?;
             let result = result(connection, &row).await?;
-            let points = if wanted.needs_points() {
-                point_views::of(connection, &row)
-                    .await
-                    .map_err(Failure::other)?
-            } else {
-                Vec::new()
-            };
-            wanted.bytes(&result, &points).map_err(failure)
+            let sources = wanted.sources(connection, &row, result).await;
+            let sources = sources.map_err(Failure::other)?;
+            wanted.bytes(&sources).map_err(failure)
         })?;
         deliver(self.format, bytes, self.output.as_deref())
     }
@@ -92,7 +86,7 @@ pub fn deliver(
 
 fn failure(error: ExportError) -> Failure {
     match error {
-        ExportError::NoMap => Failure::input(error.to_string()),
+        ExportError::NoMap | ExportError::NoMesh => Failure::input(error.to_string()),
         error => Failure::other(error),
     }
 }

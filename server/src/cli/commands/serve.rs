@@ -17,6 +17,7 @@ use crate::http::edge::guard::HostName;
 use crate::running::{Limits, Outside, Service, ServiceParts};
 use crate::telemetry::{self, LogFilter, LogFormat};
 use crate::token::{Token, TokenError};
+use service::solving::solver_choice::preview_solver;
 
 /// The environment variable that may hold the token: unlike an argument, it is in no list of processes.
 const TOKEN_VARIABLE: &str = "STRAINSITE_TOKEN";
@@ -142,6 +143,7 @@ impl Serve {
             address: self.addr,
             database: self.config.db.clone(),
             solver,
+            previewer: preview_solver(),
             threads: self.config.threads(),
             turn: self.turn_s,
             outside,

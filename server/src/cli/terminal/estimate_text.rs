@@ -8,6 +8,7 @@ use tokio::runtime::Runtime;
 
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::paint::{HEADER, painted};
+use crate::cli::terminal::wrapping::wrapped;
 use service::forecast::ForecastError;
 use service::wire::sweep_wire::{DesignEstimate, SweepEstimate};
 use store::Store;
@@ -43,16 +44,16 @@ pub fn dry_run(name: &str, estimate: &Estimate) -> String {
     );
     let accuracy = &estimate.accuracy;
     let figure = |error: Option<f64>| error.map_or("unknown".to_owned(), |e| format!("{e:.3}"));
-    let _ = writeln!(
-        text,
+    let accuracy_line = format!(
         "accuracy   {}: on the paper's study its indices were off by {}, and claimed {}",
         accuracy.fidelity,
         figure(accuracy.error_true),
         figure(accuracy.error_claimed)
     );
+    text += &wrapped(&accuracy_line, 11);
     text.push('\n');
     for reason in estimate.reasons.iter().chain(&accuracy.reason) {
-        let _ = writeln!(text, "- {reason}");
+        text += &wrapped(&format!("- {reason}"), 2);
     }
     text
 }
@@ -97,10 +98,11 @@ fn solves(estimate: &Estimate) -> String {
         0 => String::new(),
         layouts => format!(", {layouts} for layouts"),
     };
-    format!(
-        "solves     {}{range}: {} points, {} on coarser meshes, {} for what is left out{layouts}{signals}; {} known already\n",
+    let line = format!(
+        "solves     {}{range}: {} points, {} on coarser meshes, {} for what is left out{layouts}{signals}; {} known already",
         left.expected, solves.own, solves.coarser, solves.effects, solves.known
-    )
+    );
+    wrapped(&line, 11)
 }
 
 fn range(wall_s: &Forecast) -> String {
@@ -145,12 +147,13 @@ pub fn comparison(result: &StudyResult) -> String {
         ),
         None => "an unknown time".to_owned(),
     };
-    format!(
-        "estimated before: {} solves, {time}; {} MB, it took {} MB\n",
+    let line = format!(
+        "estimated before: {} solves, {time}; {} MB, it took {} MB",
         estimate.solves.left.expected,
         megabytes(estimate.peak_memory_bytes),
         megabytes(cost.peak_memory_bytes)
-    )
+    );
+    wrapped(&line, 2)
 }
 
 #[cfg(test)]

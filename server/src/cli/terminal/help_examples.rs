@@ -8,9 +8,9 @@ pub const SERVE: &str = "Examples:
 
 /// Examples of `run`.
 pub const RUN: &str = "Examples:
-  strainsite run studies/foot-tire.toml
+  strainsite run foot-tire
   strainsite run studies/foot-tire.toml --dry-run
-  strainsite run studies/foot-tire.toml --set geometry.wall_mm=2.5 --set accuracy.preset=coarse
+  strainsite run studies/foot-tire.toml --set geometry.wall_mm=2.5 --set accuracy.preset=coarse --set name=thin
   strainsite run studies/foot-tire.toml --db tires.db --out answer --json result.json";
 
 /// Examples of `solve`.
@@ -56,10 +56,16 @@ pub const COMPARE: &str = "Examples:
   strainsite compare 019aa2b3 --baseline 019aa2d0 --json comparison.json
   strainsite compare 019aa2b3 --format parquet --table designs -o designs.parquet";
 
+/// Examples of `presets`.
+pub const PRESETS: &str = "Examples:
+  strainsite presets
+  strainsite presets --json -";
+
 /// Examples of `list`.
 pub const LIST: &str = "Examples:
   strainsite list
   strainsite list --sweeps
+  strainsite list --search wall
   strainsite list --state done --limit 10 --json -";
 
 /// Examples of `show`.

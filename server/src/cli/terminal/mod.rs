@@ -6,18 +6,18 @@
 //! - `files`: what a command reads and writes, looked at first
 //! - `progress`: bars and clocks
 //! - `signals`: Ctrl-C
-//! - `estimate_text`, `ranked_table`, `layout_table`, `signal_table`: figures as tables
+//! - `wrapping`: text in lines that fit
+//! - `report`: everything of a result; `estimate_text`: what a study costs
 //! - `help_examples`: the examples of `--help`
 
 pub(crate) mod estimate_text;
 pub mod exit;
 pub(crate) mod files;
 pub(crate) mod help_examples;
-pub(crate) mod layout_table;
 pub(crate) mod output;
 pub(crate) mod output_place;
 pub(crate) mod paint;
 pub(crate) mod progress;
-pub(crate) mod ranked_table;
-pub(crate) mod signal_table;
+pub(crate) mod report;
 pub(crate) mod signals;
+pub(crate) mod wrapping;

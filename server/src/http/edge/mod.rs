@@ -7,6 +7,7 @@
 //! - [`extract`]: reads addresses and queries
 //! - [`document_body`]: reads the body of a submitted study
 //! - [`conditional`]: answers that needn't be sent again
+//! - [`packed`]: answers packed by gzip
 //! - [`streams`]: places for event streams
 //! - [`room`]: room for large answers
 //! - [`listener`], [`places`], [`reading`]: accepts connections, keeps places for those who belong, and drops those that nobody reads from
@@ -18,6 +19,7 @@ pub mod document_body;
 pub mod extract;
 pub mod guard;
 pub mod listener;
+pub mod packed;
 pub mod places;
 pub mod problem_document;
 pub mod reading;

@@ -56,7 +56,7 @@ impl Room {
     ///
     /// # Errors
     /// 503 when none became free.
-    async fn make(&self) -> Result<Making, Problem> {
+    pub(crate) async fn make(&self) -> Result<Making, Problem> {
         let place = next_of(&self.making).await?;
         Ok(Making { _place: place })
     }

@@ -41,6 +41,16 @@ pub async fn fallback(request: Request) -> Response {
     }
 }
 
+/// A page of the dashboard by its name.
+pub fn page(name: &str, headers: &HeaderMap) -> Response {
+    match Dashboard::get(name) {
+        Some(file) => serve(name, file, headers),
+        None => {
+            Problem::not_found(format!("this program was built without {name}")).into_response()
+        }
+    }
+}
+
 fn wants_a_page(headers: &HeaderMap) -> bool {
     headers
         .get_all(header::ACCEPT)

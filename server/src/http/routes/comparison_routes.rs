@@ -17,7 +17,7 @@ use crate::http::app_state::AppState;
 use crate::http::edge::extract::Params;
 use crate::http::edge::problem_document::Problem;
 use crate::http::edge::room::Making;
-use crate::http::routes::export_routes::{both, file};
+use crate::http::routes::answers::export_routes::{both, file};
 use crate::http::routes::study_routes;
 use crate::http::routes::sweep_routes;
 use service::comparison::{of_designs, of_studies};

@@ -6,7 +6,8 @@ use std::sync::LazyLock;
 
 use axum::Json;
 use axum::extract::State;
-use axum::response::Html;
+use axum::http::HeaderMap;
+use axum::response::Response;
 use serde_json::{Value, json};
 use utoipa::OpenApi;
 use utoipa_axum::router::OpenApiRouter;
@@ -15,8 +16,8 @@ use utoipa_axum::routes;
 use crate::http::app_state::AppState;
 use crate::http::edge::access::Access;
 use crate::http::routes::{
-    comparison_routes, docs, event_routes, export_routes, health, login_routes, metric_routes,
-    preset_routes, result_routes, study_routes, sweep_routes,
+    answers, assets, comparison_routes, event_routes, health, login_routes, metric_routes,
+    preset_routes, preview_routes, study_routes, sweep_routes,
 };
 use service::export::{ComparisonFormat, ComparisonTable, FileFormat, Table};
 use service::wire::examples;
@@ -60,17 +61,20 @@ pub fn described() -> OpenApiRouter<AppState> {
 pub fn routes() -> OpenApiRouter<AppState> {
     described()
         .merge(study_routes::router())
+        .merge(preview_routes::router())
         .merge(sweep_routes::router())
         .merge(comparison_routes::router())
         .merge(event_routes::router())
-        .merge(result_routes::router())
-        .merge(export_routes::router())
+        .merge(answers::router())
         .merge(preset_routes::router())
         .merge(health::router())
         .merge(login_routes::router())
         .merge(metric_routes::router())
         .merge(router())
 }
+
+/// Methods that operations have here.
+const METHODS: [&str; 3] = ["get", "post", "delete"];
 
 /// `/openapi.json` and `/docs`.
 pub fn router() -> OpenApiRouter<AppState> {
@@ -90,11 +94,11 @@ async fn description(State(state): State<AppState>) -> Json<Value> {
 
 /// Read this description
 ///
-/// The OpenAPI description as a page, without scripts and without anything from elsewhere.
+/// Every operation on a page for people, with a filter and examples.
 #[utoipa::path(get, path = "/docs", tag = "service",
     responses((status = 200, description = "The page", content_type = "text/html", body = String, example = json!("<!doctype html>..."))))]
-async fn page(State(state): State<AppState>) -> Html<String> {
-    Html(docs::page(&document(&state.access)))
+async fn page(headers: HeaderMap) -> Response {
+    assets::page("docs.html", &headers)
 }
 
 /// The description, with what lets a client in.
@@ -110,7 +114,7 @@ fn operations(document: &mut Value) -> impl Iterator<Item = &mut Value> {
     paths.flat_map(|(_, item)| {
         let methods = item.as_object_mut().into_iter().flatten();
         methods
-            .filter(|(name, _)| docs::METHODS.contains(&name.as_str()))
+            .filter(|(name, _)| METHODS.contains(&name.as_str()))
             .map(|(_, operation)| operation)
     })
 }

@@ -15,11 +15,13 @@ use utoipa_axum::routes;
 
 use crate::http::app_state::AppState;
 use crate::http::edge::conditional;
-use crate::http::edge::document_body::{EstimateBody, StudyBody};
+use crate::http::edge::document_body::{Document, EstimateBody, StudyBody};
 use crate::http::edge::extract::{Params, RemovalQuery, StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
+use crate::http::routes::entry_list::PageQuery;
 use service::forecast::{ForecastError, admit, forecast_of};
 use service::queue::SubmitError;
+use service::wire::entry_change::{self, EntryChange, read_change};
 use service::wire::examples;
 use service::wire::study_wire::{
     ProblemDocument, StudyDetail, StudyDocument, StudyPage, StudySummary,
@@ -34,7 +36,7 @@ use store::queue::sweep_rows;
 pub fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new()
         .routes(routes!(list, submit))
-        .routes(routes!(show, cancel))
+        .routes(routes!(show, cancel, change))
         .routes(routes!(estimate))
 }
 
@@ -148,28 +150,6 @@ fn accepted(study: &StudyRow) -> Response {
     (StatusCode::ACCEPTED, headers, Json(StudySummary::of(study))).into_response()
 }
 
-/// Query of a list.
-#[derive(Deserialize)]
-pub(super) struct PageQuery {
-    pub limit: Option<String>,
-    pub cursor: Option<String>,
-    pub state: Option<String>,
-    pub sweep: Option<String>,
-}
-
-const PAGE: u32 = 50;
-const LARGEST_PAGE: u32 = 200;
-
-/// Entries of a page.
-pub(super) fn page_limit(text: Option<&str>) -> Result<u32, Problem> {
-    let limit = text.map_or(Some(PAGE), |text| text.parse().ok());
-    let in_range = limit.filter(|limit| (1..=LARGEST_PAGE).contains(limit));
-    in_range.ok_or_else(|| {
-        let detail = "limit is a whole number from 1 to 200";
-        Problem::new(StatusCode::BAD_REQUEST, detail)
-    })
-}
-
 /// List studies
 ///
 /// Newest first, a page at a time.
@@ -178,6 +158,8 @@ pub(super) fn page_limit(text: Option<&str>) -> Result<u32, Problem> {
         ("If-None-Match" = Option<String>, Header, description = "ETag of the page that the client has"),
         ("limit" = Option<u32>, Query, description = "Studies of a page, 50 when left out", minimum = 1, maximum = 200, example = 20),
         ("cursor" = Option<String>, Query, description = "`next_cursor` of the page before", example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b"),
+        ("search" = Option<String>, Query, description = "Studies whose name has this, whatever the case of ASCII letters, or whose identifier begins so", max_length = 200, example = "two depths"),
+        ("archived" = Option<String>, Query, description = "`true`: archived ones alone; `all`: those, too; when left out, or `false`, they aren't listed", pattern = "^(true|false|all)$", example = "all"),
         ("state" = Option<StudyState>, Query, description = "Studies of this state alone"),
         ("sweep" = Option<String>, Query, description = "Designs of the sweep of this identifier alone; `none`: studies that are no design of any", example = "none")),
     responses((status = 304, description = "The client has it"),
@@ -188,7 +170,7 @@ async fn list(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let wrong = |detail: &str| Problem::new(StatusCode::BAD_REQUEST, detail);
-    let limit = page_limit(query.limit.as_deref())?;
+    let limit = query.limit()?;
     let of_state = match query.state.as_deref() {
         None => None,
         Some(name) => Some(
@@ -200,6 +182,7 @@ async fn list(
     let filter = Filter {
         state: of_state,
         sweep: query.sweep.as_deref(),
+        listed: query.listed()?,
     };
     let rows =
         study_rows::page(&mut connection, filter, query.cursor.as_deref(), limit + 1).await?;
@@ -240,6 +223,31 @@ async fn show(
         sweep: sweep_rows::of_study(&mut connection, &id).await?,
     };
     conditional::json(&headers, &detail)
+}
+
+/// Rename or archive a study
+///
+/// Changes what lists say of it; its document, hash and result stay as they were submitted. Lists leave out what is archived unless asked. The same change
+/// again changes nothing.
+#[utoipa::path(patch, path = "/v1/studies/{id}", tag = "studies", params(StudyPath),
+    request_body(description = "The change, as JSON or TOML", content(
+        (EntryChange = "application/json", example = json!(entry_change::example())),
+        (String = "application/toml", example = json!("archived = true\n")))),
+    responses((status = 200, description = "Changed", body = StudySummary, example = json!(examples::summary())),
+              (status = 404, description = "There is no such study", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent())),
+              (status = 422, description = "The change has faults: all of them, each with its JSON pointer", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]
+async fn change(
+    State(state): State<AppState>,
+    StudyId(id): StudyId,
+    document: Document,
+) -> Result<Json<StudySummary>, Problem> {
+    known(&state.store, &id).await?;
+    let change = document.checked(read_change).await?;
+    let mut transaction = state.store.begin().await?;
+    study_rows::change(&mut transaction, &id, &change).await?;
+    state.store.commit(transaction, 0).await?;
+    let study = known(&state.store, &id).await?;
+    Ok(Json(StudySummary::of(&study)))
 }
 
 /// Estimate a study

@@ -16,11 +16,13 @@ use crate::http::edge::conditional;
 use crate::http::edge::document_body::{Document, SweepBody};
 use crate::http::edge::extract::{Params, RemovalQuery, SweepId, SweepPath};
 use crate::http::edge::problem_document::Problem;
+use crate::http::routes::entry_list::PageQuery;
 use crate::http::routes::study_routes::{
-    PageQuery, SubmitQuery, idempotency_key, page_limit, priority, refused, unsubmitted,
+    SubmitQuery, idempotency_key, priority, refused, unsubmitted,
 };
 use service::forecast::{admit, forecast_sweep, plan_study};
 use service::study_document::stored_base;
+use service::wire::entry_change::{self, EntryChange, read_change};
 use service::wire::examples::{absent, crowded, faults};
 use service::wire::study_wire::ProblemDocument;
 use service::wire::sweep_examples as examples;
@@ -34,7 +36,7 @@ use store::queue::sweep_rows::{self, DesignRow, SweepRow};
 pub fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new()
         .routes(routes!(list_sweeps, submit_sweep))
-        .routes(routes!(show_sweep, cancel_sweep))
+        .routes(routes!(show_sweep, cancel_sweep, change_sweep))
         .routes(routes!(extend_sweep))
         .routes(routes!(resume_sweep))
         .routes(routes!(estimate_sweep))
@@ -100,7 +102,9 @@ async fn admit_all(
     params(
         ("If-None-Match" = Option<String>, Header, description = "ETag of the page that the client has"),
         ("limit" = Option<u32>, Query, description = "Sweeps of a page, 50 when left out", minimum = 1, maximum = 200, example = 20),
-        ("cursor" = Option<String>, Query, description = "`next_cursor` of the page before", example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b")),
+        ("cursor" = Option<String>, Query, description = "`next_cursor` of the page before", example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b"),
+        ("search" = Option<String>, Query, description = "Sweeps whose name has this, whatever the case of ASCII letters, or whose identifier begins so", max_length = 200, example = "two walls"),
+        ("archived" = Option<String>, Query, description = "`true`: archived ones alone; `all`: those, too; when left out, or `false`, they aren't listed", pattern = "^(true|false|all)$", example = "all")),
     responses((status = 304, description = "The client has it"),
               (status = 200, description = "A page", body = SweepPage, example = json!({"sweeps": [examples::summary()], "next_cursor": null}))))]
 async fn list_sweeps(
@@ -108,9 +112,10 @@ async fn list_sweeps(
     Params(query): Params<PageQuery>,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let limit = page_limit(query.limit.as_deref())?;
+    let (limit, listed) = (query.limit()?, query.listed()?);
     let mut connection = state.store.read().await?;
-    let rows = sweep_rows::page(&mut connection, query.cursor.as_deref(), limit + 1).await?;
+    let rows =
+        sweep_rows::page(&mut connection, listed, query.cursor.as_deref(), limit + 1).await?;
     let page = rows.get(..limit as usize).unwrap_or(&rows);
     let mut summaries = Vec::new();
     for row in page {
@@ -140,6 +145,31 @@ async fn show_sweep(
 ) -> Result<Response, Problem> {
     let (sweep, designs) = known(&state.store, &id).await?;
     conditional::json(&headers, &SweepDetail::of(&sweep, &designs)?)
+}
+
+/// Rename or archive a sweep
+///
+/// Changes what lists say of it; its designs and their studies stay as they are. Lists leave out what is archived unless asked. The same change again changes
+/// nothing.
+#[utoipa::path(patch, path = "/v1/sweeps/{id}", tag = "sweeps", params(SweepPath),
+    request_body(description = "The change, as JSON or TOML", content(
+        (EntryChange = "application/json", example = json!(entry_change::example())),
+        (String = "application/toml", example = json!("archived = true\n")))),
+    responses((status = 200, description = "Changed", body = SweepSummary, example = json!(examples::summary())),
+              (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent())),
+              (status = 422, description = "The change has faults: all of them, each with its JSON pointer", body = ProblemDocument, content_type = "application/problem+json", example = json!(faults()))))]
+async fn change_sweep(
+    State(state): State<AppState>,
+    SweepId(id): SweepId,
+    document: Document,
+) -> Result<Json<SweepSummary>, Problem> {
+    known(&state.store, &id).await?;
+    let change = document.checked(read_change).await?;
+    let mut transaction = state.store.begin().await?;
+    sweep_rows::change(&mut transaction, &id, &change).await?;
+    state.store.commit(transaction, 0).await?;
+    let (sweep, designs) = known(&state.store, &id).await?;
+    Ok(Json(SweepSummary::of(&sweep, &designs)))
 }
 
 /// Extend a sweep

@@ -43,12 +43,15 @@ pub async fn insert(
     }
 }
 
-/// SHA-256 of what a result says: without what it cost, what it was expected to cost, and without the identifier of its study, so that equal
+/// SHA-256 of what a result says: without what it cost, what it was expected to cost, what a surer answer costs, and without the identifier of its study, so that equal
 /// documents give equal hashes in any database, on any number of threads, with any history of interruptions.
 fn content_sha256(result: &StudyResult) -> Result<String, StoreError> {
     let mut content = result.clone();
     content.cost = StudyCost::default();
     content.estimate = None;
+    if let Some(answer) = &mut content.answer {
+        answer.surer = None;
+    }
     content.study.id.clear();
     let text =
         serde_json::to_string(&content).map_err(|_| StoreError::NotFinite { what: RESULT })?;

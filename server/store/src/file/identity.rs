@@ -3,6 +3,10 @@
 use std::fs::Metadata;
 use std::path::Path;
 
+/// How often the list of locks is read before the holder of one counts as unknown.
+#[cfg(target_os = "linux")]
+const LOOKS: usize = 5;
+
 /// A file of this machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FileId {
@@ -40,6 +44,13 @@ impl FileId {
     /// The process that locks the file, where the system tells.
     #[cfg(target_os = "linux")]
     pub fn locked_by(self) -> Option<u32> {
+        // The list is read in pieces: when others give a lock back meanwhile, a line may be missed between two of them.
+        (0..LOOKS).find_map(|_| self.listed_holder())
+    }
+
+    /// The process that the system's list of locks names.
+    #[cfg(target_os = "linux")]
+    fn listed_holder(self) -> Option<u32> {
         let (major, minor) = (
             rustix::fs::major(self.device),
             rustix::fs::minor(self.device),

@@ -34,6 +34,7 @@ static CHANGES: &[(&str, &str)] = &changes![
     "0019_shared_ranks"
     "0020_signals"
     "0021_layout_details"
+    "0022_archived"
 ];
 
 /// All changes, in order.

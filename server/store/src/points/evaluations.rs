@@ -222,6 +222,28 @@ pub async fn parts_of<R: DeserializeOwned>(
     let query = "select p.ordinal, p.sha256 as link_sha256, e.key, e.scene, e.response, e.failure, e.cost, e.sha256
                  from study_points p join evaluations e on e.key = p.evaluation
                  where p.study = ? order by p.ordinal";
+    parts(connection, query, study).await
+}
+
+/// The same of those points alone from whose equilibrium others start.
+///
+/// # Errors
+/// As for [`find`].
+pub async fn cut_points_of<R: DeserializeOwned>(
+    connection: &mut SqliteConnection,
+    study: &str,
+) -> Result<Vec<(usize, String, Evaluation<R>)>, StoreError> {
+    let query = "select p.ordinal, p.sha256 as link_sha256, e.key, e.scene, e.response, e.failure, e.cost, e.sha256
+                 from study_points p join evaluations e on e.key = p.evaluation join start_states s on s.key = e.key
+                 where p.study = ? order by p.ordinal";
+    parts(connection, query, study).await
+}
+
+async fn parts<R: DeserializeOwned>(
+    connection: &mut SqliteConnection,
+    query: &'static str,
+    study: &str,
+) -> Result<Vec<(usize, String, Evaluation<R>)>, StoreError> {
     let rows: Vec<PointRow> = sqlx::query_as(query)
         .bind(study)
         .fetch_all(connection)

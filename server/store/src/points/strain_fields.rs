@@ -1,4 +1,4 @@
-//! The long lists of responses: strains over map and rings, kept beside the response as numbers.
+//! The long lists of responses: strains over map and rings, where the map's points lie, kept beside the response as numbers.
 
 use fem_client::solver::Response;
 use sqlx::SqliteConnection;
@@ -11,12 +11,13 @@ const TABLE: &str = "strain_fields";
 /// The lists that are kept here, in their order in the table.
 fn lists(response: &mut Response) -> impl Iterator<Item = &mut Vec<f64>> {
     let map = response.map.iter_mut().flat_map(|map| {
-        [
+        let lists = [
             &mut map.theta_deg,
             &mut map.phi_deg,
             &mut map.strain.x,
             &mut map.strain.y,
-        ]
+        ];
+        lists.into_iter().chain(&mut map.position_mm)
     });
     let rings = response.rings.iter_mut().flat_map(|ring| {
         let lists = [&mut ring.theta_deg, &mut ring.strain.x, &mut ring.strain.y];

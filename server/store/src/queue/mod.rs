@@ -3,11 +3,13 @@
 //! - [`study_rows`]: what was asked, and how far it got
 //! - [`turns`]: whose turn it is
 //! - [`sweep_rows`]: which study_rows are the designs of one sweep
+//! - [`listed`]: which of them a list shows
 //! - [`event_rows`]: what happened, in order
 //! - [`idempotency`]: keys of repeated requests
 
 pub mod event_rows;
 pub mod idempotency;
+pub mod listed;
 pub mod study_rows;
 pub mod sweep_rows;
 pub mod turns;

@@ -11,6 +11,7 @@ use sqlx::SqliteConnection;
 use crate::clock::now;
 use crate::column::{counted, whole};
 use crate::content::{document_sha256, encode, intact};
+use crate::queue::listed::{Listed, RowChange};
 use crate::row::from_row;
 use crate::store_error::StoreError;
 
@@ -62,7 +63,7 @@ impl State {
 pub struct StudyRow {
     /// UUID, ordered by time.
     pub id: String,
-    /// Name from the document.
+    /// Name in lists: the document's, unless it was changed.
     pub name: String,
     spec: String,
     /// SHA-256 of the canonical document.
@@ -84,6 +85,8 @@ pub struct StudyRow {
     pub estimate: Option<String>,
     /// Those of higher priority go first.
     pub priority: i64,
+    /// When it was archived, so that lists leave it out.
+    pub archived: Option<String>,
 }
 
 from_row!(StudyRow {
@@ -99,7 +102,8 @@ from_row!(StudyRow {
     started,
     finished,
     estimate,
-    priority
+    priority,
+    archived
 });
 
 impl StudyRow {
@@ -162,13 +166,15 @@ pub async fn find(
         .await?)
 }
 
-/// Which studies are listed: all unless something is said.
+/// Which studies are listed: all that aren't archived unless something is said.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Filter<'f> {
     /// Those of this state.
     pub state: Option<State>,
     /// The designs of the sweep of this identifier; for `none`, those that are no design of any.
     pub sweep: Option<&'f str>,
+    /// Those that are looked for.
+    pub listed: Listed<'f>,
 }
 
 /// Up to `limit` studies, newest first, older than the study `before`.
@@ -186,12 +192,16 @@ pub async fn page(
                  and (?4 is null or case ?4
                     when 'none' then not exists (select 1 from sweep_designs where study = studies.id)
                     else exists (select 1 from sweep_designs where study = studies.id and sweep = ?4) end)
+                 and (?5 is null or instr(lower(name), lower(?5)) > 0 or substr(id, 1, length(?5)) = lower(?5))
+                 and (?6 is null or (archived is not null) = ?6)
                  order by id desc limit ?3";
     Ok(sqlx::query_as(query)
         .bind(filter.state.map(State::as_str))
         .bind(before)
         .bind(limit)
         .bind(filter.sweep)
+        .bind(filter.listed.search)
+        .bind(filter.listed.archived.wanted())
         .fetch_all(connection)
         .await?)
 }
@@ -324,6 +334,27 @@ pub async fn cancel(connection: &mut SqliteConnection, id: &str) -> Result<bool,
         == 1)
 }
 
+/// Changes what lists say of a study. What is archived already keeps its time.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn change(
+    connection: &mut SqliteConnection,
+    id: &str,
+    change: &RowChange,
+) -> Result<(), StoreError> {
+    let query = "update studies set name = coalesce(?2, name),
+                 archived = case ?3 when true then coalesce(archived, ?4) when false then null else archived end where id = ?1";
+    sqlx::query(query)
+        .bind(id)
+        .bind(&change.name)
+        .bind(change.archived)
+        .bind(now())
+        .execute(connection)
+        .await?;
+    Ok(())
+}
+
 /// Notes how many points the plan has, and how many of them are known already.
 ///
 /// # Errors
@@ -364,6 +395,7 @@ pub async fn set_estimate(
 mod tests {
     use super::*;
     use crate::database::tests::fresh;
+    use crate::queue::listed::Archived;
 
     #[tokio::test]
     async fn pages_go_from_new_to_old_without_overlap() {
@@ -378,7 +410,7 @@ mod tests {
             .expect("reads");
         let of = |state: State| Filter {
             state: Some(state),
-            sweep: None,
+            ..Filter::default()
         };
         let rest = page(&mut tx, of(State::Queued), Some(&first[1].id), 2)
             .await
@@ -395,5 +427,51 @@ mod tests {
                 .expect("reads")
                 .is_empty()
         );
+    }
+
+    #[tokio::test]
+    async fn a_search_takes_its_characters_literally_and_a_change_leaves_the_document() {
+        let (_folder, store) = fresh().await;
+        let mut tx = store.begin().await.expect("begins");
+        let mut ids = Vec::new();
+        for name in ["Wall 50%", "wall 500", "a_b", "axb"] {
+            ids.push(insert(&mut tx, name, "{}").await.expect("inserts"));
+        }
+        let change_of = |archived| RowChange {
+            name: Some("Bead".to_owned()),
+            archived,
+        };
+        for archived in [Some(true), None] {
+            let changed = change(&mut tx, &ids[3], &change_of(archived)).await;
+            changed.expect("changes");
+        }
+        let row = find(&mut tx, &ids[3]).await.expect("reads").expect("there");
+        assert_eq!(
+            (row.name.as_str(), row.document().ok()),
+            ("Bead", Some("{}"))
+        );
+
+        let (all, alone) = (Archived::All, Archived::Alone);
+        for (search, archived, found) in [
+            (None, Archived::Without, &ids[..3]),
+            (None, alone, &ids[3..]),
+            (None, all, &ids[..]),
+            (Some("WALL 50"), all, &ids[..2]),
+            (Some("50%"), all, &ids[..1]),
+            (Some("a_"), all, &ids[2..3]),
+            (Some("bead"), all, &ids[3..]),
+            (Some("bead"), Archived::Without, &[]),
+            (Some(ids[1].to_uppercase().as_str()), all, &ids[1..2]),
+            (Some(&ids[1][1..]), all, &[]),
+        ] {
+            let filter = Filter {
+                listed: Listed { search, archived },
+                ..Filter::default()
+            };
+            let rows = page(&mut tx, filter, None, 9).await.expect("reads");
+            let mut seen: Vec<&str> = rows.iter().map(|row| row.id.as_str()).collect();
+            seen.reverse();
+            assert_eq!(seen, found, "{search:?} {archived:?}");
+        }
     }
 }

@@ -5,6 +5,7 @@ use sqlx::SqliteConnection;
 
 use crate::clock::now;
 use crate::content::{document_sha256, encode, intact};
+use crate::queue::listed::{Listed, RowChange};
 use crate::queue::study_rows::StudyRow;
 use crate::row::from_row;
 use crate::store_error::StoreError;
@@ -22,6 +23,8 @@ pub struct SweepRow {
     pub priority: i64,
     /// When it was submitted.
     pub created: String,
+    /// When it was archived, so that lists leave it out.
+    pub archived: Option<String>,
 }
 
 from_row!(SweepRow {
@@ -30,7 +33,8 @@ from_row!(SweepRow {
     spec,
     spec_sha256,
     priority,
-    created
+    created,
+    archived
 });
 
 impl SweepRow {
@@ -129,7 +133,7 @@ pub async fn find(
     connection: &mut SqliteConnection,
     id: &str,
 ) -> Result<Option<SweepRow>, StoreError> {
-    let query = "select id, name, spec, spec_sha256, priority, created from sweeps where id = ?";
+    let query = "select * from sweeps where id = ?";
     Ok(sqlx::query_as(query)
         .bind(id)
         .fetch_optional(connection)
@@ -145,7 +149,7 @@ pub async fn beginning_with(
     beginning: &str,
     limit: u32,
 ) -> Result<Vec<SweepRow>, StoreError> {
-    let query = "select id, name, spec, spec_sha256, priority, created from sweeps
+    let query = "select * from sweeps
                  where substr(id, 1, length(?1)) = ?1 order by id limit ?2";
     Ok(sqlx::query_as(query)
         .bind(beginning)
@@ -154,22 +158,49 @@ pub async fn beginning_with(
         .await?)
 }
 
-/// Up to `limit` sweeps, newest first, older than the sweep `before`.
+/// Up to `limit` of the sweeps that are looked for, newest first, older than the sweep `before`.
 ///
 /// # Errors
 /// When the database can't be read.
 pub async fn page(
     connection: &mut SqliteConnection,
+    listed: Listed<'_>,
     before: Option<&str>,
     limit: u32,
 ) -> Result<Vec<SweepRow>, StoreError> {
-    let query = "select id, name, spec, spec_sha256, priority, created from sweeps
-                 where ?1 is null or id < ?1 order by id desc limit ?2";
+    let query = "select * from sweeps
+                 where (?1 is null or id < ?1)
+                 and (?3 is null or instr(lower(name), lower(?3)) > 0 or substr(id, 1, length(?3)) = lower(?3))
+                 and (?4 is null or (archived is not null) = ?4)
+                 order by id desc limit ?2";
     Ok(sqlx::query_as(query)
         .bind(before)
         .bind(limit)
+        .bind(listed.search)
+        .bind(listed.archived.wanted())
         .fetch_all(connection)
         .await?)
+}
+
+/// Changes what lists say of a sweep. What is archived already keeps its time.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn change(
+    connection: &mut SqliteConnection,
+    id: &str,
+    change: &RowChange,
+) -> Result<(), StoreError> {
+    let query = "update sweeps set name = coalesce(?2, name),
+                 archived = case ?3 when true then coalesce(archived, ?4) when false then null else archived end where id = ?1";
+    sqlx::query(query)
+        .bind(id)
+        .bind(&change.name)
+        .bind(change.archived)
+        .bind(now())
+        .execute(connection)
+        .await?;
+    Ok(())
 }
 
 struct Joined {

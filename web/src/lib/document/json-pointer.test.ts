@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { locate, pointerKeys } from "./json-pointer.ts";
+import { locate, pointerKeys, tomlKey } from "./json-pointer.ts";
 
 const text = `{
   "name": "a \\"quoted\\" {name}",
@@ -42,4 +42,10 @@ test("text that is not JSON has no places", () => {
 test("escapes of a pointer are undone in the right order", () => {
   assert.deepEqual(pointerKeys("/a~01/b~1c"), ["a~1", "b/c"]);
   assert.deepEqual(pointerKeys("#/scene"), ["scene"]);
+});
+
+test("a pointer is shown as TOML writes keys", () => {
+  assert.equal(tomlKey("/inputs/0/name"), "inputs[0].name");
+  assert.equal(tomlKey("/set/geometry.wall_mm/a~1b"), 'set."geometry.wall_mm"."a/b"');
+  assert.equal(tomlKey(""), "");
 });

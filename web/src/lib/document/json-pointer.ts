@@ -16,6 +16,12 @@ export function pointerKeys(pointer: string): string[] {
     .map((key) => key.replaceAll("~1", "/").replaceAll("~0", "~"));
 }
 
+/** A pointer as TOML's keys: `/inputs/0/name` -> inputs[0].name. */
+export function tomlKey(pointer: string): string {
+  const part = (key: string): string => (/^\d+$/.test(key) ? `[${key}]` : `.${/^[\w-]+$/.test(key) ? key : JSON.stringify(key)}`);
+  return pointerKeys(pointer).map(part).join("").replace(/^\./, "");
+}
+
 /** Where the value lies; the nearest enclosing value that exists when it doesn't; null when the text is not JSON. */
 export function locate(text: string, pointer: string): Span | null {
   try {

@@ -1,6 +1,6 @@
 /** What a study finds of kinds of film and numbers of units, as tables to show. */
 
-import type { Knee, LayoutFindings, LayoutLoad, OrderAgreement, StudyResult } from "../../wire.ts";
+import type { Knee, LayoutLoad, OrderAgreement } from "../../wire.ts";
 import { filmSet, short } from "./layout-words.ts";
 
 export interface KneeRow {
@@ -26,10 +26,3 @@ export function tauMatrix(agreement: OrderAgreement[]): { criteria: string[]; ta
     agreement.find(({ first, second }) => (first === a && second === b) || (first === b && second === a))?.tau ?? null;
   return { criteria, tau: criteria.map((a) => criteria.map((b) => of(a, b))) };
 }
-
-/** Whether a study is one of layouts before all: it has them searched, or a single input, by which locations have no order. */
-export function asksForLayouts({ inputs, layouts, layout_findings: found }: Pick<StudyResult, "inputs" | "layouts" | "layout_findings">): boolean {
-  return found != null && layouts.length > 0 && (inputs.length === 1 || searched(found));
-}
-
-const searched = (found: LayoutFindings): boolean => (found.searches ?? []).length > 0;

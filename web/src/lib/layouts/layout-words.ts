@@ -1,6 +1,6 @@
 /** Layouts, films and loads in words. */
 
-import type { FilmPlace, LayoutLoad, LoadScore, RankedLayout } from "../../wire.ts";
+import type { CandidateFilm, FilmPlace, LayoutLoad, LoadScore, RankedLayout } from "../../wire.ts";
 import { MISSING } from "../format.ts";
 
 /** Where more than one contact in twenty is off by more than this, a layout counts as one that loses the contact, degrees. */
@@ -39,6 +39,19 @@ export function filmWord(direction: string): string {
   if (direction === "x" || direction === "0") return "x";
   if (direction === "y" || direction === "90") return "y";
   return `${direction}°`;
+}
+
+/** `25 × 10`, or `point`. */
+export function sizeWord({ length_mm, width_mm }: Pick<CandidateFilm, "length_mm" | "width_mm">): string {
+  return length_mm == null || width_mm == null ? "point" : `${short(length_mm)} × ${short(width_mm)}`;
+}
+
+/** `Glued films of 25 × 10 mm, read in V.`: what layouts' films are. */
+export function filmsWords(size_mm: number[] | null | undefined, unit: string | undefined): string {
+  const [length_mm, width_mm] = size_mm ?? [];
+  const film = unit === "V" ? "Glued films" : "Bare films";
+  const size = length_mm == null || width_mm == null ? ", as points" : ` of ${sizeWord({ length_mm, width_mm })} mm`;
+  return `${film}${size}, read in ${unit ?? "strain"}.`;
 }
 
 /** `x+y`, `x+y staggered`: what the films of a unit are. */

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Output, RankedLocation, StudyResult } from "../../wire.ts";
-import { paperPercent } from "./paper-table.ts";
+import { paperPercent } from "./paper/paper-table.ts";
 import { bars, byRank, centreName, centreOutput, isRanked, largest, locationNames, mdrmGap, paperGap, productFormBroken, scoreOf } from "./result-picks.ts";
 
 const output = (location: string, direction: "x" | "y"): Output => ({

@@ -2,7 +2,7 @@
 
 import type { Output, RankedLocation, StudyResult } from "../../wire.ts";
 import type { Direction } from "../direction.ts";
-import { paperPercent } from "./paper-table.ts";
+import { paperPercent } from "./paper/paper-table.ts";
 
 /** One bar: an index in percent with what stands beside it. */
 export interface Bar {

@@ -1,6 +1,5 @@
 import type { Problem } from "../../api.ts";
 import type { Span } from "../../lib/document/json-pointer.ts";
-import type { Fault } from "../../wire.ts";
 import { ProblemText } from "../shared/problem-box.tsx";
 
 /** A text that faults stand in. */
@@ -15,10 +14,12 @@ interface Props {
   placeOf: (pointer: string) => Place | null;
   /** What stands here while nothing is wrong. */
   idle: string;
+  /** A pointer in the terms of what is written; itself when left out. */
+  keyOf?: (pointer: string) => string;
 }
 
 /** What the service says is wrong with a document, each fault a way to its place in the text. */
-export function Faults({ problem, placeOf, idle }: Props) {
+export function Faults({ problem, placeOf, idle, keyOf = asItIs }: Props) {
   if (problem === null) return <p class="quiet">{idle}</p>;
   const faults = problem.errors ?? [];
   return (
@@ -28,7 +29,7 @@ export function Faults({ problem, placeOf, idle }: Props) {
         <ul class="fault-list">
           {faults.map((fault) => (
             <li key={`${fault.pointer} ${fault.detail}`}>
-              <PlaceOf fault={fault} place={placeOf(fault.pointer)} />
+              <PlaceOf name={fault.pointer === "" ? "whole document" : keyOf(fault.pointer)} place={placeOf(fault.pointer)} />
               <span>{fault.detail}</span>
             </li>
           ))}
@@ -38,8 +39,11 @@ export function Faults({ problem, placeOf, idle }: Props) {
   );
 }
 
-function PlaceOf({ fault, place }: { fault: Fault; place: Place | null }) {
-  const name = fault.pointer === "" ? "whole document" : fault.pointer;
+function asItIs(pointer: string): string {
+  return pointer;
+}
+
+function PlaceOf({ name, place }: { name: string; place: Place | null }) {
   if (place === null) return <code>{name}</code>;
   return (
     <button type="button" class="place" onClick={place.show} title="Select it in the document">

@@ -1,125 +1,135 @@
-import { useRef } from "preact/hooks";
-import { ACCURACIES, accuracyOf, parseDraft, type Accuracy } from "../../lib/document/draft-text.ts";
-import { locate } from "../../lib/document/json-pointer.ts";
+import { useMemo, useRef } from "preact/hooks";
+import { resolved, valueAt, withValue, type SceneOfName } from "../../lib/document/document-values.ts";
+import { parseDraft, textOf } from "../../lib/document/draft-text.ts";
+import { locate, tomlKey } from "../../lib/document/json-pointer.ts";
+import type { Problem } from "../../api.ts";
 import type { Actions } from "../../state/actions.ts";
-import type { StudyDraft, SweepDraft } from "../../state/app-state.ts";
-import type { Loadable } from "../../state/loadable.ts";
-import type { Preset, Presets } from "../../wire.ts";
+import type { AppState, DraftCheck, FormTab, StudyDraft } from "../../state/app-state.ts";
+import type { Fault } from "../../wire.ts";
+import { later } from "../shared/later.tsx";
 import { Loaded } from "../shared/loaded.tsx";
+import { RadioChoice, type Option } from "../shared/radio-choice.tsx";
+import { DocumentText } from "./document-text.tsx";
 import { Faults, selectIn, type Place } from "./fault-list.tsx";
+import { LayoutsForm } from "./form/layouts-form.tsx";
+import { SceneForm } from "./form/scene-form.tsx";
+import { PreviewPanel } from "./live/preview-panel.tsx";
+import { RunBox } from "./live/run-box.tsx";
+import { TireDrawing } from "./live/tire-drawing-figure.tsx";
+import { NameField } from "./name-field.tsx";
+import { PresetChoice } from "./preset-choice.tsx";
 import { SweepForm } from "./sweep-form.tsx";
 
-interface Props {
-  draft: StudyDraft;
-  sweep: SweepDraft;
-  presets: Loadable<Presets>;
-  actions: Actions;
-}
+const TABS: readonly Option<FormTab>[] = [
+  { value: "form", label: "Form" },
+  { value: "text", label: "JSON" },
+  { value: "toml", label: "TOML" },
+];
 
-const IDLE =
-  "The document is checked when it is sent. Every fault is listed here with its place, and nothing runs until there is none.";
+const TomlDocument = later("TOML", async () => (await import("./toml-document.tsx")).TomlDocument);
 
-/** Picks a preset, edits its document, submits it or a sweep of it, and shows what is wrong with it. */
-export function StudyForm({ draft, sweep, presets, actions }: Props) {
+/** Picks a preset, edits its document by fields or as text, shows what it would give, and submits it or a sweep of it. */
+export function StudyForm({ state, actions }: { state: AppState; actions: Actions }) {
+  const { studyDraft: draft, draftCheck: check, presets } = state;
   const text = useRef<HTMLTextAreaElement>(null);
+  const scenes = presets.status === "ready" ? presets.value.scenes : [];
+  const written = useMemo(() => readWritten(draft.text, scenes), [draft.text, scenes]);
+  const problem = problemOf(draft, check);
   const placeOf = (pointer: string): Place | null => {
     const span = locate(draft.text, pointer);
-    return span === null ? null : { span, show: () => selectIn(text.current, span) };
+    return span === null || draft.tab !== "text" ? null : { span, show: () => selectIn(text.current, span) };
   };
+  // Nothing is drawn yet that the document would push away when it comes.
+  if (draft.text === "" && draft.origin === null && presets.status === "loading") {
+    return (
+      <>
+        <h1>New study</h1>
+        <p class="quiet" role="status">
+          Loading the presets …
+        </p>
+      </>
+    );
+  }
   const submit = (event: Event): void => {
     event.preventDefault();
     void actions.studyDraft.submit();
   };
   return (
     <>
-      <section class="panel">
-        <h1>New study</h1>
-        <form class="new-study" onSubmit={submit}>
-          <Loaded of={presets} what="the presets" onRetry={() => void actions.studyDraft.reloadPresets()}>
-            {(value) => <PresetChoice presets={value.studies} chosen={draft.preset} onChoose={actions.studyDraft.choosePreset} />}
-          </Loaded>
-          <div class="document">
-            <div class="document-text">
-              <div class="document-head">
-                <label for="document">Study document (JSON)</label>
-                <AccuracyChoice text={draft.text} onChoose={actions.studyDraft.setAccuracy} />
-              </div>
-              <textarea
-                id="document"
-                ref={text}
-                spellcheck={false}
-                autocomplete="off"
-                rows={24}
-                value={draft.text}
-                aria-describedby="document-faults"
-                aria-invalid={draft.problem !== null}
-                onInput={(event) => actions.studyDraft.edit(event.currentTarget.value)}
+      <h1>New study</h1>
+      <form class="new-study" onSubmit={submit}>
+        <div class="new-study-fields">
+          <section class="panel" aria-label="Document">
+            <Loaded of={presets} what="the presets" onRetry={() => void actions.studyDraft.reloadPresets()}>
+              {(value) => <PresetChoice presets={value.studies} chosen={draft.preset} onChoose={actions.studyDraft.choosePreset} />}
+            </Loaded>
+            {written !== null && (
+              <NameField
+                document={written.document}
+                origin={draft.origin}
+                scenes={scenes}
+                onName={(name) => actions.studyDraft.edit(textOf(withValue(written.document, "/name", name)))}
               />
-            </div>
-            <div id="document-faults" class="faults" aria-live="polite">
-              <Faults problem={draft.problem} placeOf={placeOf} idle={IDLE} />
-            </div>
+            )}
+            <RadioChoice name="tab" legend="Write it as" options={TABS} chosen={draft.tab} onChoose={actions.studyDraft.showTab} />
+            {draft.tab === "text" && (
+              <DocumentText language="JSON" value={draft.text} area={text} isWrong={problem !== null} onEdit={actions.studyDraft.edit} />
+            )}
+            {draft.tab === "toml" && <TomlDocument draft={draft} area={text} isWrong={problem !== null} onEdit={actions.studyDraft.editToml} />}
+            {draft.tab === "form" && <Fields written={written} faults={problem?.errors ?? NONE} onEdit={actions.studyDraft.edit} />}
+          </section>
+        </div>
+        <div class="new-study-live">
+          <RunBox draft={draft} check={check} onAccuracy={actions.studyDraft.setAccuracy} />
+          <div id="document-faults" aria-live="polite">
+            {problem !== null && <Faults problem={problem} placeOf={placeOf} idle="" {...(draft.tab === "toml" ? { keyOf: tomlKey } : {})} />}
           </div>
-          <div class="actions">
-            <button type="submit" class="primary" disabled={draft.sending || draft.text.trim() === ""}>
-              {draft.sending ? "Sending …" : "Run study"}
-            </button>
-            <p class="quiet">Solved points are stored at once and reused: a study like an earlier one costs less.</p>
-          </div>
-        </form>
-      </section>
-      <SweepForm draft={sweep} text={draft.text} placeInStudy={placeOf} actions={actions} />
+          {written !== null && (
+            <section class="panel" aria-label="Drawing">
+              <TireDrawing full={written.full} />
+            </section>
+          )}
+          <PreviewPanel preview={state.preview} text={draft.text} />
+        </div>
+      </form>
+      <SweepForm draft={state.sweepDraft} text={draft.text} placeInStudy={placeOf} actions={actions} />
     </>
   );
 }
 
-function PresetChoice(props: { presets: Preset[]; chosen: string | null; onChoose: (name: string) => void }) {
-  if (props.presets.length === 0) return <p class="quiet">The service ships no presets. Write a document below.</p>;
-  return (
-    <fieldset class="presets">
-      <legend>Start from</legend>
-      {props.presets.map((preset) => (
-        <label key={preset.name} class="preset">
-          <input
-            type="radio"
-            name="preset"
-            value={preset.name}
-            checked={preset.name === props.chosen}
-            onChange={() => props.onChoose(preset.name)}
-          />
-          <span>
-            <strong>{preset.title}</strong>
-            <code>{preset.name}</code>
-            <span class="quiet">{preset.comment}</span>
-          </span>
-        </label>
-      ))}
-    </fieldset>
-  );
+/** What is wrong with the draft: with what was typed as TOML, with its submission, or as its check says. */
+function problemOf(draft: StudyDraft, check: DraftCheck): Problem | null {
+  const fault = draft.toml?.of === draft.text ? draft.toml.fault : null;
+  if (fault !== null) return { title: "The document can't be read.", status: 0, detail: fault.detail };
+  return draft.problem ?? (check.text === draft.text ? check.problem : null);
 }
 
-function AccuracyChoice({ text, onChoose }: { text: string; onChoose: (accuracy: Accuracy) => void }) {
-  const readable = !("fault" in parseDraft(text));
-  const accuracy = accuracyOf(text);
+const NONE: readonly Fault[] = [];
+
+interface Written {
+  /** What the form writes into: the document, a scene that is only named laid open. */
+  document: unknown;
+  full: unknown;
+}
+
+/** The document of a text; null while it is none. */
+function readWritten(text: string, scenes: readonly SceneOfName[]): Written | null {
+  const parsed = parseDraft(text);
+  if ("fault" in parsed) return null;
+  const full = resolved(parsed.document, scenes);
+  return { document: typeof valueAt(parsed.document, "/scene") === "string" ? full : parsed.document, full };
+}
+
+function Fields({ written, faults, onEdit }: { written: Written | null; faults: readonly Fault[]; onEdit: (text: string) => void }) {
+  if (written === null) return <p class="notice">The text can't be read, so there are no fields to show. Mend it under JSON or TOML.</p>;
+  const { document, full } = written;
+  if (typeof valueAt(full, "/scene") !== "object") return <p class="notice">The document has no scene that the form knows. Edit it under JSON or TOML.</p>;
+  const replace = (next: unknown): void => onEdit(textOf(next));
+  const props = { document, full, faults, replace, write: (pointer: string, value: unknown) => replace(withValue(document, pointer, value)) };
   return (
-    <label class="inline">
-      Accuracy{" "}
-      <select
-        value={accuracy ?? ""}
-        disabled={!readable}
-        onChange={(event) => onChoose(event.currentTarget.value as Accuracy)}
-      >
-        {accuracy === null && (
-          <option value="" disabled>
-            as written
-          </option>
-        )}
-        {ACCURACIES.map((name) => (
-          <option key={name} value={name}>
-            {name}
-          </option>
-        ))}
-      </select>
-    </label>
+    <div class="form-groups">
+      <SceneForm {...props} />
+      <LayoutsForm {...props} />
+    </div>
   );
 }

@@ -1,4 +1,4 @@
-/** What the user must know before believing the numbers. */
+/** What the user must know before believing a comparison. */
 export function Notes({ notes }: { notes: string[] }) {
   if (notes.length === 0) return null;
   return (

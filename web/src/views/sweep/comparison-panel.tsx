@@ -1,10 +1,11 @@
 import { useMemo } from "preact/hooks";
 import { directionName, DIRECTIONS } from "../../lib/direction.ts";
-import type { Route, Shown, SweepRoute } from "../../lib/route.ts";
+import type { Shown } from "../../lib/route.ts";
 import { designAxis, matrixOf, realDifferences, type Matrix } from "../../lib/sweep/comparison-matrix.ts";
-import type { Comparison, DesignView } from "../../wire.ts";
+import type { Comparison } from "../../wire.ts";
 import { Notes } from "../shared/notes-panel.tsx";
 import { RadioChoice, type Option } from "../shared/radio-choice.tsx";
+import { TermLine } from "../shared/term/term.tsx";
 import { ComparisonChart, MarkKey } from "./comparison-chart.tsx";
 import { DifferenceTable, RankTable } from "./comparison-tables.tsx";
 
@@ -15,19 +16,22 @@ const SHOWN: readonly Option<Shown>[] = [
 
 interface Props {
   comparison: Comparison;
-  designs: DesignView[];
-  route: SweepRoute;
-  onAdjust: (route: Route) => void;
+  /** What each design sets, in the order of the comparison. */
+  designs: readonly { set: Record<string, unknown> }[];
+  shown: Shown;
+  /** Absent where the baseline is chosen elsewhere on the page. */
+  onBaseline?: (study: string) => void;
+  onShown: (shown: Shown) => void;
 }
 
 /** What differs between the designs, and which differences are real. */
-export function ComparisonPanel({ comparison, designs, route, onAdjust }: Props) {
+export function ComparisonPanel({ comparison, designs, shown, onBaseline, onShown }: Props) {
   // The page's clock ticks every second, thousands of marks and cells needn't.
   const matrix = useMemo(() => matrixOf(comparison), [comparison]);
   const axis = useMemo(() => designAxis(designs), [designs]);
   const charts = useMemo(
-    () => DIRECTIONS.map((direction) => <ComparisonChart key={direction} matrix={matrix} axis={axis} direction={direction} shown={route.shown} />),
-    [matrix, axis, route.shown],
+    () => DIRECTIONS.map((direction) => <ComparisonChart key={direction} matrix={matrix} axis={axis} direction={direction} shown={shown} />),
+    [matrix, axis, shown],
   );
   const tables = useMemo(() => <Tables matrix={matrix} />, [matrix]);
   return (
@@ -37,19 +41,19 @@ export function ComparisonPanel({ comparison, designs, route, onAdjust }: Props)
         <section class="panel comparison" aria-labelledby="comparison-title">
           <h2 id="comparison-title">What differs</h2>
           <div class="controls">
-            <BaselineChoice matrix={matrix} onChoose={(baseline) => onAdjust({ ...route, baseline })} />
+            {onBaseline !== undefined && <BaselineChoice matrix={matrix} onChoose={onBaseline} />}
             <RadioChoice
               name="shown"
               legend="Charts show"
               isLegendHidden
               options={SHOWN}
-              chosen={route.shown}
-              onChoose={(shown) => onAdjust({ ...route, shown })}
+              chosen={shown}
+              onChoose={onShown}
             />
           </div>
           <Summary matrix={matrix} />
           <div class="charts">{charts}</div>
-          <MarkKey shown={route.shown} />
+          <MarkKey shown={shown} />
           {tables}
         </section>
       )}
@@ -111,8 +115,9 @@ function Tables({ matrix }: { matrix: Matrix }) {
       <h3>Ranking</h3>
       <RankTable matrix={matrix} />
       <p class="quiet">
-        1 is best; ↑ and ↓ are places gained and lost since the baseline. ★: the change is real, because the errors leave no doubt about either rank.
+        1 is best. ★ ↑ and ↓ are places gained and lost since the baseline, only where the errors leave no doubt about either rank.
       </p>
+      <TermLine names={["first-order index", "real difference", "x and y", "crown", "shoulder", "sidewall"]} />
     </>
   );
 }

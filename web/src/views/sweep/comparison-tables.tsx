@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { directionName, type Direction } from "../../lib/direction.ts";
-import { fixed, MISSING, signed } from "../../lib/format.ts";
+import { fixed, MISSING, rankWords, signed } from "../../lib/format.ts";
 import { formatRoute, studyRoute } from "../../lib/route.ts";
 import type { DesignRow, Matrix } from "../../lib/sweep/comparison-matrix.ts";
 import type { ComparedIndex, ComparedLocation, Verdict } from "../../wire.ts";
@@ -14,10 +14,13 @@ export function DifferenceTable({ matrix, direction }: { matrix: Matrix; directi
 
 /** Designs by locations: the rank, and what it was in the baseline. */
 export function RankTable({ matrix }: { matrix: Matrix }) {
-  return <ByLocation matrix={matrix} name="Ranks" cell={(location) => <RankCell location={location} />} />;
+  return <ByLocation matrix={matrix} name="Ranks" cell={(location, all) => <RankCell location={location} all={all} />} />;
 }
 
-function ByLocation(props: { matrix: Matrix; name: string; cell: (location: ComparedLocation) => ComponentChildren }) {
+/** What stands in a cell, from its location and all of its design. */
+type Cell = (location: ComparedLocation, all: readonly ComparedLocation[]) => ComponentChildren;
+
+function ByLocation(props: { matrix: Matrix; name: string; cell: Cell }) {
   const { matrix, name, cell } = props;
   return (
     <ScrollTable name={name} kind="designs" isTall>
@@ -43,8 +46,9 @@ function ByLocation(props: { matrix: Matrix; name: string; cell: (location: Comp
   );
 }
 
-function Row(props: { row: DesignRow; isBaseline: boolean; cell: (location: ComparedLocation) => ComponentChildren }) {
+function Row(props: { row: DesignRow; isBaseline: boolean; cell: Cell }) {
   const { row, isBaseline, cell } = props;
+  const all = row.cells.filter((location) => location !== null);
   return (
     <tr class={isBaseline ? "baseline" : undefined}>
       <td>{row.number}</td>
@@ -53,7 +57,7 @@ function Row(props: { row: DesignRow; isBaseline: boolean; cell: (location: Comp
         {isBaseline && <span class="error"> baseline</span>}
       </th>
       {row.cells.map((location, column) => (
-        <td key={column}>{location === null ? MISSING : cell(location)}</td>
+        <td key={column}>{location === null ? MISSING : cell(location, all)}</td>
       ))}
     </tr>
   );
@@ -96,12 +100,12 @@ function Word({ verdict }: VerdictProps) {
   return verdict == null ? null : <span class="hidden"> {verdict}</span>;
 }
 
-function RankCell({ location }: { location: ComparedLocation }) {
+function RankCell({ location, all }: { location: ComparedLocation; all: readonly ComparedLocation[] }) {
   const { rank, rank_certain, rank_change, rank_verdict } = location;
   return (
     <>
-      <strong>{rank}</strong> <span class="error">{rank_certain ? "certain" : "uncertain"}</span>
-      {rank_change != null && rank_change !== 0 && (
+      <strong>{rankWords(rank, all)}</strong> <span class="error">{rank_certain ? "certain" : "uncertain"}</span>
+      {rank_change != null && rank_change !== 0 && rank_verdict === "real" && (
         <span class={`difference ${rank_verdict ?? ""}`}>
           <Star verdict={rank_verdict} />
           {rank_change > 0 ? "↓" : "↑"}

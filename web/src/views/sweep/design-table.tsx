@@ -8,8 +8,19 @@ import { StateBadge } from "../shared/state-badge.tsx";
 /** Columns that only a design with a result fills. */
 const FIGURES = ["Force N", "Signal x µε", "Signal y µε", "Best", "Best layout", "Solves", "Reused", "Time s"];
 
+/** Studies that are ticked to be compared. */
+export interface Ticking {
+  ticked: readonly string[];
+  onTick: (study: string, on: boolean) => void;
+}
+
+interface Props extends Ticking {
+  designs: DesignView[];
+  comparison: Comparison | null;
+}
+
 /** The designs in the order of the sweep, each with its figures or with the reason why it has none. */
-export function DesignTable({ designs, comparison }: { designs: DesignView[]; comparison: Comparison | null }) {
+export function DesignTable({ designs, comparison, ticked, onTick }: Props) {
   const compared = new Map(comparison?.studies.map((study) => [study.id, study]));
   return (
     <ScrollTable name="Designs" kind="designs" isTall>
@@ -31,19 +42,25 @@ export function DesignTable({ designs, comparison }: { designs: DesignView[]; co
       </thead>
       <tbody>
         {designs.map((design) => (
-          <Row key={design.ordinal} design={design} compared={compared.get(design.study.id)} />
+          <Row key={design.ordinal} design={design} compared={compared.get(design.study.id)} ticked={ticked} onTick={onTick} />
         ))}
       </tbody>
     </ScrollTable>
   );
 }
 
-function Row({ design, compared }: { design: DesignView; compared: ComparedStudy | undefined }) {
+function Row({ design, compared, ticked, onTick }: { design: DesignView; compared: ComparedStudy | undefined } & Ticking) {
   const { study } = design;
   return (
     <tr data-design={design.ordinal}>
       <td>{design.ordinal + 1}</td>
       <th scope="row" class="words">
+        {study.state === "done" && (
+          <input
+            type="checkbox" class="design-tick" title="Compare" aria-label={`Compare ${design.name}`} checked={ticked.includes(study.id)}
+            onChange={(event) => onTick(study.id, event.currentTarget.checked)}
+          />
+        )}
         <a href={formatRoute(studyRoute(study.id))}>{design.name}</a>
         {!nameSaysAll(design) && <span class="error settings">{settingsText(design.set)}</span>}
       </th>

@@ -1,7 +1,8 @@
 import { useMemo } from "preact/hooks";
 import { comparisonAddress, comparisonExport, sweepAddress } from "../../api.ts";
-import type { SweepRoute } from "../../lib/route.ts";
+import { compareRoute, formatRoute, type SweepRoute } from "../../lib/route.ts";
 import { variedPaths } from "../../lib/sweep/design-progress.ts";
+import { designGrid } from "../../lib/sweep/figure-grid.ts";
 import type { Actions } from "../../state/actions.ts";
 import type { AppState } from "../../state/app-state.ts";
 import type { Loadable } from "../../state/loadable.ts";
@@ -9,7 +10,8 @@ import type { Comparison, DesignView, SweepDetail } from "../../wire.ts";
 import { Loaded } from "../shared/loaded.tsx";
 import { StateBadge } from "../shared/state-badge.tsx";
 import { ComparisonPanel } from "./comparison-panel.tsx";
-import { DesignTable } from "./design-table.tsx";
+import { DesignTable, type Ticking } from "./design-table.tsx";
+import { FigureGridPanel } from "./figure-grid-panel.tsx";
 import { SweepProgress } from "./sweep-progress.tsx";
 
 interface Props {
@@ -38,11 +40,18 @@ export function SweepPage({ state, route, actions }: Props) {
             <a href={comparisonExport(sweep.id, route.baseline, "format=csv&table=designs")}>CSV</a>
           </p>
           <SweepProgress open={open} sweep={sweep} now_ms={state.now_ms} actions={actions} />
-          <Designs sweep={sweep} comparison={open.comparison} />
+          <Grid sweep={sweep} comparison={readyOf(open.comparison)} route={route} actions={actions} />
+          <Designs sweep={sweep} comparison={readyOf(open.comparison)} ticked={state.browsing.ticked} onTick={actions.browsing.tick} />
           {open.comparison !== null && (
             <Loaded of={open.comparison} what="the comparison" onRetry={actions.openSweep.reopen}>
               {(comparison) => (
-                <ComparisonPanel comparison={comparison} designs={sweep.designs} route={route} onAdjust={actions.adjust} />
+                <ComparisonPanel
+                  comparison={comparison}
+                  designs={sweep.designs}
+                  shown={route.shown}
+                  onBaseline={(baseline) => actions.adjust({ ...route, baseline })}
+                  onShown={(shown) => actions.adjust({ ...route, shown })}
+                />
               )}
             </Loaded>
           )}
@@ -52,15 +61,35 @@ export function SweepPage({ state, route, actions }: Props) {
   );
 }
 
-function Designs({ sweep, comparison }: { sweep: SweepDetail; comparison: Loadable<Comparison> | null }) {
-  const compared = comparison?.status === "ready" ? comparison.value : null;
+function readyOf(comparison: Loadable<Comparison> | null): Comparison | null {
+  return comparison?.status === "ready" ? comparison.value : null;
+}
+
+/** The grid of two fields; other sweeps are lists. */
+function Grid({ sweep, comparison, route, actions }: { sweep: SweepDetail; comparison: Comparison | null; route: SweepRoute; actions: Actions }) {
+  const grid = useMemo(() => designGrid(sweep.designs), [sweep.designs]);
+  if (grid === null) return null;
+  return <FigureGridPanel grid={grid} comparison={comparison} figure={route.figure} onFigure={(figure) => actions.adjust({ ...route, figure })} />;
+}
+
+interface DesignsProps extends Ticking {
+  sweep: SweepDetail;
+  comparison: Comparison | null;
+}
+
+function Designs({ sweep, comparison, ticked, onTick }: DesignsProps) {
   // The page's clock ticks every second, the table needn't.
-  const table = useMemo(() => <DesignTable designs={sweep.designs} comparison={compared} />, [sweep.designs, compared]);
+  const table = useMemo(() => <DesignTable designs={sweep.designs} comparison={comparison} ticked={ticked} onTick={onTick} />, [sweep.designs, comparison, ticked]);
   return (
     <section class="panel" aria-labelledby="designs-title">
       <h2 id="designs-title">Designs</h2>
       <VariedPaths designs={sweep.designs} />
       {table}
+      {ticked.length > 0 && (
+        <p class="compare-ticked">
+          {ticked.length === 1 ? "Tick another design or study to compare." : <a href={formatRoute(compareRoute([...ticked]))}>Compare the {ticked.length} ticked</a>}
+        </p>
+      )}
       <p class="quiet">
         Force: vertical, at the means of the inputs. Signal: standard deviation of the strain at the centre, in microstrain (µε, 10⁻⁶), x circumferential
         and y meridional. Best: the first of the ranking, and whether its errors leave no doubt about that. Each design links to its study.

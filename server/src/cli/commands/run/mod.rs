@@ -20,11 +20,11 @@ use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::output_place::write;
 use crate::cli::terminal::progress::{progress_bar, show};
-use crate::cli::terminal::ranked_table::report;
+use crate::cli::terminal::report::report;
 use crate::cli::terminal::signals::stop_flag;
 use crate::config::Config;
 use service::engine::{End, Engine};
-use service::export::{Export, FileFormat, Table};
+use service::export::{Export, ExportSources, FileFormat, Table};
 use service::forecast::{admit, forecast};
 use service::metrics::Metrics;
 use service::queue::{enqueue, recover};
@@ -163,7 +163,8 @@ fn write_table(path: &Path, table: Table, result: &StudyResult) -> Result<(), Fa
         format: FileFormat::Csv,
         table,
     };
-    write(path, &export.bytes(result, &[]).map_err(Failure::other)?)
+    let sources = ExportSources::of(result.clone());
+    write(path, &export.bytes(&sources).map_err(Failure::other)?)
 }
 
 /// Films' signals as a table and pictures, where the study asks for them.

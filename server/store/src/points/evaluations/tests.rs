@@ -32,6 +32,7 @@ fn solved() -> (Outcome, Cost, StartState) {
             meridional: 3,
             half_width_deg: 20.0,
         }),
+        positions: true,
         rings: [0.0, 90.0].map(RingLine::at).to_vec(),
         ..Readout::default()
     };

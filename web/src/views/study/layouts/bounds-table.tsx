@@ -1,12 +1,12 @@
-import { fixed, microstrain, significant } from "../../../lib/format.ts";
+import { fixed, microstrain, rankWords, significant } from "../../../lib/format.ts";
 import type { RankedLayout } from "../../../wire.ts";
 import { ScrollTable } from "../../shared/scroll-table.tsx";
 
 /** What results of earlier versions have: bounds alone, best first. */
-export function BoundsTable({ layouts }: { layouts: RankedLayout[] }) {
+export function BoundsTable({ layouts, csv }: { layouts: RankedLayout[]; csv: string }) {
   return (
     <>
-      <ScrollTable name="Ranked layouts">
+      <ScrollTable name="Ranked layouts" csv={csv}>
         <thead>
           <tr>
             <th scope="col">Rank</th>
@@ -27,7 +27,7 @@ export function BoundsTable({ layouts }: { layouts: RankedLayout[] }) {
         </thead>
         <tbody>
           {layouts.map((layout, k) => (
-            <Row key={k} layout={layout} />
+            <Row key={k} layout={layout} rank={rankWords(layout.rank, layouts)} />
           ))}
         </tbody>
       </ScrollTable>
@@ -40,11 +40,11 @@ export function BoundsTable({ layouts }: { layouts: RankedLayout[] }) {
   );
 }
 
-function Row({ layout }: { layout: RankedLayout }) {
+function Row({ layout, rank }: { layout: RankedLayout; rank: string }) {
   const { score } = layout;
   return (
     <tr>
-      <td class="rank">{layout.rank}</td>
+      <td class="rank">{rank}</td>
       <td>{fixed(layout.spacing_deg, Number.isInteger(layout.spacing_deg) ? 0 : 1)}</td>
       <td>{layout.units}</td>
       <td class="words">{layout.position}</td>

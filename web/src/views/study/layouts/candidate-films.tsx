@@ -1,22 +1,23 @@
 import { fixed, significant } from "../../../lib/format.ts";
 import { tauMatrix } from "../../../lib/layouts/film-criteria.ts";
-import { filmWord, short } from "../../../lib/layouts/layout-words.ts";
+import { filmWord, short, sizeWord } from "../../../lib/layouts/layout-words.ts";
 import type { CandidateFilm, OrderAgreement } from "../../../wire.ts";
 import { ScrollTable } from "../../shared/scroll-table.tsx";
 
 /** Kinds of film by several criteria, and how far these order them alike. */
-export function CandidateFilms({ films, agreement }: { films: CandidateFilm[]; agreement: OrderAgreement[] }) {
+export function CandidateFilms({ films, agreement, csv }: { films: CandidateFilm[]; agreement: OrderAgreement[]; csv: string }) {
   if (films.length === 0) return null;
   const best = Math.max(...films.map((film) => film.angle_information));
   const rows = [...films].sort((a, b) => b.angle_information - a.angle_information);
   return (
     <>
       <h3>Which film tells most</h3>
-      <ScrollTable name="Kinds of film by several criteria">
+      <ScrollTable name="Kinds of film by several criteria" csv={csv}>
         <thead>
           <tr>
             <th scope="col">Section angle °</th>
             <th scope="col">Direction</th>
+            <th scope="col">Size mm</th>
             <th scope="col">Information on the angle 1/°</th>
             <th scope="col">Information on the depth 1/mm</th>
             <th scope="col">Largest signal</th>
@@ -27,9 +28,10 @@ export function CandidateFilms({ films, agreement }: { films: CandidateFilm[]; a
         </thead>
         <tbody>
           {rows.map((film) => (
-            <tr key={`${film.section_deg} ${film.direction}`}>
+            <tr key={`${film.section_deg} ${film.direction} ${sizeWord(film)}`}>
               <th scope="row">{short(film.section_deg)}</th>
               <td>{filmWord(film.direction)}</td>
+              <td>{sizeWord(film)}</td>
               <td class={film.angle_information === best ? "best" : undefined}>
                 {significant(film.angle_information)}
                 {film.angle_information_error != null && <span class="error"> ± {significant(film.angle_information_error, 2)}</span>}

@@ -2,11 +2,13 @@ import { useState } from "preact/hooks";
 import { curves, type ShownLoad } from "../../../lib/layouts/layout-curves.ts";
 import { loadWords } from "../../../lib/layouts/layout-words.ts";
 import type { LayoutLoad, RankedLayout } from "../../../wire.ts";
+import { Figure } from "../../shared/figure.tsx";
 import { RadioChoice } from "../../shared/radio-choice.tsx";
+import { WideDrawing } from "../../shared/wide-drawing.tsx";
 import { CurveKey, LayoutPlot } from "./layout-plot.tsx";
 
 /** The plot of errors over numbers of units, at one load or the worst. */
-export function LayoutErrors({ layouts, loads }: { layouts: RankedLayout[]; loads: LayoutLoad[] }) {
+export function LayoutErrors({ study, layouts, loads }: { study: string; layouts: RankedLayout[]; loads: LayoutLoad[] }) {
   const [load, setLoad] = useState<ShownLoad>("worst");
   const scored = loads.filter((each) => each.reason == null);
   const all = curves(layouts, load);
@@ -26,8 +28,10 @@ export function LayoutErrors({ layouts, loads }: { layouts: RankedLayout[]; load
           onChoose={(value) => setLoad(value === "worst" ? value : Number(value))}
         />
       )}
-      <figure>
-        <LayoutPlot curves={all} at={at} />
+      <Figure study={study} name="layouts">
+        <WideDrawing name="Angle error over the number of units, scrolled sideways">
+          <LayoutPlot curves={all} at={at} />
+        </WideDrawing>
         <figcaption>
           <CurveKey curves={all} />
           <p class="quiet">
@@ -35,7 +39,7 @@ export function LayoutErrors({ layouts, loads }: { layouts: RankedLayout[]; load
             mesh and by the number of simulations.
           </p>
         </figcaption>
-      </figure>
+      </Figure>
     </>
   );
 }

@@ -1,24 +1,25 @@
 import { useState } from "preact/hooks";
-import { fixed, MISSING, percent } from "../../../lib/format.ts";
-import { layoutWords, LOST_DEG, short } from "../../../lib/layouts/layout-words.ts";
+import { fixed, MISSING, percent, rankWords } from "../../../lib/format.ts";
+import { filmsWords, layoutWords, LOST_DEG, short } from "../../../lib/layouts/layout-words.ts";
 import type { LayoutFindings, RankedLayout } from "../../../wire.ts";
 import { ScrollTable } from "../../shared/scroll-table.tsx";
+import { Term } from "../../shared/term/term.tsx";
 
 /** Rows before one asks for more. */
 const FEW = 20;
 
 /** Every layout at its worst load, best first. */
-export function RankedLayouts({ layouts, findings }: { layouts: RankedLayout[]; findings: LayoutFindings }) {
+export function RankedLayouts({ layouts, findings, csv }: { layouts: RankedLayout[]; findings: LayoutFindings; csv: string }) {
   const [isWhole, setWhole] = useState(false);
   const rows = isWhole ? layouts : layouts.slice(0, FEW);
   return (
     <>
       <h3>All layouts, best first</h3>
-      <ScrollTable name="Ranked layouts" isTall={isWhole}>
+      <ScrollTable name="Ranked layouts" kind="ranked-layouts" isTall={isWhole} csv={csv}>
         <Head />
         <tbody>
           {rows.map((layout, k) => (
-            <Row key={k} layout={layout} />
+            <Row key={k} layout={layout} rank={rankWords(layout.rank, layouts)} />
           ))}
         </tbody>
       </ScrollTable>
@@ -28,13 +29,13 @@ export function RankedLayouts({ layouts, findings }: { layouts: RankedLayout[]; 
         </button>
       )}
       <p class="quiet">
-        Ranked by the simulated 95th percentile of the angle error at the layout's worst load, times the root of its number of films: another film
-        must bring more than an average of more readings. Layouts whose 95th percentile is beyond {LOST_DEG}° come last. Lost: off by more than {LOST_DEG}°.
-        Bound: Cramér–Rao, at the worst angle. Most alike: the two contacts more than {LOST_DEG}° apart whose readings differ least, in standard
+        Ranked by the simulated <Term of="95 % of contacts">95th percentile</Term> of the angle error at the layout's worst load, times the root of its number of films: another film
+        must bring more than an average of more readings. Layouts whose 95th percentile is beyond {LOST_DEG}° come last. <Term of="lost share">Lost</Term>: off by more than {LOST_DEG}°.
+        Bound: <Term of="Cramér–Rao bound">Cramér–Rao</Term>, at the worst angle. Most alike: the two contacts more than {LOST_DEG}° apart whose readings differ least, in standard
         deviations of the noise; below about 3 they are mistaken for each other.
         {findings.tau_of_bound != null &&
           ` The order by the bound agrees with this one with Kendall's tau of ${short(findings.tau_of_bound, 2)}.`}{" "}
-        Mesh: {findings.level}
+        {filmsWords(findings.size_mm, findings.unit)} Mesh: {findings.level}
         {findings.coarser_level == null ? ", without a coarser one for its error." : `, its error from ${findings.coarser_level}.`}
       </p>
     </>
@@ -64,12 +65,12 @@ function Head() {
   );
 }
 
-function Row({ layout }: { layout: RankedLayout }) {
+function Row({ layout, rank }: { layout: RankedLayout; rank: string }) {
   const { score } = layout;
   const doubt = layout.doubt ?? score.reason;
   return (
     <tr>
-      <td class="rank">{layout.rank}</td>
+      <td class="rank">{rank}</td>
       <td class="words">{layout.rank_certain == null ? MISSING : layout.rank_certain ? "yes" : "no"}</td>
       <th scope="row" class="words layout-name">
         {layoutWords(layout)}

@@ -27,7 +27,7 @@ export function SearchesTable({ searches, layouts }: { searches: LayoutSearch[];
           {searches.map((search) => {
             const layout = withPlaces(layouts, search.best);
             return (
-              <tr key={search.films}>
+              <tr key={`${search.films} ${search.criterion}`}>
                 <td>{search.films}</td>
                 <td class="words">{placesWords(search.best)}</td>
                 <td>{short(search.bayes_angle_error_deg)}</td>
@@ -37,7 +37,7 @@ export function SearchesTable({ searches, layouts }: { searches: LayoutSearch[];
                 </td>
                 <td>{layout?.rank}</td>
                 <td class="words">
-                  {search.method}, {integer(search.looked_at)} layouts on {search.places} places
+                  by {search.criterion}, {search.method}, {integer(search.looked_at)} layouts on {search.places} places
                 </td>
               </tr>
             );
@@ -45,7 +45,8 @@ export function SearchesTable({ searches, layouts }: { searches: LayoutSearch[];
         </tbody>
       </ScrollTable>
       <p class="quiet">
-        Searched by the bound with a flat prior over angles and loads, which doesn't see every contact that is mistaken for another: the simulation beside it does.
+        By bound: the bound of the angle with a flat prior over angles and loads, which knows nothing of contacts that are mistaken for others. By interval
+        errors: beside it, the chance that a contact at the least load is taken for one more than 20° off. The simulation beside both decides.
       </p>
     </>
   );

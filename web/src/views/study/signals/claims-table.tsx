@@ -1,4 +1,4 @@
-import { different } from "../../../lib/signals/film-curves.ts";
+import { different } from "../../../lib/study/signals/film-curves.ts";
 import type { ClaimRow } from "../../../wire.ts";
 import { ScrollTable } from "../../shared/scroll-table.tsx";
 

@@ -1,5 +1,6 @@
 import { fixed, significant, ticks } from "../../../lib/format.ts";
-import { DRAWN, type Drawn, type FilmCurve, type FilmPoint, type Panel } from "../../../lib/signals/film-curves.ts";
+import { DRAWN, type Drawn, type FilmCurve, type FilmPoint, type Panel } from "../../../lib/study/signals/film-curves.ts";
+import { Figure } from "../../shared/figure.tsx";
 
 const WIDTH = 460;
 const HEIGHT = 230;
@@ -16,12 +17,12 @@ const scale = ([low, high]: [number, number], from: number, to: number): Scale =
   from + ((to - from) * (value - low)) / (high - low);
 
 /** Volts of films along one direction: coupled ones by the left scale, bare ones, which read far more, by the right one. */
-export function FilmPlot({ panel }: { panel: Panel }) {
+export function FilmPlot({ panel, study }: { panel: Panel; study: string }) {
   const x = scale(panel.range, LEFT, WIDTH - RIGHT);
   const heights = { bare: heightOf(panel, "bare"), coupled: heightOf(panel, "coupled") };
   const name = `Volts of films along ${panel.direction} in the ${panel.tire} tire over ${AXES[panel.over]}`;
   return (
-    <figure>
+    <Figure study={study} name={`volts ${panel.tire} ${panel.direction} over ${panel.over}`}>
       <figcaption>
         {panel.tire} tire, films along {panel.direction}
       </figcaption>
@@ -31,7 +32,7 @@ export function FilmPlot({ panel }: { panel: Panel }) {
           <Curve key={`${curve.position} ${curve.film}`} curve={curve} x={x} y={heights[curve.film]} />
         ))}
       </svg>
-    </figure>
+    </Figure>
   );
 }
 

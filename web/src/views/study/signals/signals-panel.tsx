@@ -1,10 +1,10 @@
-import { different, panels } from "../../../lib/signals/film-curves.ts";
+import { different, panels } from "../../../lib/study/signals/film-curves.ts";
 import type { Signals } from "../../../wire.ts";
 import { ClaimsTable } from "./claims-table.tsx";
 import { FilmKey, FilmPlot } from "./film-plot.tsx";
 
 /** Volts of films over load, pressure and contact angle, and what holds of what is claimed of them. */
-export function SignalsPanel({ signals }: { signals: Signals }) {
+export function SignalsPanel({ signals, study }: { signals: Signals; study: string }) {
   const positions = different(signals.rows.map((row) => row.position));
   return (
     <section class="panel" aria-labelledby="signals-title">
@@ -19,7 +19,7 @@ export function SignalsPanel({ signals }: { signals: Signals }) {
       <FilmKey positions={positions} />
       <div class="charts signal-charts">
         {panels(signals.rows, ["load", "pressure", "contact"]).map((panel) => (
-          <FilmPlot key={`${panel.tire} ${panel.direction} ${panel.over}`} panel={panel} />
+          <FilmPlot key={`${panel.tire} ${panel.direction} ${panel.over}`} panel={panel} study={study} />
         ))}
       </div>
     </section>

@@ -1,0 +1,19 @@
+//! From ranked locations and layouts to the answer in a sentence: what the program, the exports and the dashboard tell alike.
+//!
+//! - `figure_words`: figures with their errors, as they stand in sentences
+//! - `first_rank`: how sure a first rank is
+//! - `best_place`, `best_layout`: the first ranks, their verdicts and reasons
+//! - `layout_words`: what a layout is, in words
+//! - `left_out_words`: what is left out, as a sentence
+//! - `whole_answer`: all of it together
+
+mod best_layout;
+mod best_place;
+mod figure_words;
+mod first_rank;
+mod layout_words;
+mod left_out_words;
+mod whole_answer;
+
+pub(crate) use left_out_words::effect_notes;
+pub(crate) use whole_answer::answer_of;

@@ -1,0 +1,57 @@
+//! What films read around the wheel, as exactly as layouts are scored by it.
+
+use serde::{Deserialize, Serialize};
+
+/// Signals of every kind of film at every load of a study's layouts.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct FilmFields {
+    /// What signals are in: `strain`, or `V` of glued films.
+    pub unit: String,
+    /// Length and width of every film, mm; null: points.
+    pub size_mm: Option<[f64; 2]>,
+    /// Errors of a reading.
+    pub noise: FilmNoise,
+    /// Kinds of film; the lists of a load are in their order.
+    pub kinds: Vec<FilmKindPlace>,
+    /// Loads that were reached.
+    pub loads: Vec<FieldLoad>,
+}
+
+/// Errors of a film's reading: the variance of one of signal h is floor² + (gain h)² + (place dh/du)².
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct FilmNoise {
+    /// Standard deviation whatever the signal, in its unit.
+    pub floor: f64,
+    /// Standard deviation of the gain, relative.
+    pub gain_std: f64,
+    /// Standard deviation of the film's place around the wheel, degrees.
+    pub place_std_deg: f64,
+}
+
+/// Where in the section a film lies, and how it is turned.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct FilmKindPlace {
+    /// Section angle from the crown, degrees.
+    pub phi_deg: f64,
+    /// Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.
+    pub angle_deg: f64,
+}
+
+/// What films read at one load.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct FieldLoad {
+    /// How far the ground stands above the inflated outer radius, mm.
+    pub depth_mm: f64,
+    /// Vertical force, N.
+    pub load_n: Option<f64>,
+    /// Its derivative by the depth, N/mm.
+    pub force_slope_n_per_mm: f64,
+    /// Signal of each kind: a sample for each degree from the contact to the film, from -180 on.
+    pub signals: Vec<Vec<f64>>,
+    /// Its derivative by the depth, per mm: as many samples.
+    pub slopes_per_mm: Vec<Vec<f64>>,
+}

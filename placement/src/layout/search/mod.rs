@@ -1,0 +1,5 @@
+//! Layouts of so many films out of many places: [`layout_search`] goes by a [`search_criterion`], and keeps the [`best_layouts`].
+
+pub mod best_layouts;
+pub mod layout_search;
+pub mod search_criterion;

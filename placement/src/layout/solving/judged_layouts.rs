@@ -1,0 +1,292 @@
+//! From the fields of both meshes to ranked layouts and what they show.
+
+use fem_client::scene::Level;
+use fem_client::solver::Coarser;
+
+use crate::layout::arrangement::FilmKind;
+use crate::layout::field::film_field::{LoadField, Noise};
+use crate::layout::fisher::dense_ring::knee;
+use crate::layout::layout_settings::{Layouts, NoiseFloor, direction_name};
+use crate::layout::opinions::candidate_films::{agreement, candidates};
+use crate::layout::ranking::asked_layouts::{AskedLayout, Kinds};
+use crate::layout::ranking::layout_order::{front, rank, tau_of_bound, with_scores};
+use crate::layout::ranking::layout_scores::Scorer;
+use crate::layout::simulate::simulation::SAMPLES;
+use crate::layout::solving::layout_fields::MeshFields;
+use crate::layout::solving::layout_scenes::{LayoutScenes, Pressed};
+use crate::layout::solving::on_threads::in_parallel;
+use crate::layout::solving::searched_layouts::search;
+use crate::layout::solving::study_layouts::Asked;
+use crate::result::{Knee, LayoutFindings, LayoutLoad, LoadShear, RankedLayout, StrainRing};
+use crate::run::{RunContext, RunError};
+use crate::study::Study;
+
+/// What was solved on both meshes.
+pub(crate) struct Answer<'s> {
+    pub level: Level,
+    pub scenes: &'s LayoutScenes,
+    pub fine: MeshFields,
+    pub coarse: Option<(MeshFields, Coarser)>,
+}
+
+impl Answer<'_> {
+    pub fn filled(
+        &self,
+        study: &Study,
+        mut asked: Asked,
+        context: RunContext<'_>,
+    ) -> Result<(Vec<RankedLayout>, LayoutFindings), RunError> {
+        let settings = &study.layouts;
+        let noise = noise(settings, &self.fine);
+        let depths = self.depths();
+        let searches = search(
+            settings,
+            &mut asked,
+            &self.fine.fields,
+            &depths,
+            &noise,
+            context,
+        )
+        .ok_or(RunError::Stopped)?;
+        let fine = self.scorer(&self.fine, &asked, study);
+        let coarse = self
+            .coarse
+            .as_ref()
+            .map(|(fields, coarser)| (self.scorer(fields, &asked, study), coarser.factor));
+        let load_rows = self.loads(settings, study, &mut asked.kinds, &noise);
+        let scored = in_parallel(asked.layouts.len(), context, |i| {
+            let AskedLayout { arrangement, label } = &asked.layouts[i];
+            let coarse = coarse
+                .as_ref()
+                .map(|(scorer, factor)| (scorer.figures(arrangement), *factor));
+            let coarse = coarse
+                .as_ref()
+                .map(|(scores, factor)| (&scores[..], *factor));
+            with_scores(label.clone(), &load_rows, fine.scores(arrangement), coarse)
+        });
+        let mut layouts = scored.ok_or(RunError::Stopped)?;
+        rank(&mut layouts);
+        let candidate_kinds: Vec<FilmKind> = asked
+            .candidates
+            .iter()
+            .map(|&kind| asked.kinds.all()[kind])
+            .collect();
+        let of_candidates = |fields: &MeshFields| fields.fields.of_kinds(&asked.candidates);
+        let coarse_fields = self.coarse.as_ref().map(|(fields, coarser)| {
+            (
+                of_candidates(fields),
+                self::noise(settings, fields),
+                coarser.factor,
+            )
+        });
+        let coarse_fields = coarse_fields
+            .as_ref()
+            .map(|(fields, noise, factor)| (fields, noise, *factor));
+        let candidates = candidates(
+            &candidate_kinds,
+            &of_candidates(&self.fine),
+            &depths,
+            &noise,
+            coarse_fields,
+        );
+        let findings = LayoutFindings {
+            level: self.level.as_str().to_owned(),
+            unit: settings.unit().to_owned(),
+            size_mm: settings.size_mm,
+            coarser_level: self
+                .coarse
+                .as_ref()
+                .map(|(_, coarser)| coarser.level.as_str().to_owned()),
+            front: front(&layouts),
+            tau_of_bound: tau_of_bound(&layouts),
+            searches,
+            agreement: agreement(&candidates),
+            candidates,
+            rings: self.rings(&asked),
+            loads: load_rows,
+            reasons: self.fine.without_shear.clone(),
+        };
+        Ok((layouts, findings))
+    }
+
+    /// Depths of the loads that were reached on both meshes, mm.
+    fn depths(&self) -> Vec<f64> {
+        self.fine.loads.iter().flatten().copied().collect()
+    }
+
+    fn scorer(&self, fields: &MeshFields, asked: &Asked, study: &Study) -> Scorer {
+        let arrangements = asked.layouts.iter().map(|layout| &layout.arrangement);
+        // At the fine mesh's depths: a load's depth differs a little between meshes, and its scores are compared.
+        Scorer::new(
+            &fields.fields,
+            noise(&study.layouts, fields),
+            self.depths(),
+            arrangements,
+            (study.method.seed, samples(self.level)),
+            study.layouts.dead,
+        )
+    }
+
+    fn loads(
+        &self,
+        settings: &Layouts,
+        study: &Study,
+        kinds: &mut Kinds,
+        noise: &Noise,
+    ) -> Vec<LayoutLoad> {
+        let row =
+            |(pressed, reached): (&Pressed, &Result<f64, String>)| {
+                let asked_n = match pressed {
+                    Pressed::Force(force) => Some(*force),
+                    Pressed::Depth(_) => None,
+                };
+                let asked_mm = match pressed {
+                    Pressed::Depth(depth) => Some(*depth),
+                    Pressed::Force(_) => None,
+                };
+                match reached {
+                    Err(reason) => LayoutLoad {
+                        depth_mm: asked_mm,
+                        load_n: asked_n,
+                        force_slope_n_per_mm: None,
+                        shear: None,
+                        knees: Vec::new(),
+                        reason: Some(reason.clone()),
+                    },
+                    Ok(depth) => {
+                        let field = self.fine.fields.at(*depth);
+                        LayoutLoad {
+                            depth_mm: Some(*depth),
+                            load_n: Some(asked_n.unwrap_or(field.force_n)),
+                            force_slope_n_per_mm: Some(field.force_slope),
+                            shear: self.fine.fields.with_shear(*depth).map(|(_, shear)| {
+                                LoadShear {
+                                    slopes_n_per_mm: shear.force_slopes,
+                                    sliding_n: shear.sliding_n,
+                                }
+                            }),
+                            knees: knees(settings, study, kinds, &field, noise),
+                            reason: None,
+                        }
+                    }
+                }
+            };
+        self.scenes
+            .loads
+            .iter()
+            .zip(&self.fine.loads)
+            .map(row)
+            .collect()
+    }
+
+    /// Strains and slopes at the load in the middle, of every kind of film that layouts have.
+    fn rings(&self, asked: &Asked) -> Vec<StrainRing> {
+        let depths = self.depths();
+        let Some(&depth_mm) = depths.get(depths.len() / 2) else {
+            return Vec::new();
+        };
+        let mut used: Vec<usize> = asked
+            .layouts
+            .iter()
+            .flat_map(|layout| &layout.arrangement.films)
+            .map(|film| film.kind)
+            .collect();
+        used.sort_unstable();
+        used.dedup();
+        let fine = self.fine.fields.at(depth_mm);
+        let coarse = self
+            .coarse
+            .as_ref()
+            .map(|(fields, coarser)| (fields.fields.at(depth_mm), coarser.factor));
+        let ring = |&kind: &usize| {
+            let of = |field: &LoadField| {
+                [
+                    field.kinds[kind].signal.samples().to_vec(),
+                    field.kinds[kind].slopes[0].samples().to_vec(),
+                ]
+            };
+            let [strain, by_depth] = of(&fine);
+            let errors = coarse.as_ref().map(|(field, factor)| {
+                let [coarse_strain, coarse_slope] = of(field);
+                [
+                    largest_difference(&strain, &coarse_strain),
+                    largest_difference(&by_depth, &coarse_slope),
+                ]
+                .map(|error| factor * error)
+            });
+            let FilmKind {
+                phi_deg, angle_deg, ..
+            } = asked.kinds.all()[kind];
+            StrainRing {
+                section_deg: phi_deg,
+                direction: direction_name(angle_deg),
+                depth_mm,
+                strain: strain.into_iter().map(to_nanostrain).collect(),
+                by_depth: by_depth.into_iter().map(to_nanostrain).collect(),
+                strain_error: errors.map(|errors| errors[0]),
+                by_depth_error: errors.map(|errors| errors[1]),
+            }
+        };
+        used.iter().map(ring).collect()
+    }
+}
+
+fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max)
+}
+
+/// Rounded to a tenth of what a solve leaves open in a strain.
+fn to_nanostrain(strain: f64) -> f64 {
+    (strain * 1e9).round() / 1e9 + 0.0
+}
+
+/// Errors of a film's reading on a mesh.
+pub(crate) fn noise(settings: &Layouts, fields: &MeshFields) -> Noise {
+    Noise {
+        floor: match settings.noise.floor {
+            NoiseFloor::Share(share) => share * fields.crown,
+            NoiseFloor::Strain(floor) | NoiseFloor::Volts(floor) => floor,
+        },
+        gain_std: settings.noise.gain_std,
+        place_std_deg: settings.noise.place_std_deg,
+    }
+}
+
+/// The knee of every section angle and set of films.
+fn knees(
+    settings: &Layouts,
+    study: &Study,
+    kinds: &mut Kinds,
+    field: &LoadField,
+    noise: &Noise,
+) -> Vec<Knee> {
+    let mut knees = Vec::new();
+    for section_deg in settings.sections_deg() {
+        for set in settings.sets(study.directions) {
+            let of_set: Vec<usize> = set
+                .iter()
+                .map(|&angle_deg| kinds.laid(section_deg, angle_deg))
+                .collect();
+            knees.extend(knee(field, &of_set, noise).map(|found| Knee {
+                section_deg,
+                films: set.iter().map(|angle| direction_name(*angle)).collect(),
+                units: found.units,
+                dense_deg: found.dense_deg,
+                of_60_deg: found.of_60_deg,
+            }));
+        }
+    }
+    knees
+}
+
+/// Simulated readings of a layout at a load: fewer where the mesh is rougher, too.
+pub(crate) fn samples(level: Level) -> usize {
+    match level {
+        Level::Draft => SAMPLES / 4,
+        Level::Coarse => SAMPLES / 2,
+        Level::Standard | Level::Reference => SAMPLES,
+    }
+}

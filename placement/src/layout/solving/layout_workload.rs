@@ -1,0 +1,85 @@
+//! What judging a study's layouts takes: the scenes of each mesh, and how often a layout is scored.
+
+use fem_client::scene::{Level, Scene};
+use fem_client::solver::{Coarser, Readout, Solver};
+
+use crate::layout::search::search_criterion::SearchCriterion;
+use crate::layout::solving::glued_films::GluedFilms;
+use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
+use crate::layout::solving::shear_fields::mirrored;
+use crate::layout::solving::study_layouts::Asked;
+use crate::signals::answers::check_transferable;
+use crate::study::Study;
+use crate::study::plan::Plan;
+
+/// The level of a study's layouts, and the coarser one that shows its error.
+pub(crate) fn levels(study: &Study, plan: &Plan, solver: &dyn Solver) -> (Level, Option<Coarser>) {
+    let mut scene = plan.points[0].clone();
+    scene.model.level = study.layouts.level_on(study.level);
+    (scene.model.level, solver.coarser(&scene))
+}
+
+/// All that is solved for a study's layouts: the scenes of each mesh, and what is read of them.
+pub(crate) fn layout_series(
+    study: &Study,
+    plan: &Plan,
+    solver: &dyn Solver,
+) -> Vec<(Vec<Scene>, Readout)> {
+    if !study.layouts.is_asked() {
+        return Vec::new();
+    }
+    let Ok(scenes) = LayoutScenes::of(&study.layouts, &plan.points[0]) else {
+        return Vec::new();
+    };
+    let asked = Asked::of(study);
+    let kinds = asked.kinds.all();
+    let (level, coarser) = levels(study, plan, solver);
+    let levels = std::iter::once(level).chain(coarser.map(|coarser| coarser.level));
+    let glued = study.layouts.glued.as_ref();
+    let glued = glued.filter(|film| check_transferable(film).is_ok());
+    let mut series = Vec::new();
+    for level in levels {
+        series.push((scenes.scenes(level), readout(kinds)));
+        if let Some(film) = glued {
+            let films = GluedFilms::new(film, &scenes, kinds, level);
+            series.extend(films.series().map(|scenes| (scenes, Readout::default())));
+        }
+        if study.layouts.shear {
+            series.push((scenes.sheared(level), mirrored(kinds)));
+        }
+    }
+    series
+}
+
+/// Films of the largest layout.
+pub(crate) fn largest_layout(study: &Study) -> usize {
+    let asked = Asked::of(study)
+        .layouts
+        .into_iter()
+        .map(|layout| layout.arrangement.films.len());
+    let searched = study
+        .layouts
+        .search
+        .iter()
+        .flat_map(|search| search.films.iter().copied());
+    asked.chain(searched).max().unwrap_or(0)
+}
+
+/// How often a layout is scored at a load on a mesh: those that a search finds, and those with a film dead, are scored, too.
+pub(crate) fn scorings(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize {
+    let meshes = match study.layouts.is_asked() {
+        true => 1 + usize::from(levels(study, plan, solver).1.is_some()),
+        false => 0,
+    };
+    let loads =
+        LayoutScenes::of(&study.layouts, &plan.points[0]).map_or(0, |scenes| scenes.loads.len());
+    let simulated = SearchCriterion::ALL.map(SearchCriterion::simulated);
+    let simulated: usize = simulated.iter().sum();
+    let found = study
+        .layouts
+        .search
+        .as_ref()
+        .map_or(0, |search| search.films.len() * simulated);
+    let layouts = Asked::of(study).layouts.len() + found;
+    layouts * loads * (meshes + usize::from(study.layouts.dead && meshes > 0))
+}

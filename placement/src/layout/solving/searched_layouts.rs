@@ -1,0 +1,93 @@
+//! Layouts that a study has searched for.
+
+use crate::layout::arrangement::LaidFilm;
+use crate::layout::field::film_field::{DepthFields, LoadField, Noise};
+use crate::layout::layout_settings::Layouts;
+use crate::layout::ranking::asked_layouts::{AskedLayout, listed};
+use crate::layout::search::best_layouts::Findings;
+use crate::layout::search::layout_search::SearchPlaces;
+use crate::layout::search::search_criterion::{SearchCriterion, SearchFields};
+use crate::layout::solving::on_threads::in_parallel;
+use crate::layout::solving::study_layouts::Asked;
+use crate::result::LayoutSearch;
+use crate::run::RunContext;
+
+/// Depths of the study that a contact may be taken for.
+const OTHER_DEPTHS: usize = 8;
+
+/// Searches for the best layouts of each number of films by each criterion, and adds them to those that are scored; `None` when the study is stopped.
+pub(crate) fn search(
+    settings: &Layouts,
+    asked: &mut Asked,
+    fields: &DepthFields,
+    depths_mm: &[f64],
+    noise: &Noise,
+    context: RunContext<'_>,
+) -> Option<Vec<LayoutSearch>> {
+    let Some(search) = &settings.search else {
+        return Some(Vec::new());
+    };
+    let loads: Vec<LoadField> = depths_mm.iter().map(|depth| fields.at(*depth)).collect();
+    let fields = SearchFields {
+        loads: &loads,
+        others: &fields.evenly(OTHER_DEPTHS),
+    };
+    let searches = SearchCriterion::ALL.map(|criterion| {
+        let places = SearchPlaces::new(asked.places.clone(), criterion, &fields, noise);
+        (criterion, places)
+    });
+    let numbers = search.films.iter();
+    let tasks: Vec<(usize, &(SearchCriterion, SearchPlaces))> = numbers
+        .flat_map(|&films| searches.iter().map(move |search| (films, search)))
+        .collect();
+    let found = in_parallel(tasks.len(), context, |task| {
+        let (films, (_, places)) = tasks[task];
+        places.search(films)
+    })?;
+    let reports = tasks
+        .iter()
+        .zip(&found)
+        .map(|((films, search), found)| report(*films, search, found, asked));
+    Some(reports.collect())
+}
+
+/// What one search found, whose layouts are added to those that are scored, each once.
+fn report(
+    films: usize,
+    (criterion, places): &(SearchCriterion, SearchPlaces),
+    found: &Findings,
+    asked: &mut Asked,
+) -> LayoutSearch {
+    let laid = |found: &[usize]| -> Vec<LaidFilm> {
+        found.iter().map(|&place| places.film(place)).collect()
+    };
+    for (k, layout) in found.best.iter().take(criterion.simulated()).enumerate() {
+        let by = match criterion {
+            SearchCriterion::Bound => "",
+            SearchCriterion::IntervalErrors => " by interval errors",
+        };
+        let name = format!("best {films} films{by}, {}", k + 1);
+        let layout = listed(name, laid(&layout.places), &asked.kinds);
+        let is_known = |known: &AskedLayout| known.arrangement == layout.arrangement;
+        if !asked.layouts.iter().any(is_known) {
+            asked.layouts.push(layout);
+        }
+    }
+    let best = &found.best[0];
+    LayoutSearch {
+        films,
+        places: places.count(),
+        method: match found.is_exhaustive {
+            true => "exhaustive",
+            false => "greedy and exchange",
+        }
+        .to_owned(),
+        criterion: criterion.as_str().to_owned(),
+        looked_at: found.looked_at,
+        bayes_angle_error_deg: places.bound_deg(&best.places),
+        best: laid(&best.places)
+            .iter()
+            .map(|film| asked.kinds.place(film))
+            .collect(),
+    }
+}

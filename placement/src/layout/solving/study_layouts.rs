@@ -1,0 +1,32 @@
+//! Layouts, kinds of film and places of the search, as a study's document asks for them.
+
+use crate::layout::arrangement::LaidFilm;
+use crate::layout::layout_settings::farthest_section_deg;
+use crate::layout::ranking::asked_layouts::{AskedLayout, Kinds, asked_layouts, search_films};
+use crate::study::Study;
+
+/// Layouts, kinds of film and places of the search, as a document asks for them.
+#[derive(Clone)]
+pub(crate) struct Asked {
+    pub kinds: Kinds,
+    pub layouts: Vec<AskedLayout>,
+    pub candidates: Vec<usize>,
+    pub places: Vec<LaidFilm>,
+}
+
+impl Asked {
+    pub fn of(study: &Study) -> Self {
+        let geometry = &study.scene.geometry;
+        let mut kinds = Kinds::of_crown(geometry, study.layouts.size_mm, study.layouts.reads());
+        let layouts = asked_layouts(&study.layouts, study.directions, &mut kinds);
+        let search = study.layouts.search.as_ref();
+        let places = search.map_or_else(Vec::new, |search| search_films(search, &mut kinds));
+        let farthest = farthest_section_deg(geometry);
+        Self {
+            candidates: kinds.candidates(farthest, &study.layouts.candidate_sizes_mm),
+            kinds,
+            layouts,
+            places,
+        }
+    }
+}

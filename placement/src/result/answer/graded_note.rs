@@ -1,0 +1,86 @@
+//! What the user must know before believing the numbers, with what it does to them.
+
+use serde::{Deserialize, Serialize};
+
+/// What a note does to the answer; gravest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum Grade {
+    /// Who reads on without it may glue films elsewhere.
+    ChangesAnswer,
+    /// A figure means something else, or is less sure, than it seems.
+    BearsOnFigure,
+    /// True, and without consequence.
+    ForTheRecord,
+}
+
+impl Grade {
+    /// All of them, gravest first.
+    pub const ALL: [Self; 3] = [Self::ChangesAnswer, Self::BearsOnFigure, Self::ForTheRecord];
+
+    /// In words, for people.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::ChangesAnswer => "changes the answer",
+            Self::BearsOnFigure => "bears on a figure",
+            Self::ForTheRecord => "for the record",
+        }
+    }
+}
+
+/// The part of a result that a note is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Topic {
+    /// The ranked locations.
+    Place,
+    /// The ranked layouts.
+    Layout,
+    /// The map over the inner surface.
+    Map,
+    /// The sensitivity indices.
+    Indices,
+    /// Films' signals.
+    Signals,
+    /// What is modelled, and what is left out.
+    Model,
+    /// What the study took.
+    Cost,
+}
+
+/// A note with its grade.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct GradedNote {
+    /// What it does to the answer.
+    pub grade: Grade,
+    /// What it is about.
+    pub about: Topic,
+    /// Whole sentences.
+    pub text: String,
+}
+
+impl GradedNote {
+    /// A note that changes the answer.
+    pub fn changing(about: Topic, text: impl Into<String>) -> Self {
+        Self::of(Grade::ChangesAnswer, about, text)
+    }
+
+    /// A note that bears on a figure.
+    pub fn bearing(about: Topic, text: impl Into<String>) -> Self {
+        Self::of(Grade::BearsOnFigure, about, text)
+    }
+
+    /// A note for the record.
+    pub fn record(about: Topic, text: impl Into<String>) -> Self {
+        Self::of(Grade::ForTheRecord, about, text)
+    }
+
+    /// A note of a grade.
+    pub fn of(grade: Grade, about: Topic, text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self { grade, about, text }
+    }
+}

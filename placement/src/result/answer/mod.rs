@@ -1,0 +1,9 @@
+//! The answer in a sentence with its verdict, and what the reader must know beside it, graded.
+
+mod certainty_word;
+mod graded_note;
+mod study_answer;
+
+pub use certainty_word::Certainty;
+pub use graded_note::{Grade, GradedNote, Topic};
+pub use study_answer::{Answer, LayoutAnswer, LeftOut, PlaceAnswer, Surer};

@@ -1,0 +1,1 @@
+"""Fields over the wheel, from what a study has stored."""

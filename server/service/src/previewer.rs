@@ -1,0 +1,189 @@
+//! Previews: a study's places on the draft mesh, solved at once and forgotten.
+//!
+//! One at a time in the whole service, beside the queue and with a solver of its own, so that what a running study shares between its solves stays. A newer preview
+//! stops the one before; so does a client that goes away.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use fem_client::solver::Solver;
+use placement::ladder::preview;
+use placement::run::memory::MemoryArchive;
+use placement::run::{RunContext, RunError, run};
+use placement::study::Study;
+use placement::study::plan::{PlanError, PlannedStudy};
+use tokio::sync::{Notify, OwnedMutexGuard, oneshot};
+
+use crate::shutdown::Shutdown;
+use crate::wire::preview_wire::Preview;
+
+/// A preview that takes longer is of no use to somebody who writes.
+pub const LIMIT: Duration = Duration::from_secs(10);
+
+/// Points that a preview may ask for at first. A draft solve takes about 8 ms of a core: on two cores so many take two seconds, and on one busy core less than the limit.
+const MOST_POINTS: usize = 500;
+
+/// Why there is no preview.
+#[derive(Debug, thiserror::Error)]
+pub enum PreviewError {
+    /// The design is too large.
+    #[error(
+        "a preview solves at most {MOST_POINTS} points, and this document asks for about {points}: submit it, or preview it with method.kind = \"mdrm\""
+    )]
+    TooLarge {
+        /// Points that it asks for, or somewhat more.
+        points: usize,
+    },
+    /// It can't be planned.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// Its loads have no equilibrium, or the solver refuses them.
+    #[error("there is no preview of this document: {cause}")]
+    Unsolved {
+        /// Which load, how far it got.
+        cause: String,
+    },
+    /// A newer one was asked for.
+    #[error("superseded: a newer preview was asked for")]
+    Superseded,
+    /// It took too long.
+    #[error("the preview took longer than {} s: submit the document as a study", LIMIT.as_secs())]
+    OverTime,
+    /// The service ends.
+    #[error("the service is stopping")]
+    Stopping,
+    /// A panic, or no thread.
+    #[error("the preview broke; the service's log says why")]
+    Broken,
+}
+
+/// Solves previews.
+pub struct Previewer {
+    solver: Arc<dyn Solver>,
+    threads: usize,
+    shutdown: Shutdown,
+    newest: Mutex<Option<Arc<Asked>>>,
+    turn: Arc<tokio::sync::Mutex<()>>,
+}
+
+/// One preview that was asked for.
+#[derive(Default)]
+struct Asked {
+    stop: AtomicBool,
+    superseded: Notify,
+}
+
+/// Stops a preview that nobody waits for any more.
+struct Waiting(Arc<Asked>);
+
+impl Drop for Waiting {
+    fn drop(&mut self) {
+        self.0.stop.store(true, Ordering::Relaxed);
+    }
+}
+
+impl Previewer {
+    /// A previewer with a solver of its own, on so many threads, until `shutdown`.
+    pub fn new(solver: Arc<dyn Solver>, threads: usize, shutdown: Shutdown) -> Self {
+        Self {
+            solver,
+            threads,
+            shutdown,
+            newest: Mutex::default(),
+            turn: Arc::default(),
+        }
+    }
+
+    /// Solves a study's places on the draft mesh.
+    ///
+    /// # Errors
+    /// See [`PreviewError`].
+    pub async fn preview(&self, study: &Study) -> Result<Preview, PreviewError> {
+        let begun = Instant::now();
+        let preview = preview::Preview::of(study);
+        let points = preview.study.method.first_points(study.inputs.len());
+        if points > MOST_POINTS {
+            return Err(PreviewError::TooLarge { points });
+        }
+        let asked = Arc::new(Asked::default());
+        let _waiting = Waiting(asked.clone());
+        self.supersede(&asked);
+        let mut shutdown = self.shutdown.clone();
+        tokio::select! {
+            answer = self.answer(preview, &asked, begun) => answer,
+            () = asked.superseded.notified() => Err(PreviewError::Superseded),
+            () = tokio::time::sleep(LIMIT) => Err(PreviewError::OverTime),
+            () = shutdown.wait() => Err(PreviewError::Stopping),
+        }
+    }
+
+    /// Stops the preview before this one.
+    fn supersede(&self, asked: &Arc<Asked>) {
+        let mut newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(before) = newest.replace(asked.clone()) {
+            before.stop.store(true, Ordering::Relaxed);
+            before.superseded.notify_one();
+        }
+    }
+
+    /// Solves on a thread of its own once the one before has ended, which it does within a Newton iteration.
+    async fn answer(
+        &self,
+        preview: preview::Preview,
+        asked: &Arc<Asked>,
+        begun: Instant,
+    ) -> Result<Preview, PreviewError> {
+        let turn = self.turn.clone().lock_owned().await;
+        let (tell, told) = oneshot::channel();
+        let (solver, threads, asked) = (self.solver.clone(), self.threads, asked.clone());
+        let work = move || {
+            let turn: OwnedMutexGuard<()> = turn;
+            let answer = solved(&preview, solver.as_ref(), threads, &asked.stop, begun);
+            drop(turn);
+            // Nobody listens to a preview that was stopped.
+            let _ = tell.send(answer);
+        };
+        let thread = std::thread::Builder::new().name("preview".to_owned());
+        if let Err(error) = thread.spawn(work) {
+            tracing::error!(%error, "no thread could be started for a preview");
+        }
+        told.await.unwrap_or(Err(PreviewError::Broken))
+    }
+}
+
+fn solved(
+    preview: &preview::Preview,
+    solver: &dyn Solver,
+    threads: usize,
+    stop: &AtomicBool,
+    begun: Instant,
+) -> Result<Preview, PreviewError> {
+    let PlannedStudy { study, plan } = PlannedStudy::new(preview.study.clone())?;
+    let context = RunContext {
+        solver,
+        archive: &MemoryArchive::default(),
+        threads,
+        stop,
+        pause: None,
+        observer: &|_| {},
+    };
+    let result = run(&study, &plan, context).map_err(|error| match error {
+        RunError::Stopped => PreviewError::Superseded,
+        error => PreviewError::Unsolved {
+            cause: error.to_string(),
+        },
+    })?;
+    Ok(Preview {
+        claim: "none".to_owned(),
+        level: study.level.as_str().to_owned(),
+        wall_s: begun.elapsed().as_secs_f64(),
+        solves: result.cost.solves,
+        left_out: preview.left_out.clone(),
+        inputs: result.inputs,
+        locations: result.locations,
+        cut_point: result.cut_point,
+        map: result.map,
+        notes: result.notes,
+    })
+}

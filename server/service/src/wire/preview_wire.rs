@@ -1,0 +1,30 @@
+//! What a document would find, roughly and at once.
+
+use placement::result::{CutPoint, IndexMap, InputReport, RankedLocation};
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+/// A study's places on the draft mesh. It claims nothing: no error is known.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct Preview {
+    /// `none`.
+    pub claim: String,
+    /// Mesh level: `draft`.
+    pub level: String,
+    /// Time from the request to the answer, s.
+    pub wall_s: f64,
+    /// Points that were solved.
+    pub solves: usize,
+    /// What the study would have beside, whole sentences.
+    pub left_out: Vec<String>,
+    /// What varied.
+    pub inputs: Vec<InputReport>,
+    /// Ranked locations.
+    pub locations: Vec<RankedLocation>,
+    /// The response at the means.
+    pub cut_point: CutPoint,
+    /// A map of 31 x 11 places at most; null where the document asks for none.
+    pub map: Option<IndexMap>,
+    /// What the user must know before believing the numbers, whole sentences.
+    pub notes: Vec<String>,
+}

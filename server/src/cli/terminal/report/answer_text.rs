@@ -1,0 +1,42 @@
+//! The answer, how sure it is, and what could overturn it, for people.
+
+use anstyle::Style;
+use fem_client::document::visible::visible;
+use placement::result::{Answer, Certainty, StudyResult};
+
+use crate::cli::terminal::paint::{GOOD, STRONG, WARNING, painted};
+use crate::cli::terminal::wrapping::{labelled, wrapped};
+
+/// The answer of a result, ended by an empty line; nothing where it has none.
+pub fn answer(result: &StudyResult) -> String {
+    let Some(answer) = &result.answer else {
+        return String::new();
+    };
+    let sentence = wrapped(&visible(&answer.sentence), 0);
+    let lines = sentence.lines().map(|line| painted(STRONG, line) + "\n");
+    let mut text: String = lines.collect();
+    text.push('\n');
+    let reason = visible(&answer.reason);
+    text += &labelled(style(answer.verdict), answer.verdict.as_str(), &reason);
+    text += &labelled(STRONG, "left out", &left_out(answer));
+    if let Some(surer) = &answer.surer {
+        text += &labelled(STRONG, "surer", &surer.sentence);
+    }
+    text + "\n"
+}
+
+fn left_out(answer: &Answer) -> String {
+    match &answer.left_out {
+        Some(left_out) => visible(&left_out.sentence),
+        None => {
+            "no effect of what the model leaves out is known; the draft measures none.".to_owned()
+        }
+    }
+}
+
+fn style(verdict: Certainty) -> Style {
+    match verdict {
+        Certainty::Certain | Certainty::Likely => GOOD,
+        Certainty::Tied | Certainty::Unknown => WARNING,
+    }
+}

@@ -1,0 +1,24 @@
+//! What a study found:
+//!
+//! - [`result_routes`], [`sent_result`]: result, locations, layouts, evaluations, map
+//! - [`field_routes`]: the wheel at the means
+//! - [`hand_layout_routes`]: layouts that somebody moves by hand
+//! - [`export_routes`]: answers as files
+
+pub mod export_routes;
+pub mod field_routes;
+pub mod hand_layout_routes;
+pub mod result_routes;
+pub mod sent_result;
+
+use utoipa_axum::router::OpenApiRouter;
+
+use crate::http::app_state::AppState;
+
+/// All of them.
+pub fn router() -> OpenApiRouter<AppState> {
+    result_routes::router()
+        .merge(field_routes::router())
+        .merge(hand_layout_routes::router())
+        .merge(export_routes::router())
+}

@@ -1,0 +1,36 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { LayoutAnswer, PlaceAnswer, StudyResult } from "../../../wire.ts";
+import { layoutStanding, leadOf, placeWords, surerWords, typeset, unrankedWords } from "./answer-words.ts";
+
+test("terminal signs become those of print", () => {
+  assert.equal(typeset("the angle to 9.2 +- 1.5 degrees, every 30 degrees, 2 mm deep"), "the angle to 9.2 ± 1.5°, every 30°, 2\u00a0mm deep");
+});
+
+test("a reason's lead ends before its figures", () => {
+  assert.equal(leadOf("Rank 2 can't be told from it: by the error, it has 8 +- 1."), "Rank 2 can't be told from it.");
+  assert.equal(leadOf("It is the only layout that was asked for."), "It is the only layout that was asked for.");
+  assert.equal(leadOf("Two sentences. The second: longer."), "Two sentences.");
+});
+
+test("places and layouts in a few words", () => {
+  const place: PlaceAnswer = { names: ["P2", "P4"], direction: "y", index: 0.3, error: null, verdict: "unknown", reason: "", sentence: "" };
+  assert.equal(placeWords(place), "P2, P4 in y, 30.0 error unknown");
+  assert.equal(placeWords({ ...place, error: 0.02 }), "P2, P4 in y, 30.0 ± 2.0 %");
+  const layout = { units: 12, tied_with: [] as number[] } as LayoutAnswer;
+  assert.equal(layoutStanding(layout), "12 units");
+  assert.equal(layoutStanding({ ...layout, tied_with: [2, 5] }), "12 units, level with rank 2, 5");
+  assert.equal(layoutStanding({ ...layout, units: 1, tied_with: [2, 3, 4, 5] }), "1 unit, level with rank 2, 3, 4 and 1 more");
+});
+
+test("a study that ranks nothing says what it tells", () => {
+  const study = { inputs: [{ name: "wall" }], signals: null, layouts: [] } as unknown as StudyResult;
+  assert.match(unrankedWords(study), /how much wall changes the strain/);
+  assert.match(unrankedWords({ ...study, signals: {} } as StudyResult), /what films read/);
+});
+
+test("what a surer answer costs, as far as it is known", () => {
+  const surer = { sentence: "", level: "reference", times: 1.7013, expected_s: 32 };
+  assert.equal(surerWords(surer), "reference mesh: 1.7 times the work, about 32 s");
+  assert.equal(surerWords({ ...surer, times: null, expected_s: null }), "reference mesh");
+});

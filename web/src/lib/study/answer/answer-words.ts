@@ -1,0 +1,47 @@
+/** The answer's sentences as the page shows them. */
+
+import type { Answer, LayoutAnswer, PlaceAnswer, StudyResult } from "../../../wire.ts";
+import { duration, fixed } from "../../format.ts";
+import { short } from "../../layouts/layout-words.ts";
+
+/** With the signs of print for those of a terminal. */
+export function typeset(sentence: string): string {
+  return sentence.replaceAll("+-", "±").replace(/(\d) degrees/g, "$1°").replace(/(\d) mm\b/g, "$1\u00a0mm");
+}
+
+/** What a reason comes to, without the figures behind its colon. */
+export function leadOf(reason: string): string {
+  const [lead = "", rest] = typeset(reason).split(/: |(?<=\.) /, 2);
+  return rest === undefined || lead.endsWith(".") ? lead : `${lead}.`;
+}
+
+/** `P2, P4 in x, 72.9 ± 2.9 %`: the places with their index. */
+export function placeWords({ names, direction, index, error }: PlaceAnswer): string {
+  const unsure = error == null ? "error unknown" : `± ${fixed(100 * error, 1)} %`;
+  return `${names.join(", ")} in ${direction}, ${fixed(100 * index, 1)} ${unsure}`;
+}
+
+/** `reference mesh: 1.7 times the work, 32 s`: what a surer answer costs. */
+export function surerWords({ level, times, expected_s }: NonNullable<Answer["surer"]>): string {
+  const cost = [times == null ? null : `${short(times, 2)} times the work`, expected_s == null ? null : `about ${duration(expected_s)}`];
+  const words = cost.filter((part) => part !== null).join(", ");
+  return words === "" ? `${level} mesh` : `${level} mesh: ${words}`;
+}
+
+/** Ranks named before the rest is counted. */
+const NAMED = 3;
+
+/** `12 units, tied with ranks 2, 5`: how the first layout stands. */
+export function layoutStanding({ units, tied_with }: LayoutAnswer): string {
+  const count = `${units} ${units === 1 ? "unit" : "units"}`;
+  if (tied_with.length === 0) return count;
+  const more = tied_with.length > NAMED ? ` and ${tied_with.length - NAMED} more` : "";
+  return `${count}, level with rank ${tied_with.slice(0, NAMED).join(", ")}${more}`;
+}
+
+/** What a study that ranks nothing tells. */
+export function unrankedWords({ inputs, signals, layouts }: Pick<StudyResult, "inputs" | "signals" | "layouts">): string {
+  const names = inputs.map(({ name }) => name).join(", ");
+  const tells = signals != null ? "what films read" : layouts.length > 0 ? "bounds of layouts" : `how much ${names} ${inputs.length === 1 ? "changes" : "change"} the strain at each place`;
+  return `This study ranks no place and no layout. It tells ${tells}.`;
+}

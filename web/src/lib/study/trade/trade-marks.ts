@@ -1,0 +1,43 @@
+import type { Rung, Trade } from "../../../wire.ts";
+
+/** What accuracy costs, as coordinates of a picture with two logarithmic axes. */
+
+
+/** Errors below this are drawn there: a logarithm has no zero. */
+export const LEAST_ERROR = 1e-5;
+
+/** Whole powers of ten around all values, at least one decade; the values must be positive. */
+export function decades(values: readonly number[]): [number, number] {
+  if (values.length === 0) return [-1, 0];
+  const low = Math.floor(Math.log10(Math.min(...values)));
+  const high = Math.ceil(Math.log10(Math.max(...values)));
+  return [low, Math.max(high, low + 1)];
+}
+
+/** A point of the plot: time in seconds, error absolute. */
+export interface RungMark {
+  rung: Rung;
+  seconds: number;
+  error: number;
+}
+
+/** The marks of one kind of error, the rungs without it left out. */
+export function marks(trade: Trade, kind: "error_true" | "error_claimed"): RungMark[] {
+  return trade.rungs.flatMap((rung) => {
+    const error = rung[kind];
+    return error == null ? [] : [{ rung, seconds: rung.wall_s, error: Math.max(error, LEAST_ERROR) }];
+  });
+}
+
+/** True errors on the Pareto front, fastest first. */
+export function front(trade: Trade): RungMark[] {
+  return marks(trade, "error_true")
+    .filter((mark) => mark.rung.pareto)
+    .sort((a, b) => a.seconds - b.seconds);
+}
+
+/** The fastest rung that ranks as the reference does; null if none does. */
+export function cheapest(trade: Trade): Rung | null {
+  const agreeing = trade.rungs.filter((rung) => rung.ranking_agrees);
+  return agreeing.reduce<Rung | null>((best, rung) => (best === null || rung.wall_s < best.wall_s ? rung : best), null);
+}

@@ -1,0 +1,41 @@
+import { filmsOf, shapeOf } from "../../../lib/layouts/wheel-films.ts";
+import type { Answer, RankedLayout, StudyDetail, StudyResult } from "../../../wire.ts";
+import { Figure } from "../../shared/figure.tsx";
+import { FilmKey } from "../wheel/film-key.tsx";
+import { SectionDrawing } from "../wheel/section-drawing.tsx";
+import { WheelDrawing } from "../wheel/wheel-drawing.tsx";
+
+/** The tire with the films of the answer in place. */
+export function AnswerPicture({ result, study, answer }: { result: StudyResult; study: StudyDetail; answer: Answer | null }) {
+  const layout = result.layouts.find(({ rank }) => rank === answer?.layout?.rank) ?? null;
+  const films = layout === null ? [] : filmsOf(layout);
+  const shape = shapeOf(study.document);
+  return (
+    <Figure class="answer-picture" study={study.name} name="answer">
+      <WheelDrawing
+        shape={shape}
+        depth_mm={result.cut_point.depth_mm ?? 0}
+        films={films}
+        size_mm={result.layout_findings?.size_mm ?? null}
+        contact_deg={0}
+        places={result.cut_point.locations}
+        best={answer?.place?.names ?? []}
+        lines={layout === null ? [] : linesOf(layout)}
+        label={labelOf(answer, layout)}
+      />
+      {films.length > 0 && <SectionDrawing shape={shape} films={films} />}
+      {films.length > 0 && <FilmKey films={films} />}
+    </Figure>
+  );
+}
+
+/** `12 units`, or `7 films` of a layout without units. */
+function linesOf({ units, spacing_deg, film_count }: RankedLayout): string[] {
+  return [spacing_deg == null ? `${film_count ?? units} films` : `${units} units`];
+}
+
+function labelOf(answer: Answer | null, layout: RankedLayout | null): string {
+  const places = answer?.place?.names.join(", ") ?? "";
+  const parts = [layout === null ? "" : `films in place: ${answer?.layout?.words ?? ""}`, places === "" ? "" : `best place ${places}`];
+  return `The wheel from the side, ground below. ${parts.filter((part) => part !== "").join("; ")}`;
+}

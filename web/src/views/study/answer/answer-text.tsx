@@ -1,0 +1,66 @@
+import type { ComponentChildren } from "preact";
+import { layoutStanding, leadOf, placeWords, surerWords, typeset } from "../../../lib/study/answer/answer-words.ts";
+import { Term } from "../../shared/term/term.tsx";
+import { VerdictBadge } from "./verdict-badge.tsx";
+import type { Answer } from "../../../wire.ts";
+
+/** The answer first, then how sure it is, then what it leaves out and what more would cost; the figures behind it folded. The layout has a line of its own where the verdict is the place's. */
+export function AnswerText({ answer, isJudged, notes }: { answer: Answer; isJudged: boolean; notes: string[] }) {
+  const { place, layout, left_out, surer } = answer;
+  return (
+    <div class="answer-text">
+      <p class="answer-sentence">{typeset(answer.sentence)}</p>
+      <p class="answer-sure">
+        <Term of={answer.verdict}>
+          <VerdictBadge verdict={answer.verdict} />
+        </Term>{" "}
+        {leadOf(answer.reason)}
+      </p>
+      <dl class="answer-facts">
+        {place != null && (
+          <Fact name="Place">
+            {placeWords(place)} <VerdictBadge verdict={place.verdict} />
+          </Fact>
+        )}
+        {layout != null && layout.reason !== answer.reason && (
+          <Fact name="Layout">
+            {layoutStanding(layout)} <VerdictBadge verdict={layout.verdict} />
+          </Fact>
+        )}
+        {left_out != null && <Fact name="Left out">{leadOf(left_out.sentence)}</Fact>}
+        {surer != null && <Fact name="Surer">{surerWords(surer)}</Fact>}
+        {!isJudged && <Fact name="Note">By an older version: judged by ranks alone. Run it again for a verdict.</Fact>}
+      </dl>
+      <Why answer={answer} notes={notes} />
+    </div>
+  );
+}
+
+function Fact({ name, children }: { name: string; children: ComponentChildren }) {
+  return (
+    <div>
+      <dt>{name}</dt>
+      <dd>{children}</dd>
+    </div>
+  );
+}
+
+/** All sentences in full, and the notes that bear on the answer. */
+function Why({ answer: { place, layout, left_out, surer }, notes }: { answer: Answer; notes: string[] }) {
+  const whole = [place?.reason, layout?.reason, left_out?.sentence, surer?.sentence].filter((sentence) => sentence !== undefined);
+  return (
+    <details>
+      <summary>Why{notes.length > 0 && `, and ${notes.length} notes`}</summary>
+      {whole.map((sentence) => (
+        <p key={sentence}>{typeset(sentence)}</p>
+      ))}
+      {notes.length > 0 && (
+        <ul>
+          {notes.map((note) => (
+            <li key={note}>{note}</li>
+          ))}
+        </ul>
+      )}
+    </details>
+  );
+}

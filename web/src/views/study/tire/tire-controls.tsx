@@ -1,0 +1,83 @@
+import { DIRECTIONS } from "../../../lib/direction.ts";
+import { layoutWords } from "../../../lib/layouts/layout-words.ts";
+import { rankWords } from "../../../lib/format.ts";
+import { QUANTITIES, type Quantity, type StudyRoute } from "../../../lib/route.ts";
+import type { StudyResult } from "../../../wire.ts";
+import { RadioChoice } from "../../shared/radio-choice.tsx";
+import type { TireModel } from "./tire-model.ts";
+
+export const QUANTITY_NAMES: Record<Quantity, string> = {
+  index: "First-order index",
+  total: "Total index",
+  std: "Standard deviation",
+  strain: "Strain",
+  error: "Error of the index",
+  signal: "Film signal",
+};
+
+/** Layouts that can be put on the tire. */
+const LAYOUTS = 10;
+
+interface Props {
+  result: StudyResult;
+  route: StudyRoute;
+  model: TireModel;
+  layout: number | null;
+  onAdjust: (route: StudyRoute) => void;
+  onLayout: (layout: number | null) => void;
+}
+
+/** Chooses what tire and map show; what is of the map goes into the address. */
+export function TireControls({ result, route, model, layout, onAdjust, onLayout }: Props) {
+  const set = (change: Partial<StudyRoute>): void => onAdjust({ ...route, ...change });
+  const hasTotal = result.map?.layers.some((layer) => "total" in layer) === true;
+  const isThere: Partial<Record<Quantity, boolean>> = { total: hasTotal, signal: model.signals !== null };
+  const quantities = QUANTITIES.filter((quantity) => isThere[quantity] !== false);
+  return (
+    <div class="controls">
+      {result.map != null && (
+        <>
+          <RadioChoice
+            name="map-direction"
+            legend="Direction"
+            options={DIRECTIONS.map((direction) => ({ value: direction, label: direction }))}
+            chosen={route.direction}
+            onChoose={(direction) => set({ direction })}
+          />
+          <RadioChoice
+            name="map-quantity"
+            legend="Colour by"
+            options={quantities.map((quantity) => ({ value: quantity, label: QUANTITY_NAMES[quantity] }))}
+            chosen={route.quantity}
+            onChoose={(quantity) => set({ quantity })}
+          />
+          <RadioChoice
+            name="map-input"
+            legend="Of the input"
+            options={result.inputs.map(({ name }) => ({ value: name, label: name }))}
+            chosen={model.inputName}
+            onChoose={(input) => set({ input })}
+          />
+        </>
+      )}
+      <LayoutChoice result={result} chosen={layout} onChoose={onLayout} />
+    </div>
+  );
+}
+
+function LayoutChoice({ result, chosen, onChoose }: { result: StudyResult; chosen: number | null; onChoose: (layout: number | null) => void }) {
+  if (result.layouts.length === 0) return null;
+  return (
+    <label class="layout-choice">
+      <span>Films of a layout</span>
+      <select value={chosen ?? ""} onChange={(event) => onChoose(event.currentTarget.value === "" ? null : Number(event.currentTarget.value))}>
+        <option value="">none</option>
+        {result.layouts.slice(0, LAYOUTS).map((layout, index) => (
+          <option key={index} value={index}>
+            {rankWords(layout.rank, result.layouts)}: {layoutWords(layout)}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
