@@ -212,7 +212,8 @@ def test_layouts_of_ones_own_are_scored(study: Study) -> None:
     whole, less = study.score_layouts([{"name": "mine", "films": films}, {"films": films[:-1]}])
     assert (whole.name, whole.film_count, less.name) == ("mine", 24, "layout 2")
     bounds = [layout.score.rms_angle_error_deg for layout in (whole, less)]
-    assert bounds[0] is not None and (bounds[1] is None or bounds[1] > bounds[0])
+    assert bounds[0] is not None
+    assert bounds[1] is None or bounds[1] > bounds[0]
     assert whole.score.simulated_p95_angle_error_deg is None
     (simulated,) = study.score_layouts([{"films": films}], simulated=True)
     assert simulated.score.simulated_p95_angle_error_deg is not None
