@@ -74,7 +74,7 @@ pub fn routes() -> OpenApiRouter<AppState> {
 }
 
 /// Methods that operations have here.
-const METHODS: [&str; 3] = ["get", "post", "delete"];
+const METHODS: [&str; 4] = ["get", "post", "patch", "delete"];
 
 /// `/openapi.json` and `/docs`.
 pub fn router() -> OpenApiRouter<AppState> {
