@@ -59,7 +59,7 @@ fn solved(scene: &Scene, start: Option<&StartState>) -> Result<Solved, SolveErro
         scene,
         readout: &Readout::default(),
         start,
-        stop: &AtomicBool::new(false),
+        watch: &AtomicBool::new(false),
     })
 }
 

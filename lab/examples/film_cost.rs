@@ -76,7 +76,7 @@ fn solve(level: Level, film: Option<Film>) -> (f64, usize) {
         scene: &scene,
         readout: &readout,
         start: None,
-        stop: &stop,
+        watch: &stop,
     };
     let begun = Instant::now();
     let solved = EmbeddedSolver::default()

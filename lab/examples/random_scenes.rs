@@ -157,7 +157,7 @@ fn ending(scene: &Scene) -> Ending {
         scene,
         readout: &Readout::default(),
         start: None,
-        stop: &stop,
+        watch: &stop,
     };
     let fault = |name: &str, detail: String| Ending {
         name: name.to_owned(),

@@ -30,7 +30,7 @@ pub fn solve(
         scene,
         readout: &Readout::default(),
         start,
-        stop: &RUNNING,
+        watch: &RUNNING,
     };
     solver
         .solve_on(&request, plan)

@@ -166,6 +166,7 @@ impl Service {
             solver: parts.solver,
             threads: parts.threads,
             metrics: metrics.clone(),
+            live: Arc::default(),
         };
         let queue = Arc::new(Queue::new(
             engine.clone(),

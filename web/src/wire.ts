@@ -1139,6 +1139,11 @@ export interface components {
             /** @description What it would do, in a sentence. */
             sentence: string;
         };
+        /** @description How far one of the solves under way is. */
+        LiveSolve: components["schemas"]["SolveProgress"] & {
+            /** @description Ordinal of its point in the plan. */
+            ordinal: number;
+        };
         /** @description A layout's scores at one load. */
         LoadScore: {
             /**
@@ -1881,6 +1886,28 @@ export interface components {
             /** @description How many are left to solve. */
             left: components["schemas"]["CountForecast"];
         };
+        /** @description How far a solve is. */
+        SolveProgress: {
+            /** @description What is done to the tire. */
+            stage: components["schemas"]["Stage"];
+            /**
+             * Format: double
+             * @description Share of the stage's loads at which it has been in equilibrium, 0 to 1.
+             */
+            share: number;
+            /** @description Newton iterations so far. */
+            iterations: number;
+            /**
+             * Format: double
+             * @description Residual at which the newest one began: out-of-balance forces and volumes, relative to the tire's own; null where it has none. An equilibrium has 1e-8.
+             */
+            residual?: number | null;
+        };
+        /**
+         * @description What is done to the tire.
+         * @enum {string}
+         */
+        Stage: "inflating" | "pressing";
         /**
          * @description Where a study stands.
          * @enum {string}
@@ -1917,7 +1944,7 @@ export interface components {
         };
         /** @description One of the events that a stream consists of. */
         StreamEvent: {
-            /** @description Its number, for `Last-Event-ID`. */
+            /** @description Its number, for `Last-Event-ID`; `solving` has none. */
             id: string;
             /** @description What happened. */
             event: string;
@@ -2347,6 +2374,7 @@ export type LayoutSearch = components['schemas']['LayoutSearch'];
 export type Layouts = components['schemas']['Layouts'];
 export type LayoutsDocument = components['schemas']['LayoutsDocument'];
 export type LeftOut = components['schemas']['LeftOut'];
+export type LiveSolve = components['schemas']['LiveSolve'];
 export type LoadScore = components['schemas']['LoadScore'];
 export type LoadShear = components['schemas']['LoadShear'];
 export type LocationError = components['schemas']['LocationError'];
@@ -2384,6 +2412,8 @@ export type SignalRow = components['schemas']['SignalRow'];
 export type Signals = components['schemas']['Signals'];
 export type SignalsDocument = components['schemas']['SignalsDocument'];
 export type SolveForecast = components['schemas']['SolveForecast'];
+export type SolveProgress = components['schemas']['SolveProgress'];
+export type Stage = components['schemas']['Stage'];
 export type State = components['schemas']['State'];
 export type StrainRing = components['schemas']['StrainRing'];
 export type StreamEvent = components['schemas']['StreamEvent'];

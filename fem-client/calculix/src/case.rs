@@ -1,7 +1,5 @@
 //! The runs of one scene.
 
-use std::sync::atomic::AtomicBool;
-
 use fem::load::obstacle::HeightField;
 use fem::problem::{Loads, State};
 use fem::solid::SolidGeometry;
@@ -13,7 +11,7 @@ use crate::result_file;
 use crate::rigid_ground::RigidGround;
 use fem_client::scene::{Material, Scene};
 use fem_client::solver::{
-    NoEquilibrium, Reached, Readout, Response, ResponseError, SolveError, SolveRequest,
+    NoEquilibrium, Reached, Readout, Response, ResponseError, SolveError, SolveRequest, Watch,
 };
 use tire::mesh::tire_grid::{Extent, MeshPlan};
 use tire::model::{TireModel, ground};
@@ -28,7 +26,7 @@ const CLEARANCE: f64 = 0.1;
 pub struct Case<'s> {
     scene: &'s Scene,
     readout: &'s Readout,
-    stop: &'s AtomicBool,
+    watch: &'s dyn Watch,
     program: &'s Program,
     model: TireModel,
     rubber: Material,
@@ -46,7 +44,7 @@ impl<'s> Case<'s> {
         Self {
             scene,
             readout: request.readout,
-            stop: request.stop,
+            watch: request.watch,
             program,
             model: TireModel::new(scene, plan, extent),
             rubber: limits::rubber(&scene.material),
@@ -84,7 +82,7 @@ impl<'s> Case<'s> {
             .map_err(broken)?;
         let files = self
             .program
-            .run(folder.path(), &deck.text(), self.stop)
+            .run(folder.path(), &deck.text(), self.watch)
             .map_err(|error| match error {
                 RunError::Stopped => SolveError::Stopped,
                 error => broken(error),

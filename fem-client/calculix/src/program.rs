@@ -3,8 +3,9 @@
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+
+use fem_client::solver::Watch;
 
 /// Name of the deck and of all files that a run writes, without their extensions.
 const JOB: &str = "scene";
@@ -121,7 +122,7 @@ impl Program {
     ///
     /// # Errors
     /// See [`RunError`]. A run that gave up because its increments became too small is no error here.
-    pub fn run(&self, folder: &Path, deck: &str, stop: &AtomicBool) -> Result<Files, RunError> {
+    pub fn run(&self, folder: &Path, deck: &str, watch: &dyn Watch) -> Result<Files, RunError> {
         let file = |extension: &str| folder.join(format!("{JOB}.{extension}"));
         std::fs::write(file("inp"), deck).map_err(|error| system("the deck", &error))?;
         let log = File::create(file("log")).map_err(|error| system("the log", &error))?;
@@ -139,7 +140,7 @@ impl Program {
             .stderr(errors)
             .spawn()
             .map_err(|error| system(&self.path.display().to_string(), &error))?;
-        let ended = self.wait(&mut child, stop);
+        let ended = self.wait(&mut child, watch);
         let log = std::fs::read(file("log")).unwrap_or_default();
         let log = String::from_utf8_lossy(&log);
         let status = match ended? {
@@ -172,7 +173,7 @@ impl Program {
         })
     }
 
-    fn wait(&self, child: &mut Child, stop: &AtomicBool) -> Result<Ended, RunError> {
+    fn wait(&self, child: &mut Child, watch: &dyn Watch) -> Result<Ended, RunError> {
         let begin = Instant::now();
         loop {
             let status = child
@@ -181,7 +182,7 @@ impl Program {
             if let Some(status) = status {
                 return Ok(Ended::Itself(status));
             }
-            let stopped = stop.load(Ordering::Relaxed);
+            let stopped = watch.is_stopped();
             if stopped || begin.elapsed() > self.time_limit {
                 // Failure means that it ended just now.
                 let _ = child.kill();
@@ -216,6 +217,8 @@ fn last_lines(log: &str) -> String {
 
 #[cfg(all(test, unix))]
 mod tests {
+    use std::sync::atomic::AtomicBool;
+
     use super::*;
     use std::os::unix::fs::PermissionsExt;
     use std::sync::{Mutex, PoisonError};

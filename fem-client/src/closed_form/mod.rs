@@ -7,7 +7,6 @@
 
 mod field;
 
-use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use self::field::Field;
@@ -49,7 +48,7 @@ impl ClosedFormSolver {
     fn wait(&self, request: &SolveRequest<'_>) -> Result<(), SolveError> {
         let begun = Instant::now();
         loop {
-            if request.stop.load(Ordering::Relaxed) {
+            if request.watch.is_stopped() {
                 return Err(SolveError::Stopped);
             }
             match self.delay.checked_sub(begun.elapsed()) {
@@ -151,7 +150,7 @@ mod tests {
             scene,
             readout: &readout,
             start,
-            stop: &GO,
+            watch: &GO,
         })
     }
 
@@ -261,11 +260,11 @@ mod tests {
             scene: &scene,
             readout: &readout,
             start: None,
-            stop: &stop,
+            watch: &stop,
         };
         std::thread::scope(|threads| {
             let solving = threads.spawn(|| solver.solve(&request));
-            stop.store(true, Ordering::Relaxed);
+            stop.store(true, std::sync::atomic::Ordering::Relaxed);
             assert_eq!(solving.join().unwrap().unwrap_err(), SolveError::Stopped);
         });
     }

@@ -65,7 +65,7 @@ fn response(
         scene,
         readout,
         start: None,
-        stop: request.stop,
+        watch: request.watch,
     };
     match solver.solve(&request) {
         Ok(solved) => Ok(Some(solved.response)),

@@ -9,10 +9,9 @@ pub mod object_schema;
 pub mod readout;
 pub mod response;
 pub mod solve_error;
+pub mod solve_watch;
 pub mod start_state;
 pub mod value_range;
-
-use std::sync::atomic::AtomicBool;
 
 use serde::{Deserialize, Serialize};
 
@@ -25,6 +24,7 @@ pub use crate::solver::response::{
     Response, ResponseError, Ring, Section, StrainMap,
 };
 pub use crate::solver::solve_error::{NoEquilibrium, Reached, SolveError};
+pub use crate::solver::solve_watch::{SolveProgress, Stage, Watch};
 pub use crate::solver::value_range::Extremes;
 
 /// The fault of a scene that a solver which presses by depth alone can't solve.
@@ -93,8 +93,8 @@ pub struct SolveRequest<'a> {
     pub readout: &'a Readout,
     /// A neighbouring equilibrium to start from, as an earlier solve returned it.
     pub start: Option<&'a StartState>,
-    /// Set to true by the caller to end the solve at the next Newton iteration.
-    pub stop: &'a AtomicBool,
+    /// Who may end the solve at the next Newton iteration, and hears how far it is.
+    pub watch: &'a dyn Watch,
 }
 
 /// A coarser level as a witness of a finer one's error.

@@ -14,7 +14,7 @@ use crate::model::{Place, TireModel, depth_of_load, ground, mesh_plan, mesh_plan
 use crate::neighbourhood::{GroundPlace, Neighbourhood, Neighbourhoods, Pressed};
 use crate::omission;
 use crate::readout::surface_reader::{Diagnostics, Reader};
-use crate::session::{Session, standing};
+use crate::session::{Session, ToldSolve, standing};
 use fem_client::hexadecimal::hexadecimal;
 use fem_client::scene::Scene;
 use fem_client::solver::Coarser;
@@ -269,7 +269,7 @@ fn session<'m>(
         scene: request.scene,
         model,
         newton,
-        stop: request.stop,
+        watch: ToldSolve::new(request.watch),
     }
 }
 

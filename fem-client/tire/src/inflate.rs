@@ -60,12 +60,12 @@ impl Session<'_> {
         let pressure = near.as_ref().map_or(0.0, |(_, pressure)| *pressure);
         let mut control = VolumeControl::new(&self.model.problem).map_err(broken)?;
         let start = match near {
-            Some((state, pressure)) => control.at(state, pressure, self.stop),
-            None => control.reference(self.stop),
+            Some((state, pressure)) => control.at(state, pressure, &self.watch),
+            None => control.reference(&self.watch),
         };
         let start = start.map_err(|lost| self.lost(pressure, lost.cause, lost.indefinite, None))?;
         let asked = self.scene.pressure.internal_mpa;
-        let ending = control.inflate(&start, asked, LARGEST_GROWTH * start.volume, self.stop);
+        let ending = control.inflate(&start, asked, LARGEST_GROWTH * start.volume, &self.watch);
         self.newton.effort += control.effort();
         match ending {
             Ending::Reached(near) => self.finish(near),

@@ -1,9 +1,8 @@
 //! Why a tire can't be pressed further, or dragged: the loss of stability on the ground, the depth of self-contact.
 
-use std::sync::atomic::Ordering;
-
 use fem::newton::iteration::Cause;
 use fem::newton::path::{PathFailure, PathReport, Stability};
+use fem::newton::watch::Watch;
 use fem::problem::{Loads, State};
 
 use crate::model::TireModel;
@@ -62,7 +61,7 @@ fn apart_at(
     let mut trial = state.clone();
     let [from, to] = shares.map(|share| way.start.towards(way.target, share));
     let path = session.follow(&mut trial, &from, &to, Stability::Ignored);
-    if session.stop.load(Ordering::Relaxed) {
+    if session.watch.is_stopped() {
         return Err(SolveError::Stopped);
     }
     let found = path.ok().filter(|_| !touches_itself(session.model, &trial));

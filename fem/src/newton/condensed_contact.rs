@@ -9,8 +9,6 @@
 //! which open and close cost no sparse factorisation. For a flat ground this is the minimum of a convex energy: Newton's
 //! method with a line search on its slope always gets there, and does so where whole steps didn't.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Col, ColRef, Mat, Side};
 
@@ -19,6 +17,7 @@ use crate::linear::setup::Setup;
 use crate::load::contact::ContactSurface;
 use crate::load::obstacle::HeightField;
 use crate::newton::focus::Focus;
+use crate::newton::watch::Watch;
 use crate::problem::{Problem, State};
 use crate::tensor::Vector;
 
@@ -92,9 +91,9 @@ impl<'a> CondensedContact<'a> {
     }
 
     /// Increments `x` of the border with S x + f(u + x) = `rhs`, up to a residual of `tolerance`, N, or round-off. Where
-    /// the ground's curvature leaves several solutions or none, or once `stop` is set, the last iterate.
-    pub(crate) fn solve(&self, rhs: &Col<f64>, tolerance: f64, stop: &AtomicBool) -> Col<f64> {
-        self.solve_from(Col::zeros(rhs.nrows()), rhs, tolerance, stop)
+    /// the ground's curvature leaves several solutions or none, or once it is to stop, the last iterate.
+    pub(crate) fn solve(&self, rhs: &Col<f64>, tolerance: f64, watch: &dyn Watch) -> Col<f64> {
+        self.solve_from(Col::zeros(rhs.nrows()), rhs, tolerance, watch)
     }
 
     /// As [`Self::solve`], from other increments; where the body mustn't leave the ground, they touch it.
@@ -103,7 +102,7 @@ impl<'a> CondensedContact<'a> {
         mut x: Col<f64>,
         rhs: &Col<f64>,
         tolerance: f64,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
     ) -> Col<f64> {
         let mut touching = x.clone();
         let mut tangent = Mat::zeros(rhs.nrows(), rhs.nrows());
@@ -130,7 +129,7 @@ impl<'a> CondensedContact<'a> {
             } else {
                 smallest.min(size)
             };
-            let stopped = stop.load(Ordering::Relaxed);
+            let stopped = watch.is_stopped();
             if size <= tolerance.max(round_off) || in_vain == PATIENCE || stopped {
                 break;
             }

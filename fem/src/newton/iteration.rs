@@ -7,7 +7,6 @@
 //! residual is kept.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use crate::linear::assembly::Assembler;
@@ -17,6 +16,7 @@ use crate::linear::system::{Entries, Imbalance, Residuals};
 use crate::newton::acceleration::Acceleration;
 use crate::newton::focus::Focus;
 use crate::newton::tangent::Tangent;
+use crate::newton::watch::Watch;
 use crate::problem::{Loads, Problem, State};
 use crate::surface::stretch::StretchRange;
 use crate::tensor::Vector;
@@ -167,12 +167,12 @@ impl<'p> Newton<'p> {
         &mut self,
         state: &mut State,
         loads: &Loads,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
     ) -> Result<Converged, NotConverged> {
         let mut history = Vec::new();
         self.indefinite = false;
         self.set_pending(state, loads.support_factor);
-        match self.iterate(state, loads, stop, &mut history) {
+        match self.iterate(state, loads, watch, &mut history) {
             Ok(()) => Ok(Converged { history }),
             Err(cause) => Err(NotConverged {
                 history,
@@ -186,7 +186,7 @@ impl<'p> Newton<'p> {
         &mut self,
         state: &mut State,
         loads: &Loads,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
         history: &mut Vec<Imbalance>,
     ) -> Result<(), Cause> {
         self.cover_contact(state, loads)?;
@@ -195,6 +195,7 @@ impl<'p> Newton<'p> {
         let mut kept = 0;
         loop {
             history.push(residual);
+            watch.iterated(residual.worst());
             let moved = self.pending.iter().flatten().all(|du| *du == 0.0);
             if moved && residual.worst() <= self.settings.tolerance {
                 return Ok(());
@@ -205,7 +206,7 @@ impl<'p> Newton<'p> {
             if history.len() > self.settings.max_iterations || is_lost(history) {
                 return Err(Cause::Iterations);
             }
-            if stop.load(Ordering::Relaxed) {
+            if watch.is_stopped() {
                 return Err(Cause::Stopped);
             }
             if !moved || self.wants_renewal(history, kept) {
@@ -213,13 +214,13 @@ impl<'p> Newton<'p> {
                 kept = 0;
             }
             let before = residual.worst();
-            residual = self.step(state, loads, stop)?;
+            residual = self.step(state, loads, watch)?;
             while self.residuals.touches_outside {
-                if stop.load(Ordering::Relaxed) {
+                if watch.is_stopped() {
                     return Err(Cause::Stopped);
                 }
                 self.widen_focus(state, loads)?;
-                residual = self.step(state, loads, stop)?;
+                residual = self.step(state, loads, watch)?;
             }
             kept += 1;
             let grown = residual.worst().is_nan() || residual.worst() > SETBACK * before;

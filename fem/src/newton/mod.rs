@@ -3,6 +3,7 @@
 //! - `focus`, `condensed_contact`, `pressing_ground`, [`tangent`]: linear body, nonlinear contact
 //! - `acceleration`, [`iteration`]: Newton's method under given loads
 //! - [`volume_control`]: equilibrium at a given volume of a cavity, and limit points
+//! - [`watch`]: who hears how far a solve is, and may stop it
 //! - [`path`]: load stepping with automatic cut-back
 
 pub(crate) mod acceleration;
@@ -13,3 +14,4 @@ pub mod path;
 pub(crate) mod pressing_ground;
 pub mod tangent;
 pub mod volume_control;
+pub mod watch;

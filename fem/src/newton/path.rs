@@ -1,10 +1,9 @@
 //! Load stepping with automatic cut-back.
 
-use std::sync::atomic::AtomicBool;
-
 use crate::linear::factor::Inertia;
 use crate::linear::system::Imbalance;
 use crate::newton::iteration::{Cause, Converged, Newton, NotConverged};
+use crate::newton::watch::Watch;
 use crate::problem::{Loads, State};
 
 /// Newton iterations after which a path that fails again goes on in the smallest steps: each step needs some ten.
@@ -81,7 +80,7 @@ pub fn follow(
     start: &Loads,
     target: &Loads,
     stability: Stability,
-    stop: &AtomicBool,
+    watch: &dyn Watch,
 ) -> Result<PathReport, Box<PathFailure>> {
     let mut report = PathReport {
         steps: Vec::new(),
@@ -97,12 +96,13 @@ pub fn follow(
         let next = f64::min(reached + step, 1.0);
         let mut trial = state.clone();
         let loads = start.towards(target, next);
-        match newton.solve(&mut trial, &loads, stop) {
+        match newton.solve(&mut trial, &loads, watch) {
             Ok(converged) if stability.accepts(newton, &trial, &loads) => {
                 *state = trial;
                 let ground = loads.ground_in(state);
                 state.settle(newton.problem(), ground.as_ref());
                 reached = next;
+                watch.reached(reached);
                 // A step that has just been cut back is kept once, or it would fail again at once.
                 if !std::mem::take(&mut cut) {
                     step = f64::min(2.0 * step, newton.settings.largest_load_step);

@@ -9,8 +9,7 @@
 //!
 //! > (S - S e (S e)^T / (e . S e)) w + f(w) = g - S e (F + e . g) / (e . S e).
 
-use std::sync::atomic::AtomicBool;
-
+use crate::newton::watch::Watch;
 use faer::{Col, Mat, Scale};
 
 use super::condensed_contact::CondensedContact;
@@ -25,14 +24,14 @@ impl CondensedContact<'_> {
         rhs: &Col<f64>,
         force: f64,
         tolerance: f64,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
     ) -> (Col<f64>, f64) {
         let lift = self.lift(rhs.nrows());
         let resistance: Col<f64> = self.schur * &lift;
         let total = lift.transpose() * &resistance;
         if total <= 0.0 {
             // Nothing is near the ground, or the body gives way to it: where it would rise to isn't known.
-            return (self.solve(rhs, tolerance, stop), 0.0);
+            return (self.solve(rhs, tolerance, watch), 0.0);
         }
         let share = (force + lift.transpose() * rhs) / total;
         let schur = self.schur - outer(&resistance, 1.0 / total);
@@ -44,7 +43,7 @@ impl CondensedContact<'_> {
             ..self
         };
         let start = Scale(-free.gap(rhs.nrows())) * &lift;
-        let relative = free.solve_from(start, &reduced, tolerance, stop);
+        let relative = free.solve_from(start, &reduced, tolerance, watch);
         let rise = (force + lift.transpose() * (rhs - body * &relative)) / total;
         (relative + Scale(rise) * &lift, rise)
     }

@@ -5,7 +5,6 @@
 //! are added to the border before the factorisation and taken off its Schur complement.
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use faer::Mat;
 
@@ -16,6 +15,7 @@ use crate::linear::system::Entries;
 use crate::load::obstacle::HeightField;
 use crate::newton::condensed_contact::{CondensedContact, inertia, solve_free};
 use crate::newton::focus::Focus;
+use crate::newton::watch::Watch;
 use crate::problem::{Problem, State};
 
 /// The ground that a step works against.
@@ -26,8 +26,8 @@ pub(crate) struct Pressing<'a> {
     pub focus: &'a Focus,
     /// Residual up to which the contact is solved, N.
     pub tolerance: f64,
-    /// Set by the caller to end the step early.
-    pub stop: &'a AtomicBool,
+    /// May end the step early.
+    pub watch: &'a dyn Watch,
 }
 
 /// Tangent of everything but contact at one state, factorised.
@@ -115,14 +115,14 @@ impl Tangent {
                     let Pressing {
                         focus,
                         tolerance,
-                        stop,
+                        watch,
                         ..
                     } = pressing;
                     let reduced = focus.reduce(border);
                     let increments;
                     (increments, rise) = match pressing.force {
-                        Some(force) => contact.solve_pressing(&reduced, force, tolerance, stop),
-                        None => (contact.solve(&reduced, tolerance, stop), 0.0),
+                        Some(force) => contact.solve_pressing(&reduced, force, tolerance, watch),
+                        None => (contact.solve(&reduced, tolerance, watch), 0.0),
                     };
                     focus.expand(&increments, border);
                 }

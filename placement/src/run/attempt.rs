@@ -1,7 +1,6 @@
 //! Asks a solver for one equilibrium, and makes an answer of whatever comes of it.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use fem_client::solver::{
@@ -45,7 +44,7 @@ pub(super) fn ask(
         Err(SolveError::Broken { .. }) => attempt(solver, request, process),
         other => other,
     };
-    let stopped = request.stop.load(Ordering::Relaxed);
+    let stopped = request.watch.is_stopped();
     match found {
         // What a solve says while it is being stopped may not be what it would have said.
         Ok(found) if found.answer.0.is_err() && stopped => Err(SolveError::Stopped),
@@ -63,7 +62,7 @@ fn attempt(
     request: &SolveRequest<'_>,
     process: Process,
 ) -> Result<Found, SolveError> {
-    if request.stop.load(Ordering::Relaxed) {
+    if request.watch.is_stopped() {
         return Err(SolveError::Stopped);
     }
     let begun = Instant::now();

@@ -6,6 +6,7 @@ mod finite;
 pub mod memory;
 mod planned_points;
 mod point_readouts;
+mod point_watch;
 mod run_error;
 mod run_event;
 pub mod usage;

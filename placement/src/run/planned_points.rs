@@ -13,6 +13,7 @@ use fem_client::solver::{Readout, SolveError, SolveRequest, Solver, StartState};
 
 use super::attempt::{Costed, Found, Process, ask, quarantined};
 use super::point_readouts::PointReadouts;
+use super::point_watch::PointWatch;
 use super::run_error::{RunError, refusals};
 use super::run_event::{Event, Observer};
 use crate::result::{Cause, FailedPoint};
@@ -342,11 +343,13 @@ impl Points<'_> {
     ) -> Result<Found, Lack> {
         let key = &self.keys[ordinal];
         self.archive.begin(key).map_err(Lack::Archive)?;
+        let place = self.place.first + ordinal;
+        let watch = PointWatch::new(self.stop, self.observer, place);
         let request = SolveRequest {
             scene: &self.scenes[ordinal],
             readout: &PointReadouts::new(self.readout, self.scenes).of(ordinal),
             start,
-            stop: self.stop,
+            watch: &watch,
         };
         let found = loop {
             match ask(self.solver, &request, process) {

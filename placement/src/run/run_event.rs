@@ -1,5 +1,7 @@
 //! What a run tells its caller on the way.
 
+use fem_client::solver::SolveProgress;
+
 use crate::result::Estimate;
 
 /// What happens during a run, as it happens.
@@ -37,6 +39,13 @@ pub enum Event {
         of: usize,
         /// What happened.
         cause: String,
+    },
+    /// A solve that takes longer has come so far: told now and then, and by solvers that can.
+    Solving {
+        /// The point's ordinal in the plan.
+        ordinal: usize,
+        /// How far.
+        progress: SolveProgress,
     },
     /// All points are there.
     Analysing,

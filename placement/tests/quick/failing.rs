@@ -125,12 +125,12 @@ fn what_a_solve_says_while_it_is_stopped_is_not_kept() {
     let study = shipped("foot-tire");
     let plan = Plan::new(&study).unwrap();
     let archive = MemoryArchive::default();
+    let stop = AtomicBool::new(false);
     let solver = Twisted::new(|request: &SolveRequest<'_>| {
         let error = beyond_limit(request)?;
-        request.stop.store(true, Ordering::Relaxed);
+        stop.store(true, Ordering::Relaxed);
         Some(error)
     });
-    let stop = AtomicBool::new(false);
     let context = RunContext {
         solver: &solver,
         archive: &archive,

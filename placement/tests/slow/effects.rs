@@ -32,7 +32,7 @@ fn solved(scene: &Scene) -> Response {
         scene,
         readout: &Readout::default(),
         start: None,
-        stop: &stop,
+        watch: &stop,
     };
     let solved = EmbeddedSolver::default().solve(&request);
     solved.expect("an equilibrium").response

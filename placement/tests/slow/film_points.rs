@@ -70,7 +70,7 @@ fn response(scene: &Scene, films: &[Film]) -> Response {
         scene,
         readout: &readout,
         start: None,
-        stop: &AtomicBool::new(false),
+        watch: &AtomicBool::new(false),
     };
     let solved = EmbeddedSolver::default().solve(&request);
     solved.expect("an equilibrium").response

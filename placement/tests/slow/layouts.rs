@@ -47,7 +47,7 @@ fn fields(level: Level) -> MeshFields {
             scene,
             readout: &readout,
             start: start.as_ref(),
-            stop: &stop,
+            watch: &stop,
         };
         let solved = solver.solve(&request).expect("an equilibrium");
         outcomes.push(Ok(solved.response));
@@ -68,7 +68,7 @@ fn dragged(scene: &Scene, kinds: &[FilmKind], shift_mm: [f64; 2]) -> Response {
         scene: &scene,
         readout: &readout,
         start: None,
-        stop: &AtomicBool::new(false),
+        watch: &AtomicBool::new(false),
     };
     let solved = EmbeddedSolver::default().solve(&request);
     solved.expect("an equilibrium").response
@@ -184,7 +184,7 @@ fn a_film_of_a_size_reads_what_a_following_film_reads() {
             scene: &scene,
             readout: &readout,
             start: None,
-            stop: &AtomicBool::new(false),
+            watch: &AtomicBool::new(false),
         };
         let solved = EmbeddedSolver::default()
             .solve(&request)

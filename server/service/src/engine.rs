@@ -25,6 +25,7 @@ use crate::answered::{Answered, answered};
 use crate::database_archive::StoreArchive;
 use crate::forecast::{ForecastError, forecast_next, pace};
 use crate::metrics::{Metrics, PointOutcome};
+use crate::solving::live::{Live, Turn};
 use crate::solving::timekeeper::Timekeeper;
 use crate::solving::traced::Traced;
 use crate::study_document::stored_plan;
@@ -48,6 +49,8 @@ pub struct Engine {
     pub threads: usize,
     /// Counts points.
     pub metrics: Arc<Metrics>,
+    /// Tells of the solves under way.
+    pub live: Arc<Live>,
 }
 
 /// How a run ended.
@@ -122,6 +125,7 @@ impl Engine {
         );
         let tell = |event: Event| {
             let _entered = span.enter();
+            self.live.event(&event);
             if let Err(error) = runtime.block_on(self.record(&row.id, &event)) {
                 tracing::warn!(study = row.id, %error, "an event could not be recorded");
             }
@@ -135,6 +139,7 @@ impl Engine {
             }
         };
         let solver = Traced::new(self.solver.clone(), span.clone());
+        let _solves = Turn::begin(&self.live, &row.id);
         let context = RunContext {
             solver: &solver,
             archive: &archive,
@@ -242,7 +247,11 @@ impl Engine {
         };
     }
 
+    /// Stores an event, unless it is for those alone who look now.
     async fn record(&self, study: &str, event: &Event) -> Result<(), StoreError> {
+        let Some((kind, payload)) = wire(event) else {
+            return Ok(());
+        };
         let mut transaction = self.store.begin().await?;
         // A solve may end after its study was cancelled: its point is kept, but nothing comes after the last event.
         if !study_rows::is_running(&mut transaction, study).await? {
@@ -254,7 +263,6 @@ impl Engine {
         if let Event::Revised(estimate) = event {
             study_rows::set_estimate(&mut transaction, study, estimate).await?;
         }
-        let (kind, payload) = wire(event);
         let id = event_rows::insert(&mut transaction, study, kind, &payload).await?;
         self.store.commit(transaction, id).await
     }
@@ -314,12 +322,14 @@ fn progress_of(event: &Event) -> Option<(usize, usize)> {
         Event::PointSolved { done, of, .. } | Event::PointFailed { done, of, .. } => {
             Some((of, done))
         }
-        Event::Analysing | Event::Revised(_) => None,
+        Event::Solving { .. } | Event::Analysing | Event::Revised(_) => None,
     }
 }
 
-fn wire(event: &Event) -> (&'static str, Value) {
-    match event {
+/// Name and content of an event that is stored.
+fn wire(event: &Event) -> Option<(&'static str, Value)> {
+    Some(match event {
+        Event::Solving { .. } => return None,
         Event::Started { points, reused } => {
             ("started", json!({"points": points, "reused": reused}))
         }
@@ -353,5 +363,5 @@ fn wire(event: &Event) -> (&'static str, Value) {
             "estimate-revised",
             json!({"wall_s": estimate.wall_s, "reason": estimate.reasons.last()}),
         ),
-    }
+    })
 }

@@ -188,7 +188,10 @@ impl Metrics {
         match event {
             Event::PointSolved { .. } => self.points(PointOutcome::Solved, 1),
             Event::PointFailed { .. } => self.points(PointOutcome::Failed, 1),
-            Event::Started { .. } | Event::Analysing | Event::Revised(_) => {}
+            Event::Started { .. }
+            | Event::Solving { .. }
+            | Event::Analysing
+            | Event::Revised(_) => {}
         }
     }
 

@@ -64,7 +64,7 @@ fn both(scene: &Scene, start: Option<&StartState>) -> [Result<Solved, SolveError
         scene,
         readout: &readout(),
         start,
-        stop: &AtomicBool::new(false),
+        watch: &AtomicBool::new(false),
     };
     [here.solve(&request), apart.solve_apart(&request)]
 }

@@ -70,7 +70,7 @@ fn request(scene: &Scene) -> SolveRequest<'_> {
         scene,
         readout: &NO_READOUT,
         start: None,
-        stop: &RUNNING,
+        watch: &RUNNING,
     }
 }
 
@@ -207,7 +207,7 @@ fn a_run_ends_on_request_and_in_time() {
     let scene = scene();
     let stop = AtomicBool::new(true);
     let stopped = calculix.solve(&SolveRequest {
-        stop: &stop,
+        watch: &stop,
         ..request(&scene)
     });
     assert_eq!(stopped.err(), Some(SolveError::Stopped));

@@ -55,7 +55,7 @@ fn answer(
         scene,
         readout: &readout(),
         start,
-        stop: &RUNNING,
+        watch: &RUNNING,
     })
 }
 

@@ -36,7 +36,7 @@ fn solve(scene: &Scene, start: Option<&StartState>) -> Result<Solved, SolveError
         scene,
         readout: &readout,
         start,
-        stop: &RUNNING,
+        watch: &RUNNING,
     })
 }
 
@@ -230,7 +230,7 @@ fn mirrored_ground_gives_mirrored_strains() {
             scene: &scene,
             readout: &Readout::default(),
             start: Some(&centre),
-            stop: &RUNNING,
+            watch: &RUNNING,
         };
         solver.solve(&request).unwrap()
     };

@@ -33,7 +33,7 @@ fn solve(scene: &Scene, start: Option<&StartState>) -> Result<Solved, SolveError
         scene,
         readout: &Readout::default(),
         start,
-        stop: &RUNNING,
+        watch: &RUNNING,
     })
 }
 

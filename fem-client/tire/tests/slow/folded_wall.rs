@@ -32,7 +32,7 @@ fn solve(scene: &Scene) -> Result<Solved, SolveError> {
         scene,
         readout: &Readout::default(),
         start: None,
-        stop: &RUNNING,
+        watch: &RUNNING,
     })
 }
 

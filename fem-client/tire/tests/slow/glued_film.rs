@@ -21,7 +21,7 @@ fn read(scene: &Scene, readout: &Readout) -> Response {
         scene,
         readout,
         start: None,
-        stop: &RUNNING,
+        watch: &RUNNING,
     };
     EmbeddedSolver::default()
         .solve(&request)

@@ -69,7 +69,7 @@ fn solve(scene: &Scene, start: Option<&StartState>) -> Solved {
         scene,
         readout: &Readout::default(),
         start,
-        stop: &RUNNING,
+        watch: &RUNNING,
     };
     let solved = EmbeddedSolver::default().solve(&request);
     solved.expect("an equilibrium")

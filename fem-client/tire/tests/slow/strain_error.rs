@@ -41,7 +41,7 @@ fn solve(level: Level, gauges: Vec<Gauge>) -> Solved {
             scene: &scene,
             readout: &readout,
             start: None,
-            stop: &RUNNING,
+            watch: &RUNNING,
         })
         .expect("an equilibrium")
 }
@@ -141,7 +141,7 @@ fn the_carcass_of_the_inflated_tire_carries_what_netting_theory_says() {
             scene: &scene,
             readout: &Readout::default(),
             start: None,
-            stop: &RUNNING,
+            watch: &RUNNING,
         })
         .expect("an equilibrium");
     let carcass = solved.response.carcass.expect("the preset has a carcass");

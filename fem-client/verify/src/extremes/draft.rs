@@ -101,7 +101,7 @@ impl<'s> Bench<'s> {
             scene,
             readout: &self.readout,
             start: None,
-            stop: self.stop,
+            watch: self.stop,
         }
     }
 }

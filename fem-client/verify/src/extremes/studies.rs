@@ -216,7 +216,7 @@ fn linear_indices(step: f64, stop: &AtomicBool) -> Result<[Vec<f64>; 2], Unsolve
             scene,
             readout: &readout,
             start,
-            stop,
+            watch: stop,
         };
         solver.solve(&request)
     };

@@ -40,7 +40,7 @@ fn solve(solver: &dyn Solver, scene: &Scene, shape: bool) -> Solved {
         scene,
         readout: &readout,
         start: None,
-        stop: &AtomicBool::new(false),
+        watch: &AtomicBool::new(false),
     };
     solver.solve(&request).expect("an equilibrium")
 }

@@ -31,7 +31,7 @@ fn solved(level: Level, depths: [f64; 5], shift_mm: [f64; 2]) -> Solved {
         scene: &scene,
         readout: &Readout::default(),
         start: None,
-        stop: &AtomicBool::new(false),
+        watch: &AtomicBool::new(false),
     };
     let solved = EmbeddedSolver::default().solve(&request);
     let state = solved.expect("an equilibrium").state;

@@ -1,12 +1,12 @@
 //! One step of Newton's method: increments by the present tangent, and how much of them is applied.
 
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::{Cause, Newton};
 use crate::linear::sparsity::NONE;
 use crate::linear::system::Imbalance;
 use crate::newton::tangent::Pressing;
+use crate::newton::watch::Watch;
 use crate::problem::{Loads, State};
 
 /// Halvings of a step that would invert an element, before the iteration is given up.
@@ -20,9 +20,9 @@ impl Newton<'_> {
         &mut self,
         state: &mut State,
         loads: &Loads,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
     ) -> Result<Imbalance, Cause> {
-        self.solve_displacements(state, loads, stop)?;
+        self.solve_displacements(state, loads, watch)?;
         let start = Instant::now();
         self.collect_increments()?;
         self.accelerate();
@@ -35,7 +35,7 @@ impl Newton<'_> {
         &mut self,
         state: &State,
         loads: &Loads,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
     ) -> Result<(), Cause> {
         let tangent = self.tangent.clone().ok_or(Cause::Diverged)?;
         let start = Instant::now();
@@ -67,7 +67,7 @@ impl Newton<'_> {
                 force: loads.ground_force,
                 focus,
                 tolerance,
-                stop,
+                watch,
             }
         });
         self.rise = tangent.solve(self.problem, state, pressing, rhs, workspace);

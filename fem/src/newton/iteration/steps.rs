@@ -1,11 +1,10 @@
 //! Newton's iteration step by step, for methods that add equations of their own.
 
-use std::sync::atomic::AtomicBool;
-
 use super::{Cause, Newton};
 use crate::linear::factor::Inertia;
 use crate::linear::sparsity::Equations;
 use crate::linear::system::Imbalance;
+use crate::newton::watch::Watch;
 use crate::problem::{Loads, State};
 
 impl Newton<'_> {
@@ -30,10 +29,10 @@ impl Newton<'_> {
         &mut self,
         state: &State,
         loads: &Loads,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
     ) -> Result<Inertia, Cause> {
         let inertia = self.renew(state, loads)?;
-        self.solve_displacements(state, loads, stop)?;
+        self.solve_displacements(state, loads, watch)?;
         Ok(inertia)
     }
 

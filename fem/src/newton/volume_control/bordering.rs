@@ -1,13 +1,12 @@
 //! One equilibrium at a prescribed volume.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use crate::linear::factor::Inertia;
 use crate::linear::setup::SetupError;
 use crate::linear::sparsity::NONE;
 use crate::linear::system::Imbalance;
 use crate::load::pressure::PressureSurface;
 use crate::newton::iteration::{Cause, Effort, Newton, NotConverged, is_lost};
+use crate::newton::watch::Watch;
 use crate::problem::{Loads, Problem, State};
 
 /// Newton iterations of one equilibrium; those that are found take six to ten.
@@ -64,10 +63,10 @@ impl<'p> VolumeControl<'p> {
     ///
     /// # Errors
     /// [`NotConverged`] when its tangent is singular.
-    pub fn reference(&mut self, stop: &AtomicBool) -> Result<Inflated, NotConverged> {
+    pub fn reference(&mut self, watch: &dyn Watch) -> Result<Inflated, NotConverged> {
         let state = State::reference(self.problem);
         let volume = self.volume(&state);
-        self.solve_from(state, 0.0, volume, stop)
+        self.solve_from(state, 0.0, volume, watch)
     }
 
     /// The equilibrium whose volume is that of a state which is nearly in balance with this pressure, MPa.
@@ -78,10 +77,10 @@ impl<'p> VolumeControl<'p> {
         &mut self,
         state: State,
         pressure: f64,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
     ) -> Result<Inflated, NotConverged> {
         let volume = self.volume(&state);
-        self.solve_from(state, pressure, volume, stop)
+        self.solve_from(state, pressure, volume, watch)
     }
 
     /// The equilibrium at another volume (mm^3), found from a near one.
@@ -92,9 +91,9 @@ impl<'p> VolumeControl<'p> {
         &mut self,
         near: &Inflated,
         volume: f64,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
     ) -> Result<Inflated, NotConverged> {
-        self.solve_from(near.state.clone(), near.pressure, volume, stop)
+        self.solve_from(near.state.clone(), near.pressure, volume, watch)
     }
 
     fn solve_from(
@@ -102,7 +101,7 @@ impl<'p> VolumeControl<'p> {
         mut state: State,
         mut pressure: f64,
         target: f64,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
     ) -> Result<Inflated, NotConverged> {
         let mut history: Vec<Imbalance> = Vec::new();
         let mut indefinite = false;
@@ -119,11 +118,12 @@ impl<'p> VolumeControl<'p> {
             let volume = self.volume(&state);
             let gap = target - volume;
             let worst = imbalance.worst().max((gap / target).abs());
+            watch.iterated(worst);
             let cause = if !worst.is_finite() || worst > settings.divergence {
                 Some(Cause::Diverged)
             } else if history.len() > settings.max_iterations || is_lost(&history[1..]) {
                 Some(Cause::Iterations)
-            } else if stop.load(Ordering::Relaxed) {
+            } else if watch.is_stopped() {
                 Some(Cause::Stopped)
             } else {
                 None
@@ -136,7 +136,7 @@ impl<'p> VolumeControl<'p> {
             if let Some(cause) = cause {
                 return Err(fail(cause));
             }
-            let inertia = self.newton.linearise(&state, &loads, stop).map_err(fail)?;
+            let inertia = self.newton.linearise(&state, &loads, watch).map_err(fail)?;
             let border = self.border(&state).map_err(fail)?;
             if worst <= settings.tolerance {
                 return Ok(Inflated {

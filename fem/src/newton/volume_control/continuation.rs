@@ -1,9 +1,8 @@
 //! The path of growing volume: to a pressure, or to what ends it before.
 
-use std::sync::atomic::AtomicBool;
-
 use super::bordering::{Inflated, VolumeControl};
 use crate::newton::iteration::{Cause, NotConverged};
+use crate::newton::watch::Watch;
 
 /// Largest growth of the volume from one equilibrium to the next.
 const GROWTH: f64 = 0.2;
@@ -53,7 +52,7 @@ impl VolumeControl<'_> {
         start: &Inflated,
         pressure: f64,
         largest_volume: f64,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
     ) -> Ending {
         let most = self.effort().iterations + MOST_ITERATIONS;
         let mut last = start.clone();
@@ -62,9 +61,9 @@ impl VolumeControl<'_> {
         loop {
             let volume = f64::min(last.volume * (1.0 + growth), largest_volume);
             let exhausted = growth < SMALLEST_GROWTH || self.effort().iterations > most;
-            match self.solve(&last, volume, stop) {
+            match self.solve(&last, volume, watch) {
                 Ok(next) if next.slope <= 0.0 => {
-                    return self.at_maximum(last, next, pressure, stop);
+                    return self.at_maximum(last, next, pressure, watch);
                 }
                 Ok(next) if !next.inertia.is_positive() => {
                     let above = unstable.map_or(next.pressure, |known| known.min(next.pressure));
@@ -108,9 +107,9 @@ impl VolumeControl<'_> {
         rising: Inflated,
         falling: Inflated,
         pressure: f64,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
     ) -> Ending {
-        match self.maximum(rising.clone(), falling, stop) {
+        match self.maximum(rising.clone(), falling, watch) {
             Ok(limit) if limit.pressure >= pressure => Ending::Reached(rising),
             Ok(limit) => Ending::LimitPoint(limit),
             Err(other) => match *other {
@@ -123,12 +122,12 @@ impl VolumeControl<'_> {
     }
 
     /// Where a body loses its stability between a stable and an unstable equilibrium of a rising path.
-    fn buckling(&mut self, stable: Inflated, unstable: &Inflated, stop: &AtomicBool) -> Ending {
+    fn buckling(&mut self, stable: Inflated, unstable: &Inflated, watch: &dyn Watch) -> Ending {
         let (mut below, mut above) = (stable, unstable.pressure);
         let mut volume = unstable.volume;
         while above - below.pressure > BUCKLING_TOLERANCE * above {
             let middle = 0.5 * (below.volume + volume);
-            match self.solve(&below, middle, stop) {
+            match self.solve(&below, middle, watch) {
                 Ok(next) if next.inertia.is_positive() => below = next,
                 Ok(next) => {
                     above = above.min(next.pressure);
@@ -148,13 +147,13 @@ impl VolumeControl<'_> {
         &mut self,
         mut rising: Inflated,
         mut falling: Inflated,
-        stop: &AtomicBool,
+        watch: &dyn Watch,
     ) -> Result<Inflated, Box<Ending>> {
         let (mut up, mut down) = (rising.slope, falling.slope);
         loop {
             let width = falling.volume - rising.volume;
             let volume = rising.volume + width * up / (up - down);
-            let next = match self.solve(&rising, volume, stop) {
+            let next = match self.solve(&rising, volume, watch) {
                 Ok(next) => next,
                 Err(failure) => {
                     let last = rising;
@@ -164,7 +163,7 @@ impl VolumeControl<'_> {
             let near = next.slope.abs() * width <= LIMIT_TOLERANCE * next.pressure;
             // At the maximum itself the sign of one pivot is a matter of round-off.
             if !near && next.slope > 0.0 && !next.inertia.is_positive() {
-                return Err(Box::new(self.buckling(rising, &next, stop)));
+                return Err(Box::new(self.buckling(rising, &next, watch)));
             }
             if near || width <= NARROWEST * volume {
                 return Ok(next);

@@ -43,7 +43,7 @@ fn fingerprint(solver: &dyn Solver) -> String {
         scene: &scene,
         readout: &Readout::default(),
         start: None,
-        stop: &AtomicBool::new(false),
+        watch: &AtomicBool::new(false),
     });
     let (response, state) = match solved {
         Ok(solved) => (

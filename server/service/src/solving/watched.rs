@@ -5,13 +5,13 @@
 //! for a factorisation, which is the longest that a solve goes without looking at its flag: 7 s of contact all over the reference mesh.
 
 use std::panic::resume_unwind;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
+use fem_client::solver::{SolveError, SolveProgress, SolveRequest, Solved, Solver, Watch};
 use placement::run::usage::{cpu_s, credit};
 
 use crate::solving::inner_tells;
@@ -21,6 +21,42 @@ const LOOK: Duration = Duration::from_millis(10);
 
 /// How long a caller that wishes to stop waits for a solve.
 const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Between a solve's own thread and the one that waits for it.
+struct Relay {
+    stop: AtomicBool,
+    told: Mutex<Option<SolveProgress>>,
+}
+
+impl Relay {
+    fn new(stop: bool) -> Self {
+        Self {
+            stop: AtomicBool::new(stop),
+            told: Mutex::default(),
+        }
+    }
+
+    fn stop(&self) {
+        self.stop.store(true, Ordering::Relaxed);
+    }
+
+    /// The newest of what was told since it was taken last.
+    fn take(&self) -> Option<SolveProgress> {
+        let mut told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
+        told.take()
+    }
+}
+
+impl Watch for Relay {
+    fn is_stopped(&self) -> bool {
+        self.stop.is_stopped()
+    }
+
+    fn tell(&self, progress: SolveProgress) {
+        let mut told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
+        *told = Some(progress);
+    }
+}
 
 /// Another solver, watched.
 pub struct Watched {
@@ -45,13 +81,13 @@ impl Watched {
         }
     }
 
-    /// Waits for an answer, passing the caller's wish to stop on, until the time is over.
+    /// Waits for an answer, passing the caller's wish to stop on, and what the solve tells back, until the time is over.
     fn wait(
         &self,
         answers: &Receiver<Timed>,
         thread: JoinHandle<()>,
-        asked: &AtomicBool,
-        told: &AtomicBool,
+        asked: &dyn Watch,
+        relay: &Relay,
     ) -> SolveResult {
         let begun = Instant::now();
         let mut stopping: Option<Instant> = None;
@@ -60,7 +96,7 @@ impl Watched {
                 Ok((answer, cpu_s)) => {
                     credit(cpu_s);
                     let stopped = matches!(answer, Err(SolveError::Stopped));
-                    return match stopped && !asked.load(Ordering::Relaxed) {
+                    return match stopped && !asked.is_stopped() {
                         true => Err(self.over_time(false)),
                         false => answer,
                     };
@@ -68,9 +104,12 @@ impl Watched {
                 Err(RecvTimeoutError::Disconnected) => return Err(broken(thread)),
                 Err(RecvTimeoutError::Timeout) => {}
             }
-            let wished = asked.load(Ordering::Relaxed);
+            if let Some(progress) = relay.take() {
+                asked.tell(progress);
+            }
+            let wished = asked.is_stopped();
             if stopping.is_none() && (wished || begun.elapsed() >= self.limit) {
-                told.store(true, Ordering::Relaxed);
+                relay.stop();
                 stopping = Some(Instant::now());
             }
             let waited = stopping.map_or(Duration::ZERO, |since| since.elapsed());
@@ -122,8 +161,8 @@ impl Watched {
     /// Has one thread solve, and waits for it.
     fn watch(&self, request: &SolveRequest<'_>, way: Way) -> SolveResult {
         let (tell, answers) = sync_channel(1);
-        let told = Arc::new(AtomicBool::new(request.stop.load(Ordering::Relaxed)));
-        let (solver, stop) = (self.solver.clone(), told.clone());
+        let relay = Arc::new(Relay::new(request.watch.is_stopped()));
+        let (solver, watch) = (self.solver.clone(), relay.clone());
         let (scene, readout) = (request.scene.clone(), request.readout.clone());
         let start = request.start.cloned();
         let span = tracing::Span::current();
@@ -133,14 +172,14 @@ impl Watched {
                 scene: &scene,
                 readout: &readout,
                 start: start.as_ref(),
-                stop: &stop,
+                watch: &*watch,
             };
             // Nobody listens any more to a solve that was left behind.
             let answer = way(&*solver, &request);
             let _ = tell.send((answer, cpu_s()));
         };
         match thread::Builder::new().name("solve".to_owned()).spawn(solve) {
-            Ok(thread) => self.wait(&answers, thread, request.stop, &told),
+            Ok(thread) => self.wait(&answers, thread, request.watch, &relay),
             Err(error) => Err(SolveError::Broken {
                 detail: format!("no thread could be started for a solve: {error}"),
             }),
@@ -176,7 +215,7 @@ mod tests {
                     thread::park_timeout(Duration::from_secs(3600));
                 },
                 Self::Heeding => {
-                    while !request.stop.load(Ordering::Relaxed) {
+                    while !request.watch.is_stopped() {
                         thread::sleep(Duration::from_millis(1));
                     }
                     Err(SolveError::Stopped)
@@ -194,7 +233,7 @@ mod tests {
             scene: &Scene::default(),
             readout: &Readout::default(),
             start: None,
-            stop,
+            watch: stop,
         })
     }
 

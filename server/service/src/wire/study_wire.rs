@@ -1,6 +1,7 @@
 //! The documents that the service answers with, and those that it takes.
 
 use fem_client::document::fault::Fault;
+use fem_client::solver::SolveProgress;
 use placement::result::{
     CandidateFilm, Estimate, LayoutFindings, OrderAgreement, RankedLayout, RankedLocation,
 };
@@ -82,12 +83,22 @@ pub struct StudyDetail {
 /// One of the events that a stream consists of.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
 pub struct StreamEvent {
-    /// Its number, for `Last-Event-ID`.
+    /// Its number, for `Last-Event-ID`; `solving` has none.
     pub id: String,
     /// What happened.
     pub event: String,
     /// A JSON object with `kind`, `time` and what else belongs to it.
     pub data: String,
+}
+
+/// How far one of the solves under way is.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, ToSchema)]
+pub struct LiveSolve {
+    /// Ordinal of its point in the plan.
+    pub ordinal: usize,
+    /// How far.
+    #[serde(flatten)]
+    pub progress: SolveProgress,
 }
 
 /// One page of studies, newest first.

@@ -199,7 +199,7 @@ impl<'b> Progress<'b> {
                 say_failed(self.bar, *ordinal, cause);
             }
             // A sweep has a bar for all of its designs.
-            Event::Analysing | Event::Revised(_) => {}
+            Event::Solving { .. } | Event::Analysing | Event::Revised(_) => {}
         }
     }
 

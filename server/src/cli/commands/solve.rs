@@ -75,7 +75,7 @@ impl Solve {
             scene: &scene,
             readout: &readout,
             start: None,
-            stop: &stop,
+            watch: &*stop,
         };
         let waiting = clock("solving");
         let solved = solver.solve(&request).and_then(|mut solved| {
@@ -343,7 +343,7 @@ mod tests {
             scene: &scene,
             readout: &Readout::default(),
             start: None,
-            stop: &stop,
+            watch: &stop,
         };
         let mut solved = ClosedFormSolver::new().solve(&request).expect("solves");
         let document = document(&solved).expect("finite");

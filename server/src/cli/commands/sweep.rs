@@ -91,6 +91,7 @@ impl Sweep {
             ),
             threads: self.config.threads(),
             metrics: Metrics::new(),
+            live: Arc::default(),
         };
         let ended = self.run(&runtime, &engine, plan.as_ref());
         let closed = runtime.block_on(engine.store.close());

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use anstream::{AutoStream, ColorChoice};
+use fem_client::solver::{SolveProgress, Stage};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use placement::run::Event;
 
@@ -83,6 +84,18 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// How often a bar is drawn anew when nothing else moves it.
 pub const TICK: Duration = Duration::from_millis(200);
 
+/// How far the solve is that was told of last.
+fn solving(progress: &SolveProgress) -> String {
+    let stage = match progress.stage {
+        Stage::Inflating => "inflating",
+        Stage::Pressing => "pressing",
+    };
+    let residual = progress.residual;
+    let residual =
+        residual.map_or_else(String::new, |residual| format!(", residual {residual:.0e}"));
+    format!("{stage}, iteration {}{residual}", progress.iterations)
+}
+
 /// Says above the bar which point failed, and why.
 pub fn say_failed(bar: &ProgressBar, ordinal: usize, cause: &str) {
     let point = format!("point {ordinal}");
@@ -121,6 +134,7 @@ pub fn show(bar: &ProgressBar, event: &Event) {
             bar.set_position(number(*done));
             say_failed(bar, *ordinal, cause);
         }
+        Event::Solving { progress, .. } => bar.set_message(solving(progress)),
         Event::Analysing => bar.set_message("analysing"),
         Event::Revised(estimate) => bar.println(revised(estimate)),
     }

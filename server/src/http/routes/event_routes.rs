@@ -28,8 +28,10 @@ use crate::http::edge::extract::{StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
 use crate::http::routes::study_routes::known;
 use service::shutdown::Shutdown;
+use service::solving::live::Solves;
 use service::wire::examples;
-use service::wire::study_wire::{ProblemDocument, StreamEvent};
+use service::wire::study_wire::{LiveSolve, ProblemDocument, StreamEvent};
+use store::clock::now;
 use store::queue::event_rows;
 use store::queue::event_rows::EventRow;
 use store::{Store, StoreError};
@@ -45,8 +47,9 @@ pub fn router() -> OpenApiRouter<AppState> {
 
 /// Follow a study
 ///
-/// Server-sent events: `queued`, `started`, `point-solved`, `point-failed`, `estimate-revised`, `analysing`, then one of `done`, `failed` and `cancelled`, which ends the stream. Each
+/// Server-sent events: `queued`, `started`, `solving`, `point-solved`, `point-failed`, `estimate-revised`, `analysing`, then one of `done`, `failed` and `cancelled`, which ends the stream. Each
 /// has a number; a client that comes back with `Last-Event-ID` gets what it missed, and one whose number is beyond the newest of this database gets all.
+/// `solving` has none and doesn't come again: it tells up to five times a second how far the solves under way are, each with its stage, iterations and residual.
 #[utoipa::path(get, path = "/v1/studies/{id}/events", tag = "studies",
     params(StudyPath, ("Last-Event-ID" = Option<String>, Header, description = "Number of the last event seen; all come again where it is beyond the newest", example = "17")),
     responses((status = 200, description = "The events", content_type = "text/event-stream", body = StreamEvent,
@@ -66,6 +69,7 @@ async fn follow(
     let last = from_here(&state.store, last).await?;
     let mut follower = Follower {
         seen: state.store.events_seen(),
+        solves: state.engine.live.subscribe(),
         store: state.store,
         shutdown: state.shutdown,
         study: id,
@@ -119,6 +123,7 @@ async fn from_here(store: &Store, last: i64) -> Result<i64, StoreError> {
 struct Follower {
     store: Arc<Store>,
     seen: watch::Receiver<i64>,
+    solves: watch::Receiver<Solves>,
     shutdown: Shutdown,
     study: String,
     last: i64,
@@ -137,6 +142,13 @@ impl Follower {
             tokio::select! {
                 changed = self.seen.changed() => changed.ok()?,
                 () = self.shutdown.wait() => return None,
+                changed = self.solves.changed() => {
+                    changed.ok()?;
+                    match solving(&self.solves.borrow_and_update(), &self.study) {
+                        Some(event) => return Some(event),
+                        None => continue,
+                    }
+                }
             }
             if let Err(error) = self.fetch().await {
                 tracing::error!(%error, "an event stream could not go on");
@@ -160,6 +172,17 @@ impl Follower {
         self.waiting.extend(rows);
         Ok(())
     }
+}
+
+/// How far the solves of a study are; `None` where none is told of.
+fn solving(solves: &Solves, study: &str) -> Option<Event> {
+    if solves.study != study || solves.points.is_empty() {
+        return None;
+    }
+    let points = solves.points.iter();
+    let points = points.map(|(&ordinal, &progress)| LiveSolve { ordinal, progress });
+    let told = json!({"kind": "solving", "time": now(), "solves": points.collect::<Vec<_>>()});
+    Some(Event::default().event("solving").data(told.to_string()))
 }
 
 fn wire(row: &EventRow) -> Event {

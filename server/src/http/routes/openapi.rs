@@ -21,7 +21,7 @@ use crate::http::routes::{
 };
 use service::export::{ComparisonFormat, ComparisonTable, FileFormat, Table};
 use service::wire::examples;
-use service::wire::study_wire::ProblemDocument;
+use service::wire::study_wire::{LiveSolve, ProblemDocument};
 
 #[derive(OpenApi)]
 #[openapi(
@@ -33,7 +33,7 @@ use service::wire::study_wire::ProblemDocument;
                        them. Every answer has an `x-request-id`.",
         license(name = "MIT OR Apache-2.0", identifier = "MIT OR Apache-2.0")
     ),
-    components(schemas(ProblemDocument, ComparisonFormat, ComparisonTable, FileFormat, Table)),
+    components(schemas(ProblemDocument, LiveSolve, ComparisonFormat, ComparisonTable, FileFormat, Table)),
     tags(
         (name = "studies", description = "Estimate, submit, follow and cancel"),
         (name = "answers", description = "What a study found"),

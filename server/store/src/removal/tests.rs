@@ -32,7 +32,7 @@ async fn study(connection: &mut SqliteConnection, name: &str, points: &[&str]) -
         scene: &scene,
         readout: &readout,
         start: None,
-        stop: &stop,
+        watch: &stop,
     };
     let solved = ClosedFormSolver::new().solve(&request).expect("solves");
     let outcome = Ok(solved.response);

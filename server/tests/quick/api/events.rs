@@ -1,6 +1,10 @@
 //! `/v1/studies/{id}/events`.
 
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
 use fem_client::closed_form::ClosedFormSolver;
+use fem_client::solver::{SolveError, SolveProgress, SolveRequest, Solved, Solver, Stage};
 use reqwest::StatusCode;
 use serde_json::Value;
 
@@ -136,9 +140,69 @@ async fn stopping_the_service_ends_open_streams() {
     let id = app.submit(&study()).await;
     let mut response = app.get(&format!("/v1/studies/{id}/events")).await;
     response.chunk().await.expect("a first event");
-    let begun = std::time::Instant::now();
+    let begun = Instant::now();
     app.service.stop().await.expect("stops");
     while let Ok(Some(_)) = response.chunk().await {}
     // A solve heeds its flag within milliseconds here; the bound is the grace that requests in flight are given.
     assert!(begun.elapsed().as_secs() < 5);
+}
+
+/// Tells of its first solve, as long as that takes.
+struct Telling(ClosedFormSolver);
+
+impl Solver for Telling {
+    fn version(&self) -> String {
+        self.0.version()
+    }
+
+    fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        let begun = Instant::now();
+        let mut iterations = 0;
+        while request.start.is_none() && begun.elapsed() < Duration::from_millis(700) {
+            iterations += 1;
+            request.watch.tell(SolveProgress {
+                stage: Stage::Pressing,
+                share: 0.25,
+                iterations,
+                residual: Some(1e-3),
+            });
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        self.0.solve(request)
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn solves_under_way_are_told_to_those_who_look_and_not_kept() {
+    let home = Home::new();
+    let app = home
+        .start_on(Arc::new(Telling(ClosedFormSolver::new())))
+        .await;
+    let id = app.submit(&study()).await;
+    let response = app.get(&format!("/v1/studies/{id}/events")).await;
+    let text = response.text().await.expect("a stream");
+    let told: Vec<Value> = text
+        .split("\n\n")
+        .filter(|block| block.contains("event: solving"))
+        .map(|block| {
+            assert!(!block.contains("id:"), "{block}");
+            let data = block.lines().find_map(|line| line.strip_prefix("data: "));
+            serde_json::from_str(data.expect("data")).expect("JSON")
+        })
+        .collect();
+    // 200 ms apart at least.
+    assert!((1..=4).contains(&told.len()), "{text}");
+    let [solve] = &told[0]["solves"].as_array().expect("solves")[..] else {
+        panic!("{told:?}")
+    };
+    assert_eq!(solve["ordinal"], 0);
+    assert_eq!(solve["stage"], "pressing");
+    assert_eq!(
+        (&solve["share"], &solve["residual"]),
+        (&0.25.into(), &1e-3.into())
+    );
+    assert!(solve["iterations"].as_u64() > Some(1));
+    let again = stream(&app, &id, None).await;
+    assert!(again.iter().all(|event| event.kind != "solving"));
+    assert_eq!(again.last().map(|event| event.kind.as_str()), Some("done"));
 }

@@ -1,4 +1,4 @@
-import type { FailedPoint, State, StudySummary } from "../../wire.ts";
+import type { FailedPoint, LiveSolve, State, StudySummary } from "../../wire.ts";
 import type { StudyEvent } from "./stream-events.ts";
 
 /** How far a study is, from the list entry and the events of its stream. Pure: time comes in as a number. */
@@ -23,6 +23,8 @@ export interface Progress {
   /** Wall seconds of solved points by ordinal. */
   wall_s: ReadonlyMap<number, number>;
   failures: readonly PointFailure[];
+  /** Solves under way, as far as they are told of. */
+  solves: readonly LiveSolve[];
   /** Every point has its outcome and the indices are being computed. */
   analysing: boolean;
   /** Milliseconds since the epoch. */
@@ -41,6 +43,7 @@ export function fromSummary(summary: StudySummary): Progress {
     newton: new Map(),
     wall_s: new Map(),
     failures: [],
+    solves: [],
     analysing: false,
     started_ms: milliseconds(summary.started),
     finished_ms: milliseconds(summary.finished),
@@ -77,9 +80,12 @@ export function advance(progress: Progress, event: StudyEvent, now_ms: number): 
         done: Math.max(progress.done, event.reused),
         started_ms: progress.started_ms ?? now_ms,
       };
+    case "solving":
+      return { ...progress, solves: event.solves };
     case "point-solved":
       return {
         ...progress,
+        solves: without(progress.solves, event.ordinal),
         state: "running",
         total: event.of,
         done: Math.max(progress.done, event.done),
@@ -90,13 +96,14 @@ export function advance(progress: Progress, event: StudyEvent, now_ms: number): 
     case "point-failed":
       return {
         ...progress,
+        solves: without(progress.solves, event.ordinal),
         // Events of earlier versions don't say how far the study was.
         total: event.of ?? progress.total,
         done: Math.max(progress.done, event.done ?? 0),
         failures: failuresOf(progress.failures, event),
       };
     case "analysing":
-      return { ...progress, analysing: true };
+      return { ...progress, solves: [], analysing: true };
     case "failed":
       return {
         ...progress,
@@ -135,6 +142,10 @@ export function secondsLeft(progress: Progress, now_ms: number): number | null {
 
 export function newtonIterations(progress: Progress): number {
   return [...progress.newton.values()].reduce((sum, count) => sum + count, 0);
+}
+
+function without(solves: readonly LiveSolve[], ordinal: number): readonly LiveSolve[] {
+  return solves.filter((solve) => solve.ordinal !== ordinal);
 }
 
 /** The failed points with what an event adds; it may come after the end, when a stream is replayed. */

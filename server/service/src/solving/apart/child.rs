@@ -49,6 +49,6 @@ fn solved(solver: &dyn Solver, order: &str) -> Result<Solved, SolveError> {
         readout: &readout,
         start: start.as_ref(),
         // The parent ends the process instead.
-        stop: &AtomicBool::new(false),
+        watch: &AtomicBool::new(false),
     })
 }

@@ -4,12 +4,11 @@ use std::io::{self, Read, Write};
 use std::path::PathBuf;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
 use fem_client::document::visible::visible;
-use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
+use fem_client::solver::{SolveError, SolveRequest, Solved, Solver, Watch};
 use placement::run::usage::credit;
 
 use super::child::ARGUMENT;
@@ -80,7 +79,7 @@ impl Solver for Apart {
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let kills_before = memory_kills();
         let mut child = command.spawn().map_err(unstarted)?;
-        let ended = attend(&mut child, &(order + "\n"), request.stop).map_err(broken)?;
+        let ended = attend(&mut child, &(order + "\n"), request.watch).map_err(broken)?;
         if ended.stopped {
             return Err(SolveError::Stopped);
         }
@@ -141,7 +140,7 @@ fn unstarted(error: io::Error) -> SolveError {
 }
 
 /// Tells a process its order and listens until it has ended, or is to end.
-fn attend(child: &mut Child, order: &str, stop: &AtomicBool) -> io::Result<Ended> {
+fn attend(child: &mut Child, order: &str, watch: &dyn Watch) -> io::Result<Ended> {
     let (input, output, errors) = (child.stdin.take(), child.stdout.take(), child.stderr.take());
     thread::scope(|scope| {
         let telling = scope.spawn(move || {
@@ -154,7 +153,7 @@ fn attend(child: &mut Child, order: &str, stop: &AtomicBool) -> io::Result<Ended
         });
         let answer = scope.spawn(|| read(output));
         let words = scope.spawn(|| read(errors));
-        let ended = wait(child, stop);
+        let ended = wait(child, watch);
         // Not before: the process ends when nobody holds its input any more.
         drop(telling.join());
         let (status, stopped) = ended?;
@@ -177,12 +176,12 @@ fn read(pipe: Option<impl Read>) -> Vec<u8> {
 }
 
 /// How the process ended, and whether it was for the caller's wish.
-fn wait(child: &mut Child, stop: &AtomicBool) -> io::Result<(ExitStatus, bool)> {
+fn wait(child: &mut Child, watch: &dyn Watch) -> io::Result<(ExitStatus, bool)> {
     loop {
         if let Some(status) = child.try_wait()? {
             return Ok((status, false));
         }
-        if stop.load(Ordering::Relaxed) {
+        if watch.is_stopped() {
             child.kill()?;
             return Ok((child.wait()?, true));
         }
@@ -200,6 +199,7 @@ fn last_words(words: &[u8]) -> String {
 
 #[cfg(all(test, target_os = "linux"))]
 mod tests {
+    use std::sync::atomic::AtomicBool;
     use std::time::Instant;
 
     use super::*;
@@ -219,7 +219,7 @@ mod tests {
             scene: &Scene::default(),
             readout: &Readout::default(),
             start: None,
-            stop,
+            watch: stop,
         })
     }
 

@@ -86,6 +86,7 @@ impl Run {
             solver,
             threads,
             metrics: Metrics::new(),
+            live: Arc::default(),
         };
         let end = self.solve(&runtime, &engine, &planned.study);
         let closed = runtime.block_on(engine.store.close());

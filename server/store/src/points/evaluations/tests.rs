@@ -40,7 +40,7 @@ fn solved() -> (Outcome, Cost, StartState) {
         scene: &scene,
         readout: &readout,
         start: None,
-        stop: &stop,
+        watch: &stop,
     };
     let solved = ClosedFormSolver::new().solve(&request).expect("solves");
     (Ok(solved.response), solved.cost, solved.state)

@@ -5,6 +5,7 @@ import type { Link, OpenStudy } from "../../../state/app-state.ts";
 import type { Estimate } from "../../../wire.ts";
 import { Facts } from "../../shared/facts.tsx";
 import { ProblemBox } from "../../shared/problem-box.tsx";
+import { CurrentSolves } from "./current-solves.tsx";
 import { PointDots } from "./point-dots.tsx";
 
 interface Props {
@@ -29,6 +30,7 @@ export function StudyProgress({ open, progress, now_ms, onCancel }: Props) {
         {progress.done} of {progress.total ?? "?"}
       </progress>
       <Standing progress={progress} now_ms={clock_ms} estimate={detail?.estimate ?? null} />
+      {progress.state === "running" && open.lost_ms === null && <CurrentSolves solves={progress.solves} />}
       {blocks !== null && <PointDots blocks={blocks} />}
       <Failures failures={progress.failures} />
       {open.problem !== null && <ProblemBox problem={open.problem} />}

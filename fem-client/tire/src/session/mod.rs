@@ -1,6 +1,8 @@
 //! One solve on its way: a scene's model, its Newton method, and the loads they meet.
+//!
+//! - `told_solve`: tells whoever watches how far it is
 
-use std::sync::atomic::AtomicBool;
+mod told_solve;
 
 use fem::load::obstacle::HeightField;
 use fem::newton::iteration::Newton;
@@ -9,13 +11,16 @@ use fem::problem::{Loads, State};
 
 use crate::model::{TireModel, depth_of_load, ground};
 use fem_client::scene::Scene;
+use fem_client::solver::Stage;
+
+pub(crate) use told_solve::ToldSolve;
 
 /// A scene's model with its Newton method.
 pub(crate) struct Session<'m> {
     pub(crate) scene: &'m Scene,
     pub(crate) model: &'m TireModel,
     pub(crate) newton: Newton<'m>,
-    pub(crate) stop: &'m AtomicBool,
+    pub(crate) watch: ToldSolve<'m>,
 }
 
 impl Session<'_> {
@@ -34,7 +39,12 @@ impl Session<'_> {
         target: &Loads,
         stability: Stability,
     ) -> Result<PathReport, Box<PathFailure>> {
-        follow(&mut self.newton, state, start, target, stability, self.stop)
+        self.watch.begin(match target.ground {
+            None => Stage::Inflating,
+            Some(_) => Stage::Pressing,
+        });
+        let watch = &self.watch;
+        follow(&mut self.newton, state, start, target, stability, watch)
     }
 
     /// Loads of the scene, given its inflated state.
