@@ -88,8 +88,12 @@ test("a sweep with a design that failed, its designs side by side, and the failu
   await hold();
 });
 
-test("a cancelled study says how it goes on", async () => {
+test("a running study tells of its solves, and a cancelled one says how it goes on", async () => {
   cancelled = await sent("/studies", { ...LONG, name: "cancelled", accuracy: { preset: "reference" } });
+  await page.goto(`${service.url}/#/studies/${cancelled}`);
+  await page.locator(".current-solves li").first().waitFor({ timeout: STUDY_MS });
+  assert.match(await page.locator(".current-solves li").first().innerText(), /Point \d+: (inflating|pressing).*, iteration \d+, residual \de[+-]\d+/);
+  await hold();
   await fetch(`${service.url}/v1/studies/${cancelled}`, { method: "DELETE" });
   await page.goto(`${service.url}/#/studies/${cancelled}`);
   await page.locator(".study-head .badge-cancelled").waitFor();
@@ -152,14 +156,17 @@ test("a study whose service is killed stands still on the page, and goes on to i
   const stood = await clock.innerText();
   await page.waitForTimeout(2200);
   assert.equal(await clock.innerText(), stood, "the clock stands");
-  const others = complaints.splice(0).filter((text) => !/ERR_(CONNECTION_REFUSED|INCOMPLETE_CHUNKED_ENCODING|CONNECTION_RESET|EMPTY_RESPONSE)/.test(text));
-  assert.deepEqual(others, [], "only refused requests are told");
-  for (const colorScheme of ["light", "dark"]) {
-    await page.emulateMedia({ colorScheme });
-    assert.deepEqual(await violations(page), [], `without its service, ${colorScheme}`);
+  for (const viewport of [...WINDOWS].reverse()) {
+    await page.setViewportSize(viewport);
+    for (const colorScheme of ["dark", "light"]) {
+      await page.emulateMedia({ colorScheme });
+      assert.deepEqual(await violations(page), [], `without its service, ${viewport.width} px, ${colorScheme}`);
+    }
   }
   await service.restart();
   await page.locator(".answer-sentence").waitFor({ timeout: STUDY_MS });
+  const others = complaints.splice(0).filter((text) => !/ERR_(CONNECTION_REFUSED|INCOMPLETE_CHUNKED_ENCODING|CONNECTION_RESET|EMPTY_RESPONSE)/.test(text));
+  assert.deepEqual(others, [], "only refused requests are told");
   const { cost } = await (await fetch(`${service.url}/v1/studies/${id}/result?map=false`)).json();
   t.diagnostic(`${before} points were solved when it was killed, ${cost.reused} of them not again`);
   assert.ok(cost.reused >= before - 1, `${cost.reused} of ${before} points were kept`);

@@ -12,6 +12,8 @@ const SECTIONS = ["answer", "tire", "layouts", "indices", "trade", "run"];
 const WINDOWS = [{ width: 1440, height: 900 }, { width: 390, height: 844 }];
 /** Highest row of a table in a narrow window, px. */
 const ROW = 120;
+/** What the answer may take on the wire. */
+const ANSWER_BYTES = 120_000;
 const STUDY_MS = 300_000;
 const depth = (station) => ({ name: `P${station + 1}`, vary: `ground.depths_mm[${station}]`, distribution: { kind: "uniform", min: 0.7, max: 1.3 } });
 const STUDY = {
@@ -119,6 +121,54 @@ for (const viewport of WINDOWS) {
     await page.context().close();
   });
 }
+
+test("the answer takes few bytes", { timeout: 60_000 }, async (t) => {
+  const { page } = await openSection("answer", { viewport: WINDOWS[0] });
+  await page.waitForLoadState("networkidle");
+  const sizes = await page.evaluate(() => performance.getEntries().filter(({ transferSize }) => transferSize > 0).map(({ name, transferSize }) => [name.split("/").at(-1), transferSize]));
+  const bytes = sizes.reduce((sum, [, size]) => sum + size, 0);
+  t.diagnostic(`${bytes} bytes: ${JSON.stringify(sizes)}`);
+  assert.ok(sizes.some(([name]) => name === "result?map=false") && bytes < ANSWER_BYTES, `${bytes} bytes`);
+  await page.context().close();
+});
+
+test("a film is dragged, its bounds follow, and undo takes it back", { timeout: 60_000 }, async () => {
+  const { page, complaints } = await openSection("layouts", { viewport: WINDOWS[0] });
+  await page.getByText("Move films", { exact: true }).click();
+  const films = page.getByRole("group", { name: "Films by their angle around the wheel" }).getByRole("button");
+  await films.first().waitFor();
+  const before = await films.allInnerTexts();
+  const drawing = page.getByRole("img", { name: `${before.length} films that can be moved` });
+  const { x, y, width } = await drawing.boundingBox();
+  // The film at 0 degrees is the lowest; positive angles are to the right.
+  const [middle, arm] = [{ x: x + width / 2, y: y + width / 2 }, 0.4 * width];
+  const at = (angle) => [middle.x + arm * Math.sin((angle * Math.PI) / 180), middle.y + arm * Math.cos((angle * Math.PI) / 180)];
+  await page.mouse.move(...at(0));
+  await page.mouse.down();
+  await page.mouse.move(...at(10), { steps: 4 });
+  await page.mouse.move(...at(17), { steps: 4 });
+  await page.mouse.up();
+  const moved = await films.allInnerTexts();
+  const changed = before.filter((text, k) => text !== moved[k]);
+  assert.deepEqual(changed.length, 1, `${before} became ${moved}`);
+  assert.ok(moved.some((text) => text.includes(" 17°")), moved.join(", "));
+  await page.waitForURL(/films=/);
+  await page.getByText("the layout it came from").first().waitFor();
+  for (const viewport of WINDOWS) {
+    await page.setViewportSize(viewport);
+    for (const colorScheme of ["light", "dark"]) {
+      await page.emulateMedia({ colorScheme });
+      assert.deepEqual(await violations(page), [], `${viewport.width} px, ${colorScheme}`);
+    }
+    const { small, overflow } = await setting(page, 1e9);
+    assert.deepEqual(small, [], "texts below 11 px");
+    assert.ok(overflow <= 0, `the page is ${overflow} px wider than its window`);
+  }
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.deepEqual(await films.allInnerTexts(), before);
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
 
 test("the first view asks for no map, and the tire's section does", { timeout: 60_000 }, async () => {
   const { page, requests } = await openSection("answer", { viewport: WINDOWS[0] });

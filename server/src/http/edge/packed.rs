@@ -18,7 +18,7 @@ const SHORT: u64 = 1024;
 /// Packs answers.
 pub fn layer() -> CompressionLayer<And<DefaultPredicate, SizeAbove>> {
     CompressionLayer::new()
-        .quality(CompressionLevel::Fastest)
+        .quality(CompressionLevel::Default)
         .compress_when(DefaultPredicate::new().and(SizeAbove::new(SHORT)))
 }
 
