@@ -53,7 +53,8 @@ export function MapFigure({ model, title, point, pinned, onPoint, onPin }: Props
       onKeyDown={press}
       style={{ height: `${frame.height}px` }}
     >
-      <canvas ref={canvas} />
+      {/* As wide as the lines above it are drawn: paper is of another width than the window. */}
+      <canvas ref={canvas} style={{ width: `${frame.width}px` }} />
       <svg width={frame.width} height={frame.height} aria-hidden="true">
         <MapAxes frame={frame} />
         <Contours lines={shown.contours} scale={shown.field.scale} marks={model.places} frame={frame} />
