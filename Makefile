@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
 .PHONY: help run build build-all check test prove audit pictures \
-	test-cargo test-program format clippy doc house test-unit test-rust verify test-conformance test-attacks test-exports test-python test-browser test-web \
+	test-cargo test-program format clippy house test-unit test-rust verify test-conformance test-attacks test-exports test-python test-browser test-web \
 	setup-build setup-rust setup-npm setup-browser setup-python setup-test
 
 TARGET := $(or $(CARGO_TARGET_DIR),target)
@@ -39,13 +39,15 @@ build: setup-build
 
 # The program with the Rust tests, whose compilation fills the core that the program's crates, one waiting for the other, leave idle.
 build-all: setup-rust
-	$(CARGO) test $(ALL) --tests --no-run
+	$(CARGO) test $(ALL) --tests --examples --benches --no-run
 
 # After a small change the compiler takes from its last pass what still holds: half the time. The program that ships is compiled without.
 check: export CARGO_INCREMENTAL := 1
 check: format house clippy test-unit
 
-# The suites that drive the program wait more than they work: they run beside Cargo's lints and tests, and are told at the end, in one piece.
+# Our crates are linted as they are compiled. The suites that drive the program wait more than they work: they run beside Cargo's tests, and are told at
+# the end, in one piece.
+test: export RUSTC_WORKSPACE_WRAPPER := $(abspath tests/rust/rustc)
 test:
 	@$(MAKE) --no-print-directory -j2 build-all setup-test
 	@log=$(TARGET)/test-program.log; program=passed; cargo=passed; \
@@ -53,10 +55,10 @@ test:
 	nice $(MAKE) --no-print-directory BUILT=yes test-cargo || cargo=FAILED; \
 	wait $$beside || program=FAILED; \
 	cat $$log; \
-	echo "lints and Rust tests: $$cargo; verify and the suites that drive the program: $$program"; \
+	echo "Rust tests: $$cargo; verify and the suites that drive the program: $$program"; \
 	[ $$cargo$$program = passedpassed ]
 
-test-cargo: format house clippy doc test-rust
+test-cargo: format house test-rust
 
 test-program: test-conformance test-attacks test-exports test-python test-browser test-web verify
 
@@ -81,9 +83,6 @@ format: setup-build
 clippy: setup-build
 	$(CARGO) clippy $(ALL) --all-targets -- -D warnings
 
-doc: setup-build
-	RUSTDOCFLAGS="-D warnings" $(CARGO) doc $(ALL) --no-deps --quiet
-
 house:
 	python3 lab/house.py --self-test
 	python3 lab/house.py
@@ -91,10 +90,10 @@ house:
 test-unit: setup-build
 	$(UNIT_TESTS)
 
-# Lints have compiled the examples already.
+# The tests, then the documentation: its links and its examples.
 test-rust: setup-rust
 	MAKEFLAGS= tests/rust/run $(ALL) --tests
-	$(CARGO) test $(ALL) --doc
+	RUSTDOC=$(abspath tests/rust/rustdoc) $(CARGO) test $(ALL) --doc
 
 # Every case whose answer is known; the Rust tests ran the extremes.
 verify: $(PROGRAM)
