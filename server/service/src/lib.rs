@@ -15,6 +15,7 @@
 //! - [`engine`]: runs one study from its document to its end
 //! - [`queue`]: the queue of studies; sweeps; removal
 //! - [`comparison`]: studies side by side
+//! - [`forces`]: forces from recordings
 //! - [`export`]: answers as tables for other programs
 
 pub mod answered;
@@ -22,6 +23,7 @@ pub mod comparison;
 pub mod database_archive;
 pub mod engine;
 pub mod export;
+pub mod forces;
 pub mod forecast;
 pub mod metrics;
 pub mod previewer;

@@ -5,7 +5,8 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::cli::commands::{
-    compare, db, export, gsa, library, run, serve, shell, solve, sweep, trade, validate, verify,
+    compare, db, export, force, gsa, library, run, serve, shell, solve, sweep, trade, validate,
+    verify,
 };
 use crate::cli::settings;
 use crate::cli::terminal::exit::Failure;
@@ -38,6 +39,9 @@ enum Command {
     /// Analyse a model of your own: print the points to run, then read their outputs back
     #[command(after_help = help_examples::GSA)]
     Gsa(gsa::Gsa),
+    /// Learn forces from recorded signals, and estimate them
+    #[command(after_help = help_examples::FORCE)]
+    Force(force::Force),
     /// Measure how much accuracy a second buys
     #[command(after_help = help_examples::TRADE)]
     Trade(trade::Trade),
@@ -104,6 +108,7 @@ impl Command {
             Self::Run(command) => command.execute(),
             Self::Solve(command) => command.execute(),
             Self::Gsa(command) => command.execute(),
+            Self::Force(command) => command.execute(),
             Self::Trade(command) => command.execute(),
             Self::Sweep(command) => command.execute(),
             Self::Compare(command) => command.execute(),
@@ -125,6 +130,7 @@ impl Command {
             Self::Run(command) => command.json.clone(),
             Self::Solve(command) => command.json.clone(),
             Self::Gsa(command) => command.json(),
+            Self::Force(command) => command.json(),
             Self::Trade(command) => command.json.clone(),
             Self::Sweep(command) => command.json.clone(),
             Self::Compare(command) => command.json.clone(),
@@ -147,6 +153,7 @@ impl Command {
             Self::Run(command) => command.files(),
             Self::Solve(command) => command.files(),
             Self::Gsa(command) => command.files(),
+            Self::Force(command) => command.files(),
             Self::Trade(command) => command.files(),
             Self::Sweep(command) => command.files(),
             Self::Compare(command) => command.files(),

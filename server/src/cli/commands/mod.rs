@@ -1,9 +1,9 @@
-//! One file per command; `designs` runs those of a sweep.
+//! One file or folder per command.
 
 pub(crate) mod compare;
 pub(crate) mod db;
-mod designs;
 pub(crate) mod export;
+pub(crate) mod force;
 pub(crate) mod gsa;
 pub(crate) mod library;
 pub(crate) mod run;

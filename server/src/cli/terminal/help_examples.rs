@@ -37,6 +37,22 @@ pub const GSA_ANALYSE: &str = "Examples:
   strainsite gsa analyse inputs.toml values.csv
   strainsite gsa analyse inputs.toml values.csv --json -";
 
+/// Examples of `force`.
+pub const FORCE: &str = "Examples:
+  strainsite force fit recipe.toml monday.csv tuesday.csv -o model.json
+  strainsite force apply model.json friday.csv -o forces.csv
+  strainsite force apply model.json - -o forces.csv";
+
+/// Examples of `force fit`.
+pub const FORCE_FIT: &str = "Examples:
+  strainsite force fit recipe.toml monday.csv tuesday.csv -o model.json
+  strainsite force fit recipe.toml monday.csv tuesday.csv --json -";
+
+/// Examples of `force apply`.
+pub const FORCE_APPLY: &str = "Examples:
+  strainsite force apply model.json friday.csv -o forces.csv
+  strainsite force apply model.json -";
+
 /// Examples of `trade`.
 pub const TRADE: &str = "Examples:
   strainsite trade studies/foot-tire.toml --out trade

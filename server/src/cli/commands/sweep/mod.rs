@@ -1,5 +1,7 @@
 //! `strainsite sweep`: one study over a grid of designs, without the service.
 
+mod designs;
+
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -11,8 +13,8 @@ use serde_json::json;
 use tokio::runtime::Runtime;
 
 use crate::cli::commands::compare::table;
-use crate::cli::commands::designs::Crew;
 use crate::cli::commands::library::the_only;
+use crate::cli::commands::sweep::designs::Crew;
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::estimate_text::{dry_sweep, estimated};
 use crate::cli::terminal::exit::Failure;

@@ -1,0 +1,250 @@
+//! What models are given of the signals, row by row, from this row and earlier ones alone.
+//!
+//! | feature | formula (the paper's section 4.2) |
+//! |---|---|
+//! | value | the signal, start value off, sign turned where asked for, averaged over the last N rows |
+//! | slope | (v(k) - v(k-1)) / (t(k) - t(k-1)), 1/s |
+//! | mean | of the last w values |
+//! | variance | of the last w values, divided by w - 1 |
+//!
+//! A stream begins with a run, and anew after each pause and with each cycle of a column: windows are short there, and the first slope is 0. The start value stays.
+
+use std::collections::VecDeque;
+use std::ops::Range;
+
+use ndarray::Array2;
+
+use crate::recipe::FeatureSet;
+use crate::recording::Recording;
+
+/// What the stream does with each row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StreamSettings {
+    /// Whether the run's first reading is taken off.
+    pub subtract_start: bool,
+    /// Whether the sign is turned.
+    pub turn_sign: bool,
+    /// Rows of the moving average.
+    pub smooth_rows: usize,
+    /// Rows of rolling mean and variance.
+    pub window_rows: usize,
+    /// Nothing is carried over a longer time between rows, s.
+    pub pause_s: f64,
+}
+
+/// Groups of features: values, slopes, rolling means, rolling variances.
+const GROUPS: usize = 4;
+
+/// Features of a run's rows, one after another.
+#[derive(Debug, Clone)]
+pub struct FeatureStream {
+    settings: StreamSettings,
+    start: Option<Vec<f64>>,
+    /// The last row: its time and cycle, its value of each signal.
+    last: Option<(f64, Option<usize>, Vec<f64>)>,
+    readings: VecDeque<Vec<f64>>,
+    values: VecDeque<Vec<f64>>,
+}
+
+impl FeatureStream {
+    /// A run's stream, before its first row.
+    pub fn new(settings: StreamSettings) -> Self {
+        Self {
+            settings,
+            start: None,
+            last: None,
+            readings: VecDeque::new(),
+            values: VecDeque::new(),
+        }
+    }
+
+    /// All features of the next row, group by group, each with an entry a signal.
+    pub fn push(&mut self, time_s: f64, cycle: Option<usize>, signals: &[f64]) -> Vec<f64> {
+        let apart = |(last, before, _): &(f64, Option<usize>, Vec<f64>)| {
+            time_s - last > self.settings.pause_s || *before != cycle
+        };
+        if self.last.as_ref().is_some_and(apart) {
+            self.last = None;
+            self.readings.clear();
+            self.values.clear();
+        }
+        let reading = self.reading(signals);
+        keep(&mut self.readings, reading, self.settings.smooth_rows);
+        let value = means(&self.readings);
+        let slope = self.slope(time_s, &value);
+        keep(&mut self.values, value.clone(), self.settings.window_rows);
+        let mean = means(&self.values);
+        let variance = variances(&self.values, &mean);
+        self.last = Some((time_s, cycle, value.clone()));
+        [value, slope, mean, variance].concat()
+    }
+
+    fn reading(&mut self, signals: &[f64]) -> Vec<f64> {
+        let start = self.start.get_or_insert_with(|| signals.to_vec());
+        let sign = if self.settings.turn_sign { -1.0 } else { 1.0 };
+        let off = if self.settings.subtract_start {
+            1.0
+        } else {
+            0.0
+        };
+        signals
+            .iter()
+            .zip(start)
+            .map(|(x, start)| sign * (x - off * *start))
+            .collect()
+    }
+
+    fn slope(&self, time_s: f64, value: &[f64]) -> Vec<f64> {
+        match &self.last {
+            Some((last, _, before)) => value
+                .iter()
+                .zip(before)
+                .map(|(x, before)| (x - before) / (time_s - last))
+                .collect(),
+            None => vec![0.0; value.len()],
+        }
+    }
+}
+
+fn keep(rows: &mut VecDeque<Vec<f64>>, row: Vec<f64>, most: usize) {
+    rows.push_back(row);
+    while rows.len() > most.max(1) {
+        rows.pop_front();
+    }
+}
+
+/// The mean of each column.
+fn means(rows: &VecDeque<Vec<f64>>) -> Vec<f64> {
+    let mut sums = vec![0.0; rows.front().map_or(0, Vec::len)];
+    for row in rows {
+        for (sum, x) in sums.iter_mut().zip(row) {
+            *sum += x;
+        }
+    }
+    sums.into_iter()
+        .map(|sum| sum / rows.len() as f64)
+        .collect()
+}
+
+fn variances(rows: &VecDeque<Vec<f64>>, mean: &[f64]) -> Vec<f64> {
+    let mut sums = vec![0.0; mean.len()];
+    for row in rows {
+        for ((sum, x), mean) in sums.iter_mut().zip(row).zip(mean) {
+            *sum += (x - mean) * (x - mean);
+        }
+    }
+    let degrees = rows.len().saturating_sub(1).max(1) as f64;
+    sums.into_iter().map(|sum| sum / degrees).collect()
+}
+
+/// All features of a recording: rows x (4 groups of `signals` columns).
+pub fn features(recording: &Recording, settings: &StreamSettings) -> Array2<f64> {
+    let mut stream = FeatureStream::new(settings.clone());
+    let signals = recording.signals.ncols();
+    let mut found = Array2::zeros((recording.rows(), GROUPS * signals));
+    for (row, time_s) in recording.time_s.iter().enumerate() {
+        let cycle = recording.cycle.as_ref().map(|cycle| cycle[row]);
+        let here = stream.push(*time_s, cycle, &recording.signals.row(row).to_vec());
+        found
+            .row_mut(row)
+            .iter_mut()
+            .zip(here)
+            .for_each(|(place, x)| *place = x);
+    }
+    found
+}
+
+/// The columns of a set among all features of so many signals.
+pub fn columns(set: FeatureSet, signals: usize) -> Vec<usize> {
+    let group = |number: usize| -> Range<usize> { number * signals..(number + 1) * signals };
+    let groups: &[usize] = match set {
+        FeatureSet::Raw => &[0],
+        FeatureSet::Slopes => &[0, 1],
+        FeatureSet::Rolling => &[0, 2, 3],
+        FeatureSet::All => &[0, 1, 2, 3],
+    };
+    groups.iter().flat_map(|number| group(*number)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn settings() -> StreamSettings {
+        StreamSettings {
+            subtract_start: true,
+            turn_sign: false,
+            smooth_rows: 1,
+            window_rows: 3,
+            pause_s: 1.0,
+        }
+    }
+
+    fn pushed(settings: StreamSettings, rows: &[(f64, Option<usize>, f64)]) -> Vec<Vec<f64>> {
+        let mut stream = FeatureStream::new(settings);
+        rows.iter()
+            .map(|(t, cycle, x)| stream.push(*t, *cycle, &[*x]))
+            .collect()
+    }
+
+    #[test]
+    fn windows_hold_what_was_and_end_at_pauses_and_cycles() {
+        let rows = [
+            (0.0, Some(0), 10.0),
+            (0.5, Some(0), 12.0),
+            (1.0, Some(0), 17.0),
+            (1.5, Some(0), 18.0),
+            (3.0, Some(0), 11.0),
+            (3.5, Some(1), 14.0),
+        ];
+        let found = pushed(settings(), &rows);
+        assert_eq!(found[0], [0.0, 0.0, 0.0, 0.0]);
+        assert_eq!(found[1], [2.0, 4.0, 1.0, 2.0]);
+        // Mean of 2, 7, 8; variance (121 + 16 + 49) / 9 / 2.
+        let expected = [8.0, 2.0, 17.0 / 3.0, 31.0 / 3.0];
+        for (x, expected) in found[3].iter().zip(expected) {
+            assert!((x - expected).abs() < 1e-14, "{x} {expected}");
+        }
+        // After the pause and with the new cycle windows begin anew; the run's start value stays.
+        assert_eq!(found[4], [1.0, 0.0, 1.0, 0.0]);
+        assert_eq!(found[5], [4.0, 0.0, 4.0, 0.0]);
+    }
+
+    #[test]
+    fn later_rows_change_nothing() {
+        let rows: Vec<_> = (0..40)
+            .map(|k| (0.1 * f64::from(k), None, (f64::from(k) * 0.7).sin()))
+            .collect();
+        let smooth = StreamSettings {
+            smooth_rows: 4,
+            ..settings()
+        };
+        let all = pushed(smooth.clone(), &rows);
+        let some = pushed(smooth, &rows[..17]);
+        assert_eq!(all[..17], some[..]);
+    }
+
+    #[test]
+    fn signs_turn_and_averages_are_those_of_the_last_rows() {
+        let other = StreamSettings {
+            subtract_start: false,
+            turn_sign: true,
+            smooth_rows: 2,
+            ..settings()
+        };
+        let found = pushed(
+            other,
+            &[(0.0, None, 1.0), (0.5, None, 3.0), (1.0, None, 7.0)],
+        );
+        let values: Vec<f64> = found.iter().map(|row| row[0]).collect();
+        assert_eq!(values, [-1.0, -2.0, -5.0]);
+    }
+
+    #[test]
+    fn sets_pick_their_groups() {
+        assert_eq!(columns(FeatureSet::Raw, 2), [0, 1]);
+        assert_eq!(columns(FeatureSet::Slopes, 2), [0, 1, 2, 3]);
+        assert_eq!(columns(FeatureSet::Rolling, 2), [0, 1, 4, 5, 6, 7]);
+        assert_eq!(columns(FeatureSet::All, 2).len(), 8);
+    }
+}

@@ -1,0 +1,74 @@
+//! Estimates row by row, as a robot's controller would have them. A file is nothing but its rows, so both give the same bits.
+
+use crate::align::Clock;
+use crate::estimator::{Estimate, Estimator};
+use crate::features::FeatureStream;
+
+/// One run's rows, one after another.
+#[derive(Debug)]
+pub struct Live<'e> {
+    estimator: &'e Estimator,
+    clock: Option<Clock>,
+    stream: FeatureStream,
+    /// Which of all features each force reads.
+    columns: Vec<Vec<usize>>,
+}
+
+/// What is known at a time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimated {
+    /// s
+    pub time_s: f64,
+    /// One a force.
+    pub forces: Vec<Estimate>,
+    /// Whether the signals are beyond what was learnt from.
+    pub outside: bool,
+}
+
+impl<'e> Live<'e> {
+    /// Before a run's first row.
+    pub fn new(estimator: &'e Estimator) -> Self {
+        let signals = estimator.columns.signals.len();
+        let stream = &estimator.stream;
+        Self {
+            estimator,
+            clock: stream
+                .rate_hz
+                .map(|rate_hz| Clock::new(rate_hz, stream.pause_s, signals)),
+            stream: FeatureStream::new(stream.settings()),
+            columns: estimator
+                .forces
+                .iter()
+                .map(|force| force.columns(signals))
+                .collect(),
+        }
+    }
+
+    /// What a row of signals tells: one estimate, or with a clock one for each of its ticks that the row completes.
+    pub fn push(&mut self, time_s: f64, cycle: Option<usize>, signals: &[f64]) -> Vec<Estimated> {
+        match &mut self.clock {
+            Some(clock) => {
+                let ticks = clock.push(time_s, cycle, signals);
+                ticks
+                    .into_iter()
+                    .map(|tick| self.estimated(tick.time_s, tick.cycle, &tick.signals))
+                    .collect()
+            }
+            None => vec![self.estimated(time_s, cycle, signals)],
+        }
+    }
+
+    fn estimated(&mut self, time_s: f64, cycle: Option<usize>, signals: &[f64]) -> Estimated {
+        let features = self.stream.push(time_s, cycle, signals);
+        let forces = self.estimator.forces.iter().zip(&self.columns);
+        Estimated {
+            time_s,
+            forces: forces
+                .map(|(force, columns)| {
+                    force.estimate(columns.iter().map(|column| features[*column]))
+                })
+                .collect(),
+            outside: self.estimator.is_outside(&features[..signals.len()]),
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! Small neural networks: layers of nodes, trained by L-BFGS on all rows at once.
+//!
+//! - `activation`: what a node makes of its sum, and its slope
+//! - `network`: layers, loss and gradient
+//! - `ensemble`: several networks, stopped early on left-out cycles; their mean is the estimate
+
+mod activation;
+mod ensemble;
+mod network;
+
+pub use ensemble::Ensemble;
+pub use network::{Network, Shape, train};

@@ -1,0 +1,85 @@
+//! The cells of one line of a CSV file (RFC 4180, without line breaks in cells).
+
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use std::borrow::Cow;
+
+/// Splits a line at its commas; quoted cells keep theirs. Spaces around a cell go.
+pub fn cells(line: &str) -> Vec<Cow<'_, str>> {
+    let mut found = Vec::new();
+    let (mut begin, mut quoted) = (0, false);
+    for (at, byte) in line.bytes().enumerate() {
+        match byte {
+            b'"' => quoted = !quoted,
+            b',' if !quoted => {
+                found.push(cell(line.get(begin..at).unwrap_or_default()));
+                begin = at + 1;
+            }
+            _ => {}
+        }
+    }
+    found.push(cell(line.get(begin..).unwrap_or_default()));
+    found
+}
+
+fn cell(text: &str) -> Cow<'_, str> {
+    let text = text.trim();
+    match text
+        .strip_prefix('"')
+        .and_then(|text| text.strip_suffix('"'))
+    {
+        Some(inner) if inner.contains("\"\"") => Cow::Owned(inner.replace("\"\"", "\"")),
+        Some(inner) => Cow::Borrowed(inner),
+        None => Cow::Borrowed(text),
+    }
+}
+
+/// A name as a cell of a header.
+pub fn quoted(name: &str) -> Cow<'_, str> {
+    if name.contains([',', '"', '\n', '\r']) {
+        Cow::Owned(format!("\"{}\"", name.replace('"', "\"\"")))
+    } else {
+        Cow::Borrowed(name)
+    }
+}
+
+/// The number of a cell; None where it is empty.
+///
+/// # Errors
+/// A sentence when it is no finite number.
+pub fn number(cell: &str) -> Result<Option<f64>, String> {
+    if cell.is_empty() {
+        return Ok(None);
+    }
+    match cell.parse::<f64>() {
+        Ok(x) if x.is_finite() => Ok(Some(x)),
+        _ => {
+            let shown: String = cell.chars().take(40).collect();
+            Err(format!("must be a finite number; it is {shown:?}"))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_are_what_stands_between_commas() {
+        assert_eq!(cells("a, b ,,\"c, \"\"d\"\"\""), ["a", "b", "", "c, \"d\""]);
+        assert_eq!(cells(""), [""]);
+        assert_eq!(cells("\"open, 1"), ["\"open, 1"]);
+        let name = "c, \"d\"";
+        assert_eq!(cells(&quoted(name)), [name]);
+    }
+
+    #[test]
+    fn only_finite_numbers_are_numbers() {
+        assert_eq!(number("-1.5e3"), Ok(Some(-1500.0)));
+        assert_eq!(number(""), Ok(None));
+        for wrong in ["nan", "inf", "1e999", "0x1", "1,5", "one"] {
+            assert!(number(wrong).is_err(), "{wrong}");
+        }
+    }
+}

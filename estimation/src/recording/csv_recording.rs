@@ -1,0 +1,319 @@
+//! A recording from its text: a header, then a row a line.
+
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use std::borrow::Cow;
+
+use ndarray::Array2;
+
+use crate::recording::Recording;
+use crate::recording::csv_line::{cells, number};
+use crate::recording::named_columns::NamedColumns;
+use crate::recording::recording_fault::{FaultList, RecordingFault};
+
+/// Most columns of a file.
+pub const MOST_COLUMNS: usize = 4096;
+
+/// The names in a file's header.
+///
+/// # Errors
+/// A file without a line; a name that is empty or stands twice.
+pub fn header(file: &str, text: &str) -> Result<Vec<String>, Vec<RecordingFault>> {
+    let mut faults = FaultList::of(file);
+    let first = lines(text).next().map(|(_, line)| line).unwrap_or_default();
+    let names = header_names(first, &mut faults);
+    if faults.is_empty() {
+        Ok(names)
+    } else {
+        Err(faults.into_faults())
+    }
+}
+
+/// The names in a header's line, with a fault for each that is no name of its own.
+pub fn header_names(line: &str, faults: &mut FaultList) -> Vec<String> {
+    if line.trim().is_empty() {
+        faults.add(
+            Some(1),
+            None,
+            "is missing: the first line names the columns, as time_s,s1,s2,fz_n",
+        );
+        return Vec::new();
+    }
+    let names: Vec<String> = cells(line).into_iter().map(Cow::into_owned).collect();
+    if names.len() > MOST_COLUMNS {
+        faults.add(
+            Some(1),
+            None,
+            format!(
+                "has {} columns; at most {MOST_COLUMNS} are read",
+                names.len()
+            ),
+        );
+        return names;
+    }
+    if names.len() < 2 && line.contains([';', '\t']) {
+        faults.add(
+            Some(1),
+            None,
+            "has one column: columns are separated by commas",
+        );
+        return names;
+    }
+    let mut seen = std::collections::HashSet::new();
+    for (at, name) in names.iter().enumerate() {
+        if name.is_empty() || !seen.insert(name) {
+            let what = if name.is_empty() {
+                "has no name"
+            } else {
+                "stands twice"
+            };
+            faults.add(Some(1), Some(name), format!("column {} {what}", at + 1));
+        }
+    }
+    names
+}
+
+/// Lines with their numbers, without those that are blank.
+fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let text = text.trim_start_matches('\u{feff}');
+    let numbered = text.lines().enumerate().map(|(at, line)| (at + 1, line));
+    numbered.filter(|(_, line)| !line.trim().is_empty())
+}
+
+/// Where the columns of a row are.
+#[derive(Debug, Clone)]
+pub struct RowReader {
+    names: NamedColumns,
+    width: usize,
+    time: usize,
+    signals: Vec<usize>,
+    /// None where the file lacks the force.
+    forces: Vec<Option<usize>>,
+    cycle: Option<usize>,
+    /// Whether a signal may be empty: it is then interpolated.
+    gaps: bool,
+}
+
+/// One row, as it stands in the file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// s
+    pub time_s: f64,
+    /// NaN where not measured.
+    pub signals: Vec<f64>,
+    /// N; NaN where not measured.
+    pub forces: Vec<f64>,
+    /// What the column of cycles says.
+    pub cycle: Option<String>,
+}
+
+impl RowReader {
+    /// A reader for files with this header. The time and all signals must be in it; None otherwise. `gaps` lets signals be empty.
+    pub fn new(names: &NamedColumns, header: &[String], gaps: bool) -> Option<Self> {
+        let place = |name: &String| header.iter().position(|other| other == name);
+        Some(Self {
+            width: header.len(),
+            time: place(&names.time)?,
+            signals: names.signals.iter().map(place).collect::<Option<_>>()?,
+            forces: names.forces.iter().map(place).collect(),
+            cycle: names.cycle.as_ref().and_then(place),
+            names: names.clone(),
+            gaps,
+        })
+    }
+
+    /// Reads one line; None after a fault.
+    pub fn row(&self, line_number: usize, line: &str, faults: &mut FaultList) -> Option<Row> {
+        let cells = cells(line);
+        if cells.len() != self.width {
+            let detail = format!("has {} cells; the header has {}", cells.len(), self.width);
+            faults.add(Some(line_number), None, detail);
+            return None;
+        }
+        let cell = |at: usize| cells.get(at).map_or("", |cell| &**cell);
+        let mut whole = true;
+        let mut read = |at: usize, name: &str, may_be_empty: bool| {
+            let found = number(cell(at)).and_then(|x| match x {
+                None if !may_be_empty => Err("is empty; each row has a number here (with [preprocess] rate_hz, signals may be empty and are interpolated)".to_owned()),
+                x => Ok(x.unwrap_or(f64::NAN)),
+            });
+            found.unwrap_or_else(|detail| {
+                faults.add(Some(line_number), Some(name), detail);
+                whole = false;
+                f64::NAN
+            })
+        };
+        let time_s = read(self.time, &self.names.time, false);
+        let signals = self.signals.iter().zip(&self.names.signals);
+        let signals = signals
+            .map(|(at, name)| read(*at, name, self.gaps))
+            .collect();
+        let forces = self.forces.iter().zip(&self.names.forces);
+        let forces = forces
+            .map(|(at, name)| at.map_or(f64::NAN, |at| read(at, name, true)))
+            .collect();
+        let cycle = self.cycle.map(|at| cell(at).to_owned());
+        whole.then_some(Row {
+            time_s,
+            signals,
+            forces,
+            cycle,
+        })
+    }
+}
+
+/// Reads a whole file.
+///
+/// # Errors
+/// Every fault with its line and column, up to a bound: ragged rows, text, numbers that aren't finite, time that doesn't rise.
+pub fn read(
+    file: &str,
+    text: &str,
+    names: &NamedColumns,
+    gaps: bool,
+) -> Result<Recording, Vec<RecordingFault>> {
+    let header = header(file, text)?;
+    let mut faults = FaultList::of(file);
+    names.lacking_signals(&header, &mut faults);
+    let Some(reader) = RowReader::new(names, &header, gaps) else {
+        return Err(faults.into_faults());
+    };
+    let mut rows: Vec<Row> = Vec::new();
+    let mut before: Option<f64> = None;
+    for (number, line) in lines(text).skip(1) {
+        let Some(row) = reader.row(number, line, &mut faults) else {
+            continue;
+        };
+        check_time(row.time_s, before, number, &names.time, &mut faults);
+        before = Some(row.time_s);
+        rows.push(row);
+    }
+    if rows.is_empty() && faults.is_empty() {
+        faults.add(None, None, "has no row below its header");
+    }
+    faults.or(|| gathered(file, rows, names))
+}
+
+/// A fault where time doesn't rise.
+pub fn check_time(
+    time_s: f64,
+    before: Option<f64>,
+    line: usize,
+    column: &str,
+    faults: &mut FaultList,
+) {
+    if let Some(before) = before.filter(|before| time_s <= *before) {
+        let detail = format!("time must rise from row to row; {time_s} follows {before}");
+        faults.add(Some(line), Some(column), detail);
+    }
+}
+
+fn gathered(file: &str, rows: Vec<Row>, names: &NamedColumns) -> Option<Recording> {
+    let flat = |of: fn(&Row) -> &Vec<f64>| rows.iter().flat_map(of).copied().collect::<Vec<f64>>();
+    let signals =
+        Array2::from_shape_vec((rows.len(), names.signals.len()), flat(|row| &row.signals)).ok()?;
+    let forces =
+        Array2::from_shape_vec((rows.len(), names.forces.len()), flat(|row| &row.forces)).ok()?;
+    Some(Recording {
+        name: file.to_owned(),
+        time_s: rows.iter().map(|row| row.time_s).collect(),
+        signals,
+        forces,
+        cycle: numbered(&rows),
+    })
+}
+
+/// A number for each row that grows where the column of cycles changes.
+fn numbered(rows: &[Row]) -> Option<Vec<usize>> {
+    let mut number = 0;
+    let mut before: Option<&String> = None;
+    rows.iter()
+        .map(|row| {
+            let here = row.cycle.as_ref()?;
+            number += usize::from(before.is_some_and(|before| before != here));
+            before = Some(here);
+            Some(number)
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names() -> NamedColumns {
+        NamedColumns {
+            time: "t".to_owned(),
+            signals: vec!["a".to_owned(), "b".to_owned()],
+            forces: vec!["fz".to_owned()],
+            cycle: Some("c".to_owned()),
+        }
+    }
+
+    #[test]
+    fn a_recording_is_read_with_its_gaps_and_cycles() {
+        let text =
+            "\u{feff}t,b,note,a,fz,c\r\n0,1,x,2,,one\r\n\r\n0.5,3,y,4,-1.5,one\r\n1,5,,6,2,two\r\n";
+        let read = read("r.csv", text, &names(), false).expect("reads");
+        assert_eq!(read.time_s, [0.0, 0.5, 1.0]);
+        assert_eq!(
+            read.signals,
+            ndarray::array![[2.0, 1.0], [4.0, 3.0], [6.0, 5.0]]
+        );
+        assert!(read.forces[[0, 0]].is_nan());
+        assert_eq!(read.forces[[1, 0]], -1.5);
+        assert_eq!(read.cycle, Some(vec![0, 0, 1]));
+        assert_eq!(read.labelled(), 2);
+        assert_eq!(read.interval_s(), Some(0.5));
+    }
+
+    #[test]
+    fn every_fault_has_its_line_and_column() {
+        let text = "t,a,b,fz,c\n0,1,2,3,1\n0,1,2,3,1\n1,1,2\n2,x,nan,inf,1\n3,,2,,1\n";
+        let faults = read("r.csv", text, &names(), false).expect_err("faults");
+        let told: Vec<String> = faults.iter().map(ToString::to_string).collect();
+        let expected = [
+            "r.csv, line 3, column t: time must rise",
+            "r.csv, line 4: has 3 cells; the header has 5",
+            "r.csv, line 5, column a: must be a finite number; it is \"x\"",
+            "r.csv, line 5, column b: must be a finite number; it is \"nan\"",
+            "r.csv, line 5, column fz: must be a finite number; it is \"inf\"",
+            "r.csv, line 6, column a: is empty",
+        ];
+        assert_eq!(told.len(), expected.len(), "{told:?}");
+        for (told, expected) in told.iter().zip(expected) {
+            assert!(told.starts_with(expected), "{told}");
+        }
+        let gaps = "t,a,b,fz,c\n3,,2,,1\n";
+        assert!(read("r.csv", gaps, &names(), true).expect("reads").signals[[0, 0]].is_nan());
+    }
+
+    #[test]
+    fn headers_are_checked() {
+        for (text, part) in [
+            ("", "is missing"),
+            ("a;b\n1;2", "separated by commas"),
+            ("t,,a\n", "column 2 has no name"),
+            ("t,a,a\n", "column 3 stands twice"),
+        ] {
+            let faults = header("r.csv", text).expect_err(text);
+            assert!(faults[0].detail.contains(part), "{}", faults[0].detail);
+        }
+        let empty = read("r.csv", "t,a,b,fz,c\n", &names(), false).expect_err("no row");
+        assert!(empty[0].detail.contains("no row"));
+        let missing = read("r.csv", "t,a,fz,c\n0,1,2,3\n", &names(), false).expect_err("missing");
+        assert!(
+            missing[0].to_string().contains("column b"),
+            "{}",
+            missing[0]
+        );
+        let many = format!("t,a,b,fz,c\n{}", "x\n".repeat(1000));
+        assert_eq!(
+            read("r.csv", &many, &names(), false)
+                .expect_err("many")
+                .len(),
+            51
+        );
+    }
+}

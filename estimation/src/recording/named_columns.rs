@@ -1,0 +1,292 @@
+//! Which columns of a file are meant: by name, by pattern, or by what is usual.
+
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use serde::{Deserialize, Serialize};
+
+use crate::recipe::{Columns, CycleRule};
+use crate::recording::recording_fault::{FaultList, RecordingFault};
+
+/// The columns' names, the same for all runs.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NamedColumns {
+    /// Seconds.
+    pub time: String,
+    /// Signals, in the order of the first file.
+    pub signals: Vec<String>,
+    /// Forces, N.
+    pub forces: Vec<String>,
+    /// What tells cycles apart.
+    pub cycle: Option<String>,
+}
+
+/// Name of the column of time where a recipe names none; a file without it has time first.
+const TIME: &str = "time_s";
+/// Forces where a recipe names none.
+const FORCES: [&str; 4] = ["f?_n", "force_n", "f?", "force"];
+
+impl NamedColumns {
+    /// Finds the columns in the headers of all runs, each with its file's name. A signal by pattern is meant when one file has it.
+    ///
+    /// # Errors
+    /// What the recipe names and no file has; what one file has and another one lacks.
+    pub fn find(
+        columns: &Columns,
+        headers: &[(&str, Vec<String>)],
+    ) -> Result<Self, Vec<RecordingFault>> {
+        let all = union(headers.iter().flat_map(|(_, header)| header));
+        let time = match &columns.time {
+            Some(name) => name.clone(),
+            None if all.iter().any(|name| name == TIME) => TIME.to_owned(),
+            None => all.first().cloned().unwrap_or_default(),
+        };
+        let cycle = match &columns.cycles {
+            CycleRule::Column(name) => Some(name.clone()),
+            _ => None,
+        };
+        let rest: Vec<&String> = all
+            .iter()
+            .filter(|name| **name != time && Some(*name) != cycle.as_ref())
+            .collect();
+        let forces = match &columns.forces {
+            Some(patterns) => matching(patterns, &rest),
+            None => usual_forces(&rest),
+        };
+        let signals: Vec<&String> = rest
+            .iter()
+            .copied()
+            .filter(|name| !forces.contains(*name))
+            .collect();
+        let signals = match &columns.signals {
+            Some(patterns) => matching(patterns, &signals),
+            None => signals.into_iter().cloned().collect(),
+        };
+        let found = Self {
+            time,
+            signals,
+            forces,
+            cycle,
+        };
+        found.check(columns, headers)
+    }
+
+    fn check(
+        self,
+        columns: &Columns,
+        headers: &[(&str, Vec<String>)],
+    ) -> Result<Self, Vec<RecordingFault>> {
+        let mut faults = Vec::new();
+        for (file, header) in headers {
+            let mut here = FaultList::of(file);
+            self.check_header(header, &mut here);
+            if self.signals.is_empty() {
+                here.add(Some(1), None, nothing("signals", &columns.signals, header));
+            }
+            if self.forces.is_empty() {
+                here.add(Some(1), None, nothing("forces", &columns.forces, header));
+            }
+            faults.extend(here.into_faults());
+        }
+        if faults.is_empty() {
+            Ok(self)
+        } else {
+            Err(faults)
+        }
+    }
+
+    /// A fault for each column that a header lacks.
+    fn check_header(&self, header: &[String], faults: &mut FaultList) {
+        let cycle = self.cycle.iter();
+        for name in std::iter::once(&self.time)
+            .chain(&self.signals)
+            .chain(&self.forces)
+            .chain(cycle)
+        {
+            if !header.contains(name) {
+                let detail = format!("is missing; the file has {}", listed(header));
+                faults.add(Some(1), Some(name), detail);
+            }
+        }
+    }
+
+    /// Whether all files have the same columns can't be asked of one alone; this tells what one lacks of those that a model reads.
+    pub fn lacking_signals(&self, header: &[String], faults: &mut FaultList) {
+        let read = Self {
+            forces: Vec::new(),
+            cycle: None,
+            ..self.clone()
+        };
+        read.check_header(header, faults);
+    }
+}
+
+fn nothing(what: &str, asked: &Option<Vec<String>>, header: &[String]) -> String {
+    let asked = match asked {
+        Some(patterns) => format!("by {}", listed(patterns)),
+        None => "by the usual names".to_owned(),
+    };
+    format!(
+        "no column is among the {what} {asked}; the file has {}",
+        listed(header)
+    )
+}
+
+/// At most so many names stand in one sentence.
+const MOST_NAMED: usize = 20;
+
+fn listed(names: &[String]) -> String {
+    let shown: Vec<String> = names
+        .iter()
+        .take(MOST_NAMED)
+        .map(|name| {
+            name.chars()
+                .take(40)
+                .collect::<String>()
+                .escape_debug()
+                .to_string()
+        })
+        .collect();
+    let more = match names.len().saturating_sub(MOST_NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    shown.join(", ") + &more
+}
+
+fn union<'a>(names: impl Iterator<Item = &'a String>) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    for name in names {
+        if !all.contains(name) {
+            all.push(name.clone());
+        }
+    }
+    all
+}
+
+/// Names in the order of the patterns, then of the file. A pattern without a match stays as a name, which its file then lacks.
+fn matching(patterns: &[String], names: &[&String]) -> Vec<String> {
+    let mut found: Vec<String> = Vec::new();
+    for pattern in patterns {
+        let fitting = names.iter().filter(|name| matches(pattern, name));
+        let before = found.len();
+        let mut any = false;
+        for name in fitting {
+            any = true;
+            if !found.contains(*name) {
+                found.push((*name).clone());
+            }
+        }
+        if !any && before == found.len() && !pattern.contains(['*', '?']) {
+            found.push(pattern.clone());
+        }
+    }
+    found
+}
+
+/// The first of the usual patterns that fits a column decides.
+fn usual_forces(names: &[&String]) -> Vec<String> {
+    let of_pattern = |pattern: &&str| matching(&[(*pattern).to_owned()], names);
+    FORCES
+        .iter()
+        .filter(|pattern| names.iter().any(|name| matches(pattern, name)))
+        .map(|pattern| of_pattern(&pattern))
+        .next()
+        .unwrap_or_default()
+}
+
+/// Whether a name fits a pattern, in which `*` stands for any characters and `?` for one.
+pub fn matches(pattern: &str, name: &str) -> bool {
+    let (pattern, name): (Vec<char>, Vec<char>) =
+        (pattern.chars().collect(), name.chars().collect());
+    let (mut p, mut n) = (0, 0);
+    // Where to go on when what follows the last star doesn't fit: one more character belongs to the star.
+    let mut star: Option<(usize, usize)> = None;
+    while n < name.len() {
+        match pattern.get(p) {
+            Some('*') => {
+                star = Some((p, n));
+                p += 1;
+            }
+            Some(c) if *c == '?' || Some(c) == name.get(n) => {
+                p += 1;
+                n += 1;
+            }
+            _ => match &mut star {
+                Some((at, taken)) => {
+                    *taken += 1;
+                    (p, n) = (*at + 1, *taken);
+                }
+                None => return false,
+            },
+        }
+    }
+    pattern
+        .get(p..)
+        .is_some_and(|rest| rest.iter().all(|c| *c == '*'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(names: &[&str]) -> Vec<String> {
+        names.iter().map(|name| (*name).to_owned()).collect()
+    }
+
+    #[test]
+    fn patterns_fit_as_in_a_shell() {
+        for (pattern, name, fits) in [
+            ("s*", "s12", true),
+            ("*_n", "fz_n", true),
+            ("f?_n", "fz_n", true),
+            ("f?_n", "f_n", false),
+            ("a*b*c", "aXbYbc", true),
+            ("a*b*c", "aXbYb", false),
+            ("*", "", true),
+            ("", "a", false),
+        ] {
+            assert_eq!(matches(pattern, name), fits, "{pattern} {name}");
+        }
+    }
+
+    #[test]
+    fn usual_names_need_no_recipe() {
+        let header = named(&["time_s", "s1", "fx_n", "fz_n", "s2"]);
+        let found = NamedColumns::find(&Columns::default(), &[("a.csv", header)]).expect("found");
+        assert_eq!(found.time, "time_s");
+        assert_eq!(found.signals, ["s1", "s2"]);
+        assert_eq!(found.forces, ["fx_n", "fz_n"]);
+        let header = named(&["t", "s1", "force"]);
+        let found = NamedColumns::find(&Columns::default(), &[("a.csv", header)]).expect("found");
+        assert_eq!(
+            (found.time.as_str(), found.forces),
+            ("t", named(&["force"]))
+        );
+    }
+
+    #[test]
+    fn every_missing_column_is_named_with_its_file() {
+        let columns = Columns {
+            signals: Some(named(&["s*", "extra"])),
+            ..Columns::default()
+        };
+        let headers = [
+            ("a.csv", named(&["time_s", "s1", "s2", "fz_n"])),
+            ("b.csv", named(&["time_s", "s1", "fz_n", "fx_n"])),
+        ];
+        let faults = NamedColumns::find(&columns, &headers).expect_err("faults");
+        let told: Vec<String> = faults.iter().map(ToString::to_string).collect();
+        for part in [
+            "a.csv, line 1, column extra",
+            "a.csv, line 1, column fx_n",
+            "b.csv, line 1, column s2",
+        ] {
+            assert!(
+                told.iter().any(|fault| fault.starts_with(part)),
+                "{part}: {told:?}"
+            );
+        }
+    }
+}

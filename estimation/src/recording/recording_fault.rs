@@ -1,0 +1,93 @@
+//! What is wrong with a recording, and where.
+
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+/// Faults told of one file; the last one says that there are more.
+pub const MOST_FAULTS: usize = 50;
+
+/// One fault of a recording.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RecordingFault {
+    /// The file.
+    pub file: String,
+    /// Its line, from 1; none where the file as a whole is meant.
+    pub line: Option<usize>,
+    /// The column's name.
+    pub column: Option<String>,
+    /// What is wrong and what would be right, one sentence.
+    pub detail: String,
+}
+
+impl std::fmt::Display for RecordingFault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.file)?;
+        if let Some(line) = self.line {
+            write!(f, ", line {line}")?;
+        }
+        if let Some(column) = &self.column {
+            write!(f, ", column {}", column.escape_debug())?;
+        }
+        write!(f, ": {}", self.detail)
+    }
+}
+
+/// Collects the faults of one file, up to [`MOST_FAULTS`].
+#[derive(Debug)]
+pub struct FaultList {
+    file: String,
+    faults: Vec<RecordingFault>,
+}
+
+impl FaultList {
+    /// No fault yet.
+    pub fn of(file: &str) -> Self {
+        Self {
+            file: file.to_owned(),
+            faults: Vec::new(),
+        }
+    }
+
+    /// Adds a fault.
+    pub fn add(&mut self, line: Option<usize>, column: Option<&str>, detail: impl Into<String>) {
+        let (line, column, detail) = match self.faults.len() {
+            n if n < MOST_FAULTS => (line, column.map(str::to_owned), detail.into()),
+            n if n == MOST_FAULTS => (
+                None,
+                None,
+                "it has more faults, which aren't listed".to_owned(),
+            ),
+            _ => return,
+        };
+        self.faults.push(RecordingFault {
+            file: self.file.clone(),
+            line,
+            column,
+            detail,
+        });
+    }
+
+    /// The value, if there is no fault.
+    ///
+    /// # Errors
+    /// The faults.
+    pub fn or(
+        self,
+        value: impl FnOnce() -> Option<super::Recording>,
+    ) -> Result<super::Recording, Vec<RecordingFault>> {
+        match value() {
+            Some(value) if self.faults.is_empty() => Ok(value),
+            _ => Err(self.faults),
+        }
+    }
+
+    /// The faults.
+    pub fn into_faults(self) -> Vec<RecordingFault> {
+        self.faults
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.faults.is_empty()
+    }
+}

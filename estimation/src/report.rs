@@ -1,0 +1,267 @@
+//! What the validation found: the answer of a fit, for people and programs.
+
+use serde::{Deserialize, Serialize};
+
+use crate::recipe::{FeatureSet, Kind, SplitKind};
+use crate::validate::{Judged, SplitFigures};
+
+/// A model that isn't this much better than the training mean is useless: its RMSE must be at most this share of the mean's.
+pub const USEFUL_SHARE: f64 = 0.95;
+/// Errors that differ by less than this factor are as good as each other: cycles of one run tell them apart no better, and the simpler model is
+/// surer beyond them.
+const AS_GOOD: f64 = 1.05;
+
+/// The report of a fit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct Report {
+    /// What was learnt from.
+    pub recordings: Vec<RecordingFigures>,
+    /// What was found of each force.
+    pub forces: Vec<ForceReport>,
+    /// What the intervals promise, a sentence.
+    pub promise: String,
+    /// What a reader should know before believing it, a sentence each.
+    pub notes: Vec<String>,
+    /// What it took.
+    pub cost: FitCost,
+}
+
+/// One recording.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct RecordingFigures {
+    /// Its file.
+    pub file: String,
+    /// Its rows.
+    pub rows: usize,
+    /// Rows with at least one force.
+    pub labelled: usize,
+    /// Its cycles.
+    pub cycles: usize,
+    /// Rows a second, by the median interval.
+    pub rate_hz: Option<f64>,
+    /// Hash of its text.
+    pub sha256: String,
+}
+
+/// What was found of a force.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ForceReport {
+    /// Its column.
+    pub force: String,
+    /// The model that estimates it; `mean` where nothing is better.
+    pub chosen: Kind,
+    /// The features it reads.
+    pub chosen_features: FeatureSet,
+    /// R2 of the chosen model where forces are rolled against signals: what chance would do.
+    pub rolled_r2: Option<f64>,
+    /// All candidates, the chosen one first, then by their error.
+    pub models: Vec<ModelReport>,
+}
+
+/// One candidate.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ModelReport {
+    /// The model.
+    pub model: Kind,
+    /// The features it reads.
+    pub features: FeatureSet,
+    /// On the split that chooses.
+    pub validation: SplitReport,
+    /// On every split; null where there is none, the reason in the notes.
+    pub splits: SplitReports,
+    /// RMSE on the strictest split over that on the random one: how far a random split would have misled.
+    pub leak_factor: Option<f64>,
+    /// Whether its error is at most 95 % of the training mean's on the split that chooses.
+    pub better_than_mean: bool,
+}
+
+/// A candidate on every split.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct SplitReports {
+    /// A fifth of the rows, drawn at random.
+    pub random: Option<SplitReport>,
+    /// Cycles left out.
+    pub cycle: Option<SplitReport>,
+    /// Runs left out.
+    pub run: Option<SplitReport>,
+    /// Later rows on earlier ones.
+    pub time: Option<SplitReport>,
+    /// Slow, middling or fast cycles left out.
+    pub frequency: Option<SplitReport>,
+}
+
+/// A candidate on one split.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct SplitReport {
+    /// The split.
+    pub by: SplitKind,
+    /// Root of the mean squared error, N.
+    pub rmse_n: f64,
+    /// 95 % of the bootstrap's samples of whole cycles, N.
+    pub rmse_interval_n: Option<(f64, f64)>,
+    /// RMSE over the range of the tested forces, %.
+    pub nrmse_percent: Option<f64>,
+    /// That of the training mean.
+    pub mean_nrmse_percent: Option<f64>,
+    /// Coefficient of determination.
+    pub r2: Option<f64>,
+    /// Share of tested rows within their 95 % intervals, whose width was learnt from other groups.
+    pub coverage: Option<f64>,
+    /// Mean width of these intervals, N.
+    pub width_n: Option<f64>,
+}
+
+/// What a fit took.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct FitCost {
+    /// Candidates that were judged, of all forces.
+    pub candidates: usize,
+    /// Wall clock, s.
+    pub wall_s: f64,
+}
+
+/// The candidates of a force, best first.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ranking {
+    /// Best first, of the split that chooses; the training mean among them.
+    pub judged: Vec<Judged>,
+    /// The split that chooses.
+    pub by: SplitKind,
+}
+
+impl Ranking {
+    /// Puts the candidates in order: by their errors, but first the simplest of those that are as good as the best; the training mean where none is useful.
+    pub fn new(mut judged: Vec<Judged>, by: SplitKind) -> Self {
+        let error = |judged: &Judged| judged.on(by).map_or(f64::INFINITY, |figures| figures.rmse);
+        judged.sort_by(|a, b| error(a).total_cmp(&error(b)));
+        let least = judged.first().map_or(f64::INFINITY, error);
+        let useful = judged
+            .first()
+            .and_then(|best| best.on(by))
+            .is_some_and(is_useful);
+        let simplest = |judged: &Judged| (judged.candidate.kind, judged.candidate.features);
+        let as_good = judged
+            .iter()
+            .enumerate()
+            .filter(|(_, judged)| match useful {
+                true => judged.candidate.kind != Kind::Mean && error(judged) <= least * AS_GOOD,
+                false => judged.candidate.kind == Kind::Mean,
+            });
+        if let Some((place, _)) = as_good.min_by_key(|(_, judged)| simplest(judged)) {
+            judged[..=place].rotate_right(1);
+        }
+        Self { judged, by }
+    }
+
+    /// The chosen candidate.
+    pub fn chosen(&self) -> Option<&Judged> {
+        self.judged.first()
+    }
+
+    /// As it is told.
+    pub fn report(&self, force: &str, rolled_r2: Option<f64>) -> Option<ForceReport> {
+        let chosen = self.chosen()?.candidate;
+        Some(ForceReport {
+            force: force.to_owned(),
+            chosen: chosen.kind,
+            chosen_features: chosen.features,
+            rolled_r2,
+            models: self
+                .judged
+                .iter()
+                .filter_map(|judged| model_report(judged, self.by))
+                .collect(),
+        })
+    }
+
+    /// What a reader should know of this force, a sentence each.
+    pub fn notes(&self, force: &str) -> Vec<String> {
+        let Some(figures) = self.chosen().and_then(|chosen| chosen.on(self.by)) else {
+            return Vec::new();
+        };
+        let mut notes = Vec::new();
+        if !is_useful(figures) {
+            let best = self
+                .judged
+                .iter()
+                .filter(|judged| judged.candidate.kind != Kind::Mean)
+                .find_map(|judged| judged.on(self.by));
+            let best = best.map_or(String::new(), |best| {
+                format!(": the best model is off by {:.3} N", best.rmse)
+            });
+            notes.push(format!(
+                "{force}: useless. No model is 5 % better than the training mean, which is off by {:.3} N{best}; the mean is given",
+                figures.mean_rmse
+            ));
+        }
+        if let Some(reasons) = self.chosen().map(|chosen| &chosen.splits) {
+            for (kind, figures) in reasons {
+                if let Err(reason) = figures {
+                    notes.push(format!("{force}: no split by {}: {reason}", kind.as_str()));
+                }
+            }
+        }
+        notes
+    }
+}
+
+fn is_useful(figures: &SplitFigures) -> bool {
+    figures.rmse <= USEFUL_SHARE * figures.mean_rmse
+}
+
+fn model_report(judged: &Judged, by: SplitKind) -> Option<ModelReport> {
+    let figures = judged.on(by)?;
+    let of_split = |kind: SplitKind| judged.on(kind).map(|figures| split_report(kind, figures));
+    let random = judged
+        .on(SplitKind::Random)
+        .filter(|random| random.rmse > 0.0);
+    let strict = [SplitKind::Run, SplitKind::Cycle]
+        .into_iter()
+        .find_map(|kind| judged.on(kind));
+    Some(ModelReport {
+        model: judged.candidate.kind,
+        features: judged.candidate.features,
+        validation: split_report(by, figures),
+        splits: SplitReports {
+            random: of_split(SplitKind::Random),
+            cycle: of_split(SplitKind::Cycle),
+            run: of_split(SplitKind::Run),
+            time: of_split(SplitKind::Time),
+            frequency: of_split(SplitKind::Frequency),
+        },
+        leak_factor: strict
+            .zip(random)
+            .map(|(strict, random)| strict.rmse / random.rmse),
+        better_than_mean: judged.candidate.kind != Kind::Mean && is_useful(figures),
+    })
+}
+
+fn split_report(by: SplitKind, figures: &SplitFigures) -> SplitReport {
+    SplitReport {
+        by,
+        rmse_n: figures.rmse,
+        rmse_interval_n: figures.rmse_interval,
+        nrmse_percent: figures.nrmse_percent,
+        mean_nrmse_percent: figures.mean_nrmse_percent,
+        r2: figures.r2,
+        coverage: figures.intervals.map(|fared| fared.coverage),
+        width_n: figures.intervals.map(|fared| fared.width),
+    }
+}
+
+/// What intervals promise, by the split that chose.
+pub fn promise(by: SplitKind) -> String {
+    match by {
+        SplitKind::Run => "95 % of the rows of another run like these lie within their intervals: the widths are those of runs that were left out",
+        SplitKind::Random => "95 % of rows among those that were learnt from lie within their intervals: nothing is promised of other cycles or runs",
+        _ => "95 % of the rows of other cycles of the same runs lie within their intervals; of another run nothing is promised, as none was left out: record a second one",
+    }
+    .to_owned()
+}

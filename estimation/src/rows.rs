@@ -1,0 +1,288 @@
+//! The rows of all runs as models learn them: checked, on one clock, in cycles, with features.
+
+use ndarray::{Array2, ArrayView1, Axis, concatenate};
+
+use crate::align::aligned;
+use crate::cycles::cycles;
+use crate::features::{StreamSettings, features};
+use crate::recipe::{Recipe, SplitKind, StartValue};
+use crate::recording::named_columns::NamedColumns;
+use crate::recording::{Recording, median};
+use crate::split::Place;
+
+/// Fewer cycles than this in all runs tell nothing of what a new one would bring.
+pub const FEWEST_CYCLES: usize = 4;
+/// Fewer rows with a force are learnt nothing from.
+pub const FEWEST_ROWS: usize = 20;
+/// Intervals between rows that make a pause where the recipe says none.
+const PAUSE_INTERVALS: f64 = 10.0;
+/// Rates whose quotient is larger are other rates.
+pub const RATE_FACTOR: f64 = 1.5;
+/// A run whose first force is a smaller share of its range begins unloaded.
+const UNLOADED: f64 = 0.05;
+
+/// What recordings can't be used for as the recipe asks.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refusal {
+    /// JSON pointer into the recipe; empty where the recordings are meant.
+    pub pointer: String,
+    /// What is wrong and what would be right, one sentence.
+    pub detail: String,
+}
+
+/// Runs that can be learnt from.
+#[derive(Debug, Clone)]
+pub struct Runs {
+    /// The columns' names.
+    pub names: NamedColumns,
+    /// The runs, on one clock where the recipe has one.
+    pub runs: Vec<Recording>,
+    /// Median intervals between rows as recorded, s: the least and the greatest of the runs.
+    pub interval_s: (f64, f64),
+    /// A longer time between rows is a pause, s.
+    pub pause_s: f64,
+    /// Where each row of all runs is.
+    places: Vec<Place>,
+}
+
+/// Rows with one force.
+#[derive(Debug, Clone)]
+pub struct LabelledRows {
+    /// Their features: rows x (4 groups of signals).
+    pub features: Array2<f64>,
+    /// N
+    pub forces: Vec<f64>,
+    /// Where they are.
+    pub places: Vec<Place>,
+}
+
+impl Runs {
+    /// Checks recordings with the columns' names, and brings them into rows.
+    ///
+    /// # Errors
+    /// Every reason why the recipe can't be followed: no forces, dead signals, too few cycles or rows, runs of other rates, one run where runs are to be left out.
+    pub fn new(
+        recipe: &Recipe,
+        names: NamedColumns,
+        recordings: Vec<Recording>,
+    ) -> Result<Self, Vec<Refusal>> {
+        let intervals: Vec<f64> = recordings
+            .iter()
+            .filter_map(Recording::interval_s)
+            .collect();
+        let least = intervals.iter().copied().fold(f64::INFINITY, f64::min);
+        let greatest = intervals.iter().copied().fold(0.0, f64::max);
+        let usual = PAUSE_INTERVALS * median(intervals.iter().copied()).unwrap_or(1.0);
+        let pause_s = recipe.preprocess.pause_s.unwrap_or(usual);
+        let runs: Vec<Recording> = match recipe.preprocess.rate_hz {
+            Some(rate_hz) => recordings
+                .iter()
+                .map(|run| aligned(run, rate_hz, pause_s))
+                .collect(),
+            None => recordings,
+        };
+        let places = places(&runs, recipe);
+        let found = Self {
+            names,
+            runs,
+            interval_s: (least, greatest),
+            pause_s,
+            places,
+        };
+        let refusals = found.refusals(recipe);
+        if refusals.is_empty() {
+            Ok(found)
+        } else {
+            Err(refusals)
+        }
+    }
+
+    fn refusals(&self, recipe: &Recipe) -> Vec<Refusal> {
+        let mut refusals = Vec::new();
+        let mut refuse = |pointer: &str, detail: String| {
+            refusals.push(Refusal {
+                pointer: pointer.to_owned(),
+                detail,
+            });
+        };
+        let (least, greatest) = self.interval_s;
+        if recipe.preprocess.rate_hz.is_none() && greatest > RATE_FACTOR * least {
+            let detail = format!(
+                "the runs have rates from {:.4} to {:.4} Hz; a rate_hz brings them to one clock",
+                greatest.recip(),
+                least.recip()
+            );
+            refuse("/preprocess/rate_hz", detail);
+        }
+        for (column, name) in self.names.signals.iter().enumerate() {
+            let mut values = self
+                .runs
+                .iter()
+                .flat_map(|run| run.signals.column(column).to_vec());
+            let first = values.next();
+            if values.all(|x| Some(x) == first) {
+                refuse(
+                    "/columns/signals",
+                    format!(
+                        "signal {} is dead: it has one value in all runs; leave it out",
+                        name.escape_debug()
+                    ),
+                );
+            }
+        }
+        for (column, name) in self.names.forces.iter().enumerate() {
+            let labels = self.labelled(column).len();
+            if labels == 0 {
+                refuse(
+                    "/columns/forces",
+                    format!("force {} was measured in no row", name.escape_debug()),
+                );
+            } else if labels < FEWEST_ROWS {
+                let detail = format!(
+                    "force {} was measured in {labels} rows; {FEWEST_ROWS} are the fewest to learn from",
+                    name.escape_debug()
+                );
+                refuse("/columns/forces", detail);
+            }
+        }
+        let cycles: std::collections::BTreeSet<usize> =
+            self.places.iter().map(|place| place.cycle).collect();
+        if cycles.len() < FEWEST_CYCLES {
+            let detail = format!(
+                "there are {} cycles in all runs; {FEWEST_CYCLES} are the fewest to leave some out: say what a cycle is by cycle, pause_s, threshold_n or block_s",
+                cycles.len()
+            );
+            refuse("/columns", detail);
+        }
+        if recipe.validation.by == Some(SplitKind::Run) && self.runs.len() < 2 {
+            refuse(
+                "/validation/by",
+                "runs can't be left out of one run: give another recording, or leave cycles out"
+                    .to_owned(),
+            );
+        }
+        refusals
+    }
+
+    /// Where each row of all runs is.
+    pub fn places(&self) -> &[Place] {
+        &self.places
+    }
+
+    /// How many cycles a run has.
+    pub fn cycles_of(&self, run: usize) -> usize {
+        let numbers = self
+            .places
+            .iter()
+            .filter(|place| place.run == run)
+            .map(|place| place.cycle);
+        numbers.collect::<std::collections::BTreeSet<_>>().len()
+    }
+
+    /// What the stream of features does, with the first reading taken off or not.
+    pub fn stream_settings(&self, recipe: &Recipe, subtract_start: bool) -> StreamSettings {
+        StreamSettings {
+            subtract_start,
+            turn_sign: recipe.preprocess.turn_sign,
+            smooth_rows: recipe.preprocess.smooth_rows,
+            window_rows: recipe.features.window_rows,
+            pause_s: self.pause_s,
+        }
+    }
+
+    /// Features of all rows of all runs.
+    pub fn features(&self, settings: &StreamSettings) -> Array2<f64> {
+        let of_runs: Vec<Array2<f64>> = self
+            .runs
+            .iter()
+            .map(|run| features(run, settings))
+            .collect();
+        let views: Vec<_> = of_runs.iter().map(|features| features.view()).collect();
+        concatenate(Axis(0), &views).unwrap_or_default()
+    }
+
+    /// Rows with a force, by their numbers among all rows.
+    fn labelled(&self, force: usize) -> Vec<usize> {
+        let forces = self
+            .runs
+            .iter()
+            .flat_map(|run| run.forces.column(force).to_vec());
+        let measured = forces.enumerate().filter(|(_, force)| force.is_finite());
+        measured.map(|(row, _)| row).collect()
+    }
+
+    /// The rows with a force, with their features among those of all rows.
+    pub fn of_force(&self, force: usize, features: &Array2<f64>) -> LabelledRows {
+        let rows = self.labelled(force);
+        let all: Vec<f64> = self
+            .runs
+            .iter()
+            .flat_map(|run| run.forces.column(force).to_vec())
+            .collect();
+        LabelledRows {
+            features: features.select(Axis(0), &rows),
+            forces: rows.iter().map(|row| all[*row]).collect(),
+            places: rows.iter().map(|row| self.places[*row]).collect(),
+        }
+    }
+
+    /// Whether every run begins unloaded: then its first reading is what the signals are without a force.
+    pub fn begin_unloaded(&self) -> bool {
+        self.runs
+            .iter()
+            .all(|run| run.forces.columns().into_iter().all(begins_unloaded))
+    }
+
+    /// Whether the first reading is taken off; None where left-out runs are to tell.
+    pub fn subtract_start(&self, asked: StartValue) -> Option<bool> {
+        match asked {
+            StartValue::Subtract => Some(true),
+            StartValue::Keep => Some(false),
+            StartValue::Auto if self.runs.len() < 2 => Some(self.begin_unloaded()),
+            StartValue::Auto => None,
+        }
+    }
+
+    /// Least and greatest value of each signal, as models are given it: the first group of all features.
+    pub fn ranges(&self, features: &Array2<f64>) -> Vec<(f64, f64)> {
+        let range = |column: ArrayView1<'_, f64>| {
+            let low = column.iter().copied().fold(f64::INFINITY, f64::min);
+            (
+                low,
+                column.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            )
+        };
+        features
+            .columns()
+            .into_iter()
+            .take(self.names.signals.len())
+            .map(range)
+            .collect()
+    }
+}
+
+fn begins_unloaded(forces: ArrayView1<'_, f64>) -> bool {
+    let mut known = forces.iter().copied().filter(|force| force.is_finite());
+    let Some(first) = known.next() else {
+        return true;
+    };
+    let most = known.fold(first.abs(), |most, force| most.max(force.abs()));
+    first.abs() <= UNLOADED * most
+}
+
+fn places(runs: &[Recording], recipe: &Recipe) -> Vec<Place> {
+    let mut before = 0;
+    let mut places = Vec::new();
+    for (run, recording) in runs.iter().enumerate() {
+        let found = cycles(recording, &recipe.columns.cycles);
+        let most = found.iter().copied().max().map_or(0, |most| most + 1);
+        places.extend(found.into_iter().enumerate().map(|(row, cycle)| Place {
+            run,
+            row,
+            cycle: before + cycle,
+            time_s: recording.time_s[row],
+        }));
+        before += most;
+    }
+    places
+}

@@ -1,0 +1,185 @@
+//! Estimates of a recording: whole, or row by row as its lines come in.
+
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use std::fmt::Write as _;
+
+use estimation::estimator::Estimator;
+use estimation::live::{Estimated, Live};
+use estimation::recording::csv_line::quoted;
+use estimation::recording::csv_recording::{RowReader, check_time, header_names};
+use estimation::recording::median;
+use estimation::recording::recording_fault::{FaultList, RecordingFault};
+use estimation::rows::RATE_FACTOR;
+
+/// Rows whose median interval tells a recording's rate.
+const RATE_ROWS: usize = 20;
+
+/// Reads lines of a recording and gives lines of estimates.
+#[derive(Debug)]
+pub struct EstimatedLines<'e> {
+    estimator: &'e Estimator,
+    file: String,
+    reader: RowReader,
+    live: Live<'e>,
+    line: usize,
+    last_s: Option<f64>,
+    cycle: (usize, Option<String>),
+    /// The first intervals, s, until the rate is known.
+    intervals: Vec<f64>,
+}
+
+/// The header of estimates: `time_s`, each force with its interval, `outside`.
+pub fn estimates_header(estimator: &Estimator) -> String {
+    let of_force = |force: &String| {
+        ["", "_low", "_high"].map(|end| quoted(&format!("{force}{end}")).into_owned())
+    };
+    let names = estimator.columns.forces.iter().flat_map(of_force);
+    let all: Vec<String> = std::iter::once("time_s".to_owned())
+        .chain(names)
+        .chain(std::iter::once("outside".to_owned()))
+        .collect();
+    all.join(",") + "\n"
+}
+
+impl<'e> EstimatedLines<'e> {
+    /// Reads the header's line.
+    ///
+    /// # Errors
+    /// Signals that it lacks.
+    pub fn new(
+        estimator: &'e Estimator,
+        file: &str,
+        header: &str,
+    ) -> Result<Self, Vec<RecordingFault>> {
+        let mut faults = FaultList::of(file);
+        let names = header_names(header.trim_start_matches('\u{feff}'), &mut faults);
+        if faults.is_empty() {
+            estimator.columns.lacking_signals(&names, &mut faults);
+        }
+        let unlabelled = estimation::recording::named_columns::NamedColumns {
+            forces: Vec::new(),
+            ..estimator.columns.clone()
+        };
+        let reader = RowReader::new(&unlabelled, &names, estimator.stream.rate_hz.is_some());
+        match reader {
+            Some(reader) if faults.is_empty() => Ok(Self {
+                estimator,
+                file: file.to_owned(),
+                reader,
+                live: Live::new(estimator),
+                line: 1,
+                last_s: None,
+                cycle: (0, None),
+                intervals: Vec::new(),
+            }),
+            _ => Err(faults.into_faults()),
+        }
+    }
+
+    /// What a line tells: a line for each estimate, none for a blank line.
+    ///
+    /// # Errors
+    /// The line's faults; a rate unlike those that were learnt from, once enough lines tell it.
+    pub fn push(&mut self, line: &str) -> Result<String, Vec<RecordingFault>> {
+        self.line += 1;
+        if line.trim().is_empty() {
+            return Ok(String::new());
+        }
+        let mut faults = FaultList::of(&self.file);
+        let row = self.reader.row(self.line, line, &mut faults);
+        if let Some(row) = &row {
+            check_time(
+                row.time_s,
+                self.last_s,
+                self.line,
+                &self.estimator.columns.time,
+                &mut faults,
+            );
+        }
+        let Some(row) = row.filter(|_| faults.is_empty()) else {
+            return Err(faults.into_faults());
+        };
+        self.check_rate(row.time_s)?;
+        self.last_s = Some(row.time_s);
+        let cycle = row.cycle.map(|name| self.cycle_number(name));
+        let estimated = self.live.push(row.time_s, cycle, &row.signals);
+        Ok(estimated.iter().map(line_of).collect())
+    }
+
+    /// A number that grows where the column of cycles changes.
+    fn cycle_number(&mut self, name: String) -> usize {
+        let (number, last) = &mut self.cycle;
+        if last.as_ref().is_some_and(|last| *last != name) {
+            *number += 1;
+        }
+        *last = Some(name);
+        *number
+    }
+
+    fn check_rate(&mut self, time_s: f64) -> Result<(), Vec<RecordingFault>> {
+        let Some(last) = self.last_s.filter(|_| self.intervals.len() < RATE_ROWS) else {
+            return Ok(());
+        };
+        self.intervals.push(time_s - last);
+        if self.intervals.len() < RATE_ROWS {
+            return Ok(());
+        }
+        let found = median(self.intervals.iter().copied()).unwrap_or_default();
+        let (least, greatest) = self.estimator.interval_s;
+        let other = found * RATE_FACTOR < least || found > greatest * RATE_FACTOR;
+        if other && self.estimator.stream.rate_hz.is_none() {
+            let mut faults = FaultList::of(&self.file);
+            let detail = format!(
+                "has {:.4} rows a second; the model was learnt from {:.4} to {:.4}: another rate needs a model of its own, or a recipe with rate_hz",
+                found.recip(),
+                greatest.recip(),
+                least.recip()
+            );
+            faults.add(None, None, detail);
+            return Err(faults.into_faults());
+        }
+        Ok(())
+    }
+}
+
+/// All numbers with the fewest digits that read back bit for bit.
+fn line_of(estimated: &Estimated) -> String {
+    let mut line = format!("{:?}", estimated.time_s);
+    for estimate in &estimated.forces {
+        // Writing to a text can't fail.
+        let _ = write!(
+            line,
+            ",{:?},{:?},{:?}",
+            estimate.force, estimate.low, estimate.high
+        );
+    }
+    let _ = writeln!(line, ",{}", u8::from(estimated.outside));
+    line
+}
+
+/// Estimates of a whole recording.
+///
+/// # Errors
+/// Every fault, up to a bound.
+pub fn apply(estimator: &Estimator, file: &str, text: &str) -> Result<String, Vec<RecordingFault>> {
+    let mut lines = text.lines();
+    let mut rows = EstimatedLines::new(estimator, file, lines.next().unwrap_or_default())?;
+    let mut out = estimates_header(estimator);
+    let mut faults = Vec::new();
+    for line in lines {
+        match rows.push(line) {
+            Ok(estimates) => out.push_str(&estimates),
+            Err(found) => faults.extend(found),
+        }
+        if faults.len() > estimation::recording::recording_fault::MOST_FAULTS {
+            break;
+        }
+    }
+    if faults.is_empty() {
+        Ok(out)
+    } else {
+        Err(faults)
+    }
+}

@@ -1,0 +1,376 @@
+//! Learns an estimator: every candidate of every force judged, the best learnt from all rows, on all cores.
+
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+use estimation::estimator::{Estimator, FORMAT, ForceModel, Stream, VERSION};
+use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
+use estimation::recording::Recording;
+use estimation::report::{FitCost, ForceReport, Ranking, RecordingFigures, Report, promise};
+use estimation::rows::{LabelledRows, Runs};
+use estimation::split::strictest;
+use estimation::validate::{Candidate, Judged, Splits, candidates, judge, rolled_r2};
+use fem_client::document::fault::Fault;
+use serde::{Deserialize, Serialize};
+use store::content::sha256;
+
+use crate::forces::recorded_texts::{NamedText, read_runs};
+
+/// What a fit gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fit {
+    /// The model.
+    pub estimator: Estimator,
+    /// What was found.
+    pub report: Report,
+    /// What the chosen models said of rows that they hadn't learnt from, one a force.
+    pub left_out: Vec<LeftOutRows>,
+}
+
+/// Rows that the chosen model of a force hadn't learnt from: truth, estimate and interval.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct LeftOutRows {
+    /// The force's column.
+    pub force: String,
+    /// Each row's run, by its place among the recordings.
+    pub run: Vec<usize>,
+    /// Each row's time, s.
+    pub time_s: Vec<f64>,
+    /// What was measured, N.
+    pub truth_n: Vec<f64>,
+    /// What was estimated, N.
+    pub estimate_n: Vec<f64>,
+    /// The interval's low end, N.
+    pub low_n: Vec<f64>,
+    /// The interval's high end, N.
+    pub high_n: Vec<f64>,
+}
+
+/// Why there is no fit.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FitFailure {
+    /// The recipe or the recordings are wrong.
+    Input(Vec<Fault>),
+    /// Somebody asked to stop.
+    Stopped,
+    /// Something else, a sentence.
+    Other(String),
+}
+
+/// Hears how many pieces of work are done, of how many.
+pub type Told<'a> = &'a (dyn Fn(usize, usize) + Sync);
+
+/// On how many threads, until when, and who is told.
+#[derive(Clone, Copy)]
+pub struct Work<'a> {
+    /// Threads.
+    pub threads: usize,
+    /// Whether to stop.
+    pub stop: &'a AtomicBool,
+    /// Is told how far it is.
+    pub told: Told<'a>,
+}
+
+/// Learns from recordings.
+///
+/// # Errors
+/// See [`FitFailure`]; all faults of recipe and recordings are told at once.
+pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, FitFailure> {
+    let begun = Instant::now();
+    let runs = read_runs(recipe, files).map_err(FitFailure::Input)?;
+    let subtract_start = subtract_start(recipe, &runs, work)?;
+    let rows = rows_of_forces(recipe, &runs, subtract_start);
+    let splits: Vec<Splits> = rows
+        .iter()
+        .map(|rows| Splits::new(rows, recipe, runs.interval_s.1))
+        .collect();
+    let rankings = judged(recipe, &rows, &splits, work)?;
+    let (models, rolled) = learnt(recipe, &rows, &splits, &rankings, work)?;
+    let settings = runs.stream_settings(recipe, subtract_start);
+    let by = splits.first().map_or(SplitKind::Cycle, |splits| splits.by);
+    let estimator = Estimator {
+        format: FORMAT.to_owned(),
+        version: VERSION,
+        columns: runs.names.clone(),
+        stream: Stream::new(&runs, recipe, subtract_start),
+        interval_s: runs.interval_s,
+        ranges: runs.ranges(&runs.features(&settings)),
+        promise: by,
+        recipe: recipe.clone(),
+        forces: models,
+    };
+    let named = || runs.names.forces.iter().zip(&rankings);
+    let reports: Vec<ForceReport> = named()
+        .zip(&rolled)
+        .filter_map(|((force, ranking), rolled)| ranking.report(force, *rolled))
+        .collect();
+    let mut notes: Vec<String> = named()
+        .flat_map(|(force, ranking)| ranking.notes(force))
+        .collect();
+    notes.extend(more_notes(&runs, subtract_start, recipe));
+    let report = Report {
+        recordings: runs
+            .runs
+            .iter()
+            .zip(files)
+            .enumerate()
+            .map(|(run, (recording, file))| figures(&runs, run, recording, file))
+            .collect(),
+        forces: reports,
+        promise: promise(by),
+        notes,
+        cost: FitCost {
+            candidates: rankings.iter().map(|ranking| ranking.judged.len()).sum(),
+            wall_s: begun.elapsed().as_secs_f64(),
+        },
+    };
+    let left_out = named()
+        .zip(&rows)
+        .zip(&estimator.forces)
+        .map(|(((force, ranking), rows), model)| left_out_rows(force, ranking, rows, model));
+    Ok(Fit {
+        left_out: left_out.collect(),
+        estimator,
+        report,
+    })
+}
+
+fn rows_of_forces(recipe: &Recipe, runs: &Runs, subtract_start: bool) -> Vec<LabelledRows> {
+    let features = runs.features(&runs.stream_settings(recipe, subtract_start));
+    (0..runs.names.forces.len())
+        .map(|force| runs.of_force(force, &features))
+        .collect()
+}
+
+/// Whether first readings are taken off: as the recipe says, or as left-out runs say of lines and processes on raw signals.
+fn subtract_start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> Result<bool, FitFailure> {
+    if let Some(subtract) = runs.subtract_start(recipe.preprocess.start_value) {
+        return Ok(subtract);
+    }
+    let tried: Vec<(bool, Vec<LabelledRows>)> = [true, false]
+        .map(|subtract| (subtract, rows_of_forces(recipe, runs, subtract)))
+        .into();
+    let kinds = [Kind::Ridge, Kind::Gpr].map(|kind| Candidate {
+        kind,
+        features: FeatureSet::Raw,
+    });
+    let pieces: Vec<(usize, usize, Candidate)> = (0..tried.len())
+        .flat_map(|way| {
+            (0..runs.names.forces.len()).flat_map(move |force| kinds.map(|kind| (way, force, kind)))
+        })
+        .collect();
+    let quiet = Work {
+        told: &|_, _| {},
+        ..work
+    };
+    let errors = in_parallel(pieces.len(), quiet, |piece| {
+        let (way, force, candidate) = pieces[piece];
+        let rows = &tried[way].1[force];
+        let splits = Splits::new(rows, recipe, runs.interval_s.1);
+        let judged = judge(candidate, rows, &splits, recipe, false).ok()?;
+        judged
+            .on(splits.by)
+            .map(|figures| figures.rmse / figures.mean_rmse)
+    })?;
+    // The better of the two models, summed over forces.
+    let of_way = |way: usize| -> f64 {
+        let least = |force: usize| {
+            let here = pieces
+                .iter()
+                .zip(&errors)
+                .filter(|((w, f, _), _)| *w == way && *f == force);
+            here.filter_map(|(_, error)| *error)
+                .fold(f64::INFINITY, f64::min)
+        };
+        (0..runs.names.forces.len()).map(least).sum()
+    };
+    Ok(of_way(0) <= of_way(1))
+}
+
+/// All candidates of all forces.
+fn judged(
+    recipe: &Recipe,
+    rows: &[LabelledRows],
+    splits: &[Splits],
+    work: Work<'_>,
+) -> Result<Vec<Ranking>, FitFailure> {
+    let all = candidates(recipe);
+    // Networks and large sets take longest: first, so that no core waits for the last of them.
+    let mut pieces: Vec<(usize, Candidate)> = all
+        .iter()
+        .flat_map(|candidate| (0..rows.len()).map(move |force| (force, *candidate)))
+        .collect();
+    pieces.reverse();
+    let judged = in_parallel(pieces.len(), work, |piece| {
+        let (force, candidate) = pieces[piece];
+        judge(candidate, &rows[force], &splits[force], recipe, true)
+    })?;
+    let mut of_forces: Vec<Vec<Judged>> = vec![Vec::new(); rows.len()];
+    let mut first_reason = None;
+    for ((force, _), judged) in pieces.iter().zip(judged) {
+        match judged {
+            Ok(judged) => of_forces[*force].push(judged),
+            Err(reason) => first_reason = first_reason.or(Some(reason)),
+        }
+    }
+    if of_forces.iter().any(Vec::is_empty) {
+        let reason = first_reason.unwrap_or_else(|| "no model could be judged".to_owned());
+        let pointer = "/validation/by".to_owned();
+        return Err(FitFailure::Input(vec![Fault {
+            pointer,
+            detail: reason,
+        }]));
+    }
+    Ok(of_forces
+        .into_iter()
+        .zip(splits)
+        .map(|(judged, splits)| Ranking::new(judged, splits.by))
+        .collect())
+}
+
+/// The chosen models, learnt from all rows, and what chance would do.
+#[allow(clippy::type_complexity, reason = "two lists of one length")]
+fn learnt(
+    recipe: &Recipe,
+    rows: &[LabelledRows],
+    splits: &[Splits],
+    rankings: &[Ranking],
+    work: Work<'_>,
+) -> Result<(Vec<ForceModel>, Vec<Option<f64>>), FitFailure> {
+    let quiet = Work {
+        told: &|_, _| {},
+        ..work
+    };
+    let learnt = in_parallel(rows.len(), quiet, |force| {
+        let chosen = rankings[force].chosen()?;
+        let rolled = rolled_r2(chosen.candidate, &rows[force], &splits[force], recipe);
+        Some((
+            ForceModel::learn(chosen, splits[force].by, &rows[force], recipe),
+            rolled,
+        ))
+    })?;
+    let mut models = Vec::new();
+    let mut rolled = Vec::new();
+    for (model, chance) in learnt.into_iter().flatten() {
+        models.push(model.map_err(|error| FitFailure::Other(error.to_string()))?);
+        rolled.push(chance);
+    }
+    Ok((models, rolled))
+}
+
+fn more_notes(runs: &Runs, subtract_start: bool, recipe: &Recipe) -> Vec<String> {
+    let mut notes = Vec::new();
+    let start = if subtract_start {
+        "taken off its signals"
+    } else {
+        "kept"
+    };
+    notes.push(format!("the first reading of each run is {start}"));
+    if subtract_start && !runs.begin_unloaded() {
+        notes.push(
+            "a run begins with a force: its first reading isn't what the signals are without one"
+                .to_owned(),
+        );
+    }
+    if let Some(by) = recipe.validation.by {
+        let strictest = strictest_of(runs);
+        if by != strictest && by != SplitKind::Time && by != SplitKind::Frequency {
+            notes.push(format!(
+                "models are chosen by {}, though {} could be left out",
+                by.as_str(),
+                plural(strictest)
+            ));
+        }
+    }
+    notes
+}
+
+fn strictest_of(runs: &Runs) -> SplitKind {
+    strictest(runs.places())
+}
+
+fn plural(kind: SplitKind) -> &'static str {
+    if kind == SplitKind::Run {
+        "whole runs"
+    } else {
+        "whole cycles"
+    }
+}
+
+fn figures(runs: &Runs, run: usize, recording: &Recording, file: &NamedText) -> RecordingFigures {
+    RecordingFigures {
+        file: file.name.clone(),
+        rows: recording.rows(),
+        labelled: recording.labelled(),
+        cycles: runs.cycles_of(run),
+        rate_hz: recording.interval_s().map(f64::recip),
+        sha256: sha256(&[file.text.as_bytes()]),
+    }
+}
+
+fn left_out_rows(
+    force: &str,
+    ranking: &Ranking,
+    rows: &LabelledRows,
+    model: &ForceModel,
+) -> LeftOutRows {
+    let mut found = LeftOutRows {
+        force: force.to_owned(),
+        run: Vec::new(),
+        time_s: Vec::new(),
+        truth_n: Vec::new(),
+        estimate_n: Vec::new(),
+        low_n: Vec::new(),
+        high_n: Vec::new(),
+    };
+    let mut said = ranking
+        .chosen()
+        .map_or(Vec::new(), |chosen| chosen.left_out.clone());
+    said.sort_by_key(|row| row.row);
+    for row in said {
+        let half = model.factor * row.deviation;
+        found.run.push(rows.places[row.row].run);
+        found.time_s.push(rows.places[row.row].time_s);
+        found.truth_n.push(row.truth);
+        found.estimate_n.push(row.mean);
+        found.low_n.push(row.mean - half);
+        found.high_n.push(row.mean + half);
+    }
+    found
+}
+
+/// What `of` makes of each number below `count`, on all threads.
+fn in_parallel<T: Send>(
+    count: usize,
+    work: Work<'_>,
+    of: impl Fn(usize) -> T + Sync,
+) -> Result<Vec<T>, FitFailure> {
+    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let found: Mutex<Vec<(usize, T)>> = Mutex::new(Vec::new());
+    let worker = || {
+        while !work.stop.load(Ordering::Relaxed) {
+            let piece = next.fetch_add(1, Ordering::Relaxed);
+            if piece >= count {
+                break;
+            }
+            let made = of(piece);
+            found
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+                .push((piece, made));
+            (work.told)(done.fetch_add(1, Ordering::Relaxed) + 1, count);
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..work.threads.clamp(1, count.max(1)) {
+            scope.spawn(worker);
+        }
+    });
+    let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+    if found.len() < count {
+        return Err(FitFailure::Stopped);
+    }
+    found.sort_by_key(|(piece, _)| *piece);
+    Ok(found.into_iter().map(|(_, made)| made).collect())
+}

@@ -1,0 +1,117 @@
+//! `strainsite force fit`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use service::forces::fitting::{Fit as Found, FitFailure, Work, fit};
+use service::forces::model_file::model_text;
+use service::forces::recipe_reader::recipe_from_text;
+use service::forces::recorded_texts::{MOST_RECORDING_BYTES, NamedText};
+use service::study_document::text_files::read_text;
+use service::study_document::{format_of, read_file};
+use tokio::runtime::Runtime;
+
+use crate::cli::commands::force::force_table::table;
+use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::files::Files;
+use crate::cli::terminal::output::{JsonTarget, tell};
+use crate::cli::terminal::output_place::write;
+use crate::cli::terminal::progress::{count, counting_bar};
+use crate::cli::terminal::signals::stop_flag;
+
+#[derive(Debug, Args)]
+pub struct Fit {
+    /// What is to be done, TOML or JSON; an empty file has all defaults
+    recipe: PathBuf,
+    /// Recordings, CSV, one a run: a header, then seconds, signals, and forces where they were measured
+    #[arg(required = true)]
+    runs: Vec<PathBuf>,
+    /// Write the model here
+    #[arg(short, long)]
+    output: Option<PathBuf>,
+    /// Write the report as JSON, `-` for standard output
+    #[arg(long)]
+    pub json: Option<JsonTarget>,
+    /// Threads; all cores where it is left out
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+impl Fit {
+    /// What it reads and writes.
+    pub fn files(&self) -> Files {
+        Files::default()
+            .reading([&self.recipe])
+            .reading(&self.runs)
+            .writing(self.output.as_deref())
+            .telling(self.json.as_ref())
+    }
+
+    /// Learns, writes model and report, prints what was found.
+    pub fn execute(&self) -> Result<(), Failure> {
+        let recipe = read_file(&self.recipe)
+            .and_then(|text| recipe_from_text(&text, format_of(&self.recipe)));
+        let (files, unread) = self.recordings();
+        let mut faults = recipe.as_ref().err().cloned().unwrap_or_default();
+        faults.extend(
+            unread
+                .into_iter()
+                .flat_map(|detail| match Failure::input(detail) {
+                    Failure::Input(faults) => faults,
+                    _ => Vec::new(),
+                }),
+        );
+        let recipe = match recipe {
+            Ok(recipe) if faults.is_empty() => recipe,
+            _ => return Err(Failure::Input(faults)),
+        };
+        let found = self.fit(&recipe, &files)?;
+        if let Some(path) = &self.output {
+            let text = model_text(&found.estimator).map_err(Failure::Other)?;
+            write(path, text.as_bytes())?;
+        }
+        if let Some(target) = &self.json {
+            target.write(&found.report)?;
+        }
+        tell(&table(&found.report), self.json.as_ref())
+    }
+
+    /// The recordings that can be read, and why others can't.
+    fn recordings(&self) -> (Vec<NamedText>, Vec<String>) {
+        let mut files = Vec::new();
+        let mut unread = Vec::new();
+        for path in &self.runs {
+            match read_text(path, MOST_RECORDING_BYTES) {
+                Ok(text) => files.push(NamedText {
+                    name: path.display().to_string(),
+                    text,
+                }),
+                Err(detail) => unread.push(detail),
+            }
+        }
+        (files, unread)
+    }
+
+    fn fit(
+        &self,
+        recipe: &estimation::recipe::Recipe,
+        files: &[NamedText],
+    ) -> Result<Found, Failure> {
+        let runtime = Runtime::new().map_err(Failure::other)?;
+        let stop = stop_flag(&runtime)?;
+        let bar = counting_bar(0, "models judged");
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let work = Work {
+            threads: self.threads.map_or(cores, usize::from),
+            stop: &stop,
+            told: &|done, of| count(&bar, done, of),
+        };
+        let found = fit(recipe, files, work);
+        bar.finish_and_clear();
+        found.map_err(|failure| match failure {
+            FitFailure::Input(faults) => Failure::Input(faults),
+            FitFailure::Stopped => Failure::Other("stopped on request".to_owned()),
+            FitFailure::Other(detail) => Failure::Other(detail),
+        })
+    }
+}

@@ -1,0 +1,59 @@
+//! `strainsite force`: forces from recorded signals.
+//!
+//! - `force_fit`: validates every model on every split, learns the best
+//! - `force_apply`: estimates of a recording, or of rows as they come
+//! - `force_table`: what a fit found, for people
+
+mod force_apply;
+mod force_fit;
+mod force_table;
+
+use clap::{Args, Subcommand};
+
+use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::files::Files;
+use crate::cli::terminal::help_examples;
+use crate::cli::terminal::output::JsonTarget;
+
+/// Learn forces from recorded signals, and estimate them
+#[derive(Debug, Args)]
+pub struct Force {
+    #[command(subcommand)]
+    step: Step,
+}
+
+#[derive(Debug, Subcommand)]
+enum Step {
+    /// Validate models on rows they didn't learn from, then learn the best from all rows
+    #[command(after_help = help_examples::FORCE_FIT)]
+    Fit(force_fit::Fit),
+    /// Estimate the forces of a recording, with 95 % intervals
+    #[command(after_help = help_examples::FORCE_APPLY)]
+    Apply(force_apply::Apply),
+}
+
+impl Force {
+    /// Runs the step.
+    pub fn execute(&self) -> Result<(), Failure> {
+        match &self.step {
+            Step::Fit(step) => step.execute(),
+            Step::Apply(step) => step.execute(),
+        }
+    }
+
+    /// What the step reads and writes.
+    pub fn files(&self) -> Files {
+        match &self.step {
+            Step::Fit(step) => step.files(),
+            Step::Apply(step) => step.files(),
+        }
+    }
+
+    /// Where the step's JSON goes.
+    pub fn json(&self) -> Option<JsonTarget> {
+        match &self.step {
+            Step::Fit(step) => step.json.clone(),
+            Step::Apply(_) => None,
+        }
+    }
+}
