@@ -20,6 +20,7 @@ use crate::http::router::app;
 use crate::http::routes::answers::sent_result::Intact;
 use crate::token::{Token, TokenError};
 use service::engine::Engine;
+use service::forces::estimator_queue::{self, EstimatorQueue};
 use service::metrics::Metrics;
 use service::previewer::Previewer;
 use service::queue::{self, Queue};
@@ -115,6 +116,7 @@ pub struct Service {
     shutdown: watch::Sender<bool>,
     http: JoinHandle<()>,
     worker: JoinHandle<()>,
+    learner: JoinHandle<()>,
 }
 
 /// Why a service did not start.
@@ -159,6 +161,7 @@ impl Service {
         let listener = listener::bind(parts.address).map_err(listen_error)?;
         let address = listener.local_addr().map_err(listen_error)?;
         queue::recover(&store).await?;
+        estimator_queue::recover(&store).await?;
         let (shutdown, stopping) = shutdown::channel();
         let metrics = Metrics::new();
         let engine = Engine {
@@ -174,6 +177,8 @@ impl Service {
             limits.waiting_studies,
             stopping.clone(),
         ));
+        let estimators = EstimatorQueue::new(store.clone(), parts.threads, stopping.clone());
+        let estimators = Arc::new(estimators);
         let previewer = Previewer::new(parts.previewer, parts.threads, stopping.clone());
         let access = Access::of(token.clone(), address.port());
         let login = access.link()?;
@@ -182,6 +187,7 @@ impl Service {
             store: store.clone(),
             engine,
             queue: queue.clone(),
+            estimators: estimators.clone(),
             previewer: Arc::new(previewer),
             shutdown: stopping.clone(),
             access,
@@ -193,6 +199,7 @@ impl Service {
         };
         let http = tokio::spawn(listener::serve(listener, app(state, hosts), stopping));
         let worker = tokio::spawn(async move { queue.work().await });
+        let learner = tokio::spawn(async move { estimators.work().await });
         Ok(Self {
             address,
             login,
@@ -200,6 +207,7 @@ impl Service {
             shutdown,
             http,
             worker,
+            learner,
         })
     }
 
@@ -218,13 +226,17 @@ impl Service {
         self.store.path()
     }
 
-    /// Stops within a Newton iteration: a study that runs goes back into the queue, requests in flight are answered.
+    /// Stops within a Newton iteration: a study that runs goes back into the queue and an estimator into its line, requests in flight are answered.
     ///
     /// # Errors
     /// [`StoreError::Gone`] when the database was removed or replaced meanwhile.
     pub async fn stop(self) -> Result<(), StoreError> {
         self.shutdown.send_replace(true);
-        for (what, task) in [("queue", self.worker), ("listener", self.http)] {
+        for (what, task) in [
+            ("queue", self.worker),
+            ("estimators", self.learner),
+            ("listener", self.http),
+        ] {
             match tokio::time::timeout(PATIENCE, task).await {
                 Ok(Ok(())) => {}
                 Ok(Err(error)) => tracing::error!(%error, what, "a part of the service broke"),

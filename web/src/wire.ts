@@ -437,6 +437,52 @@ export interface components {
             /** @description Why figures are ranges or null, whole sentences. */
             reasons: string[];
         };
+        /** @description An estimator with its recipe. */
+        EstimatorDetail: components["schemas"]["EstimatorSummary"] & {
+            /** @description The recipe as it was submitted. */
+            recipe: Record<string, unknown>;
+        };
+        /** @description Recordings to learn forces from, and how. */
+        EstimatorDocument: {
+            /** @description Free text; the first recording's file where it is left out. */
+            name?: string;
+            /**
+             * @description What is to be done, as in a recipe of `strainsite force fit`: the tables `columns`, `preprocess`, `features`, `models` and `validation`, every field with a
+             *     default.
+             */
+            recipe?: Record<string, unknown>;
+            /** @description One a run. */
+            recordings: components["schemas"]["RecordingDocument"][];
+        };
+        /** @description One page of estimators, newest first. */
+        EstimatorPage: {
+            /** @description The estimators. */
+            estimators: components["schemas"]["EstimatorSummary"][];
+            /** @description Where the next page begins; null on the last one. */
+            next_cursor?: string | null;
+        };
+        /** @description An estimator in its queue, at work, or at its end. Times are RFC 3339, UTC. */
+        EstimatorSummary: {
+            /** @description UUID, ordered by time. */
+            id: string;
+            /** @description Free text. */
+            name: string;
+            /** @description Where it stands. */
+            state: components["schemas"]["State"];
+            /** @description Why it failed, a sentence. */
+            error?: string | null;
+            /** @description When it was submitted. */
+            created: string;
+            /** @description When it was first started. */
+            started?: string | null;
+            /** @description When it ended. */
+            finished?: string | null;
+            /** @description The forces' columns, N. */
+            forces: string[];
+            /** @description What it is learnt from. */
+            recordings: components["schemas"]["RecordingFigures"][];
+            progress?: components["schemas"]["FitProgress"] | null;
+        };
         /** @description One point that has an outcome. */
         EvaluationView: {
             /** @description Its place. */
@@ -518,6 +564,11 @@ export interface components {
             /** @description What is wrong and what would be right, one sentence. */
             detail: string;
         };
+        /**
+         * @description A set of features (the ablations of the paper's tables 4 and 5), in the order of their sizes.
+         * @enum {string}
+         */
+        FeatureSet: "raw" | "slopes" | "rolling" | "all";
         /** @description A fidelity as it stands in documents. */
         FidelityReport: {
             /** @description Mesh level. */
@@ -641,6 +692,39 @@ export interface components {
              * @description Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.
              */
             angle_deg: number;
+        };
+        /** @description What a fit took. */
+        FitCost: {
+            /** @description Candidates that were judged, of all forces. */
+            candidates: number;
+            /**
+             * Format: double
+             * @description Wall clock, s.
+             */
+            wall_s: number;
+        };
+        /** @description How far a fit is. */
+        FitProgress: {
+            /** @description Models judged. */
+            done: number;
+            /** @description Of how many; 0 until that is known. */
+            of: number;
+        };
+        /** @description What was found of a force. */
+        ForceReport: {
+            /** @description Its column. */
+            force: string;
+            /** @description The model that estimates it; `mean` where nothing is better. */
+            chosen: components["schemas"]["Kind"];
+            /** @description The features it reads. */
+            chosen_features: components["schemas"]["FeatureSet"];
+            /**
+             * Format: double
+             * @description R2 of the chosen model where forces are rolled against signals: what chance would do.
+             */
+            rolled_r2?: number | null;
+            /** @description All candidates, the chosen one first, then by their error. */
+            models: components["schemas"]["ModelReport"][];
         };
         /** @description A figure with its range. */
         Forecast: {
@@ -832,6 +916,11 @@ export interface components {
             /** @description Its distribution as in the document. */
             distribution: Record<string, unknown>;
         };
+        /**
+         * @description A kind of model, the simplest first.
+         * @enum {string}
+         */
+        Kind: "mean" | "ridge" | "gpr" | "ann";
         /**
          * @description From how many units on more of them bring no more than their number: the worst bound of the angle times the root of the number of units stays within
          *     twice that of a dense ring.
@@ -1139,6 +1228,23 @@ export interface components {
             /** @description What it would do, in a sentence. */
             sentence: string;
         };
+        /** @description Rows that the chosen model of a force hadn't learnt from: truth, estimate and interval. */
+        LeftOutRows: {
+            /** @description The force's column. */
+            force: string;
+            /** @description Each row's run, by its place among the recordings. */
+            run: number[];
+            /** @description Each row's time, s. */
+            time_s: number[];
+            /** @description What was measured, N. */
+            truth_n: number[];
+            /** @description What was estimated, N. */
+            estimate_n: number[];
+            /** @description The interval's low end, N. */
+            low_n: number[];
+            /** @description The interval's high end, N. */
+            high_n: number[];
+        };
         /** @description How far one of the solves under way is. */
         LiveSolve: components["schemas"]["SolveProgress"] & {
             /** @description Ordinal of its point in the plan. */
@@ -1309,6 +1415,24 @@ export interface components {
              * @description Most runs of auto.
              */
             most_runs?: number;
+        };
+        /** @description One candidate. */
+        ModelReport: {
+            /** @description The model. */
+            model: components["schemas"]["Kind"];
+            /** @description The features it reads. */
+            features: components["schemas"]["FeatureSet"];
+            /** @description On the split that chooses. */
+            validation: components["schemas"]["SplitReport"];
+            /** @description On every split; null where there is none, the reason in the notes. */
+            splits: components["schemas"]["SplitReports"];
+            /**
+             * Format: double
+             * @description RMSE on the strictest split over that on the random one: how far a random split would have misled.
+             */
+            leak_factor?: number | null;
+            /** @description Whether its error is at most 95 % of the training mean's on the split that chooses. */
+            better_than_mean: boolean;
         };
         /** @description What was modelled and what was left out. */
         ModelSummary: {
@@ -1570,6 +1694,44 @@ export interface components {
         Readiness: {
             /** @description `ready` */
             status: string;
+        };
+        /** @description A recording as text. */
+        RecordingDocument: {
+            /** @description What faults, reports and plots call it. */
+            file: string;
+            /** @description CSV: a header, then a row a line: seconds, signals, and forces where they were measured. */
+            text: string;
+        };
+        /** @description One recording. */
+        RecordingFigures: {
+            /** @description Its file. */
+            file: string;
+            /** @description Its rows. */
+            rows: number;
+            /** @description Rows with at least one force. */
+            labelled: number;
+            /** @description Its cycles. */
+            cycles: number;
+            /**
+             * Format: double
+             * @description Rows a second, by the median interval.
+             */
+            rate_hz?: number | null;
+            /** @description Hash of its text. */
+            sha256: string;
+        };
+        /** @description The report of a fit. */
+        Report: {
+            /** @description What was learnt from. */
+            recordings: components["schemas"]["RecordingFigures"][];
+            /** @description What was found of each force. */
+            forces: components["schemas"]["ForceReport"][];
+            /** @description What the intervals promise, a sentence. */
+            promise: string;
+            /** @description What a reader should know before believing it, a sentence each. */
+            notes: string[];
+            /** @description What it took. */
+            cost: components["schemas"]["FitCost"];
         };
         /** @description A load of layouts. */
         RingLoad: {
@@ -1902,6 +2064,59 @@ export interface components {
              * @description Residual at which the newest one began: out-of-balance forces and volumes, relative to the tire's own; null where it has none. An equilibrium has 1e-8.
              */
             residual?: number | null;
+        };
+        /**
+         * @description How rows are divided into those that are learnt from and those that are tested.
+         * @enum {string}
+         */
+        SplitKind: "random" | "cycle" | "run" | "time" | "frequency";
+        /** @description A candidate on one split. */
+        SplitReport: {
+            /** @description The split. */
+            by: components["schemas"]["SplitKind"];
+            /**
+             * Format: double
+             * @description Root of the mean squared error, N.
+             */
+            rmse_n: number;
+            /** @description 95 % of the bootstrap's samples of whole cycles, N. */
+            rmse_interval_n?: [
+                number,
+                number
+            ] | null;
+            /**
+             * Format: double
+             * @description RMSE over the range of the tested forces, %.
+             */
+            nrmse_percent?: number | null;
+            /**
+             * Format: double
+             * @description That of the training mean.
+             */
+            mean_nrmse_percent?: number | null;
+            /**
+             * Format: double
+             * @description Coefficient of determination.
+             */
+            r2?: number | null;
+            /**
+             * Format: double
+             * @description Share of tested rows within their 95 % intervals, whose width was learnt from other groups.
+             */
+            coverage?: number | null;
+            /**
+             * Format: double
+             * @description Mean width of these intervals, N.
+             */
+            width_n?: number | null;
+        };
+        /** @description A candidate on every split. */
+        SplitReports: {
+            random?: components["schemas"]["SplitReport"] | null;
+            cycle?: components["schemas"]["SplitReport"] | null;
+            run?: components["schemas"]["SplitReport"] | null;
+            time?: components["schemas"]["SplitReport"] | null;
+            frequency?: components["schemas"]["SplitReport"] | null;
         };
         /**
          * @description What is done to the tire.
@@ -2332,12 +2547,17 @@ export type DesignEstimate = components['schemas']['DesignEstimate'];
 export type DesignView = components['schemas']['DesignView'];
 export type EntryChange = components['schemas']['EntryChange'];
 export type Estimate = components['schemas']['Estimate'];
+export type EstimatorDetail = components['schemas']['EstimatorDetail'];
+export type EstimatorDocument = components['schemas']['EstimatorDocument'];
+export type EstimatorPage = components['schemas']['EstimatorPage'];
+export type EstimatorSummary = components['schemas']['EstimatorSummary'];
 export type EvaluationView = components['schemas']['EvaluationView'];
 export type Evaluations = components['schemas']['Evaluations'];
 export type ExpectedAccuracy = components['schemas']['ExpectedAccuracy'];
 export type FailedNode = components['schemas']['FailedNode'];
 export type FailedPoint = components['schemas']['FailedPoint'];
 export type Fault = components['schemas']['Fault'];
+export type FeatureSet = components['schemas']['FeatureSet'];
 export type FidelityReport = components['schemas']['FidelityReport'];
 export type FieldLoad = components['schemas']['FieldLoad'];
 export type FileFormat = components['schemas']['FileFormat'];
@@ -2347,6 +2567,9 @@ export type FilmModel = components['schemas']['FilmModel'];
 export type FilmNoise = components['schemas']['FilmNoise'];
 export type FilmPair = components['schemas']['FilmPair'];
 export type FilmPlace = components['schemas']['FilmPlace'];
+export type FitCost = components['schemas']['FitCost'];
+export type FitProgress = components['schemas']['FitProgress'];
+export type ForceReport = components['schemas']['ForceReport'];
 export type Forecast = components['schemas']['Forecast'];
 export type FormMisses = components['schemas']['FormMisses'];
 export type FrontLayout = components['schemas']['FrontLayout'];
@@ -2364,6 +2587,7 @@ export type IndexError = components['schemas']['IndexError'];
 export type IndexMap = components['schemas']['IndexMap'];
 export type InputDocument = components['schemas']['InputDocument'];
 export type InputReport = components['schemas']['InputReport'];
+export type Kind = components['schemas']['Kind'];
 export type Knee = components['schemas']['Knee'];
 export type LayoutAnswer = components['schemas']['LayoutAnswer'];
 export type LayoutError = components['schemas']['LayoutError'];
@@ -2374,6 +2598,7 @@ export type LayoutSearch = components['schemas']['LayoutSearch'];
 export type Layouts = components['schemas']['Layouts'];
 export type LayoutsDocument = components['schemas']['LayoutsDocument'];
 export type LeftOut = components['schemas']['LeftOut'];
+export type LeftOutRows = components['schemas']['LeftOutRows'];
 export type LiveSolve = components['schemas']['LiveSolve'];
 export type LoadScore = components['schemas']['LoadScore'];
 export type LoadShear = components['schemas']['LoadShear'];
@@ -2385,6 +2610,7 @@ export type MapLayer = components['schemas']['MapLayer'];
 export type MapShape = components['schemas']['MapShape'];
 export type MapView = components['schemas']['MapView'];
 export type MethodDocument = components['schemas']['MethodDocument'];
+export type ModelReport = components['schemas']['ModelReport'];
 export type ModelSummary = components['schemas']['ModelSummary'];
 export type OrderAgreement = components['schemas']['OrderAgreement'];
 export type Output = components['schemas']['Output'];
@@ -2397,6 +2623,9 @@ export type RankedLayout = components['schemas']['RankedLayout'];
 export type RankedLocation = components['schemas']['RankedLocation'];
 export type Reached = components['schemas']['Reached'];
 export type Readiness = components['schemas']['Readiness'];
+export type RecordingDocument = components['schemas']['RecordingDocument'];
+export type RecordingFigures = components['schemas']['RecordingFigures'];
+export type Report = components['schemas']['Report'];
 export type RingLoad = components['schemas']['RingLoad'];
 export type Rings = components['schemas']['Rings'];
 export type Rung = components['schemas']['Rung'];
@@ -2413,6 +2642,9 @@ export type Signals = components['schemas']['Signals'];
 export type SignalsDocument = components['schemas']['SignalsDocument'];
 export type SolveForecast = components['schemas']['SolveForecast'];
 export type SolveProgress = components['schemas']['SolveProgress'];
+export type SplitKind = components['schemas']['SplitKind'];
+export type SplitReport = components['schemas']['SplitReport'];
+export type SplitReports = components['schemas']['SplitReports'];
 export type Stage = components['schemas']['Stage'];
 export type State = components['schemas']['State'];
 export type StrainRing = components['schemas']['StrainRing'];

@@ -61,11 +61,7 @@ pub fn parse(text: &str, format: Format) -> Result<Value, Vec<Fault>> {
         )));
     }
     match format {
-        Format::Json => match json::read(text) {
-            Ok((value, faults)) if faults.is_empty() => Ok(value),
-            Ok((_, faults)) => Err(faults),
-            Err(error) => Err(fault(format!("not well-formed JSON: {error}"))),
-        },
+        Format::Json => read_json(text),
         Format::Toml => {
             if longest_key(text) > MAX_KEY_PARTS {
                 let detail = format!("a key of the document has more than {MAX_KEY_PARTS} parts");
@@ -82,6 +78,51 @@ pub fn parse(text: &str, format: Format) -> Result<Value, Vec<Fault>> {
             }
         }
     }
+}
+
+/// Parses JSON whose texts may be long; all else of it is bounded as any document is, so that it takes little more memory than its bytes.
+///
+/// # Errors
+/// As [`parse`].
+pub fn parse_long_texts(text: &str) -> Result<Value, Vec<Fault>> {
+    let bytes = bytes_beside_texts(text);
+    if bytes > MAX_BYTES {
+        return Err(vec![Fault {
+            pointer: String::new(),
+            detail: format!(
+                "the document has {bytes} bytes beside its texts; at most {MAX_BYTES} are read"
+            ),
+        }]);
+    }
+    read_json(text)
+}
+
+fn read_json(text: &str) -> Result<Value, Vec<Fault>> {
+    match json::read(text) {
+        Ok((value, faults)) if faults.is_empty() => Ok(value),
+        Ok((_, faults)) => Err(faults),
+        Err(error) => Err(vec![Fault {
+            pointer: String::new(),
+            detail: format!("not well-formed JSON: {error}"),
+        }]),
+    }
+}
+
+/// Bytes outside of quotes, and the quotes.
+fn bytes_beside_texts(json: &str) -> usize {
+    let (mut quoted, mut escaped, mut bytes) = (false, false, 0);
+    for byte in json.bytes() {
+        match byte {
+            b'"' if !escaped => {
+                quoted = !quoted;
+                bytes += 1;
+            }
+            _ if !quoted => bytes += 1,
+            _ => {}
+        }
+        escaped = quoted && byte == b'\\' && !escaped;
+    }
+    bytes
 }
 
 /// A value as typed on a command line: JSON, or else a word. Of a table with a member that stands twice nobody knows what it says: it stays a word, which its reader refuses.
@@ -228,5 +269,18 @@ mod tests {
         let nested = format!("{}a = {{\n", "a.".repeat(99)).repeat(80);
         assert!(parse(&format!("{nested}{}", "}".repeat(80)), Format::Toml).is_err());
         assert!(parse(&" ".repeat(MAX_BYTES + 1), Format::Json).is_err());
+    }
+
+    #[test]
+    fn texts_alone_may_be_long() {
+        // A quote and a backslash at the end of a text end nothing by themselves.
+        let text = format!("{}\"\\", "x".repeat(MAX_BYTES));
+        let long = serde_json::json!({"text": text}).to_string();
+        assert!(parse(&long, Format::Json).is_err());
+        assert_eq!(parse_long_texts(&long).expect("reads")["text"], text);
+        let many = format!("[{}0]", "0,".repeat(MAX_BYTES / 2));
+        let refused = parse_long_texts(&many).expect_err("is too long");
+        assert!(refused[0].detail.contains("beside its texts"));
+        assert_eq!(bytes_beside_texts(r#"{"a\\": "\"", "b": "" }"#), 17);
     }
 }

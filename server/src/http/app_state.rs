@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use axum::extract::FromRef;
 use service::engine::Engine;
+use service::forces::estimator_queue::EstimatorQueue;
 use service::metrics::Metrics;
 use service::previewer::Previewer;
 use service::queue::Queue;
@@ -24,6 +25,8 @@ pub struct AppState {
     pub engine: Engine,
     /// The queue of studies.
     pub queue: Arc<Queue>,
+    /// The line of estimators beside it.
+    pub estimators: Arc<EstimatorQueue>,
     /// Solves previews beside it.
     pub previewer: Arc<Previewer>,
     /// Memory that a study may take, bytes.

@@ -4,6 +4,7 @@
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use std::fmt::Write as _;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use estimation::estimator::Estimator;
 use estimation::live::{Estimated, Live};
@@ -164,11 +165,28 @@ fn line_of(estimated: &Estimated) -> String {
 /// # Errors
 /// Every fault, up to a bound.
 pub fn apply(estimator: &Estimator, file: &str, text: &str) -> Result<String, Vec<RecordingFault>> {
+    let found = apply_until(estimator, file, text, &AtomicBool::new(false))?;
+    Ok(found.unwrap_or_default())
+}
+
+/// As [`apply`]; `None` when it was to stop before the end.
+///
+/// # Errors
+/// As [`apply`].
+pub fn apply_until(
+    estimator: &Estimator,
+    file: &str,
+    text: &str,
+    stop: &AtomicBool,
+) -> Result<Option<String>, Vec<RecordingFault>> {
     let mut lines = text.lines();
     let mut rows = EstimatedLines::new(estimator, file, lines.next().unwrap_or_default())?;
     let mut out = estimates_header(estimator);
     let mut faults = Vec::new();
     for line in lines {
+        if stop.load(Ordering::Relaxed) {
+            return Ok(None);
+        }
         match rows.push(line) {
             Ok(estimates) => out.push_str(&estimates),
             Err(found) => faults.extend(found),
@@ -178,7 +196,7 @@ pub fn apply(estimator: &Estimator, file: &str, text: &str) -> Result<String, Ve
         }
     }
     if faults.is_empty() {
-        Ok(out)
+        Ok(Some(out))
     } else {
         Err(faults)
     }

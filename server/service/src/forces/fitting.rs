@@ -110,13 +110,7 @@ pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, 
         .collect();
     notes.extend(more_notes(&runs, subtract_start, recipe));
     let report = Report {
-        recordings: runs
-            .runs
-            .iter()
-            .zip(files)
-            .enumerate()
-            .map(|(run, (recording, file))| figures(&runs, run, recording, file))
-            .collect(),
+        recordings: figures_of(&runs, files),
         forces: reports,
         promise: promise(by),
         notes,
@@ -296,6 +290,13 @@ fn plural(kind: SplitKind) -> &'static str {
     } else {
         "whole cycles"
     }
+}
+
+/// What each recording is, as a report tells.
+pub fn figures_of(runs: &Runs, files: &[NamedText]) -> Vec<RecordingFigures> {
+    let each = runs.runs.iter().zip(files).enumerate();
+    each.map(|(run, (recording, file))| figures(runs, run, recording, file))
+        .collect()
 }
 
 fn figures(runs: &Runs, run: usize, recording: &Recording, file: &NamedText) -> RecordingFigures {

@@ -2,12 +2,18 @@
 //!
 //! - [`recipe_reader`]: recipes from TOML or JSON
 //! - [`recorded_texts`]: recordings from their texts
+//! - [`fit_memory`]: how much memory a fit may take
+//! - [`submission_reader`]: recipe and recordings in one document
 //! - [`fitting`]: learns an estimator on all cores
 //! - [`model_file`]: estimators as texts
 //! - [`applying`]: estimates of a recording, whole or row by row
+//! - [`estimator_queue`]: the line of estimators that the service learns
 
 pub mod applying;
+pub mod estimator_queue;
+pub mod fit_memory;
 pub mod fitting;
 pub mod model_file;
 pub mod recipe_reader;
 pub mod recorded_texts;
+pub mod submission_reader;

@@ -1,6 +1,8 @@
 //! What goes over the wire beside results: documents, states, estimates, previews, comparisons; with an example of each.
 
 pub mod entry_change;
+pub mod estimator_examples;
+pub mod estimator_wire;
 pub mod examples;
 pub mod layout_wire;
 pub mod preview_wire;

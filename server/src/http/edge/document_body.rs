@@ -19,10 +19,25 @@ use tokio::sync::Semaphore;
 
 use crate::http::edge::problem_document::Problem;
 
-/// A client that has not sent its document by then is refused.
-const BODY_TIMEOUT: Duration = Duration::from_secs(30);
-/// A body that goes on beyond this is cut off.
-const DISCARDED_BYTES: usize = 16 * MAX_BYTES;
+/// How much of a body is read.
+#[derive(Debug, Clone, Copy)]
+pub struct BodyLimits {
+    /// What is refused beyond this many bytes, in words.
+    pub what: &'static str,
+    /// A body that has more is refused.
+    pub bytes: usize,
+    /// One that goes on beyond this is cut off.
+    pub discarded: usize,
+    /// A client that has not sent its document by then is refused.
+    pub time: Duration,
+}
+
+const DOCUMENT: BodyLimits = BodyLimits {
+    what: "a document has",
+    bytes: MAX_BYTES,
+    discarded: 16 * MAX_BYTES,
+    time: Duration::from_secs(30),
+};
 
 /// Documents checked at once: the largest design takes 100 MB meanwhile.
 static READERS: Semaphore = Semaphore::const_new(4);
@@ -38,7 +53,7 @@ impl<S: Send + Sync> FromRequest<S> for Document {
 
     async fn from_request(request: Request, _: &S) -> Result<Self, Problem> {
         let format = format_of(request.headers())?;
-        let text = read(request).await?;
+        let text = read(request, DOCUMENT, |_| Ok(())).await?;
         Ok(Self { text, format })
     }
 }
@@ -59,7 +74,7 @@ impl Document {
         // A large design takes seconds to check, which the runtime's threads haven't.
         let read = tokio::task::spawn_blocking(move || {
             let _place = place;
-            reader(&well_formed(&text, format)?).map_err(Problem::faults)
+            reader(&well_formed(parse(&text, format))?).map_err(Problem::faults)
         });
         let broken = |_| {
             let detail = "the service has a fault; its log says where";
@@ -127,7 +142,11 @@ fn no_files(path: &str) -> Result<String, String> {
     ))
 }
 
-fn format_of(headers: &HeaderMap) -> Result<Format, Problem> {
+/// How a body is written.
+///
+/// # Errors
+/// 415 for what isn't read.
+pub fn format_of(headers: &HeaderMap) -> Result<Format, Problem> {
     let unsupported = |detail| Problem::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, detail);
     if headers.contains_key(header::CONTENT_ENCODING) {
         return Err(unsupported(
@@ -154,49 +173,68 @@ fn format_of(headers: &HeaderMap) -> Result<Format, Problem> {
     }
 }
 
-async fn read(request: Request) -> Result<String, Problem> {
+/// The text of a body. Each piece is asked for by its size before it is kept.
+///
+/// # Errors
+/// 400, 408, 413; what a piece is refused with.
+pub async fn read(
+    request: Request,
+    limits: BodyLimits,
+    keep: impl FnMut(usize) -> Result<(), Problem>,
+) -> Result<String, Problem> {
     let slow = |_| {
         Problem::new(
             StatusCode::REQUEST_TIMEOUT,
             "the document took too long to arrive",
         )
     };
-    let read = collect(request.into_body());
-    let bytes = tokio::time::timeout(BODY_TIMEOUT, read)
+    let read = collect(request.into_body(), limits, keep);
+    let bytes = tokio::time::timeout(limits.time, read)
         .await
         .map_err(slow)??;
     let foreign = |_| Problem::new(StatusCode::BAD_REQUEST, "the document is not UTF-8");
     String::from_utf8(bytes).map_err(foreign)
 }
 
-/// The body, when it isn't too large. Of one that is, some more is read and thrown away: most clients look for an
+/// The body, when it isn't too large. Of one that is refused, some more is read and thrown away: most clients look for an
 /// answer only when they have sent everything, and see a broken connection otherwise.
-async fn collect(mut body: Body) -> Result<Vec<u8>, Problem> {
-    let (mut bytes, mut length) = (Vec::new(), 0);
+async fn collect(
+    mut body: Body,
+    limits: BodyLimits,
+    mut keep: impl FnMut(usize) -> Result<(), Problem>,
+) -> Result<Vec<u8>, Problem> {
+    let (mut bytes, mut length, mut refused) = (Vec::new(), 0, None);
     while let Some(frame) = body.frame().await {
         let broken = |_| Problem::new(StatusCode::BAD_REQUEST, "the document did not arrive whole");
         let Ok(data) = frame.map_err(broken)?.into_data() else {
             continue;
         };
         length += data.len();
-        if length <= MAX_BYTES {
-            bytes.extend_from_slice(&data);
-        } else if length <= DISCARDED_BYTES {
-            bytes = Vec::new();
-        } else {
+        if length > limits.discarded {
             break;
         }
+        if refused.is_none() && length <= limits.bytes {
+            refused = keep(data.len()).err();
+        }
+        if refused.is_none() && length <= limits.bytes {
+            bytes.extend_from_slice(&data);
+        } else {
+            bytes = Vec::new();
+        }
     }
-    if length > MAX_BYTES {
-        let detail = format!("a document has at most {MAX_BYTES} bytes");
+    if length > limits.bytes {
+        let detail = format!("{} at most {} bytes", limits.what, limits.bytes);
         return Err(Problem::new(StatusCode::PAYLOAD_TOO_LARGE, detail));
     }
-    Ok(bytes)
+    refused.map_or(Ok(bytes), Err)
 }
 
 /// A text that can't be read is a bad request; what can be read and is wrong is for the study's own reader.
-fn well_formed(text: &str, format: Format) -> Result<Value, Problem> {
-    let faults = match parse(text, format) {
+///
+/// # Errors
+/// 400 or 422, with the faults.
+pub fn well_formed(parsed: Result<Value, Vec<Fault>>) -> Result<Value, Problem> {
+    let faults = match parsed {
         Ok(value) => return Ok(value),
         Err(faults) => faults,
     };

@@ -5,8 +5,9 @@
 
 use axum::extract::rejection::{PathRejection, QueryRejection};
 use axum::extract::{FromRequestParts, Path, Query};
-use axum::http::StatusCode;
 use axum::http::request::Parts;
+use axum::http::{StatusCode, header};
+use axum::response::{IntoResponse, Response};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use utoipa::IntoParams;
@@ -51,6 +52,48 @@ impl<S: Send + Sync> FromRequestParts<S> for SweepId {
     }
 }
 
+/// The estimator's identifier in an address.
+pub struct EstimatorId(pub String);
+
+/// The identifier of an estimator that is to be applied: `{id}:apply` is one part of an address, and routes are told apart by whole parts.
+pub struct AppliedId(pub String);
+
+/// What an estimator's identifier ends with where it is to be applied.
+const APPLY: &str = ":apply";
+
+impl<S: Send + Sync> FromRequestParts<S> for EstimatorId {
+    type Rejection = Response;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Response> {
+        let id = identifier(parts, state).await;
+        let id = id.map_err(IntoResponse::into_response)?;
+        if id.ends_with(APPLY) {
+            return Err(wrong_method("POST"));
+        }
+        Ok(Self(id))
+    }
+}
+
+impl<S: Send + Sync> FromRequestParts<S> for AppliedId {
+    type Rejection = Response;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Response> {
+        let id = identifier(parts, state).await;
+        let id = id.map_err(IntoResponse::into_response)?;
+        let id = id.strip_suffix(APPLY).map(|id| Self(id.to_owned()));
+        id.ok_or_else(|| wrong_method("GET,HEAD,DELETE"))
+    }
+}
+
+/// As the router answers, which doesn't know these addresses apart.
+fn wrong_method(allowed: &'static str) -> Response {
+    let problem = Problem::new(
+        StatusCode::METHOD_NOT_ALLOWED,
+        "this address does not take that method; see the Allow header",
+    );
+    ([(header::ALLOW, allowed)], problem).into_response()
+}
+
 async fn identifier<S: Send + Sync>(parts: &mut Parts, state: &S) -> Result<String, Problem> {
     let refused = |error: PathRejection| Problem::new(StatusCode::BAD_REQUEST, error.body_text());
     let found = Path::from_request_parts(parts, state).await;
@@ -77,7 +120,17 @@ pub struct SweepPath {
     id: String,
 }
 
-/// Whether a study or a sweep is removed, or cancelled only.
+/// How the estimator's identifier is described.
+#[derive(Debug, IntoParams)]
+#[into_params(parameter_in = Path)]
+#[expect(dead_code, reason = "it describes; EstimatorId and AppliedId read")]
+pub struct EstimatorPath {
+    /// Identifier of the estimator, as its submission answered
+    #[param(example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6d")]
+    id: String,
+}
+
+/// Whether a study, a sweep or an estimator is removed, or cancelled only.
 #[derive(Debug, Deserialize, IntoParams)]
 #[into_params(parameter_in = Query)]
 pub struct RemovalQuery {

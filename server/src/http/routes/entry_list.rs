@@ -1,4 +1,4 @@
-//! What the lists of studies and sweeps share: how they are asked for.
+//! What the lists of studies, sweeps and estimators share: how they are asked for.
 
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -6,6 +6,7 @@
 use axum::http::StatusCode;
 use serde::Deserialize;
 use store::queue::listed::{Archived, Listed};
+use store::queue::study_rows::State;
 
 use crate::http::edge::problem_document::Problem;
 
@@ -19,7 +20,7 @@ const LONGEST_SEARCH: usize = 200;
 pub(super) struct PageQuery {
     limit: Option<String>,
     pub cursor: Option<String>,
-    pub state: Option<String>,
+    state: Option<String>,
     pub sweep: Option<String>,
     search: Option<String>,
     archived: Option<String>,
@@ -32,6 +33,15 @@ impl PageQuery {
         let limit = limit.map_or(Some(PAGE), |text| text.parse().ok());
         let in_range = limit.filter(|limit| (1..=LARGEST_PAGE).contains(limit));
         in_range.ok_or_else(|| wrong("limit is a whole number from 1 to 200"))
+    }
+
+    /// The one state whose entries are listed.
+    pub fn of_state(&self) -> Result<Option<State>, Problem> {
+        let named = |name: &str| {
+            let wrong = || wrong("state is one of queued, running, done, failed, cancelled");
+            State::named(name).ok_or_else(wrong)
+        };
+        self.state.as_deref().map(named).transpose()
     }
 
     /// What is looked for.

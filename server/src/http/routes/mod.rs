@@ -7,6 +7,7 @@
 //! - [`comparison_routes`]: studies side by side
 //! - [`event_routes`]: progress as server-sent events
 //! - [`answers`]: what a study found
+//! - [`estimators`]: forces from recordings
 //! - [`preset_routes`]: studies and scenes to start from
 //! - [`health`]: is it up, can it work
 //! - [`login_routes`]: lets a browser in
@@ -18,6 +19,7 @@ pub mod answers;
 pub mod assets;
 pub mod comparison_routes;
 mod entry_list;
+pub mod estimators;
 pub mod event_routes;
 pub mod health;
 pub mod login_routes;

@@ -169,15 +169,7 @@ async fn list(
     Params(query): Params<PageQuery>,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let wrong = |detail: &str| Problem::new(StatusCode::BAD_REQUEST, detail);
-    let limit = query.limit()?;
-    let of_state = match query.state.as_deref() {
-        None => None,
-        Some(name) => Some(
-            StudyState::named(name)
-                .ok_or_else(|| wrong("state is one of queued, running, done, failed, cancelled"))?,
-        ),
-    };
+    let (limit, of_state) = (query.limit()?, query.of_state()?);
     let mut connection = state.store.read().await?;
     let filter = Filter {
         state: of_state,

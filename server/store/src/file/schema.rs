@@ -35,6 +35,7 @@ static CHANGES: &[(&str, &str)] = &changes![
     "0020_signals"
     "0021_layout_details"
     "0022_archived"
+    "0023_estimators"
 ];
 
 /// All changes, in order.

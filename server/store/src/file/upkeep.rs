@@ -19,6 +19,7 @@ use crate::file::opening::{self, Missing};
 use crate::points::crashes;
 use crate::points::evaluations;
 use crate::points::study_points;
+use crate::queue::estimator_rows;
 use crate::queue::study_rows;
 use crate::queue::sweep_rows;
 use crate::store_error::StoreError;
@@ -68,6 +69,7 @@ pub async fn inspect(
                 "signals" => stored_signals::find(connection, &key).await.err(),
                 "studies" => check_study(connection, &key).await.err(),
                 "sweeps" => check_sweep(connection, &key).await.err(),
+                "estimators" => estimator_rows::check(connection, &key).await.err(),
                 _ => trades::newest(connection, &key).await.err(),
             };
             match read {
@@ -84,7 +86,7 @@ pub async fn inspect(
 }
 
 /// Tables whose rows have a hash, with their keys.
-const KEYED: [(&str, &str); 8] = [
+const KEYED: [(&str, &str); 9] = [
     ("evaluations", "select key from evaluations"),
     ("start_states", "select key from start_states"),
     ("results", "select study from results"),
@@ -96,6 +98,7 @@ const KEYED: [(&str, &str); 8] = [
     ),
     ("studies", "select id from studies"),
     ("sweeps", "select id from sweeps"),
+    ("estimators", "select id from estimators"),
     ("trades", "select distinct spec_sha256 from trades"),
 ];
 

@@ -4,9 +4,11 @@
 //! - [`turns`]: whose turn it is
 //! - [`sweep_rows`]: which study_rows are the designs of one sweep
 //! - [`listed`]: which of them a list shows
+//! - [`estimator_rows`]: estimators of forces
 //! - [`event_rows`]: what happened, in order
 //! - [`idempotency`]: keys of repeated requests
 
+pub mod estimator_rows;
 pub mod event_rows;
 pub mod idempotency;
 pub mod listed;

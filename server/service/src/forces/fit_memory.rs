@@ -1,0 +1,53 @@
+//! How much memory a fit may take, before it begins.
+
+use estimation::recipe::Recipe;
+use estimation::rows::Runs;
+
+/// Numbers a row has for each signal: it, its slope, its rolling mean and variance.
+const PER_SIGNAL: u64 = 4;
+/// Copies of all rows that a model makes while it is judged: the rows that it learns from, on their scale, and once more for what it works on.
+const COPIES: u64 = 3;
+/// Matrices of a process that are there at once: a covariance, its factor, and one of its derivatives.
+const MATRICES: u64 = 3;
+const NUMBER: u64 = 8;
+
+/// An upper bound of the memory, bytes, but for what doesn't grow with the rows.
+pub fn fit_memory_bytes(runs: &Runs, recipe: &Recipe, threads: usize) -> u64 {
+    let wide = |count: usize| count as u64;
+    let rows: u64 = runs.runs.iter().map(|run| wide(run.rows())).sum();
+    let (signals, forces) = (
+        wide(runs.names.signals.len()),
+        wide(runs.names.forces.len()),
+    );
+    let features = rows * signals * PER_SIGNAL * NUMBER;
+    // Whether first readings are taken off is tried both ways: each has the features and the rows of every force.
+    let held = features * (1 + 2 * forces);
+    // A process is tried of whatever kinds the recipe has, to tell whether first readings are taken off.
+    let gpr = &recipe.models.gpr;
+    let most = wide(gpr.most_rows.max(gpr.search_rows)).min(rows);
+    let each = MATRICES * most * most * NUMBER;
+    held + wide(threads.max(1)) * (features * COPIES + each)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::forces::recorded_texts::{NamedText, read_runs};
+
+    #[test]
+    fn memory_grows_with_rows_threads_and_processes() {
+        let runs = |rows: u32| {
+            let row = |row: u32| format!("{},{},{}\n", row, row % 7, row % 5);
+            let text = "time_s,s1,fz_n\n".to_owned() + &(0..rows).map(row).collect::<String>();
+            let name = "a.csv".to_owned();
+            read_runs(&Recipe::default(), &[NamedText { name, text }]).expect("reads")
+        };
+        let usual = Recipe::default();
+        let bytes = |rows: u32, threads: usize| fit_memory_bytes(&runs(rows), &usual, threads);
+        assert_eq!(bytes(100, 1), 100 * 32 * 6 + 3 * 100 * 100 * 8);
+        assert!(bytes(200, 1) > 2 * bytes(100, 1));
+        assert!(bytes(100, 4) > 2 * bytes(100, 1));
+        // A process of all defaults has 3000 rows at most, whatever comes.
+        assert!(bytes(20_000, 1) < 20_000 * 32 * 6 + 3 * 3001 * 3001 * 8);
+    }
+}

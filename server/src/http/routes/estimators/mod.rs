@@ -1,0 +1,18 @@
+//! Forces from recordings.
+//!
+//! - [`estimator_routes`]: submit, list, look at, cancel
+//! - [`learnt_routes`]: what was learnt, and estimates by it
+//! - [`recordings_body`]: bodies with recordings
+
+pub mod estimator_routes;
+pub mod learnt_routes;
+pub mod recordings_body;
+
+use utoipa_axum::router::OpenApiRouter;
+
+use crate::http::app_state::AppState;
+
+/// `/v1/estimators` and what is below it.
+pub fn router() -> OpenApiRouter<AppState> {
+    estimator_routes::router().merge(learnt_routes::router())
+}

@@ -1,0 +1,526 @@
+//! Estimators of forces: what was asked, how far it got, and what was learnt.
+//!
+//! States are those of studies, and guarded in the same way: a late writer never overwrites an end.
+
+use sqlx::SqliteConnection;
+
+use crate::clock::now;
+use crate::column::whole;
+use crate::content::{document_sha256, intact, sha256};
+use crate::queue::study_rows::State;
+use crate::row::from_row;
+use crate::store_error::StoreError;
+
+/// An estimator as stored, without its recordings and what was learnt of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EstimatorRow {
+    /// UUID, ordered by time.
+    pub id: String,
+    /// Free text.
+    pub name: String,
+    document: String,
+    document_sha256: String,
+    state: String,
+    /// Why it failed.
+    pub error: Option<String>,
+    /// When it was submitted.
+    pub created: String,
+    /// When it was first started.
+    pub started: Option<String>,
+    /// When it ended.
+    pub finished: Option<String>,
+}
+
+from_row!(EstimatorRow {
+    id,
+    name,
+    document,
+    document_sha256,
+    state,
+    error,
+    created,
+    started,
+    finished
+});
+
+impl EstimatorRow {
+    /// Where it stands.
+    ///
+    /// # Panics
+    /// Never: the table allows no other names.
+    pub fn state(&self) -> State {
+        State::named(&self.state).expect("the table's check allows known states only")
+    }
+
+    /// What was asked, JSON.
+    ///
+    /// # Errors
+    /// [`StoreError::Damaged`] when it doesn't match its hash.
+    pub fn document(&self) -> Result<&str, StoreError> {
+        intact(
+            ("estimators", &self.id),
+            &self.document,
+            &self.document_sha256,
+        )
+    }
+}
+
+/// A recording as it was sent.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RecordingRow {
+    /// Its file, for people.
+    pub file: String,
+    /// CSV.
+    pub text: String,
+}
+
+/// What a fit leaves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// What was found.
+    Report,
+    /// The model file.
+    Model,
+    /// What was said of rows that weren't learnt from.
+    LeftOut,
+}
+
+impl Part {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Report, Self::Model, Self::LeftOut];
+
+    /// Its name in the database and in addresses.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Report => "report",
+            Self::Model => "model",
+            Self::LeftOut => "left-out",
+        }
+    }
+}
+
+/// Stores a new estimator behind the others that wait, and returns its identifier.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn insert<'r>(
+    connection: &mut SqliteConnection,
+    name: &str,
+    document: &str,
+    recordings: impl Iterator<Item = (&'r str, &'r str)>,
+) -> Result<String, StoreError> {
+    let id = uuid::Uuid::now_v7().to_string();
+    let query = "insert into estimators (id, name, document, document_sha256, state, created)
+                 values (?, ?, ?, ?, 'queued', ?)";
+    sqlx::query(query)
+        .bind(&id)
+        .bind(name)
+        .bind(document)
+        .bind(document_sha256(document))
+        .bind(now())
+        .execute(&mut *connection)
+        .await?;
+    let query = "insert into estimator_recordings (estimator, ordinal, file, text, sha256) values (?, ?, ?, ?, ?)";
+    for (ordinal, (file, text)) in recordings.enumerate() {
+        sqlx::query(query)
+            .bind(&id)
+            .bind(whole(ordinal))
+            .bind(file)
+            .bind(text)
+            .bind(recording_sha256(file, text))
+            .execute(&mut *connection)
+            .await?;
+    }
+    Ok(id)
+}
+
+fn recording_sha256(file: &str, text: &str) -> String {
+    sha256(&[file.as_bytes(), text.as_bytes()])
+}
+
+/// The estimator of this identifier.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn find(
+    connection: &mut SqliteConnection,
+    id: &str,
+) -> Result<Option<EstimatorRow>, StoreError> {
+    Ok(sqlx::query_as("select * from estimators where id = ?")
+        .bind(id)
+        .fetch_optional(connection)
+        .await?)
+}
+
+/// Its recordings, in order.
+///
+/// # Errors
+/// [`StoreError::Damaged`] when one doesn't match its hash; when the database can't be read.
+pub async fn recordings(
+    connection: &mut SqliteConnection,
+    id: &str,
+) -> Result<Vec<RecordingRow>, StoreError> {
+    let query =
+        "select file, text, sha256 from estimator_recordings where estimator = ? order by ordinal";
+    let rows: Vec<(String, String, String)> =
+        sqlx::query_as(query).bind(id).fetch_all(connection).await?;
+    let whole = |(file, text, sha256): (String, String, String)| {
+        if recording_sha256(&file, &text) == sha256 {
+            return Ok(RecordingRow { file, text });
+        }
+        Err(StoreError::Damaged {
+            table: "estimator_recordings",
+            row: id.to_owned(),
+        })
+    };
+    rows.into_iter().map(whole).collect()
+}
+
+/// Up to `limit` estimators, newest first, older than the estimator `before`; those of this state, whose names have this text.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn page(
+    connection: &mut SqliteConnection,
+    (state, search): (Option<State>, Option<&str>),
+    before: Option<&str>,
+    limit: u32,
+) -> Result<Vec<EstimatorRow>, StoreError> {
+    let query = "select * from estimators
+                 where (?1 is null or state = ?1) and (?2 is null or id < ?2)
+                 and (?4 is null or instr(lower(name), lower(?4)) > 0 or substr(id, 1, length(?4)) = lower(?4))
+                 order by id desc limit ?3";
+    Ok(sqlx::query_as(query)
+        .bind(state.map(State::as_str))
+        .bind(before)
+        .bind(limit)
+        .bind(search)
+        .fetch_all(connection)
+        .await?)
+}
+
+/// How many estimators wait.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn waiting(connection: &mut SqliteConnection) -> Result<u32, StoreError> {
+    let query = "select count(*) from estimators where state = 'queued'";
+    Ok(sqlx::query_scalar(query).fetch_one(connection).await?)
+}
+
+/// Takes the estimator that has waited longest; `None` when none waits.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn claim(connection: &mut SqliteConnection) -> Result<Option<EstimatorRow>, StoreError> {
+    let query = "update estimators set state = 'running', started = coalesce(started, ?)
+                 where id = (select id from estimators where state = 'queued' order by id limit 1) returning *";
+    Ok(sqlx::query_as(query)
+        .bind(now())
+        .fetch_optional(connection)
+        .await?)
+}
+
+/// Puts every running estimator back into the line, and returns how many there were.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn release_all(connection: &mut SqliteConnection) -> Result<u64, StoreError> {
+    let query = "update estimators set state = 'queued' where state = 'running'";
+    Ok(sqlx::query(query)
+        .execute(connection)
+        .await?
+        .rows_affected())
+}
+
+/// Ends a running estimator with what was learnt; false when it isn't running any more, and then nothing is stored.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn finish(
+    connection: &mut SqliteConnection,
+    id: &str,
+    parts: &[(Part, String)],
+) -> Result<bool, StoreError> {
+    if !end(connection, id, State::Done, None).await? {
+        return Ok(false);
+    }
+    let query =
+        "insert into estimator_parts (estimator, part, document, sha256) values (?, ?, ?, ?)";
+    for (part, document) in parts {
+        sqlx::query(query)
+            .bind(id)
+            .bind(part.as_str())
+            .bind(document)
+            .bind(document_sha256(document))
+            .execute(&mut *connection)
+            .await?;
+    }
+    Ok(true)
+}
+
+/// Ends a running estimator without a model; false when it isn't running any more.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn fail(
+    connection: &mut SqliteConnection,
+    id: &str,
+    error: &str,
+) -> Result<bool, StoreError> {
+    end(connection, id, State::Failed, Some(error)).await
+}
+
+async fn end(
+    connection: &mut SqliteConnection,
+    id: &str,
+    state: State,
+    error: Option<&str>,
+) -> Result<bool, StoreError> {
+    let query = "update estimators set state = ?, error = ?, finished = ? where id = ? and state = 'running'";
+    let done = sqlx::query(query)
+        .bind(state.as_str())
+        .bind(error)
+        .bind(now())
+        .bind(id)
+        .execute(connection)
+        .await?;
+    Ok(done.rows_affected() == 1)
+}
+
+/// Cancels an estimator that hasn't ended; false when it has.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn cancel(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
+    let query = "update estimators set state = 'cancelled', finished = ? where id = ? and state in ('queued', 'running')";
+    let done = sqlx::query(query)
+        .bind(now())
+        .bind(id)
+        .execute(connection)
+        .await?;
+    Ok(done.rows_affected() == 1)
+}
+
+/// Hash of a part of what was learnt, where there is one.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn part_sha256(
+    connection: &mut SqliteConnection,
+    id: &str,
+    part: Part,
+) -> Result<Option<String>, StoreError> {
+    let query = "select sha256 from estimator_parts where estimator = ? and part = ?";
+    Ok(sqlx::query_scalar(query)
+        .bind(id)
+        .bind(part.as_str())
+        .fetch_optional(connection)
+        .await?)
+}
+
+/// A part of what was learnt, JSON, where there is one.
+///
+/// # Errors
+/// [`StoreError::Damaged`] when it doesn't match its hash; when the database can't be read.
+pub async fn part(
+    connection: &mut SqliteConnection,
+    id: &str,
+    part: Part,
+) -> Result<Option<String>, StoreError> {
+    let query = "select document, sha256 from estimator_parts where estimator = ? and part = ?";
+    let row: Option<(String, String)> = sqlx::query_as(query)
+        .bind(id)
+        .bind(part.as_str())
+        .fetch_optional(connection)
+        .await?;
+    let Some((document, sha256)) = row else {
+        return Ok(None);
+    };
+    intact(("estimator_parts", id), &document, &sha256)?;
+    Ok(Some(document))
+}
+
+/// Compares all that is stored of an estimator with its hashes.
+///
+/// # Errors
+/// [`StoreError::Damaged`] when something doesn't match; when the database can't be read.
+pub async fn check(connection: &mut SqliteConnection, id: &str) -> Result<(), StoreError> {
+    if let Some(row) = find(connection, id).await? {
+        row.document()?;
+    }
+    recordings(connection, id).await?;
+    for kind in Part::ALL {
+        part(connection, id, kind).await?;
+    }
+    Ok(())
+}
+
+/// Removes an estimator with its recordings, what was learnt, and its keys.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn remove(connection: &mut SqliteConnection, id: &str) -> Result<(), StoreError> {
+    for change in [
+        "delete from estimator_keys where estimator = ?",
+        "delete from estimator_parts where estimator = ?",
+        "delete from estimator_recordings where estimator = ?",
+        "delete from estimators where id = ?",
+    ] {
+        sqlx::query(change)
+            .bind(id)
+            .execute(&mut *connection)
+            .await?;
+    }
+    Ok(())
+}
+
+/// The estimator submitted under this key, and the hash of what was submitted.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn under_key(
+    connection: &mut SqliteConnection,
+    key: &str,
+) -> Result<Option<(String, String)>, StoreError> {
+    Ok(
+        sqlx::query_as("select estimator, sha256 from estimator_keys where key = ?")
+            .bind(key)
+            .fetch_optional(connection)
+            .await?,
+    )
+}
+
+/// Notes that this key stands for this estimator.
+///
+/// # Errors
+/// When the key is taken, or the database can't be written.
+pub async fn insert_key(
+    connection: &mut SqliteConnection,
+    key: &str,
+    estimator: &str,
+    sha256: &str,
+) -> Result<(), StoreError> {
+    sqlx::query("insert into estimator_keys (key, estimator, sha256, created) values (?, ?, ?, ?)")
+        .bind(key)
+        .bind(estimator)
+        .bind(sha256)
+        .bind(now())
+        .execute(connection)
+        .await?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::database::tests::fresh;
+
+    async fn queued(connection: &mut SqliteConnection, name: &str) -> String {
+        let recordings = [("monday.csv", "time_s,s1,fz_n\n"), ("tuesday.csv", "")];
+        let id = insert(connection, name, "{}", recordings.into_iter()).await;
+        id.expect("stores")
+    }
+
+    #[tokio::test]
+    async fn an_estimator_goes_from_the_line_to_its_end_once() {
+        let (_folder, store) = fresh().await;
+        let mut write = store.begin().await.expect("begins");
+        let first = queued(&mut write, "first").await;
+        let second = queued(&mut write, "second").await;
+        let claimed = claim(&mut write).await.expect("claims").expect("one waits");
+        assert_eq!((&claimed.id, claimed.state()), (&first, State::Running));
+        assert_eq!(waiting(&mut write).await.expect("counts"), 1);
+        let texts = recordings(&mut write, &first).await.expect("reads");
+        let files: Vec<&str> = texts.iter().map(|row| row.file.as_str()).collect();
+        assert_eq!(files, ["monday.csv", "tuesday.csv"]);
+        let parts = Part::ALL.map(|part| (part, format!("{{\"{}\": 1}}", part.as_str())));
+        assert!(finish(&mut write, &first, &parts).await.expect("ends"));
+        assert!(!fail(&mut write, &first, "late").await.expect("is guarded"));
+        assert!(!cancel(&mut write, &first).await.expect("is guarded"));
+        let model = part(&mut write, &first, Part::Model).await.expect("reads");
+        assert_eq!(model.as_deref(), Some("{\"model\": 1}"));
+
+        claim(&mut write).await.expect("claims").expect("one waits");
+        assert_eq!(release_all(&mut write).await.expect("releases"), 1);
+        assert!(cancel(&mut write, &second).await.expect("cancels"));
+        assert!(!finish(&mut write, &second, &parts).await.expect("guards"));
+        assert_eq!(
+            part(&mut write, &second, Part::Report).await.expect("read"),
+            None
+        );
+        assert!(claim(&mut write).await.expect("claims").is_none());
+
+        let newest = page(&mut write, (None, None), None, 1).await.expect("read");
+        assert_eq!(newest[0].id, second);
+        let older = page(
+            &mut write,
+            (Some(State::Done), Some("FIR")),
+            Some(&second),
+            5,
+        )
+        .await;
+        assert_eq!(older.expect("reads")[0].id, first);
+    }
+
+    #[tokio::test]
+    async fn what_was_changed_is_refused_by_its_table() {
+        for (change, refused) in [
+            (
+                "update estimators set document = '{\"a\": 1}'",
+                "estimators",
+            ),
+            (
+                "update estimator_recordings set file = 'other.csv' where ordinal = 1",
+                "estimator_recordings",
+            ),
+            (
+                "update estimator_parts set document = '{}' where part = 'left-out'",
+                "estimator_parts",
+            ),
+        ] {
+            let (_folder, store) = fresh().await;
+            let mut write = store.begin().await.expect("begins");
+            let id = queued(&mut write, "spoiled").await;
+            claim(&mut write).await.expect("claims");
+            let parts = Part::ALL.map(|part| (part, "{\"n\": 1}".to_owned()));
+            finish(&mut write, &id, &parts).await.expect("ends");
+            check(&mut write, &id).await.expect("is whole");
+            let spoiled = sqlx::query(change).execute(&mut *write).await;
+            assert_eq!(spoiled.expect("updates").rows_affected(), 1);
+            let found = check(&mut write, &id).await;
+            assert!(
+                matches!(found, Err(StoreError::Damaged { table, .. }) if table == refused),
+                "{found:?}"
+            );
+        }
+    }
+
+    #[tokio::test]
+    async fn nothing_is_left_of_what_is_removed() {
+        let (_folder, store) = fresh().await;
+        let mut write = store.begin().await.expect("begins");
+        let id = queued(&mut write, "gone").await;
+        insert_key(&mut write, "key", &id, "hash")
+            .await
+            .expect("stores");
+        let under = under_key(&mut write, "key").await.expect("reads");
+        assert_eq!(under, Some((id.clone(), "hash".to_owned())));
+        claim(&mut write).await.expect("claims");
+        let parts = [(Part::Report, "{}".to_owned())];
+        finish(&mut write, &id, &parts).await.expect("ends");
+        remove(&mut write, &id).await.expect("removes");
+        for table in [
+            "select count(*) from estimators",
+            "select count(*) from estimator_recordings",
+            "select count(*) from estimator_parts",
+            "select count(*) from estimator_keys",
+        ] {
+            let left: i64 = sqlx::query_scalar(table)
+                .fetch_one(&mut *write)
+                .await
+                .expect("counts");
+            assert_eq!(left, 0, "{table}");
+        }
+    }
+}
