@@ -67,6 +67,17 @@ def test_a_simulator_of_ones_own_gets_the_exact_indices(folder: Path) -> None:
     assert all(index == exact for index, exact in found), said
 
 
+def test_forces_are_learnt_and_known_on_another_run(folder: Path) -> None:
+    said = run(folder, EXAMPLES / "learn_forces.py")
+    errors = [
+        float(text) for text in re.findall(r"^f[xz]_n: \w+, off by (\S+) N .* on runs left out$", said, re.MULTILINE)
+    ]
+    assert len(errors) == 2, said
+    assert max(errors) < 1
+    assert re.search(r"^fz_n: off by 0\.\d+ N on the fifth run, \d+% of its rows", said, re.MULTILINE), said
+    assert {"forces.png", "model.json"} <= {path.name for path in folder.iterdir()}
+
+
 def test_every_example_is_run_and_listed() -> None:
     tested = set(re.findall(r'EXAMPLES / "(\w+\.(?:py|ipynb))"', Path(__file__).read_text()))
     shipped = {path.name for path in EXAMPLES.iterdir() if path.suffix in (".py", ".ipynb")}

@@ -28,6 +28,15 @@ GROUPS = {
         "Evaluation",
     ],
     "Sweeps and comparisons": ["Sweep", "SweepSummary", "Design", "SweepEstimate", "Comparison"],
+    "Forces": [
+        "Estimator",
+        "EstimatorSummary",
+        "FitReport",
+        "ForceReport",
+        "ModelReport",
+        "SplitReport",
+        "LeftOutRows",
+    ],
     "Errors": [
         name
         for name in strainsite.__all__

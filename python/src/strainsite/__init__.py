@@ -52,6 +52,7 @@ from .errors import (
     Busy,
     DocumentError,
     Fault,
+    FitFailed,
     InvalidDocument,
     LocalServerError,
     MissingExtra,
@@ -66,6 +67,9 @@ from .errors import (
 )
 from .fields.sections import FailedNode, RingLoad, Rings, SectionNode, Sections, WheelRing
 from .fields.surface import Surface
+from .forces.estimator import Estimator, EstimatorSummary, FitProgress
+from .forces.left_out import LeftOutRows
+from .forces.report import FitCost, FitReport, ForceReport, ModelReport, RecordingFigures, SplitReport, SplitReports
 from .local import local
 from .study import Study
 from .sweep import Sweep
@@ -95,6 +99,8 @@ __all__ = [
     "DocumentError",
     "ErrorParts",
     "Estimate",
+    "Estimator",
+    "EstimatorSummary",
     "Evaluation",
     "ExpectedAccuracy",
     "FailedNode",
@@ -102,6 +108,11 @@ __all__ = [
     "Fault",
     "FilmPair",
     "FilmPlace",
+    "FitCost",
+    "FitFailed",
+    "FitProgress",
+    "FitReport",
+    "ForceReport",
     "Forecast",
     "FormMisses",
     "FrontLayout",
@@ -117,12 +128,14 @@ __all__ = [
     "LayoutScore",
     "LayoutSearch",
     "LeftOut",
+    "LeftOutRows",
     "LoadScore",
     "LocalServerError",
     "Location",
     "LocationStrain",
     "MissingExtra",
     "Model",
+    "ModelReport",
     "NotFound",
     "OrderAgreement",
     "Output",
@@ -131,6 +144,7 @@ __all__ = [
     "Presets",
     "Preview",
     "ProblemError",
+    "RecordingFigures",
     "Refused",
     "Result",
     "RingLoad",
@@ -143,6 +157,8 @@ __all__ = [
     "SignalRow",
     "Signals",
     "SolveForecast",
+    "SplitReport",
+    "SplitReports",
     "StrainMap",
     "StrainRing",
     "StrainsiteError",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import uuid
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
@@ -16,17 +17,21 @@ from .answers.summary import Presets, StudySummary
 from .connection.download import download
 from .connection.transport import Transport
 from .errors import DocumentError, StrainsiteError
+from .forces.estimator import Estimator, EstimatorSummary
+from .forces.recordings import recipe as recipe_of
+from .forces.recordings import recording
 from .study import Study, id_of
 from .sweep import Sweep
 
 if TYPE_CHECKING:
     import ssl
-    from collections.abc import Iterable, Iterator, Mapping, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
     from pathlib import Path
     from types import TracebackType
 
     from .answers.comparison import ComparisonTable
     from .answers.summary import Archived, State
+    from .forces.recordings import Recipe, Run
 
     Document = Mapping[str, Any] | str | Path
     """A study: its fields, a TOML or JSON file, or the name of one that the service ships."""
@@ -273,6 +278,56 @@ class Client:
         asked = {"archived": archived, **({} if search is None else {"search": search})}
         for entry in self._pages("sweeps", asked):
             yield Sweep(self._transport, entry)
+
+    def fit_forces(
+        self,
+        runs: Sequence[Run] | Mapping[str, Run],
+        recipe: Recipe | None = None,
+        name: str | None = None,
+        *,
+        wait: bool = True,
+        key: str | None = None,
+    ) -> Estimator:
+        """Learns forces from recorded signals, and how far estimates of them are off.
+
+        Args:
+            runs: Recordings, each of a run: CSV files, their texts or pandas frames, with seconds, signals and the
+                forces that were measured. In a mapping texts and frames have the names of its keys.
+            recipe: Which columns, features and models: a TOML or JSON file, its text, or a mapping; all defaults
+                when left out.
+            name: Its name in lists.
+            wait: Whether to wait until it is done.
+            key: As for `submit`.
+
+        Raises:
+            DocumentError: Nothing was sent: a file can't be read, or no run is given.
+            InvalidDocument: The recipe or a recording has faults, all of which it names.
+            FitFailed: It ended without a model.
+
+        """
+        named = runs.items() if isinstance(runs, Mapping) else [(f"run{k}.csv", run) for k, run in enumerate(runs, 1)]
+        recordings = [recording(run, file) for file, run in named]
+        if not recordings:
+            raise DocumentError("there is nothing to learn from: give at least one recording")
+        body: dict[str, Any] = {"recipe": recipe_of(recipe), "recordings": recordings}
+        if name is not None:
+            body["name"] = name
+        estimator = Estimator(self._transport, read(EstimatorSummary, self._submit("/v1/estimators", body, 0, key)))
+        return estimator.wait() if wait else estimator
+
+    def estimator(self, id: str) -> Estimator:
+        """The estimator of this identifier.
+
+        Raises:
+            NotFound: There is none.
+
+        """
+        return Estimator(self._transport, read(EstimatorSummary, self._transport.get(f"/v1/estimators/{_part(id)}")))
+
+    def estimators(self) -> Iterator[Estimator]:
+        """All estimators, newest first; pages are asked for as they are needed."""
+        for entry in self._pages("estimators", {}):
+            yield Estimator(self._transport, read(EstimatorSummary, entry))
 
     def compare(self, studies: Iterable[Study | str], baseline: Study | str | None = None) -> Comparison:
         """Compares studies: index and rank of each location, and which differences are real.

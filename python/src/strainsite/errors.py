@@ -124,6 +124,25 @@ class StudyFailed(StrainsiteError):
         return f"{self.id} failed: {self.reason}"
 
 
+class FitFailed(StrainsiteError):
+    """A fit ended without an estimator.
+
+    Attributes:
+        id: Its identifier.
+        reason: Why, a sentence.
+
+    """
+
+    def __init__(self, identifier: str, reason: str) -> None:
+        self.id = identifier
+        self.reason = reason
+        super().__init__(identifier, reason)
+
+    def __str__(self) -> str:
+        """Which, and why."""
+        return f"{self.id} failed: {self.reason}"
+
+
 class StudyCancelled(StrainsiteError):
     """A study or sweep was cancelled; what it has solved is kept, and the same document finds it.
 

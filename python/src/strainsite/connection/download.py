@@ -31,11 +31,11 @@ def download(
         raise StrainsiteError(f"{address} answered without a file")
     target = Path(proposed[1]) if path is None else Path(path)
     target = target / proposed[1] if target.is_dir() else target
-    _write_whole(target, answer.content)
+    write_whole(target, answer.content)
     return target
 
 
-def _write_whole(path: Path, content: bytes) -> None:
+def write_whole(path: Path, content: bytes) -> None:
     """All of a file or nothing, so that no half of one is taken for the whole."""
     part = path.with_name(f".{path.name}.part")
     try:

@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 class Progress:
     """Points done of all, and the time left; silent where nobody could watch it, as in a pipe."""
 
-    def __init__(self, name: str, *, shown: bool) -> None:
+    def __init__(self, name: str, *, shown: bool, unit: str = "point") -> None:
         watched = sys.stderr.isatty() or "ipykernel" in sys.modules
         self._words = ""
         self._bar: tqdm[Any] = tqdm(
-            desc=name, unit="point", disable=not (shown and watched), dynamic_ncols=True, leave=True
+            desc=name, unit=unit, disable=not (shown and watched), dynamic_ncols=True, leave=True
         )
 
     def __enter__(self) -> Progress:

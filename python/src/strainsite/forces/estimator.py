@@ -1,0 +1,236 @@
+"""An estimator in the service: waiting for its fit, its report, and forces by it."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from strainsite.answers.reading import read, records
+from strainsite.connection.download import write_whole
+from strainsite.connection.follow import look
+from strainsite.connection.progress import Deadline, Progress
+from strainsite.errors import AnswerError, FitFailed, ProblemError, StrainsiteError
+from strainsite.views import frames, html
+
+from .left_out import LeftOutRows
+from .recordings import recording
+from .report import FitReport, RecordingFigures
+
+if TYPE_CHECKING:
+    import os
+
+    import pandas as pd
+    from matplotlib.figure import Figure
+
+    from strainsite.connection.transport import Transport
+
+    from .recordings import Run
+
+# 409: asked for what only a fit that is done has.
+_NOTHING_YET = 409
+
+
+@dataclass(frozen=True)
+class FitProgress:
+    """How far a fit is."""
+
+    done: int
+    """Models judged."""
+    of: int
+    """Of so many; 0 until that is known."""
+
+
+@dataclass(frozen=True)
+class EstimatorSummary:
+    """What lists say of an estimator."""
+
+    id: str
+    name: str
+    state: str
+    """`queued`, `running`, `done`, `failed` or `cancelled`."""
+    created: str
+    started: str | None
+    finished: str | None
+    error: str | None
+    """Why it failed."""
+    forces: tuple[str, ...]
+    """Columns of the forces that it estimates."""
+    recordings: tuple[RecordingFigures, ...]
+    """What it learns from."""
+    progress: FitProgress | None
+    """None unless it runs."""
+
+
+class Estimator:
+    """An estimator of forces in the service, and the fit that makes it.
+
+    Attributes:
+        summary: Where it stood when this was last asked for; `state` and `refresh` ask again.
+
+    """
+
+    def __init__(self, transport: Transport, summary: EstimatorSummary) -> None:
+        self._transport = transport
+        self.summary = summary
+        self._path = f"/v1/estimators/{summary.id}"
+
+    @property
+    def id(self) -> str:
+        """Its identifier."""
+        return self.summary.id
+
+    @property
+    def name(self) -> str:
+        """Its name in lists."""
+        return self.summary.name
+
+    @property
+    def state(self) -> str:
+        """Asks the service: `queued`, `running`, `done`, `failed` or `cancelled`."""
+        return self.refresh().summary.state
+
+    @property
+    def recipe(self) -> dict[str, Any]:
+        """The recipe as it was submitted."""
+        return dict(self._transport.get(self._path)["recipe"])
+
+    def refresh(self) -> Estimator:
+        """Asks the service where it stands."""
+        self.summary = read(EstimatorSummary, self._transport.get(self._path))
+        return self
+
+    def wait(self, *, progress: bool = True, timeout: float | None = None) -> Estimator:
+        """Waits until it is done; a bar shows models judged, on terminals and in notebooks.
+
+        Raises:
+            FitFailed: It ended without a model, or somebody cancelled it; the reason is the service's.
+            WaitTimeout: `timeout` seconds were over; it goes on.
+            ServerLost: The service didn't answer any more.
+
+        """
+        deadline = Deadline(self.id, timeout)
+        with Progress(self.name, shown=progress, unit="model") as bar:
+
+            def state() -> str:
+                summary = self.refresh().summary
+                if summary.progress is not None:
+                    bar.show(summary.progress.done, summary.progress.of or None)
+                return summary.state
+
+            look(state, deadline)
+        self._check()
+        return self
+
+    def report(self) -> FitReport:
+        """What was found of each force, and what the intervals promise.
+
+        Raises:
+            FitFailed: It ended without a model.
+            ProblemError: It isn't done yet (409).
+
+        """
+        return FitReport.of(self._answer("report"))
+
+    def model(self) -> dict[str, Any]:
+        """The model as a document, which `strainsite force apply` reads."""
+        return self._answer("model")
+
+    def save(self, path: str | os.PathLike[str] | None = None) -> Path:
+        """Writes the model to a file, for `strainsite force apply`, and returns its path.
+
+        Args:
+            path: The file, or a folder; the estimator's identifier in the working folder when left out.
+
+        """
+        proposed = f"{self.id}.json"
+        target = Path(proposed) if path is None else Path(path)
+        target = target / proposed if target.is_dir() else target
+        write_whole(target, json.dumps(self.model()).encode())
+        return target
+
+    def apply(self, run: Run, *, name: str = "run.csv") -> pd.DataFrame:
+        """The forces of a recording as a pandas frame; `apply_rows` is the same without pandas.
+
+        Its columns are `time_s`, then `<force>`, `<force>_low` and `<force>_high` of each force, N, with 95 % between
+        them, then `outside`: 1 where a signal is beyond those that were learnt from.
+
+        Args:
+            run: A CSV file, its text or a pandas frame, with the signals of the recordings that were learnt from.
+            name: What messages call a text or a frame.
+
+        Raises:
+            DocumentError: A file can't be read.
+            InvalidDocument: A signal is missing, or the recording has other faults.
+
+        """
+        return frames.frame(self.apply_rows(run, name=name))
+
+    def apply_rows(self, run: Run, *, name: str = "run.csv") -> list[dict[str, float | None]]:
+        """The forces of a recording as a row by column for each of its rows; arguments as for `apply`."""
+        headers = {"Content-Type": "application/json", "Accept": "text/csv, application/problem+json"}
+        content = json.dumps(recording(run, name)).encode()
+        answer = self._transport.request("POST", f"{self._path}:apply", content=content, headers=headers)
+        try:
+            return [
+                {column: float(cell) if cell else None for column, cell in row.items()}
+                for row in csv.DictReader(io.StringIO(answer.text))
+            ]
+        except (TypeError, ValueError) as error:
+            raise AnswerError(f"the service's estimates aren't what this client knows: {error}") from error
+
+    def left_out(self, force: str | None = None) -> LeftOutRows:
+        """Rows that were left out, as they were estimated; of the first force when none is named.
+
+        Raises:
+            StrainsiteError: There is no such force.
+
+        """
+        found = records(self._answer("left-out").get("forces"), LeftOutRows, "forces")
+        for rows in found:
+            if force in (None, rows.force):
+                return rows
+        raise StrainsiteError(f"forces are {', '.join(rows.force for rows in found)}; it is {force!r}")
+
+    def plot(self, force: str | None = None, figure: Figure | None = None) -> Figure:
+        """Truth, estimate and 95 % band of the rows that were left out, a panel for each recording."""
+        files = [recording.file for recording in self.summary.recordings]
+        return self.left_out(force).plot(files, figure)
+
+    def cancel(self) -> Estimator:
+        """Cancels its fit; nothing happens to one that has ended."""
+        self.summary = read(EstimatorSummary, self._transport.request("DELETE", self._path).json())
+        return self
+
+    def remove(self) -> None:
+        """Removes it for good, at work or not, with its recordings."""
+        self._transport.request("DELETE", f"{self._path}?purge")
+
+    def _answer(self, part: str) -> dict[str, Any]:
+        try:
+            return self._transport.get(f"{self._path}/{part}")
+        except ProblemError as problem:
+            if problem.status != _NOTHING_YET:
+                raise
+            self.refresh()
+            self._check()
+            raise
+
+    def _check(self) -> None:
+        if self.summary.state == "failed":
+            raise FitFailed(self.id, self.summary.error or "the service gave no reason")
+        if self.summary.state == "cancelled":
+            raise FitFailed(self.id, "it was cancelled")
+
+    def __repr__(self) -> str:
+        """Name, state as last seen, identifier."""
+        return f"Estimator({self.name!r}, {self.summary.state}, {self.id})"
+
+    def _repr_html_(self) -> str:
+        summary = self.summary
+        head = ("estimator", "state", "forces", "id")
+        row = (summary.name, summary.state, ", ".join(summary.forces), summary.id)
+        return html.table(head, [row]) + html.paragraph(summary.error)

@@ -1,0 +1,60 @@
+"""Recordings and recipes on their way to the service."""
+
+from __future__ import annotations
+
+import json
+import os
+import tomllib
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from strainsite.documents import from_file, plain
+from strainsite.errors import DocumentError
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    import pandas as pd
+
+    Run = pd.DataFrame | str | os.PathLike[str]
+    """A recording: a CSV file, its text, or a pandas frame."""
+    Recipe = Mapping[str, Any] | str | os.PathLike[str]
+    """What is to be done: fields, a TOML or JSON file, or its text."""
+
+
+def recording(run: Run, name: str) -> dict[str, str]:
+    """One recording as the service takes it; a file has its own name, a text or a frame the one that is given."""
+    if isinstance(run, str) and "\n" in run:
+        return {"file": name, "text": run}
+    if isinstance(run, str | os.PathLike):
+        return {"file": Path(run).name, "text": _text(Path(run))}
+    if not hasattr(run, "to_csv"):
+        raise DocumentError(f"a recording is a CSV file, its text or a pandas frame; {name} is a {type(run).__name__}")
+    # An index with a name is a column, as after `set_index`. Floats are written with all their digits.
+    table = run.reset_index() if run.index.name is not None else run
+    return {"file": name, "text": table.to_csv(index=False, lineterminator="\n")}
+
+
+def recipe(given: Recipe | None) -> dict[str, Any]:
+    """A recipe as fields; all are at their defaults when none is given."""
+    if given is None:
+        return {}
+    if isinstance(given, str) and ("\n" in given or "=" in given or given.lstrip().startswith("{")):
+        return _read(given)
+    if isinstance(given, str | os.PathLike):
+        return from_file(given)
+    return dict(plain(dict(given)))
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise DocumentError(f"{path} can't be read: {error}") from error
+
+
+def _read(text: str) -> dict[str, Any]:
+    try:
+        return dict(json.loads(text) if text.lstrip().startswith("{") else tomllib.loads(text))
+    except ValueError as error:
+        raise DocumentError(f"the recipe is neither TOML nor JSON: {error}") from error
