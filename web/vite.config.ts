@@ -34,7 +34,7 @@ export default defineConfig({
     rolldownOptions: {
       input: ["index.html", "docs.html"],
       // What several views share is one file, not a dozen small ones; what every view needs is another, so that the answer doesn't wait for the tire's code.
-      output: { codeSplitting: { groups: [{ debugName: "shared", name: sharedFile, minShareCount: 2, test: /\.(ts|tsx|js|mjs)$/ }] } },
+      output: { chunkFileNames: "assets/views/[name]-[hash].js", codeSplitting: { groups: [{ debugName: "shared", name: sharedFile, minShareCount: 2, test: /\.(ts|tsx|js|mjs)$/ }] } },
     },
   },
   // The service answers only to its own name and lets only its own page write.

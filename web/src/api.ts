@@ -1,10 +1,11 @@
 /** The only file that talks to the network. */
 
 import type { Page } from "./lib/shell/pages.ts";
-import type { Description } from "./lib/reference/description.ts";
+import type { Description } from "./lib/shell/reference/description.ts";
+import type { RecordingFile } from "./lib/forces/recording-files.ts";
 import { EVENT_KINDS, type StudyEvent } from "./lib/study/stream-events.ts";
 import type {
-  Comparison, EntryChange, Estimate, FilmFields, FilmPlace, Presets, Preview, ProblemDocument, ScoredLayouts, Sections, StudyDetail, StudyPage, StudyResult, StudySummary, SweepDetail, SweepEstimate, SweepPage, SweepSummary, Trade,
+  Comparison, EntryChange, Estimate, EstimatorDetail, EstimatorPage, EstimatorSummary, FilmFields, FilmPlace, LeftOutRows, Presets, Preview, ProblemDocument, Report, ScoredLayouts, Sections, StudyDetail, StudyPage, StudyResult, StudySummary, SweepDetail, SweepEstimate, SweepPage, SweepSummary, Trade,
 } from "./wire.ts";
 
 const ROOT = "/v1";
@@ -172,6 +173,50 @@ export function submitSweep(document: unknown, idempotencyKey: string): Promise<
   return request("POST", "/sweeps", document, { "Idempotency-Key": idempotencyKey });
 }
 
+/** Estimators of forces, newest first. */
+export async function estimators(cursor: string | null): Promise<Page<EstimatorSummary>> {
+  const page = await request<EstimatorPage>("GET", `/estimators${cursor === null ? "" : `?cursor=${encodeURIComponent(cursor)}`}`);
+  return { entries: page.estimators, next_cursor: page.next_cursor ?? null };
+}
+
+export function estimator(id: string): Promise<EstimatorDetail> {
+  return request("GET", estimatorPath(id));
+}
+
+/** What was found of each force. */
+export function report(id: string): Promise<Report> {
+  return request("GET", estimatorPath(id, "/report"));
+}
+
+/** Rows that weren't learnt from, as they were estimated: a list for each force. */
+export async function leftOut(id: string): Promise<LeftOutRows[]> {
+  return (await request<{ forces: LeftOutRows[] }>("GET", estimatorPath(id, "/left-out"))).forces;
+}
+
+/** Learns forces from recordings; the same key finds the same estimator again. */
+export function fitForces(document: { name?: string; recipe: unknown; recordings: readonly RecordingFile[] }, idempotencyKey: string): Promise<{ id: string }> {
+  return request("POST", "/estimators", document, { "Idempotency-Key": idempotencyKey });
+}
+
+/** The forces of a recording as CSV. */
+export async function applyEstimator(id: string, recording: RecordingFile): Promise<string> {
+  return (await answer("POST", `${ROOT}${estimatorPath(id, ":apply")}`, recording, { Accept: "text/csv, application/problem+json" })).text();
+}
+
+export function cancelEstimator(id: string): Promise<unknown> {
+  return request("DELETE", estimatorPath(id));
+}
+
+/** Removes an estimator for good, with its recordings. */
+export function removeEstimator(id: string): Promise<unknown> {
+  return request("DELETE", estimatorPath(id, "?purge"));
+}
+
+/** The address of a part of an estimator, for a link. */
+export function estimatorAddress(id: string, part: "" | "/report" | "/model" | "/left-out"): string {
+  return `${ROOT}${estimatorPath(id, part)}`;
+}
+
 /** The address of a part of a study, for a link. */
 export function address(id: string, part: "result" | "evaluations" | `export?${string}`): string {
   return `${ROOT}${path(id, `/${part}`)}`;
@@ -221,6 +266,10 @@ function path(id: string, rest = ""): string {
 
 function sweepPath(id: string, rest = ""): string {
   return `/sweeps/${encodeURIComponent(id)}${rest}`;
+}
+
+function estimatorPath(id: string, rest = ""): string {
+  return `/estimators/${encodeURIComponent(id)}${rest}`;
 }
 
 function comparisonPath(sweep: string, baseline: string | null): string {

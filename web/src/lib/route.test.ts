@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { againRoute, compareRoute, formatRoute, homeRoute, parseRoute, SECTIONS, studyRoute, sweepRoute, type Route } from "./route.ts";
+import { againRoute, compareRoute, estimatorRoute, formatRoute, homeRoute, parseRoute, SECTIONS, studyRoute, sweepRoute, type Route } from "./route.ts";
 import { PLAIN_SIGHT } from "./tire/view-address.ts";
 
 test("an address and its view are the same thing", () => {
@@ -18,6 +18,9 @@ test("an address and its view are the same thing", () => {
     { ...studyRoute("a b/c"), section: "tire", direction: "y", quantity: "strain", input: "P3" },
     { ...studyRoute("0197"), section: "tire", sight: { ...PLAIN_SIGHT, isCut: false, factor: 2, pin: { theta_deg: 3, phi_deg: -40 }, eye: "side" } },
     { ...compareRoute(["0197", "0198"]), direction: "y", quantity: "std", drawnAs: "tires", sight: { ...PLAIN_SIGHT, scale: [0, 0.002] } },
+    { view: "forces" },
+    estimatorRoute("a b/c"),
+    { ...estimatorRoute("0197"), force: "fz_n" },
     ...SECTIONS.map((section): Route => ({ ...studyRoute("0197"), section })),
   ];
   for (const view of views) assert.deepEqual(parseRoute(formatRoute(view)), view);
@@ -35,6 +38,7 @@ test("nonsense falls back to defaults instead of failing", () => {
   assert.deepEqual(parseRoute("#/studies/%zz?direction=up&quantity=mood"), {
     view: "study", id: "%zz", section: "tire", direction: "x", quantity: "index", input: null, films: null, sight: PLAIN_SIGHT,
   });
+  assert.deepEqual(parseRoute("#/forces/42/nowhere"), homeRoute());
   assert.deepEqual(parseRoute("#/compare"), compareRoute([]));
   assert.deepEqual(parseRoute("#/studies/42/nowhere"), studyRoute("42"));
   assert.deepEqual(parseRoute("#/sweeps/42?shown=mood"), sweepRoute("42"));

@@ -34,9 +34,13 @@ export const SECTIONS = ["answer", "tire", "layouts", "indices", "trade", "run"]
 export type Section = (typeof SECTIONS)[number];
 
 export type StudyRoute = { view: "study"; id: string; section: Section; films: string | null; sight: Sight } & LayerChoice;
-export type Route = HomeRoute | SweepRoute | StudyRoute | CompareRoute;
+/** All estimators of forces, and the form of a new one. */
+export type ForcesRoute = { view: "forces" };
+/** One estimator, with the force that its table and plot are of; its first when none is named. */
+export type EstimatorRoute = { view: "estimator"; id: string; force: string | null };
+export type Route = HomeRoute | SweepRoute | StudyRoute | CompareRoute | ForcesRoute | EstimatorRoute;
 
-/** Reads `#/studies/{id}/tire?direction=x&quantity=index&input=P3` and `#/sweeps/{id}?baseline=STUDY&shown=difference`; anything else is the home view. */
+/** Reads `#/studies/{id}/tire?direction=x&quantity=index&input=P3`, `#/sweeps/{id}?baseline=STUDY&shown=difference` and `#/forces/{id}?force=fz_n`; anything else is the home view. */
 export function parseRoute(hash: string): Route {
   const [path = "", query = ""] = hash.replace(/^#/, "").split("?", 2);
   const values = new URLSearchParams(query);
@@ -46,6 +50,9 @@ export function parseRoute(hash: string): Route {
     const drawnAs = values.get("as") === "tires" ? "tires" : "maps";
     return { view: "compare", studies, baseline: values.get("baseline"), shown, drawnAs, sight: readSight(values), ...layerIn(values) };
   }
+  if (path === "/forces") return { view: "forces" };
+  const estimator = /^\/forces\/([^/]+)$/.exec(path)?.[1];
+  if (estimator !== undefined) return { view: "estimator", id: decode(estimator), force: values.get("force") };
   const [, kind, id, section] = /^\/(studies|sweeps)\/([^/]+)(?:\/([^/]*))?$/.exec(path) ?? [];
   if (id === undefined) return { view: "home", preset: values.get("preset"), again: values.get("again"), films: values.get("films") };
   const figure = CELL_FIGURES.find((name) => name === values.get("figure")) ?? "answer";
@@ -79,6 +86,11 @@ export function formatRoute(route: Route): string {
     if (route.again !== null) values.set("again", route.again);
     if (route.films !== null) values.set("films", route.films);
     return withQuery("#/", values);
+  }
+  if (route.view === "forces") return "#/forces";
+  if (route.view === "estimator") {
+    if (route.force !== null) values.set("force", route.force);
+    return withQuery(`#/forces/${encodeURIComponent(route.id)}`, values);
   }
   if (route.view === "sweep" || route.view === "compare") {
     if (route.view === "compare") values.set("studies", route.studies.join(","));
@@ -123,6 +135,11 @@ export function compareRoute(studies: string[]): CompareRoute {
 /** The view of a sweep before its reader chose anything. */
 export function sweepRoute(id: string): SweepRoute {
   return { view: "sweep", id, baseline: null, shown: "index", figure: "answer" };
+}
+
+/** The view of an estimator before its reader chose a force. */
+export function estimatorRoute(id: string): EstimatorRoute {
+  return { view: "estimator", id, force: null };
 }
 
 function withQuery(path: string, values: URLSearchParams): string {

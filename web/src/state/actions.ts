@@ -5,6 +5,9 @@ import { formatRoute, parseRoute, type Route } from "../lib/route.ts";
 import { createBrowsing, type BrowsingActions } from "./browsing.ts";
 import { createDraftCheck } from "./draft/draft-check.ts";
 import { createEntryList, type EntryList } from "./entry-list.ts";
+import { createEstimatorList, type EstimatorListActions } from "./forces/estimator-list.ts";
+import { createForcesDraft, type ForcesDraftActions } from "./forces/forces-draft.ts";
+import { createOpenEstimator, type OpenEstimatorActions } from "./forces/open-estimator.ts";
 import { createOpenComparison, type OpenComparisonActions } from "./open-comparison.ts";
 import { createOpenStudy, type OpenStudyActions } from "./open-study.ts";
 import { createOpenSweep, type OpenSweepActions } from "./open-sweep.ts";
@@ -30,6 +33,9 @@ export interface Actions {
   openSweep: OpenSweepActions;
   openComparison: OpenComparisonActions;
   browsing: BrowsingActions;
+  estimators: EstimatorListActions;
+  forcesDraft: ForcesDraftActions;
+  openEstimator: OpenEstimatorActions;
 }
 
 export function createActions(store: Store): Actions {
@@ -66,8 +72,12 @@ export function createActions(store: Store): Actions {
   });
   const openSweep = createOpenSweep(store, () => void sweeps.reload());
 
+  const estimators = createEstimatorList(store);
+  const forcesDraft = createForcesDraft(store, (route) => go(route, estimators));
+  const openEstimator = createOpenEstimator(store, () => void estimators.reload());
+
   /** To what was submitted; its list has a new entry. */
-  function go(route: Route, list: EntryList): void {
+  function go(route: Route, list: Pick<EntryList, "reload">): void {
     void list.reload();
     location.hash = formatRoute(route);
   }
@@ -87,6 +97,9 @@ export function createActions(store: Store): Actions {
     else openSweep.close();
     if (route.view === "compare") openComparison.open(route);
     else openComparison.close();
+    if (route.view === "estimator") openEstimator.open(route.id);
+    else openEstimator.close();
+    if (route.view === "forces") void estimators.reload();
     if (route.view !== "home") return;
     if (store.get().presets.status !== "ready") void studyDraft.reloadPresets();
     studyDraft.showOrigin(route);
@@ -105,6 +118,7 @@ export function createActions(store: Store): Actions {
   function reloadLists(): void {
     void studies.reload().then(tellApart);
     void sweeps.reload();
+    if (store.get().route.view === "forces") void estimators.reload();
   }
 
   function start(): void {
@@ -117,5 +131,5 @@ export function createActions(store: Store): Actions {
     }, LIST_REFRESH_MS);
   }
 
-  return { start, adjust, studies, sweeps, studyDraft, sweepDraft, openStudy, openSweep, openComparison, browsing };
+  return { start, adjust, studies, sweeps, studyDraft, sweepDraft, openStudy, openSweep, openComparison, browsing, estimators, forcesDraft, openEstimator };
 }

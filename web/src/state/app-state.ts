@@ -3,11 +3,12 @@
 import type { Problem, Wanted } from "../api.ts";
 import { textOf } from "../lib/document/draft-text.ts";
 import type { TypedToml } from "../lib/document/toml/toml-text.ts";
+import type { RecordingFile } from "../lib/forces/recording-files.ts";
 import type { Page } from "../lib/shell/pages.ts";
 import { parseRoute, type Route } from "../lib/route.ts";
 import type { Progress } from "../lib/study/point-progress.ts";
 import type {
-  Comparison, Estimate, Presets, Preview, StudyDetail, StudyResult, StudySummary, SweepDetail, SweepEstimate, SweepSummary, Trade,
+  Comparison, Estimate, EstimatorDetail, EstimatorSummary, LeftOutRows, Presets, Preview, Report, StudyDetail, StudyResult, StudySummary, SweepDetail, SweepEstimate, SweepSummary, Trade,
 } from "../wire.ts";
 import type { Loadable } from "./loadable.ts";
 
@@ -143,6 +144,32 @@ export interface OpenComparison {
   comparison: Loadable<Comparison>;
 }
 
+/** What forces are to be learnt from. */
+export interface ForcesDraft {
+  /** The first recording's file when empty. */
+  name: string;
+  /** TOML or JSON; all defaults when empty. */
+  recipe: string;
+  files: RecordingFile[];
+  sending: boolean;
+  problem: Problem | null;
+  /** Renewed with every edit. */
+  idempotencyKey: string;
+}
+
+/** The estimator in view. */
+export interface OpenEstimator {
+  id: string;
+  detail: Loadable<EstimatorDetail>;
+  /** The service was asked again and didn't answer. */
+  lost: boolean;
+  /** Null until it is done. */
+  report: Loadable<Report> | null;
+  leftOut: Loadable<LeftOutRows[]> | null;
+  /** Why it couldn't be cancelled or removed. */
+  problem: Problem | null;
+}
+
 export interface AppState {
   route: Route;
   /** The page's clock, milliseconds since the epoch. */
@@ -158,6 +185,9 @@ export interface AppState {
   openStudy: OpenStudy | null;
   openSweep: OpenSweep | null;
   openComparison: OpenComparison | null;
+  estimators: Loadable<Page<EstimatorSummary>>;
+  forcesDraft: ForcesDraft;
+  openEstimator: OpenEstimator | null;
 }
 
 export function initialState(hash: string, now_ms: number): AppState {
@@ -175,11 +205,19 @@ export function initialState(hash: string, now_ms: number): AppState {
     openStudy: null,
     openSweep: null,
     openComparison: null,
+    estimators: { status: "loading" },
+    forcesDraft: emptyForcesDraft(),
+    openEstimator: null,
   };
 }
 
 function emptyDraft(): StudyDraft {
   return { preset: null, origin: null, tab: "form", text: "", toml: null, sending: false, problem: null, idempotencyKey: newKey() };
+}
+
+/** Nothing to learn from yet. */
+export function emptyForcesDraft(): ForcesDraft {
+  return { name: "", recipe: "", files: [], sending: false, problem: null, idempotencyKey: newKey() };
 }
 
 /** A new draft of this document; the reader's choice of form or text stays. */
@@ -197,6 +235,10 @@ export function openedSweep(id: string): OpenSweep {
 
 export function openedComparison(id: string): OpenComparison {
   return { id, details: { status: "loading" }, comparison: { status: "loading" } };
+}
+
+export function openedEstimator(id: string): OpenEstimator {
+  return { id, detail: { status: "loading" }, lost: false, report: null, leftOut: null, problem: null };
 }
 
 /** 128 random bits in hex; `crypto.randomUUID` is missing on plain http beyond localhost. */

@@ -12,6 +12,8 @@ import { SweepList } from "./sidebar/sweep-list.tsx";
 import { StudyPage } from "./study/study-page.tsx";
 
 const ComparePage = later("the comparison", async () => (await import("./compare/compare-page.tsx")).ComparePage);
+const EstimatorPage = later("the estimator", async () => (await import("./forces/estimator-page.tsx")).EstimatorPage);
+const ForcesPage = later("the forces", async () => (await import("./forces/forces-page.tsx")).ForcesPage);
 const StudyForm = later("the form", async () => (await import("./home/study-form.tsx")).StudyForm);
 const SweepPage = later("the sweep", async () => (await import("./sweep/sweep-page.tsx")).SweepPage);
 
@@ -28,6 +30,8 @@ export function App({ state, actions }: { state: AppState; actions: Actions }) {
       <main id="main" tabIndex={-1}>
         {route.view === "home" && <StudyForm state={state} actions={actions} />}
         {route.view === "compare" && <ComparePage state={state} route={route} actions={actions} />}
+        {route.view === "estimator" && <EstimatorPage state={state} route={route} actions={actions} />}
+        {route.view === "forces" && <ForcesPage state={state} actions={actions} />}
         {route.view === "study" && <StudyPage state={state} route={route} actions={actions} />}
         {route.view === "sweep" && <SweepPage state={state} route={route} actions={actions} />}
       </main>

@@ -27,6 +27,9 @@ export const TERMS = {
   "claimed error": "The error that an answer states of itself, before a finer one is known.",
   "real difference": "A difference from the baseline that is larger than its own error.",
   "film signal": "The open circuit volts of a piezoelectric film, from the strain averaged over its area.",
+  "training mean": "The mean of the forces that were learnt from, given for every row. A model that isn't 5 % better than that is useless.",
+  "95 % interval": "From low to high around an estimate: 95 % of rows that weren't learnt from lay within theirs, with widths learnt from others.",
+  "leak factor": "The error on runs or cycles left out over that on rows drawn at random, whose neighbours were learnt from.",
 } as const;
 
 export type TermName = keyof typeof TERMS;

@@ -1,4 +1,4 @@
-import { documentOf, exampleText, type Content, type Operation } from "../../lib/reference/description.ts";
+import { documentOf, exampleText, type Content, type Operation } from "../../lib/shell/reference/description.ts";
 import { Code } from "./code.tsx";
 import { MarkedText } from "./marked-text.tsx";
 

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { firstLines, matching, operations, type Description } from "../../lib/reference/description.ts";
+import { firstLines, matching, operations, type Description } from "../../lib/shell/reference/description.ts";
 import type { Loadable } from "../../state/loadable.ts";
 import { ProblemBox } from "../shared/problem-box.tsx";
 import { Code } from "./code.tsx";

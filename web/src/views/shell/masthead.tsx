@@ -4,6 +4,7 @@ import { THEME_CHOICES, type ThemeChoice } from "../../lib/shell/theme.ts";
 import { chooseTheme, chosenTheme } from "../../state/preferences.ts";
 
 const HOME = formatRoute(homeRoute());
+const FORCES = formatRoute({ view: "forces" });
 
 const THEME_NAMES: Record<ThemeChoice, string> = { system: "System", light: "Light", dark: "Dark" };
 
@@ -19,6 +20,9 @@ export function Masthead({ route, onHelp }: { route: Route; onHelp: () => void }
         <nav aria-label="Service">
           <a href={HOME} aria-current={route.view === "home" ? "page" : undefined}>
             New study
+          </a>
+          <a href={FORCES} aria-current={route.view === "forces" ? "page" : undefined}>
+            Forces
           </a>
           <a href="/docs">API</a>
         </nav>
