@@ -28,7 +28,7 @@ help:
 	@echo "make check   format, lints, rules of the house and unit tests: what one runs every few minutes"
 	@echo "make test    every check and test; a suite alone: test-rust test-web test-browser test-conformance test-attacks test-exports test-python verify"
 	@echo "make pictures   the pictures of the README, drawn anew; VIEWS=--all for every view, into web/screenshots/"
-	@echo "make prove   what takes hours: advisories, 200 kills, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs or values)"
+	@echo "make prove   what takes hours: advisories, 200 kills, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs, values, recording or model)"
 
 run: build
 	$(STRAINSITE) run studies/foot-tire.toml

@@ -4,12 +4,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::features::StreamSettings;
 use crate::interval::{LeftOut, factor};
+use crate::model::contract::{Effort, FitError, Prediction};
 use crate::model::feature_scale::FeatureScale;
-use crate::model::{Effort, FitError, Fitted, Prediction};
+use crate::model::fitted::Fitted;
 use crate::recipe::{FeatureSet, Kind, Recipe, SplitKind};
 use crate::recording::named_columns::NamedColumns;
 use crate::rows::{LabelledRows, Runs};
-use crate::validate::{Candidate, Judged, Learner};
+use crate::validation::{Candidate, Judged, Learner};
 
 /// Version of the model file. One of another version is refused.
 pub const VERSION: u32 = 1;

@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::metrics::{PROMISE, interval_score, quantile};
+use crate::error_metrics::{PROMISE, interval_score, quantile};
 
 /// What a model said of a row that it hadn't learnt from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,10 +24,12 @@ pub struct LeftOut {
     pub deviation: f64,
 }
 
-/// Groups from which a share of them can be told.
-const MANY_GROUPS: usize = 6;
-/// Share of many groups whose factors the interval's doesn't fall below.
+/// Share of groups whose factors the interval's doesn't fall below.
 const GROUP_SHARE: f64 = 0.8;
+/// Quantiles of Student's t at [`GROUP_SHARE`], for one degree of freedom to four: of fewer groups than six a share can't be counted.
+const STUDENT: [f64; 4] = [1.376, 1.061, 0.978, 0.941];
+/// What few groups let expect is believed up to so many times the worst of them.
+const MOST_BEYOND: f64 = 1.5;
 
 /// Factor on the deviation so that an interval holds [`PROMISE`] of a new group's rows; none of no rows.
 pub fn factor(left_out: &[LeftOut]) -> Option<f64> {
@@ -45,13 +47,31 @@ pub fn factor(left_out: &[LeftOut]) -> Option<f64> {
     let pooled = of_rows(groups.values().flatten().copied().collect());
     let mut factors: Vec<f64> = groups.into_values().map(of_rows).collect();
     factors.sort_by(f64::total_cmp);
-    let found = match factors.len() {
+    let of_groups = match factors.len() {
         0 => return None,
-        // Models of folds learnt from fewer groups than the one that is kept: half-way between all rows and the worst group.
-        few if few < MANY_GROUPS => 0.5 * (pooled + factors.last()?),
-        _ => quantile(&factors, GROUP_SHARE).max(pooled),
+        1 => pooled,
+        few if few - 2 < STUDENT.len() => expected(&factors, STUDENT[few - 2]),
+        _ => quantile(&factors, GROUP_SHARE),
     };
+    // Groups of few rows have small factors by chance; all rows together don't.
+    let found = of_groups.max(pooled);
     found.is_finite().then_some(found.max(f64::MIN_POSITIVE))
+}
+
+/// The factor of another group, where the logarithms of factors are normal: mean + t s root(1 + 1/k) of k sorted factors.
+fn expected(factors: &[f64], student: f64) -> f64 {
+    let count = factors.len() as f64;
+    let logs = || {
+        factors
+            .iter()
+            .map(|factor| factor.max(f64::MIN_POSITIVE).ln())
+    };
+    let mean = logs().sum::<f64>() / count;
+    let deviation = (logs().map(|x| (x - mean) * (x - mean)).sum::<f64>() / (count - 1.0)).sqrt();
+    let worst = factors.iter().copied().fold(0.0, f64::max);
+    (mean + student * deviation * (1.0 + 1.0 / count).sqrt())
+        .exp()
+        .min(MOST_BEYOND * worst)
 }
 
 /// How intervals fared on groups whose residuals their factor wasn't learnt from.
@@ -105,15 +125,19 @@ mod tests {
     }
 
     #[test]
-    fn a_factor_lies_between_all_rows_and_the_worst_of_few_groups() {
-        // Residuals of 1 to 20 deviations, and others twice as large: 95 % of the latter are up to 38, of all 40 up to 36.
+    fn few_groups_let_expect_a_worse_one() {
+        // Residuals of 1 to 20 deviations, and others twice as large: 95 % of them are up to 19 and 38.
         let rows: Vec<LeftOut> = (0..40)
             .map(|k| row(k, k / 20, (k % 20 + 1) as f64 * (1 + k / 20) as f64, 1.0))
             .collect();
-        assert_eq!(factor(&rows), Some(37.0));
+        // ln 19 and ln 38 have the mean ln 26.87 and the deviation ln 2 / root 2; times 1.376 root 1.5 it is 0.826.
+        let expected =
+            (19.0 * 38.0f64).sqrt() * (1.376 * 1.5f64.sqrt() * 2f64.ln() / 2f64.sqrt()).exp();
+        let found = factor(&rows).expect("groups");
+        assert!((found - expected.min(1.5 * 38.0)).abs() < 1e-9, "{found}");
         assert_eq!(factor(&[]), None);
-        let fared = fared(&rows).expect("two groups");
         // The small group lies within the large one's factor, the large one half outside of the small one's, 19.
+        let fared = fared(&rows).expect("two groups");
         assert!(
             (fared.coverage - (20.0 + 9.0) / 40.0).abs() < 1e-12,
             "{}",

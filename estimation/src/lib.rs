@@ -12,22 +12,22 @@
 //! - [`rows`]: the rows of all runs, as models learn them
 //! - [`split`]: which rows are learnt from, and which are tested
 //! - [`model`]: mean, ridge, Gaussian process, neural networks
-//! - [`metrics`]: how far estimates are off; [`interval`]: how wide intervals must be
-//! - [`validate`]: every model and feature set on every split
-//! - [`estimator`]: what was chosen, learnt from all rows, as data; [`live`]: its estimates, row by row
-//! - [`report`]: what the validation found, for people and programs
+//! - [`error_metrics`]: how far estimates are off; [`interval`]: how wide intervals must be
+//! - [`validation`]: every model and feature set on every split
+//! - [`estimator`]: what was chosen, learnt from all rows, as data; [`live_estimates`]: its estimates, row by row
+//! - [`fit_report`]: what the validation found, for people and programs
 
 pub mod align;
 pub mod cycles;
+pub mod error_metrics;
 pub mod estimator;
 pub mod features;
+pub mod fit_report;
 pub mod interval;
-pub mod live;
-pub mod metrics;
+pub mod live_estimates;
 pub mod model;
 pub mod recipe;
 pub mod recording;
-pub mod report;
 pub mod rows;
 pub mod split;
-pub mod validate;
+pub mod validation;

@@ -5,7 +5,7 @@ use ndarray::{Array2, ArrayView1, Axis, concatenate};
 use crate::align::aligned;
 use crate::cycles::cycles;
 use crate::features::{StreamSettings, features};
-use crate::recipe::{Recipe, SplitKind, StartValue};
+use crate::recipe::{Kind, Loss, Recipe, SplitKind, StartValue};
 use crate::recording::named_columns::NamedColumns;
 use crate::recording::{Recording, median};
 use crate::split::Place;
@@ -144,6 +144,13 @@ impl Runs {
                 );
                 refuse("/columns/forces", detail);
             }
+        }
+        let poisson =
+            recipe.models.kinds.contains(&Kind::Ann) && recipe.models.ann.loss == Loss::Poisson;
+        let negative = |force: &f64| *force < 0.0;
+        if poisson && self.runs.iter().any(|run| run.forces.iter().any(negative)) {
+            let detail = "the Poisson loss takes forces of 0 and more; a row has a negative one";
+            refuse("/models/ann/loss", detail.to_owned());
         }
         let cycles: std::collections::BTreeSet<usize> =
             self.places.iter().map(|place| place.cycle).collect();

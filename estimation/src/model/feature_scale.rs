@@ -1,8 +1,9 @@
 //! Features on one scale, learnt from training rows.
 
-use ndarray::{Array2, ArrayView2};
+use ndarray::{Array2, ArrayView1, ArrayView2};
 use serde::{Deserialize, Serialize};
 
+use crate::model::contract::check_numbers;
 use crate::recipe::Scale;
 
 /// x becomes (x - shift) / width.
@@ -13,35 +14,31 @@ pub struct FeatureScale {
     width: Vec<f64>,
 }
 
+/// A feature that varies by less than this share of its size varies by rounding alone.
+const ROUNDING: f64 = 1e-12;
+/// Over smaller widths nothing stays finite.
+const LEAST_WIDTH: f64 = 1e-100;
+
 impl FeatureScale {
-    /// Learns it from rows x features. A feature that doesn't vary keeps its width.
+    /// Learns it from rows x features. A feature that varies by no more than rounding keeps its width.
     pub fn learn(scale: Scale, rows: &ArrayView2<f64>) -> Self {
-        let of_column = |column: ndarray::ArrayView1<'_, f64>| match scale {
-            Scale::Standardise => {
-                let mean = column.sum() / column.len().max(1) as f64;
-                let squares: f64 = column.iter().map(|x| (x - mean) * (x - mean)).sum();
-                (mean, (squares / column.len().max(1) as f64).sqrt())
-            }
-            Scale::Normalise => {
-                let low = column.iter().copied().fold(f64::INFINITY, f64::min);
-                let high = column.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-                (low, high - low)
-            }
-            Scale::Off => (0.0, 1.0),
+        let of_column = |column: ArrayView1<'_, f64>| {
+            let low = column.iter().copied().fold(f64::INFINITY, f64::min);
+            let high = column.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let (shift, width) = match scale {
+                Scale::Standardise => {
+                    let mean = column.sum() / column.len().max(1) as f64;
+                    let squares: f64 = column.iter().map(|x| (x - mean) * (x - mean)).sum();
+                    (mean, (squares / column.len().max(1) as f64).sqrt())
+                }
+                Scale::Normalise => (low, high - low),
+                Scale::Off => (0.0, 1.0),
+            };
+            let varies = width > ROUNDING * low.abs().max(high.abs()) && width > LEAST_WIDTH;
+            (shift, if varies { width } else { 1.0 })
         };
         let (shift, width) = rows.columns().into_iter().map(of_column).unzip();
-        let varying = |width: f64| {
-            if width > 0.0 && width.is_finite() {
-                width
-            } else {
-                1.0
-            }
-        };
-        let width: Vec<f64> = width;
-        Self {
-            shift,
-            width: width.into_iter().map(varying).collect(),
-        }
+        Self { shift, width }
     }
 
     /// How many features it is for.
@@ -77,8 +74,8 @@ impl FeatureScale {
     /// # Errors
     /// A sentence, when it wasn't.
     pub fn check(&self, features: usize) -> Result<(), String> {
-        super::check_numbers("a scale's shift", &self.shift, features)?;
-        super::check_numbers("a scale's width", &self.width, features)?;
+        check_numbers("a scale's shift", &self.shift, features)?;
+        check_numbers("a scale's width", &self.width, features)?;
         if self.width.iter().any(|width| *width <= 0.0) {
             return Err("a scale's width must be positive".to_owned());
         }

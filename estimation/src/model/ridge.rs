@@ -8,7 +8,7 @@ use faer::{Col, Mat, Side};
 use ndarray::{Array1, Array2, Axis};
 use serde::{Deserialize, Serialize};
 
-use crate::model::{FitError, Prediction, Training, check_deviation, check_numbers};
+use crate::model::contract::{FitError, Prediction, Training, check_deviation, check_numbers};
 
 /// Folds of left-out cycles that choose the penalty.
 const FOLDS: usize = 5;
@@ -107,7 +107,7 @@ impl Ridge {
         }
     }
 
-    pub(super) fn prepare(&mut self, features: usize) -> Result<(), String> {
+    pub(crate) fn prepare(&mut self, features: usize) -> Result<(), String> {
         check_numbers("a line's mean and rows", &[self.mean, self.rows], 2)?;
         check_numbers("a line's centre", &self.centre, features)?;
         check_numbers("a line's weights", &self.weights, features)?;

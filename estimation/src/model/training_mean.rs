@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::model::{Prediction, Training, check_deviation, check_numbers};
+use crate::model::contract::{Prediction, Training, check_deviation, check_numbers};
 
 /// A number, whatever the signals say.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -27,7 +27,7 @@ impl TrainingMean {
         }
     }
 
-    pub(super) fn check(&self) -> Result<(), String> {
+    pub(crate) fn check(&self) -> Result<(), String> {
         check_numbers("a mean", &[self.mean], 1)?;
         check_deviation("a mean's deviation", self.deviation)
     }

@@ -44,16 +44,19 @@ pub fn quoted(name: &str) -> Cow<'_, str> {
     }
 }
 
+/// Beyond, squares and slopes wouldn't be finite.
+const LARGEST: f64 = 1e100;
+
 /// The number of a cell; None where it is empty.
 ///
 /// # Errors
-/// A sentence when it is no finite number.
+/// A sentence when it is no finite number, or one beyond 1e100.
 pub fn number(cell: &str) -> Result<Option<f64>, String> {
     if cell.is_empty() {
         return Ok(None);
     }
     match cell.parse::<f64>() {
-        Ok(x) if x.is_finite() => Ok(Some(x)),
+        Ok(x) if x.abs() <= LARGEST => Ok(Some(x)),
         _ => {
             let shown: String = cell.chars().take(40).collect();
             Err(format!("must be a finite number; it is {shown:?}"))
@@ -78,7 +81,7 @@ mod tests {
     fn only_finite_numbers_are_numbers() {
         assert_eq!(number("-1.5e3"), Ok(Some(-1500.0)));
         assert_eq!(number(""), Ok(None));
-        for wrong in ["nan", "inf", "1e999", "0x1", "1,5", "one"] {
+        for wrong in ["nan", "inf", "1e999", "-1e101", "0x1", "1,5", "one"] {
             assert!(number(wrong).is_err(), "{wrong}");
         }
     }

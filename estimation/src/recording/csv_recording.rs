@@ -7,6 +7,7 @@ use std::borrow::Cow;
 
 use ndarray::Array2;
 
+use crate::recipe::Columns;
 use crate::recording::Recording;
 use crate::recording::csv_line::{cells, number};
 use crate::recording::named_columns::NamedColumns;
@@ -163,20 +164,22 @@ impl RowReader {
     }
 }
 
-/// Reads a whole file.
+/// Reads a whole file, whose columns were found by [`NamedColumns::find`]. `gaps` lets signals be empty.
 ///
 /// # Errors
-/// Every fault with its line and column, up to a bound: ragged rows, text, numbers that aren't finite, time that doesn't rise.
+/// Every fault with its line and column, up to a bound: missing columns, ragged rows, text, numbers that aren't finite, time that doesn't rise.
 pub fn read(
     file: &str,
     text: &str,
+    columns: &Columns,
     names: &NamedColumns,
     gaps: bool,
 ) -> Result<Recording, Vec<RecordingFault>> {
     let header = header(file, text)?;
     let mut faults = FaultList::of(file);
-    names.lacking_signals(&header, &mut faults);
-    let Some(reader) = RowReader::new(names, &header, gaps) else {
+    names.check(columns, &header, &mut faults);
+    // Rows are read without the columns that are missing: all faults are told at once.
+    let Some(reader) = RowReader::new(&names.among(&header), &header, gaps) else {
         return Err(faults.into_faults());
     };
     let mut rows: Vec<Row> = Vec::new();
@@ -195,6 +198,9 @@ pub fn read(
     faults.or(|| gathered(file, rows, names))
 }
 
+/// Shortest time between rows, s: slopes over less mean nothing.
+const SHORTEST_S: f64 = 1e-9;
+
 /// A fault where time doesn't rise.
 pub fn check_time(
     time_s: f64,
@@ -203,7 +209,7 @@ pub fn check_time(
     column: &str,
     faults: &mut FaultList,
 ) {
-    if let Some(before) = before.filter(|before| time_s <= *before) {
+    if let Some(before) = before.filter(|before| time_s - before < SHORTEST_S) {
         let detail = format!("time must rise from row to row; {time_s} follows {before}");
         faults.add(Some(line), Some(column), detail);
     }
@@ -251,11 +257,15 @@ mod tests {
         }
     }
 
+    fn whole(text: &str, gaps: bool) -> Result<Recording, Vec<RecordingFault>> {
+        read("r.csv", text, &Columns::default(), &names(), gaps)
+    }
+
     #[test]
     fn a_recording_is_read_with_its_gaps_and_cycles() {
         let text =
             "\u{feff}t,b,note,a,fz,c\r\n0,1,x,2,,one\r\n\r\n0.5,3,y,4,-1.5,one\r\n1,5,,6,2,two\r\n";
-        let read = read("r.csv", text, &names(), false).expect("reads");
+        let read = whole(text, false).expect("reads");
         assert_eq!(read.time_s, [0.0, 0.5, 1.0]);
         assert_eq!(
             read.signals,
@@ -271,7 +281,7 @@ mod tests {
     #[test]
     fn every_fault_has_its_line_and_column() {
         let text = "t,a,b,fz,c\n0,1,2,3,1\n0,1,2,3,1\n1,1,2\n2,x,nan,inf,1\n3,,2,,1\n";
-        let faults = read("r.csv", text, &names(), false).expect_err("faults");
+        let faults = whole(text, false).expect_err("faults");
         let told: Vec<String> = faults.iter().map(ToString::to_string).collect();
         let expected = [
             "r.csv, line 3, column t: time must rise",
@@ -286,7 +296,7 @@ mod tests {
             assert!(told.starts_with(expected), "{told}");
         }
         let gaps = "t,a,b,fz,c\n3,,2,,1\n";
-        assert!(read("r.csv", gaps, &names(), true).expect("reads").signals[[0, 0]].is_nan());
+        assert!(whole(gaps, true).expect("reads").signals[[0, 0]].is_nan());
     }
 
     #[test]
@@ -300,20 +310,15 @@ mod tests {
             let faults = header("r.csv", text).expect_err(text);
             assert!(faults[0].detail.contains(part), "{}", faults[0].detail);
         }
-        let empty = read("r.csv", "t,a,b,fz,c\n", &names(), false).expect_err("no row");
+        let empty = whole("t,a,b,fz,c\n", false).expect_err("no row");
         assert!(empty[0].detail.contains("no row"));
-        let missing = read("r.csv", "t,a,fz,c\n0,1,2,3\n", &names(), false).expect_err("missing");
+        let missing = whole("t,a,fz,c\n0,1,2,3\n", false).expect_err("missing");
         assert!(
             missing[0].to_string().contains("column b"),
             "{}",
             missing[0]
         );
         let many = format!("t,a,b,fz,c\n{}", "x\n".repeat(1000));
-        assert_eq!(
-            read("r.csv", &many, &names(), false)
-                .expect_err("many")
-                .len(),
-            51
-        );
+        assert_eq!(whole(&many, false).expect_err("many").len(), 51);
     }
 }

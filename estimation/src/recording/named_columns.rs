@@ -6,7 +6,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::recipe::{Columns, CycleRule};
-use crate::recording::recording_fault::{FaultList, RecordingFault};
+use crate::recording::csv_line::quoted;
+use crate::recording::recording_fault::FaultList;
 
 /// The columns' names, the same for all runs.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -28,15 +29,9 @@ const TIME: &str = "time_s";
 const FORCES: [&str; 4] = ["f?_n", "force_n", "f?", "force"];
 
 impl NamedColumns {
-    /// Finds the columns in the headers of all runs, each with its file's name. A signal by pattern is meant when one file has it.
-    ///
-    /// # Errors
-    /// What the recipe names and no file has; what one file has and another one lacks.
-    pub fn find(
-        columns: &Columns,
-        headers: &[(&str, Vec<String>)],
-    ) -> Result<Self, Vec<RecordingFault>> {
-        let all = union(headers.iter().flat_map(|(_, header)| header));
+    /// Finds the columns in the headers of all runs. A signal by pattern is meant when one file has it; whether a file has all of them, [`Self::check`] tells.
+    pub fn find<'h>(columns: &Columns, headers: impl IntoIterator<Item = &'h Vec<String>>) -> Self {
+        let all = union(headers.into_iter().flatten());
         let time = match &columns.time {
             Some(name) => name.clone(),
             None if all.iter().any(|name| name == TIME) => TIME.to_owned(),
@@ -63,40 +58,25 @@ impl NamedColumns {
             Some(patterns) => matching(patterns, &signals),
             None => signals.into_iter().cloned().collect(),
         };
-        let found = Self {
+        Self {
             time,
             signals,
             forces,
             cycle,
-        };
-        found.check(columns, headers)
-    }
-
-    fn check(
-        self,
-        columns: &Columns,
-        headers: &[(&str, Vec<String>)],
-    ) -> Result<Self, Vec<RecordingFault>> {
-        let mut faults = Vec::new();
-        for (file, header) in headers {
-            let mut here = FaultList::of(file);
-            self.check_header(header, &mut here);
-            if self.signals.is_empty() {
-                here.add(Some(1), None, nothing("signals", &columns.signals, header));
-            }
-            if self.forces.is_empty() {
-                here.add(Some(1), None, nothing("forces", &columns.forces, header));
-            }
-            faults.extend(here.into_faults());
-        }
-        if faults.is_empty() {
-            Ok(self)
-        } else {
-            Err(faults)
         }
     }
 
-    /// A fault for each column that a header lacks.
+    /// A fault for each column that a header lacks, and where no column is meant at all.
+    pub fn check(&self, columns: &Columns, header: &[String], faults: &mut FaultList) {
+        if self.signals.is_empty() {
+            faults.add(Some(1), None, nothing("signals", &columns.signals, header));
+        }
+        if self.forces.is_empty() {
+            faults.add(Some(1), None, nothing("forces", &columns.forces, header));
+        }
+        self.check_header(header, faults);
+    }
+
     fn check_header(&self, header: &[String], faults: &mut FaultList) {
         let cycle = self.cycle.iter();
         for name in std::iter::once(&self.time)
@@ -111,14 +91,35 @@ impl NamedColumns {
         }
     }
 
-    /// Whether all files have the same columns can't be asked of one alone; this tells what one lacks of those that a model reads.
-    pub fn lacking_signals(&self, header: &[String], faults: &mut FaultList) {
-        let read = Self {
-            forces: Vec::new(),
-            cycle: None,
-            ..self.clone()
+    /// Those of the columns that a header has, the time apart.
+    pub fn among(&self, header: &[String]) -> Self {
+        let there = |names: &[String]| {
+            names
+                .iter()
+                .filter(|name| header.contains(name))
+                .cloned()
+                .collect()
         };
-        read.check_header(header, faults);
+        Self {
+            time: self.time.clone(),
+            signals: there(&self.signals),
+            forces: there(&self.forces),
+            cycle: self.cycle.clone().filter(|name| header.contains(name)),
+        }
+    }
+
+    /// The columns that a model reads: those of estimates have no forces, and may lack the cycles.
+    pub fn unlabelled(&self, header: &[String]) -> Self {
+        Self {
+            forces: Vec::new(),
+            cycle: self.cycle.clone().filter(|name| header.contains(name)),
+            ..self.clone()
+        }
+    }
+
+    /// A fault for each signal, or time, that a header lacks.
+    pub fn check_unlabelled(&self, header: &[String], faults: &mut FaultList) {
+        self.unlabelled(header).check_header(header, faults);
     }
 }
 
@@ -137,17 +138,11 @@ fn nothing(what: &str, asked: &Option<Vec<String>>, header: &[String]) -> String
 const MOST_NAMED: usize = 20;
 
 fn listed(names: &[String]) -> String {
-    let shown: Vec<String> = names
-        .iter()
-        .take(MOST_NAMED)
-        .map(|name| {
-            name.chars()
-                .take(40)
-                .collect::<String>()
-                .escape_debug()
-                .to_string()
-        })
-        .collect();
+    let shown = |name: &String| {
+        let short: String = name.chars().take(40).collect();
+        quoted(&short).escape_debug().to_string()
+    };
+    let shown: Vec<String> = names.iter().take(MOST_NAMED).map(shown).collect();
     let more = match names.len().saturating_sub(MOST_NAMED) {
         0 => String::new(),
         more => format!(" and {more} more"),
@@ -254,12 +249,12 @@ mod tests {
     #[test]
     fn usual_names_need_no_recipe() {
         let header = named(&["time_s", "s1", "fx_n", "fz_n", "s2"]);
-        let found = NamedColumns::find(&Columns::default(), &[("a.csv", header)]).expect("found");
+        let found = NamedColumns::find(&Columns::default(), [&header]);
         assert_eq!(found.time, "time_s");
         assert_eq!(found.signals, ["s1", "s2"]);
         assert_eq!(found.forces, ["fx_n", "fz_n"]);
         let header = named(&["t", "s1", "force"]);
-        let found = NamedColumns::find(&Columns::default(), &[("a.csv", header)]).expect("found");
+        let found = NamedColumns::find(&Columns::default(), [&header]);
         assert_eq!(
             (found.time.as_str(), found.forces),
             ("t", named(&["force"]))
@@ -273,10 +268,16 @@ mod tests {
             ..Columns::default()
         };
         let headers = [
-            ("a.csv", named(&["time_s", "s1", "s2", "fz_n"])),
-            ("b.csv", named(&["time_s", "s1", "fz_n", "fx_n"])),
+            named(&["time_s", "s1", "s2", "fz_n"]),
+            named(&["time_s", "s1", "fz_n", "fx_n"]),
         ];
-        let faults = NamedColumns::find(&columns, &headers).expect_err("faults");
+        let found = NamedColumns::find(&columns, &headers);
+        let mut faults = Vec::new();
+        for (file, header) in ["a.csv", "b.csv"].iter().zip(&headers) {
+            let mut here = FaultList::of(file);
+            found.check(&columns, header, &mut here);
+            faults.extend(here.into_faults());
+        }
         let told: Vec<String> = faults.iter().map(ToString::to_string).collect();
         for part in [
             "a.csv, line 1, column extra",

@@ -1,5 +1,6 @@
 //! What the crate's parts do together.
 
+mod fuzzed;
 mod process;
 mod virtual_rig;
 mod whole;

@@ -1,7 +1,7 @@
 //! Gaussian processes against scikit-learn, whose figures `lab/peers/force/exact_figures.py` printed.
 
-use estimation::model::Prediction;
 use estimation::model::ann::{Shape, train};
+use estimation::model::contract::Prediction;
 use estimation::model::gpr::{
     Bounds, Kernel, PointRows, Posterior, RowPairs, Search, log_likelihood, search,
 };

@@ -1,16 +1,16 @@
 //! From recordings to estimates of a run that nobody learnt from.
 
 use estimation::estimator::{Estimator, FORMAT, ForceModel, Stream, VERSION};
-use estimation::live::Live;
+use estimation::fit_report::Ranking;
+use estimation::live_estimates::Live;
 use estimation::recipe::{
     AnnSettings, CycleRule, FeatureSet, Features, GprSettings, Kind, Models, Preprocess, Recipe,
     SplitKind, StartValue,
 };
 use estimation::recording::Recording;
 use estimation::recording::named_columns::NamedColumns;
-use estimation::report::Ranking;
 use estimation::rows::Runs;
-use estimation::validate::{Splits, candidates, judge, rolled_r2};
+use estimation::validation::{Splits, candidates, judge, rolled_r2};
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;

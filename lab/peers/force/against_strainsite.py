@@ -1,4 +1,4 @@
-"""Compares `strainsite force` with nine scikit-learn variants on runs that neither has seen, and prints a Markdown table.
+"""Compares `strainsite force` with nine scikit-learn variants on unseen runs and prints a Markdown table.
 
 python against_strainsite.py [--cases quick|all|FAMILY:SEED:RUNS,...] [--rolling-start-off] [--json FILE]
 
@@ -20,8 +20,9 @@ import sys
 import tempfile
 import time
 
-import nine_variants
 import numpy as np
+
+import nine_variants
 import virtual_recordings
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -172,7 +173,7 @@ def cases(text):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--cases", type=cases, default="quick", metavar="quick|all|FAMILY:SEED:RUNS,...")
-    parser.add_argument("--rolling-start-off", action="store_true", help="rolling features of signals less their start value")
+    parser.add_argument("--rolling-start-off", action="store_true", help="rolling features with the start value off")
     parser.add_argument("--json", type=pathlib.Path, help="all figures, with every digit")
     arguments = parser.parse_args()
     rows = []

@@ -84,7 +84,8 @@ def fitted(model, x, y):
         return make_pipeline(StandardScaler(), RidgeCV(np.logspace(-3, 4, 15))).fit(x, y)
     rows = even_subset(len(y), GPR_ROWS if model == "gpr" else MLP_ROWS)
     if model == "gpr":
-        kernel = ConstantKernel(1.0, (1e-3, 1e4)) * RBF(np.sqrt(x.shape[1]), (1e-2, 1e4)) + WhiteKernel(0.01, (1e-6, 10.0))
+        signal = ConstantKernel(1.0, (1e-3, 1e4)) * RBF(np.sqrt(x.shape[1]), (1e-2, 1e4))
+        kernel = signal + WhiteKernel(0.01, (1e-6, 10.0))
         regressor = GaussianProcessRegressor(kernel, normalize_y=True, n_restarts_optimizer=2, random_state=1)
     else:
         network = MLPRegressor(hidden_layer_sizes=(50,), max_iter=1000, random_state=1)
@@ -114,6 +115,7 @@ def interval_score(truth, low, high):
 
 
 def rmse(residuals):
+    """Root of the mean square."""
     return float(np.sqrt(np.mean(np.square(residuals))))
 
 
@@ -133,7 +135,7 @@ def blocks(time_s):
 
 
 def nine(runs, test, rolling_start_off=False):
-    """By force: the nine variants' figures on the test run, their median and best, and what the training mean is off by."""
+    """By force: the nine variants' figures on the test run, their median and best, and the training mean's."""
     warnings.simplefilter("ignore", ConvergenceWarning)
     read_runs = [read(file) for file in [*runs, test]]
     block = np.concatenate([blocks(time_s) for time_s, _, _ in read_runs[:-1]])
@@ -173,7 +175,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("runs", nargs="+", type=pathlib.Path)
     parser.add_argument("--test", type=pathlib.Path, required=True)
-    parser.add_argument("--rolling-start-off", action="store_true", help="rolling features of signals less their start value")
+    parser.add_argument("--rolling-start-off", action="store_true", help="rolling features with the start value off")
     parser.add_argument("--json", type=pathlib.Path)
     arguments = parser.parse_args()
     result = nine(arguments.runs, arguments.test, arguments.rolling_start_off)

@@ -4,13 +4,13 @@ python virtual_recordings.py FAMILY FOLDER [--runs 3] [--seed 1]
 
 | family | signals | forces | what is hard |
 |---|---|---|---|
-| press | 15 magnetometer channels, uT, irregular clock of some 10 Hz | fz_n, 0-34 N | offsets of each session, hysteresis |
+| press | 15 magnetometer channels, uT, irregular clock of some 10 Hz | fz_n, 0-34 N | sessions differ, hysteresis |
 | shear | 30 magnetometer channels, uT, 20 Hz | fx_n, fy_n, fz_n | forces partly independent |
 | fingers | 2 motor positions, deg, 2 wire lengths, mm, 30 Hz | fx_n, fy_n, fz_n | signals don't tell all |
 | tire | 12 piezo films, mV, 200 Hz | fx_n, fy_n, fz_n, stances at 0.8-5 Hz | films forget (high-pass) |
 
-A seed makes one sensor. Its runs are sessions of their own: offsets, gains, drift and movements differ. Run 2 is the same
-whether or not run 3 is asked for.
+A seed makes one sensor. Its runs are sessions of their own: offsets, gains, drift and movements differ. Run 2 is the
+same whether or not run 3 is asked for.
 """
 
 import argparse
@@ -55,7 +55,7 @@ def overstress(time_s, strain, branches):
 
 
 def measured(rng, time_s, clean, *, offset, gain, drift, noise, digit):
-    """What a session's electronics make of clean signals: gains, offsets, drift and noise of each channel, and digits."""
+    """What a session's electronics make of clean signals: gains, offsets, drift, noise and digits."""
     channels = clean.shape[1]
     gains = 1.0 + gain * rng.standard_normal(channels)
     begin = time_s[0]
@@ -224,7 +224,8 @@ def tire(sensor, rng):
         on = (share >= 0.0) & (share < 1.0)
         load = rng.uniform(4.0, 19.0) * np.sin(np.pi * share[on]) ** rng.uniform(0.7, 1.3)
         # Within friction; the tire rolls a little while it stands.
-        sideways = 0.4 * rng.uniform(-1.0, 1.0, 2) + 0.2 * rng.uniform(-1.0, 1.0, 2) * np.cos(np.pi * share[on])[:, None]
+        held, turning = rng.uniform(-0.4, 0.4, 2), rng.uniform(-0.2, 0.2, 2)
+        sideways = held + turning * np.cos(np.pi * share[on])[:, None]
         forces[on] = np.column_stack([load[:, None] * sideways, load])
         angle[on] = rng.uniform(0.0, 2.0 * np.pi) + rng.uniform(-0.3, 0.3) * share[on]
         now += 1.0 / pace

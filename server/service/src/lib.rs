@@ -10,7 +10,6 @@
 //! - [`metrics`]: what is counted and measured
 //! - [`database_archive`]: the database as the place where solved points are kept
 //! - [`forecast`]: what a study would cost
-//! - [`answered`]: the same study again
 //! - [`previewer`]: places at once, for somebody who writes a document
 //! - [`engine`]: runs one study from its document to its end
 //! - [`queue`]: the queue of studies; sweeps; removal
@@ -18,7 +17,6 @@
 //! - [`forces`]: forces from recordings
 //! - [`export`]: answers as tables for other programs
 
-pub mod answered;
 pub mod comparison;
 pub mod database_archive;
 pub mod engine;

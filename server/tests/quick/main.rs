@@ -4,6 +4,8 @@ mod apart;
 mod api;
 mod app;
 mod cli;
+mod estimators;
+mod forces;
 mod interrupted;
 mod long_results;
 mod numerics;

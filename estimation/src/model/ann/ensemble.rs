@@ -8,9 +8,11 @@ use rand_chacha::rand_core::SeedableRng;
 use serde::{Deserialize, Serialize};
 
 use super::network::{Network, Shape, train};
+use crate::model::contract::{
+    Effort, FitError, Prediction, Training, check_deviation, check_numbers,
+};
 use crate::model::even_subset::even_subset;
 use crate::model::training_mean::mean_and_deviation;
-use crate::model::{Effort, FitError, Prediction, Training, check_deviation, check_numbers};
 use crate::recipe::{Activation, AnnSettings, Loss};
 
 /// One cycle in so many tells when to stop.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::point_rows::PointRows;
 use super::row_pairs::{RowPairs, add_products, add_squares};
-use crate::model::check_numbers;
+use crate::model::contract::check_numbers;
 
 /// k(x, x') = variance exp(-1/2 sum_j ((x_j - x'_j) / length_j)^2) + line/d sum_j x_j x'_j, of d features, and the noise beside it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -103,7 +103,7 @@ impl Kernel {
         found
     }
 
-    pub(super) fn check(&self, features: usize) -> Result<(), String> {
+    pub(crate) fn check(&self, features: usize) -> Result<(), String> {
         if self.lengths.len() != 1 {
             check_numbers("a process's lengths", &self.lengths, features)?;
         }

@@ -13,7 +13,7 @@
 //! - `kernel`: k
 //! - `likelihood`: log p(y | X) and its gradient
 //! - `hyperparameters`: the search for its greatest value
-//! - `posterior`: mean and deviation of new rows, and of rows left out
+//! - `process_posterior`: mean and deviation of new rows, and of rows left out
 //!
 //! The mean is conditioned on all rows that are kept. Where these are many, the deviation is that of an even subset of them: at most what
 //! fewer rows leave uncertain, so never too small, and quick enough for a robot's controller.
@@ -22,7 +22,7 @@ mod hyperparameters;
 mod kernel;
 mod likelihood;
 mod point_rows;
-mod posterior;
+mod process_posterior;
 mod row_pairs;
 
 use serde::{Deserialize, Serialize};
@@ -31,12 +31,14 @@ pub use hyperparameters::{Bounds, Search, search};
 pub use kernel::Kernel;
 pub use likelihood::{Likelihood, log_likelihood};
 pub use point_rows::PointRows;
-pub use posterior::Posterior;
+pub use process_posterior::Posterior;
 pub use row_pairs::RowPairs;
 
+use crate::model::contract::{
+    Effort, FitError, Prediction, Training, check_deviation, check_numbers,
+};
 use crate::model::even_subset::even_subset;
 use crate::model::training_mean::mean_and_deviation;
-use crate::model::{Effort, FitError, Prediction, Training, check_deviation, check_numbers};
 use crate::recipe::{GprSettings, Lengths};
 
 /// Rows whose posterior gives the deviation: half a megabyte of factor, which stays in a core's cache.
@@ -148,7 +150,7 @@ impl Gpr {
         }
     }
 
-    pub(super) fn prepare(&mut self, features: usize) -> Result<(), String> {
+    pub(crate) fn prepare(&mut self, features: usize) -> Result<(), String> {
         self.rows.check(features)?;
         self.kernel.check(features)?;
         check_numbers("a process's weights", &self.alpha, self.rows.len())?;

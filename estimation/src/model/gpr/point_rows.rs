@@ -3,7 +3,7 @@
 use ndarray::ArrayView2;
 use serde::{Deserialize, Serialize};
 
-use crate::model::check_numbers;
+use crate::model::contract::check_numbers;
 
 /// Rows of features, feature by feature: distances to all rows are then sums of whole columns.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -54,7 +54,7 @@ impl PointRows {
         }
     }
 
-    pub(super) fn check(&self, features: usize) -> Result<(), String> {
+    pub(crate) fn check(&self, features: usize) -> Result<(), String> {
         if self.rows == 0 {
             return Err("a process's rows are none".to_owned());
         }

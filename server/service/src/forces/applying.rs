@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use estimation::estimator::Estimator;
-use estimation::live::{Estimated, Live};
+use estimation::live_estimates::{Estimated, Live};
 use estimation::recording::csv_line::quoted;
 use estimation::recording::csv_recording::{RowReader, check_time, header_names};
 use estimation::recording::median;
@@ -16,6 +16,8 @@ use estimation::rows::RATE_FACTOR;
 
 /// Rows whose median interval tells a recording's rate.
 const RATE_ROWS: usize = 20;
+/// Most ticks of a clock between two estimates: ten minutes of a fast rig.
+const MOST_TICKS: f64 = 1e6;
 
 /// Reads lines of a recording and gives lines of estimates.
 #[derive(Debug)]
@@ -29,6 +31,8 @@ pub struct EstimatedLines<'e> {
     cycle: (usize, Option<String>),
     /// The first intervals, s, until the rate is known.
     intervals: Vec<f64>,
+    /// Ticks of the model's clock that came since the last estimate.
+    ticks: f64,
 }
 
 /// The header of estimates: `time_s`, each force with its interval, `outside`.
@@ -57,12 +61,9 @@ impl<'e> EstimatedLines<'e> {
         let mut faults = FaultList::of(file);
         let names = header_names(header.trim_start_matches('\u{feff}'), &mut faults);
         if faults.is_empty() {
-            estimator.columns.lacking_signals(&names, &mut faults);
+            estimator.columns.check_unlabelled(&names, &mut faults);
         }
-        let unlabelled = estimation::recording::named_columns::NamedColumns {
-            forces: Vec::new(),
-            ..estimator.columns.clone()
-        };
+        let unlabelled = estimator.columns.unlabelled(&names);
         let reader = RowReader::new(&unlabelled, &names, estimator.stream.rate_hz.is_some());
         match reader {
             Some(reader) if faults.is_empty() => Ok(Self {
@@ -74,6 +75,7 @@ impl<'e> EstimatedLines<'e> {
                 last_s: None,
                 cycle: (0, None),
                 intervals: Vec::new(),
+                ticks: 0.0,
             }),
             _ => Err(faults.into_faults()),
         }
@@ -103,10 +105,44 @@ impl<'e> EstimatedLines<'e> {
             return Err(faults.into_faults());
         };
         self.check_rate(row.time_s)?;
+        self.check_ticks(row.time_s)?;
         self.last_s = Some(row.time_s);
         let cycle = row.cycle.map(|name| self.cycle_number(name));
         let estimated = self.live.push(row.time_s, cycle, &row.signals);
+        if !estimated.iter().all(Estimated::is_finite) {
+            let detail = "has no finite estimate: signals or the model's numbers are too large";
+            faults.add(Some(self.line), None, detail);
+            return Err(faults.into_faults());
+        }
+        if !estimated.is_empty() {
+            self.ticks = 0.0;
+        }
         Ok(estimated.iter().map(line_of).collect())
+    }
+
+    /// Refuses a row that would complete any number of ticks at once: two rows far apart make as many as they like.
+    fn check_ticks(&mut self, time_s: f64) -> Result<(), Vec<RecordingFault>> {
+        let stream = &self.estimator.stream;
+        let (Some(last), Some(rate_hz)) = (self.last_s, stream.rate_hz) else {
+            return Ok(());
+        };
+        let gap = time_s - last;
+        self.ticks = if gap > stream.pause_s {
+            0.0
+        } else {
+            self.ticks + gap * rate_hz
+        };
+        if self.ticks <= MOST_TICKS {
+            return Ok(());
+        }
+        let mut faults = FaultList::of(&self.file);
+        let detail = format!(
+            "{:.0} ticks of the model's clock come between estimates; at most {MOST_TICKS} may: leave out rows before the gap, or signals that are seldom measured",
+            self.ticks
+        );
+        self.ticks = 0.0;
+        faults.add(Some(self.line), None, detail);
+        Err(faults.into_faults())
     }
 
     /// A number that grows where the column of cycles changes.
@@ -165,31 +201,53 @@ fn line_of(estimated: &Estimated) -> String {
 /// # Errors
 /// Every fault, up to a bound.
 pub fn apply(estimator: &Estimator, file: &str, text: &str) -> Result<String, Vec<RecordingFault>> {
-    let found = apply_until(estimator, file, text, &AtomicBool::new(false))?;
-    Ok(found.unwrap_or_default())
+    let unbounded = Bounds {
+        most_bytes: usize::MAX,
+        stop: &AtomicBool::new(false),
+    };
+    Ok(apply_within(estimator, file, text, unbounded)?.unwrap_or_default())
+}
+
+/// How far estimates go.
+#[derive(Debug, Clone, Copy)]
+pub struct Bounds<'a> {
+    /// Most bytes of them.
+    pub most_bytes: usize,
+    /// Whether to stop.
+    pub stop: &'a AtomicBool,
 }
 
 /// As [`apply`]; `None` when it was to stop before the end.
 ///
 /// # Errors
-/// As [`apply`].
-pub fn apply_until(
+/// As [`apply`], and when there are more estimates than there may be.
+pub fn apply_within(
     estimator: &Estimator,
     file: &str,
     text: &str,
-    stop: &AtomicBool,
+    bounds: Bounds<'_>,
 ) -> Result<Option<String>, Vec<RecordingFault>> {
     let mut lines = text.lines();
     let mut rows = EstimatedLines::new(estimator, file, lines.next().unwrap_or_default())?;
     let mut out = estimates_header(estimator);
     let mut faults = Vec::new();
     for line in lines {
-        if stop.load(Ordering::Relaxed) {
+        if bounds.stop.load(Ordering::Relaxed) {
             return Ok(None);
         }
         match rows.push(line) {
             Ok(estimates) => out.push_str(&estimates),
             Err(found) => faults.extend(found),
+        }
+        if out.len() > bounds.most_bytes {
+            let mut large = FaultList::of(file);
+            let detail = format!(
+                "has more than {} MiB of estimates: send it in parts",
+                bounds.most_bytes >> 20
+            );
+            large.add(None, None, detail);
+            faults.extend(large.into_faults());
+            break;
         }
         if faults.len() > estimation::recording::recording_fault::MOST_FAULTS {
             break;

@@ -5,12 +5,12 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use estimation::estimator::{Estimator, FORMAT, ForceModel, Stream, VERSION};
+use estimation::fit_report::{FitCost, ForceReport, Ranking, RecordingFigures, Report, promise};
 use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
 use estimation::recording::Recording;
-use estimation::report::{FitCost, ForceReport, Ranking, RecordingFigures, Report, promise};
 use estimation::rows::{LabelledRows, Runs};
 use estimation::split::strictest;
-use estimation::validate::{Candidate, Judged, Splits, candidates, judge, rolled_r2};
+use estimation::validation::{Candidate, Judged, Splits, candidates, judge, rolled_r2};
 use fem_client::document::fault::Fault;
 use serde::{Deserialize, Serialize};
 use store::content::sha256;
@@ -85,7 +85,7 @@ pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, 
         .iter()
         .map(|rows| Splits::new(rows, recipe, runs.interval_s.1))
         .collect();
-    let rankings = judged(recipe, &rows, &splits, work)?;
+    let (rankings, failures) = judged(recipe, &rows, &splits, work)?;
     let (models, rolled) = learnt(recipe, &rows, &splits, &rankings, work)?;
     let settings = runs.stream_settings(recipe, subtract_start);
     let by = splits.first().map_or(SplitKind::Cycle, |splits| splits.by);
@@ -108,6 +108,9 @@ pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, 
     let mut notes: Vec<String> = named()
         .flat_map(|(force, ranking)| ranking.notes(force))
         .collect();
+    let failed =
+        |(force, failure): &(usize, String)| format!("{}: {failure}", runs.names.forces[*force]);
+    notes.extend(failures.iter().map(failed));
     notes.extend(more_notes(&runs, subtract_start, recipe));
     let report = Report {
         recordings: figures_of(&runs, files),
@@ -182,13 +185,16 @@ fn subtract_start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> Result<bool, 
     Ok(of_way(0) <= of_way(1))
 }
 
+/// A force by its number, and why a candidate of it couldn't be learnt.
+type Failures = Vec<(usize, String)>;
+
 /// All candidates of all forces.
 fn judged(
     recipe: &Recipe,
     rows: &[LabelledRows],
     splits: &[Splits],
     work: Work<'_>,
-) -> Result<Vec<Ranking>, FitFailure> {
+) -> Result<(Vec<Ranking>, Failures), FitFailure> {
     let all = candidates(recipe);
     // Networks and large sets take longest: first, so that no core waits for the last of them.
     let mut pieces: Vec<(usize, Candidate)> = all
@@ -201,26 +207,29 @@ fn judged(
         judge(candidate, &rows[force], &splits[force], recipe, true)
     })?;
     let mut of_forces: Vec<Vec<Judged>> = vec![Vec::new(); rows.len()];
-    let mut first_reason = None;
-    for ((force, _), judged) in pieces.iter().zip(judged) {
+    let mut failures = Vec::new();
+    for ((force, candidate), judged) in pieces.iter().zip(judged) {
         match judged {
             Ok(judged) => of_forces[*force].push(judged),
-            Err(reason) => first_reason = first_reason.or(Some(reason)),
+            Err(reason) => {
+                let (kind, features) = (candidate.kind.as_str(), candidate.features.as_str());
+                failures.push((
+                    *force,
+                    format!("{kind} on {features} features couldn't be judged: {reason}"),
+                ));
+            }
         }
     }
     if of_forces.iter().any(Vec::is_empty) {
-        let reason = first_reason.unwrap_or_else(|| "no model could be judged".to_owned());
-        let pointer = "/validation/by".to_owned();
-        return Err(FitFailure::Input(vec![Fault {
-            pointer,
-            detail: reason,
-        }]));
+        let faults = failures.into_iter().map(|(_, detail)| Fault {
+            pointer: "/validation/by".to_owned(),
+            detail,
+        });
+        return Err(FitFailure::Input(faults.take(1).collect()));
     }
-    Ok(of_forces
-        .into_iter()
-        .zip(splits)
-        .map(|(judged, splits)| Ranking::new(judged, splits.by))
-        .collect())
+    let rankings = of_forces.into_iter().zip(splits);
+    let rankings = rankings.map(|(judged, splits)| Ranking::new(judged, splits.by));
+    Ok((rankings.collect(), failures))
 }
 
 /// The chosen models, learnt from all rows, and what chance would do.

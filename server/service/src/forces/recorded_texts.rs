@@ -4,6 +4,7 @@
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use estimation::recipe::Recipe;
+use estimation::recording::Recording;
 use estimation::recording::csv_recording::{header, read};
 use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::recording_fault::RecordingFault;
@@ -14,6 +15,8 @@ use fem_client::document::fault::Fault;
 pub const MOST_RECORDING_BYTES: usize = 1 << 28;
 /// Most rows of all recordings together.
 pub const MOST_ROWS: usize = 2_000_000;
+/// Median intervals that make a pause where a recipe says none, as for [`Runs`].
+const PAUSE_INTERVALS: f64 = 10.0;
 
 /// A file as it was given.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -35,29 +38,29 @@ pub fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Vec<Fault
         )]);
     }
     let mut faults = Vec::new();
-    let mut headers = Vec::new();
-    for file in files {
-        match header(&file.name, &file.text) {
-            Ok(names) => headers.push((file.name.as_str(), names)),
-            Err(found) => add(&mut faults, found),
+    for (place, file) in files.iter().enumerate() {
+        if let Some(twin) = files
+            .iter()
+            .take(place)
+            .find(|other| other.text == file.text)
+        {
+            let detail = format!(
+                "{} is the same as {}: a run that is learnt from twice isn't left out",
+                file.name, twin.name
+            );
+            Fault::add(&mut faults, "", detail);
         }
     }
-    let names = match NamedColumns::find(&recipe.columns, &headers) {
-        Ok(names) if faults.is_empty() => names,
-        Ok(_) => return Err(faults),
-        Err(found) => {
-            add(&mut faults, found);
-            return Err(faults);
-        }
-    };
+    // A file without a header says so below.
+    let headers: Vec<Vec<String>> = files
+        .iter()
+        .filter_map(|file| header(&file.name, &file.text).ok())
+        .collect();
+    let names = NamedColumns::find(&recipe.columns, &headers);
+    let gaps = recipe.preprocess.rate_hz.is_some();
     let mut recordings = Vec::new();
     for file in files {
-        match read(
-            &file.name,
-            &file.text,
-            &names,
-            recipe.preprocess.rate_hz.is_some(),
-        ) {
+        match read(&file.name, &file.text, &recipe.columns, &names, gaps) {
             Ok(recording) => recordings.push(recording),
             Err(found) => add(&mut faults, found),
         }
@@ -65,17 +68,34 @@ pub fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Vec<Fault
     if !faults.is_empty() {
         return Err(faults);
     }
-    let rows: usize = recordings
-        .iter()
-        .map(estimation::recording::Recording::rows)
-        .sum();
+    let rows: usize = recordings.iter().map(Recording::rows).sum();
     if rows > MOST_ROWS {
         return Err(vec![fault(format!(
             "the recordings have {rows} rows; at most {MOST_ROWS} are read"
         ))]);
     }
+    if let Some(refused) = too_many_ticks(recipe, &recordings) {
+        return Err(vec![refused]);
+    }
     Runs::new(recipe, names, recordings)
         .map_err(|refusals| refusals.into_iter().map(of_recipe).collect())
+}
+
+/// A clock on which recordings would have more rows than are read: a few rows far apart make any number of them.
+fn too_many_ticks(recipe: &Recipe, recordings: &[Recording]) -> Option<Fault> {
+    let rate_hz = recipe.preprocess.rate_hz?;
+    let medians = recordings.iter().filter_map(Recording::interval_s);
+    let usual = PAUSE_INTERVALS * medians.fold(0.0, f64::max);
+    let pause_s = recipe.preprocess.pause_s.unwrap_or(usual);
+    let gaps = recordings.iter().flat_map(|run| run.time_s.windows(2));
+    let gaps = gaps.filter_map(|pair| Some(pair.last()? - pair.first()?));
+    let ticks = rate_hz * gaps.filter(|gap| *gap <= pause_s).sum::<f64>();
+    (ticks > MOST_ROWS as f64).then(|| Fault {
+        pointer: "/preprocess/rate_hz".to_owned(),
+        detail: format!(
+            "makes {ticks:.0} rows of these recordings; at most {MOST_ROWS} are learnt from"
+        ),
+    })
 }
 
 fn fault(detail: String) -> Fault {
@@ -96,5 +116,34 @@ fn of_recipe(refusal: Refusal) -> Fault {
 pub fn add(faults: &mut Vec<Fault>, found: Vec<RecordingFault>) {
     for recording in found {
         Fault::add(faults, "", recording.to_string());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use estimation::recipe::CycleRule;
+
+    use super::*;
+
+    #[test]
+    fn a_clock_that_makes_too_many_rows_is_refused() {
+        let recipe = |pause_s: Option<f64>, rate_hz: f64| {
+            let mut recipe = Recipe::default();
+            recipe.preprocess.rate_hz = Some(rate_hz);
+            recipe.preprocess.pause_s = pause_s;
+            recipe.columns.cycles = CycleRule::BlockS(1.0);
+            recipe
+        };
+        let row = |row: u32| format!("{},{},{}\n", 0.1 * f64::from(row), row % 7, row % 5);
+        let rows: String = (0..60).map(row).collect();
+        let text = format!("time_s,s1,fz_n\n{rows}1e8,1,1\n");
+        let name = "a.csv".to_owned();
+        let files = [NamedText { name, text }];
+        // A day without a row is a pause, unless the recipe says otherwise.
+        assert!(read_runs(&recipe(None, 100.0), &files).is_ok());
+        for (pause_s, rate_hz) in [(Some(1e9), 100.0), (None, 1e6)] {
+            let refused = read_runs(&recipe(pause_s, rate_hz), &files).expect_err("too many");
+            assert_eq!(refused[0].pointer, "/preprocess/rate_hz");
+        }
     }
 }

@@ -124,7 +124,7 @@ fn problem(status: u16, title: &str, detail: &str) -> Value {
 
 #[cfg(test)]
 mod tests {
-    use estimation::report::Report;
+    use estimation::fit_report::Report;
     use serde::de::DeserializeOwned;
 
     use super::super::estimator_wire as wire;

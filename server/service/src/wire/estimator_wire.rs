@@ -1,6 +1,6 @@
 //! The documents of estimators: what is learnt from recordings, and what was found.
 
-use estimation::report::RecordingFigures;
+use estimation::fit_report::RecordingFigures;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use store::StoreError;

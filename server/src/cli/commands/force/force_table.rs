@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
+use estimation::fit_report::{ForceReport, ModelReport, Report, SplitReport};
 use estimation::recipe::Kind;
-use estimation::report::{ForceReport, ModelReport, Report, SplitReport};
 
 use crate::cli::terminal::paint::{BAD, GOOD, HEADER, painted};
 

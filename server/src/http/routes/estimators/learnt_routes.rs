@@ -5,13 +5,16 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::post;
-use estimation::report::Report;
+use estimation::fit_report::Report;
 use fem_client::document::fault::Fault;
+use tokio::sync::Semaphore;
+use tokio::time::timeout;
 use utoipa::OpenApi;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -24,7 +27,7 @@ use crate::http::edge::room::Making;
 use crate::http::routes::estimators::estimator_routes::known;
 use crate::http::routes::estimators::recordings_body::RecordingsBody;
 use service::export::FileFormat;
-use service::forces::applying::apply_until;
+use service::forces::applying::{Bounds, apply_within};
 use service::forces::model_file::read_model;
 use service::forces::recorded_texts::NamedText;
 use service::forces::submission_reader::{of_recording, read_recording};
@@ -33,6 +36,14 @@ use service::wire::estimator_wire::{LeftOut, RecordingDocument};
 use service::wire::study_wire::ProblemDocument;
 use store::Store;
 use store::queue::estimator_rows::{self, Part};
+
+/// Bytes of estimates that are made at once.
+const MOST_ESTIMATES: usize = 128 << 20;
+/// A recording that waits longer for its estimates is refused.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// Recordings estimated at once. A process takes some milliseconds for a row, so that a long recording takes minutes: other answers have places of their own.
+static APPLIERS: Semaphore = Semaphore::const_new(2);
 
 /// What is below `/v1/estimators/{id}`, and `/v1/estimators/{id}:apply`.
 pub fn router() -> OpenApiRouter<AppState> {
@@ -122,7 +133,11 @@ async fn apply_estimator(
 ) -> Result<Response, Problem> {
     ready(&state.store, &id, Part::Model).await?;
     let (recording, _held) = body.checked(read_recording).await?;
-    let _making = state.room.make().await?;
+    let place = timeout(PATIENCE, APPLIERS.acquire()).await;
+    let _place = place.ok().and_then(Result::ok).ok_or_else(|| {
+        let detail = "others have recordings estimated just now: ask again later";
+        Problem::new(StatusCode::SERVICE_UNAVAILABLE, detail)
+    })?;
     let model = text(&state.store, &id, Part::Model).await?;
     let waiting = Waiting::default();
     let stop = waiting.stop.clone();
@@ -166,7 +181,11 @@ fn estimates(model: &str, recording: &NamedText, stop: &AtomicBool) -> Result<St
         Unestimated::Model(faults.join("; "))
     };
     let estimator = read_model(model).map_err(unreadable)?;
-    let found = apply_until(&estimator, &recording.name, &recording.text, stop);
+    let bounds = Bounds {
+        most_bytes: MOST_ESTIMATES,
+        stop,
+    };
+    let found = apply_within(&estimator, &recording.name, &recording.text, bounds);
     found
         .map_err(|faults| Unestimated::Input(of_recording(faults)))?
         .ok_or(Unestimated::Stopped)

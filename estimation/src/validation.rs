@@ -3,21 +3,31 @@
 //! Scale, outliers, hyperparameters and penalties are learnt from a fold's training rows alone. One [`Candidate`] of one force is one piece of work, which depends on
 //! nothing but its arguments, so that whoever has cores can share the pieces out.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use ndarray::{Array2, Axis};
 
+use crate::error_metrics::{nrmse_percent, r2, rmse, rmse_interval};
 use crate::features::columns;
 use crate::interval::{Fared, LeftOut, fared};
-use crate::metrics::{nrmse_percent, r2, rmse, rmse_interval};
+use crate::model::contract::{Effort, FitError, Prediction, Training};
 use crate::model::feature_scale::FeatureScale;
-use crate::model::{Effort, FitError, Fitted, Prediction, Training, fit};
+use crate::model::fitted::{Fitted, fit};
 use crate::recipe::{FeatureSet, Kind, Recipe, Scale, SplitKind};
 use crate::rows::LabelledRows;
 use crate::split::{Fold, Gap, folds, strictest};
 
 /// Time constants between what is learnt and what is tested by time: after three of them 5 % are left.
 const TIME_CONSTANTS: f64 = 3.0;
+
+/// A gap takes at most this part of a typical cycle from what is learnt: of short cycles nothing would be left.
+const GAP_SHARE: usize = 4;
+
+/// Rows of a typical cycle.
+fn cycle_rows(rows: &LabelledRows) -> usize {
+    let cycles: BTreeSet<usize> = rows.places.iter().map(|place| place.cycle).collect();
+    rows.places.len() / cycles.len().max(1)
+}
 
 /// A model with a feature set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,12 +70,19 @@ pub struct Splits {
 impl Splits {
     /// All splits of these rows; `interval_s` is the time between two.
     pub fn new(rows: &LabelledRows, recipe: &Recipe, interval_s: f64) -> Self {
-        let window = recipe
+        let windowed = recipe
             .features
-            .window_rows
-            .max(recipe.preprocess.smooth_rows);
+            .sets
+            .iter()
+            .any(|set| *set != FeatureSet::Raw);
+        let window = if windowed {
+            recipe.features.window_rows
+        } else {
+            1
+        };
+        let window = window.max(recipe.preprocess.smooth_rows);
         let gap = Gap {
-            rows: window,
+            rows: (window - 1).min(cycle_rows(rows) / GAP_SHARE),
             time_s: window as f64 * interval_s + TIME_CONSTANTS * recipe.validation.time_constant_s,
         };
         let of = |kind: SplitKind| (kind, folds(kind, &rows.places, gap, recipe.models.seed));

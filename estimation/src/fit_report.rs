@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::recipe::{FeatureSet, Kind, SplitKind};
-use crate::validate::{Judged, SplitFigures};
+use crate::validation::{Judged, SplitFigures};
 
 /// A model that isn't this much better than the training mean is useless: its RMSE must be at most this share of the mean's.
 pub const USEFUL_SHARE: f64 = 0.95;

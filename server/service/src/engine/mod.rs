@@ -3,6 +3,8 @@
 //! A study that was interrupted anywhere is run again as if it were new: its plan is the same, the archive has the
 //! points that were solved, and what is lacking is solved from the same start.
 
+mod answered;
+
 use std::pin::pin;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,8 +23,8 @@ use serde_json::{Value, json};
 use tokio::runtime::Handle;
 use tokio::time::timeout;
 
-use crate::answered::{Answered, answered};
 use crate::database_archive::StoreArchive;
+use crate::engine::answered::{Answered, answered};
 use crate::forecast::{ForecastError, forecast_next, pace};
 use crate::metrics::{Metrics, PointOutcome};
 use crate::solving::live::{Live, Turn};

@@ -6,7 +6,7 @@ use faer::{Col, Side};
 use super::kernel::Kernel;
 use super::point_rows::PointRows;
 use super::row_pairs::RowPairs;
-use crate::model::Prediction;
+use crate::model::contract::Prediction;
 
 /// A process conditioned on rows.
 #[derive(Debug, Clone)]

@@ -25,6 +25,18 @@ pub struct Estimated {
     pub outside: bool,
 }
 
+impl Estimated {
+    /// Whether all its numbers are.
+    pub fn is_finite(&self) -> bool {
+        let finite = |estimate: &Estimate| {
+            [estimate.force, estimate.low, estimate.high]
+                .iter()
+                .all(|x| x.is_finite())
+        };
+        self.time_s.is_finite() && self.forces.iter().all(finite)
+    }
+}
+
 impl<'e> Live<'e> {
     /// Before a run's first row.
     pub fn new(estimator: &'e Estimator) -> Self {

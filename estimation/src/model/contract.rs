@@ -1,0 +1,69 @@
+//! What models are given and what they say, the same for all of them.
+
+use ndarray::ArrayView2;
+
+/// What a model says of a row: the force, and how far off it may be as one standard deviation, N.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Prediction {
+    /// N
+    pub mean: f64,
+    /// N, positive
+    pub deviation: f64,
+}
+
+/// What a model is learnt from.
+#[derive(Debug, Clone, Copy)]
+pub struct Training<'a> {
+    /// Rows x features, on one scale.
+    pub features: ArrayView2<'a, f64>,
+    /// The force of each row, N.
+    pub forces: &'a [f64],
+    /// The cycle of each row: what a model leaves out of its own learning, it leaves out by cycles.
+    pub cycles: &'a [usize],
+}
+
+/// How much work is put into a model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effort {
+    /// For one fold of a split: fewer rows, starts and networks.
+    Fold,
+    /// For the model that is kept.
+    Whole,
+}
+
+/// Why nothing was learnt.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum FitError {
+    /// A covariance or normal matrix has no Cholesky factor.
+    #[error("the {0} has no Cholesky factor: features are equal or too large")]
+    NotPositive(&'static str),
+    /// No network has a finite loss.
+    #[error("no network has a finite loss")]
+    NoLoss,
+    /// Poisson's loss takes no negative forces.
+    #[error("the Poisson loss takes forces of 0 and more; a training row has a negative one")]
+    Negative,
+}
+
+/// Numbers of a model that was read: finite, and so many.
+pub(crate) fn check_numbers(what: &str, numbers: &[f64], count: usize) -> Result<(), String> {
+    if numbers.len() != count {
+        return Err(format!(
+            "{what} must have {count} numbers; it has {}",
+            numbers.len()
+        ));
+    }
+    if numbers.iter().any(|x| !x.is_finite()) {
+        return Err(format!("{what} has a number that isn't finite"));
+    }
+    Ok(())
+}
+
+/// A deviation of a model that was read.
+pub(crate) fn check_deviation(what: &str, deviation: f64) -> Result<(), String> {
+    if deviation.is_finite() && deviation > 0.0 {
+        Ok(())
+    } else {
+        Err(format!("{what} must be positive; it is {deviation}"))
+    }
+}
