@@ -271,6 +271,9 @@ impl EstimatorQueue {
     async fn settle(&self, row: &EstimatorRow, ending: &Ending) {
         loop {
             match self.record(row, ending).await {
+                Ok("queued") => {
+                    return tracing::info!(estimator = row.id, name = ?row.name, "estimator goes back into its line");
+                }
                 Ok(end) => {
                     return tracing::info!(estimator = row.id, name = ?row.name, end, "estimator ended");
                 }

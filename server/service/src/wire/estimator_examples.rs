@@ -4,21 +4,32 @@ use serde_json::{Value, json};
 
 const ID: &str = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6d";
 
-/// Two runs and a recipe.
+/// Two runs and a recipe. Something can be learnt from them: who sends the example gets an estimator.
 pub fn document() -> Value {
     json!({
         "name": "rig, week 47", "recipe": {"columns": {"forces": "fz_n", "threshold_n": 0.5}, "models": {"kinds": ["ridge", "gpr"]}},
-        "recordings": [recording("monday.csv"), recording("tuesday.csv")],
+        "recordings": [recording("monday.csv", 3), recording("tuesday.csv", 5)],
     })
 }
 
-fn recording(file: &str) -> Value {
-    json!({"file": file, "text": "time_s,s1,s2,fz_n\n0,0.1,0.2,0\n0.01,0.3,0.1,1.5\n"})
+/// Six strokes of two signals that follow a force.
+fn recording(file: &str, noise: usize) -> Value {
+    let row = |row: usize| {
+        let force = [0, 3, 5, 2][row % 4];
+        let off = row * noise % 7;
+        format!(
+            "0.{row:02},{}.{off},{}.{off},{force}\n",
+            2 * force,
+            9 - force
+        )
+    };
+    let rows: String = (0..24).map(row).collect();
+    json!({"file": file, "text": format!("time_s,s1,s2,fz_n\n{rows}")})
 }
 
 /// A run of which no force was measured.
 pub fn unmeasured() -> Value {
-    json!({"file": "friday.csv", "text": "time_s,s1,s2\n0,0.1,0.2\n0.01,0.3,0.1\n"})
+    json!({"file": "friday.csv", "text": "time_s,s1,s2\n0,0.1,8.8\n0.01,6.3,6.1\n"})
 }
 
 /// An estimator at work.
@@ -129,7 +140,7 @@ mod tests {
 
     use super::super::estimator_wire as wire;
     use super::*;
-    use crate::forces::recipe_reader::recipe_from_value;
+    use crate::forces::submission_reader::{FitLimits, read_recording, read_submission};
 
     fn reads<T: DeserializeOwned>(example: Value) {
         serde_json::from_value::<T>(example.clone())
@@ -147,7 +158,12 @@ mod tests {
     }
 
     #[test]
-    fn the_example_recipe_is_one() {
-        recipe_from_value(&document()["recipe"]).expect("a valid recipe");
+    fn the_example_can_be_learnt_and_applied() {
+        let limits = FitLimits {
+            threads: 1,
+            memory_bytes: u64::MAX,
+        };
+        read_submission(document(), limits).expect("a valid submission");
+        read_recording(unmeasured()).expect("a valid recording");
     }
 }

@@ -68,7 +68,7 @@ impl<S: Send + Sync> FromRequestParts<S> for EstimatorId {
         let id = identifier(parts, state).await;
         let id = id.map_err(IntoResponse::into_response)?;
         if id.ends_with(APPLY) {
-            return Err(wrong_method("POST"));
+            return Err(wrong_method(&id));
         }
         Ok(Self(id))
     }
@@ -80,13 +80,34 @@ impl<S: Send + Sync> FromRequestParts<S> for AppliedId {
     async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Response> {
         let id = identifier(parts, state).await;
         let id = id.map_err(IntoResponse::into_response)?;
-        let id = id.strip_suffix(APPLY).map(|id| Self(id.to_owned()));
-        id.ok_or_else(|| wrong_method("GET,HEAD,DELETE"))
+        let applied = id.strip_suffix(APPLY).map(|id| Self(id.to_owned()));
+        applied.ok_or_else(|| wrong_method(&id))
     }
 }
 
+/// The part of an address that either of them ends, whatever the method.
+pub struct AnyEstimatorId(String);
+
+impl<S: Send + Sync> FromRequestParts<S> for AnyEstimatorId {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
+        identifier(parts, state).await.map(Self)
+    }
+}
+
+/// Refuses a method that neither of them takes.
+pub async fn no_method(AnyEstimatorId(id): AnyEstimatorId) -> Response {
+    wrong_method(&id)
+}
+
 /// As the router answers, which doesn't know these addresses apart.
-fn wrong_method(allowed: &'static str) -> Response {
+fn wrong_method(id: &str) -> Response {
+    let allowed = if id.ends_with(APPLY) {
+        "POST"
+    } else {
+        "GET,HEAD,DELETE"
+    };
     let problem = Problem::new(
         StatusCode::METHOD_NOT_ALLOWED,
         "this address does not take that method; see the Allow header",

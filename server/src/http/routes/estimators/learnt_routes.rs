@@ -21,7 +21,7 @@ use utoipa_axum::routes;
 
 use crate::http::app_state::AppState;
 use crate::http::edge::conditional::{has, tagged};
-use crate::http::edge::extract::{AppliedId, EstimatorId, EstimatorPath};
+use crate::http::edge::extract::{AppliedId, EstimatorId, EstimatorPath, no_method};
 use crate::http::edge::problem_document::Problem;
 use crate::http::edge::room::Making;
 use crate::http::routes::estimators::estimator_routes::known;
@@ -52,7 +52,10 @@ pub fn router() -> OpenApiRouter<AppState> {
         .routes(routes!(estimator_model))
         .routes(routes!(estimator_left_out))
         // Described as {id}:apply, which the router can't tell from {id}: AppliedId does.
-        .route("/v1/estimators/{id}", post(apply_estimator))
+        .route(
+            "/v1/estimators/{id}",
+            post(apply_estimator).fallback(no_method),
+        )
 }
 
 #[derive(OpenApi)]
