@@ -1228,6 +1228,11 @@ export interface components {
             /** @description What it would do, in a sentence. */
             sentence: string;
         };
+        /** @description Rows that weren't learnt from. */
+        LeftOutForces: {
+            /** @description One list a force. */
+            forces: components["schemas"]["LeftOutRows"][];
+        };
         /** @description Rows that the chosen model of a force hadn't learnt from: truth, estimate and interval. */
         LeftOutRows: {
             /** @description The force's column. */
@@ -2598,6 +2603,7 @@ export type LayoutSearch = components['schemas']['LayoutSearch'];
 export type Layouts = components['schemas']['Layouts'];
 export type LayoutsDocument = components['schemas']['LayoutsDocument'];
 export type LeftOut = components['schemas']['LeftOut'];
+export type LeftOutForces = components['schemas']['LeftOutForces'];
 export type LeftOutRows = components['schemas']['LeftOutRows'];
 export type LiveSolve = components['schemas']['LiveSolve'];
 export type LoadScore = components['schemas']['LoadScore'];

@@ -22,7 +22,7 @@ use crate::forces::recipe_reader::recipe_from_value;
 use crate::forces::recorded_texts::NamedText;
 use crate::forces::submission_reader::Submission;
 use crate::shutdown::Shutdown;
-use crate::wire::estimator_wire::{FitProgress, LeftOut, StoredEstimator};
+use crate::wire::estimator_wire::{FitProgress, LeftOutForces, StoredEstimator};
 
 /// How long to wait before the database is tried again.
 const RETRY: Duration = Duration::from_secs(1);
@@ -384,7 +384,7 @@ fn sentence(faults: &[Fault]) -> String {
 /// The parts as they are stored.
 fn written(found: Fit) -> Result<Vec<(Part, String)>, String> {
     let told = |error: StoreError| error.to_string();
-    let left_out = LeftOut {
+    let left_out = LeftOutForces {
         forces: found.left_out.iter().map(thinned).collect(),
     };
     Ok(vec![

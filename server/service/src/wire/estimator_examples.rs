@@ -153,7 +153,7 @@ mod tests {
         reads::<wire::RecordingDocument>(unmeasured());
         reads::<wire::EstimatorSummary>(summary());
         reads::<wire::EstimatorDetail>(detail());
-        reads::<wire::LeftOut>(left_out());
+        reads::<wire::LeftOutForces>(left_out());
         reads::<Report>(report());
     }
 

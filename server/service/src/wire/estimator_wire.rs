@@ -93,7 +93,7 @@ pub struct EstimatorPage {
 
 /// Rows that weren't learnt from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct LeftOut {
+pub struct LeftOutForces {
     /// One list a force.
     pub forces: Vec<LeftOutRows>,
 }

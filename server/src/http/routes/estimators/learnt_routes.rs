@@ -32,7 +32,7 @@ use service::forces::model_file::read_model;
 use service::forces::recorded_texts::NamedText;
 use service::forces::submission_reader::{of_recording, read_recording};
 use service::wire::estimator_examples as examples;
-use service::wire::estimator_wire::{LeftOut, RecordingDocument};
+use service::wire::estimator_wire::{LeftOutForces, RecordingDocument};
 use service::wire::study_wire::ProblemDocument;
 use store::Store;
 use store::queue::estimator_rows::{self, Part};
@@ -106,7 +106,7 @@ async fn estimator_model(
 #[utoipa::path(get, path = "/v1/estimators/{id}/left-out", tag = "estimators",
     params(EstimatorPath, ("If-None-Match" = Option<String>, Header, description = "ETag of the rows that the client has")),
     responses((status = 304, description = "The client has it"),
-              (status = 200, description = "The rows", body = LeftOut, example = json!(examples::left_out())),
+              (status = 200, description = "The rows", body = LeftOutForces, example = json!(examples::left_out())),
               (status = 404, description = "There is no such estimator", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent())),
               (status = 409, description = "It isn't done; the detail says what became of it", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::unlearnt()))))]
 async fn estimator_left_out(
