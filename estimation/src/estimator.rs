@@ -188,13 +188,13 @@ impl ForceModel {
     }
 }
 
-/// From the rows that were left out. Where these are cycles of the runs that were learnt from, later rows count, too, and the interval is widened by
-/// what another run brings.
+/// From the rows that were left out. Where these are cycles of the runs that were learnt from, it is widened by what another run brings, or as later rows
+/// ask for if that is more.
 fn interval_factor(judged: &Judged, by: SplitKind) -> f64 {
     let of = |rows: &[LeftOut]| factor(rows).unwrap_or(f64::MIN_POSITIVE);
     match by {
         SplitKind::Run => of(&judged.left_out),
-        _ => ANOTHER_RUN * of(&judged.left_out).max(of(&judged.later)),
+        _ => (ANOTHER_RUN * of(&judged.left_out)).max(of(&judged.later)),
     }
 }
 
