@@ -74,12 +74,19 @@ pub fn least(
     problem.seen.into_inner()
 }
 
+/// A free point, the value there, and its gradient by the free unknowns.
+struct Looked {
+    free: Vec<f64>,
+    value: f64,
+    gradient: Vec<f64>,
+}
+
 struct Problem<'f> {
     function: &'f dyn Smooth,
     bounds: Option<&'f [(f64, f64)]>,
     seen: RefCell<Option<Least>>,
     /// The free point that was looked at last, with what was found: value and gradient are asked for one after the other.
-    last: RefCell<Option<(Vec<f64>, f64, Vec<f64>)>>,
+    last: RefCell<Option<Looked>>,
 }
 
 impl Problem<'_> {
@@ -110,10 +117,10 @@ impl Problem<'_> {
     }
 
     fn look(&self, free: &[f64]) -> Result<(f64, Vec<f64>), Error> {
-        if let Some((at, value, gradient)) = &*self.last.borrow()
-            && at == free
+        if let Some(last) = &*self.last.borrow()
+            && last.free == free
         {
-            return Ok((*value, gradient.clone()));
+            return Ok((last.value, last.gradient.clone()));
         }
         let (point, moves) = self.bounded(free);
         let (value, gradient) = self
@@ -126,7 +133,11 @@ impl Problem<'_> {
         if seen.as_ref().is_none_or(|best| value < best.value) {
             *seen = Some(Least { point, value });
         }
-        *self.last.borrow_mut() = Some((free.to_vec(), value, gradient.clone()));
+        *self.last.borrow_mut() = Some(Looked {
+            free: free.to_vec(),
+            value,
+            gradient: gradient.clone(),
+        });
         Ok((value, gradient))
     }
 }

@@ -186,7 +186,7 @@ fn usual_forces(names: &[&String]) -> Vec<String> {
     FORCES
         .iter()
         .filter(|pattern| names.iter().any(|name| matches(pattern, name)))
-        .map(|pattern| of_pattern(&pattern))
+        .map(of_pattern)
         .next()
         .unwrap_or_default()
 }

@@ -22,7 +22,8 @@ fn recording_every(interval_s: f64, session: f64) -> String {
     for row in 0..300 {
         let t = f64::from(row) * interval_s;
         let force = 5.0 * (0.9 * t).sin().powi(2) * (1.0 + 0.3 * (0.21 * t + session).sin());
-        let noise = |k: f64| 0.03 * (f64::from(row * row) * k + session).sin();
+        // None in the first row, which is taken off all others.
+        let noise = |k: f64| 0.03 * (f64::from(row * row) * k * (1.0 + 0.1 * session)).sin();
         let gain = 1.0 + 0.02 * (2.0 * session).cos();
         let cell = if row % 5 == 4 {
             String::new()

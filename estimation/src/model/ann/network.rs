@@ -105,7 +105,7 @@ impl<'s> Network<'s> {
     fn forward(&self, rows: &ArrayView2<f64>) -> Vec<Array2<f64>> {
         let mut values = vec![rows.to_owned()];
         for (number, layer) in self.shape.layers().into_iter().enumerate() {
-            let mut z = values[number].dot(&self.matrix(layer)) + &self.biases(layer);
+            let mut z = values[number].dot(&self.matrix(layer)) + self.biases(layer);
             for mut row in z.rows_mut() {
                 activate(
                     self.activation(number),
