@@ -36,7 +36,7 @@ pub struct Estimator {
     pub columns: NamedColumns,
     /// What is done with rows before models read them.
     pub stream: Stream,
-    /// Median intervals between the rows of the runs that were learnt from, s: least and greatest.
+    /// Typical intervals between the rows of the runs that were learnt from, s: least and greatest.
     pub interval_s: (f64, f64),
     /// Least and greatest value of each signal that was learnt from, as models are given it.
     pub ranges: Vec<(f64, f64)>,

@@ -39,7 +39,7 @@ pub struct RecordingFigures {
     pub labelled: usize,
     /// Its cycles.
     pub cycles: usize,
-    /// Rows a second, by the median interval.
+    /// Rows a second, pauses apart.
     pub rate_hz: Option<f64>,
     /// Hash of its text.
     pub sha256: String,

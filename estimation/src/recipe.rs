@@ -67,7 +67,7 @@ pub struct Preprocess {
     pub outlier_z: Option<f64>,
     /// How features are brought to one scale.
     pub scale: Scale,
-    /// A longer time between rows is a pause, s; none for ten median intervals. Nothing is carried over a pause.
+    /// A longer time between rows is a pause, s; none for ten typical intervals. Nothing is carried over a pause.
     pub pause_s: Option<f64>,
 }
 

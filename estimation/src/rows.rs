@@ -7,15 +7,13 @@ use crate::cycles::cycles;
 use crate::features::{StreamSettings, features};
 use crate::recipe::{Kind, Loss, Recipe, SplitKind, StartValue};
 use crate::recording::named_columns::NamedColumns;
-use crate::recording::{Recording, median};
+use crate::recording::{PAUSE_INTERVALS, Recording, median};
 use crate::split::Place;
 
 /// Fewer cycles than this in all runs tell nothing of what a new one would bring.
 pub const FEWEST_CYCLES: usize = 4;
 /// Fewer rows with a force are learnt nothing from.
 pub const FEWEST_ROWS: usize = 20;
-/// Intervals between rows that make a pause where the recipe says none.
-const PAUSE_INTERVALS: f64 = 10.0;
 /// Rates whose quotient is larger are other rates.
 pub const RATE_FACTOR: f64 = 1.5;
 /// A run whose first force is a smaller share of its range begins unloaded.
@@ -37,7 +35,7 @@ pub struct Runs {
     pub names: NamedColumns,
     /// The runs, on one clock where the recipe has one.
     pub runs: Vec<Recording>,
-    /// Median intervals between rows as recorded, s: the least and the greatest of the runs.
+    /// Typical intervals between rows as recorded, s: the least and the greatest of the runs.
     pub interval_s: (f64, f64),
     /// A longer time between rows is a pause, s.
     pub pause_s: f64,

@@ -1719,7 +1719,7 @@ export interface components {
             cycles: number;
             /**
              * Format: double
-             * @description Rows a second, by the median interval.
+             * @description Rows a second, pauses apart.
              */
             rate_hz?: number | null;
             /** @description Hash of its text. */

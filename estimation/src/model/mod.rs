@@ -10,7 +10,7 @@
 pub mod ann;
 mod box_search;
 pub mod contract;
-mod even_subset;
+pub(crate) mod even_subset;
 pub mod feature_scale;
 pub mod fitted;
 pub mod gpr;

@@ -33,9 +33,14 @@ impl Recording {
         self.time_s.len()
     }
 
-    /// Median interval between rows, s; none with fewer than two rows.
+    /// Typical interval between rows, s; none with fewer than two rows.
     pub fn interval_s(&self) -> Option<f64> {
-        median(self.time_s.windows(2).map(|pair| pair[1] - pair[0]))
+        let intervals: Vec<f64> = self
+            .time_s
+            .windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .collect();
+        typical_interval(&intervals)
     }
 
     /// Rows with at least one force.
@@ -49,9 +54,41 @@ impl Recording {
     }
 }
 
+/// Intervals longer than so many medians are pauses.
+pub const PAUSE_INTERVALS: f64 = 10.0;
+
+/// The mean of intervals, pauses apart. A clock that jitters between two intervals has a median that is now the one, now the other; its mean stays. None of
+/// none.
+pub fn typical_interval(intervals: &[f64]) -> Option<f64> {
+    let longest = PAUSE_INTERVALS * median(intervals.iter().copied())?;
+    let regular = || intervals.iter().filter(|interval| **interval <= longest);
+    Some(regular().sum::<f64>() / regular().count() as f64)
+}
+
 /// The median of finite numbers, the upper of two in the middle; none of none.
 pub fn median(numbers: impl Iterator<Item = f64>) -> Option<f64> {
     let mut sorted: Vec<f64> = numbers.collect();
     sorted.sort_by(f64::total_cmp);
     sorted.get(sorted.len() / 2).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rate_is_steady_though_its_clock_jitters() {
+        let jitter: Vec<f64> = (0..99)
+            .map(|k| if k % 2 == 0 { 0.07 } else { 0.14 })
+            .collect();
+        let mut with_pause = jitter.clone();
+        with_pause.extend([0.14, 0.14, 30.0]);
+        let (first, second) = (typical_interval(&jitter), typical_interval(&with_pause));
+        assert!((first.expect("intervals") - 0.105).abs() < 0.001);
+        assert!((second.expect("intervals") - 0.105).abs() < 0.002);
+        // Their medians are 0.07 and 0.14.
+        assert_eq!(median(jitter.into_iter()), Some(0.07));
+        assert_eq!(median(with_pause.into_iter()), Some(0.14));
+        assert_eq!(typical_interval(&[]), None);
+    }
 }

@@ -24,7 +24,7 @@ class RecordingFigures:
     """Rows with at least one force."""
     cycles: int
     rate_hz: float | None
-    """Rows a second, by the median interval."""
+    """Rows a second, pauses apart."""
     sha256: str
     """Hash of its text."""
 

@@ -10,12 +10,12 @@ use estimation::estimator::Estimator;
 use estimation::live_estimates::{Estimated, Live};
 use estimation::recording::csv_line::quoted;
 use estimation::recording::csv_recording::{RowReader, check_time, header_names};
-use estimation::recording::median;
 use estimation::recording::recording_fault::{FaultList, RecordingFault};
+use estimation::recording::typical_interval;
 use estimation::rows::RATE_FACTOR;
 
-/// Rows whose median interval tells a recording's rate.
-const RATE_ROWS: usize = 20;
+/// Rows whose typical interval tells a recording's rate.
+const RATE_ROWS: usize = 50;
 /// Most ticks of a clock between two estimates: ten minutes of a fast rig.
 const MOST_TICKS: f64 = 1e6;
 
@@ -163,7 +163,7 @@ impl<'e> EstimatedLines<'e> {
         if self.intervals.len() < RATE_ROWS {
             return Ok(());
         }
-        let found = median(self.intervals.iter().copied()).unwrap_or_default();
+        let found = typical_interval(&self.intervals).unwrap_or_default();
         let (least, greatest) = self.estimator.interval_s;
         let other = found * RATE_FACTOR < least || found > greatest * RATE_FACTOR;
         if other && self.estimator.stream.rate_hz.is_none() {

@@ -4,10 +4,10 @@
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use estimation::recipe::Recipe;
-use estimation::recording::Recording;
 use estimation::recording::csv_recording::{header, read};
 use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::recording_fault::RecordingFault;
+use estimation::recording::{PAUSE_INTERVALS, Recording};
 use estimation::rows::{Refusal, Runs};
 use fem_client::document::fault::Fault;
 
@@ -15,8 +15,6 @@ use fem_client::document::fault::Fault;
 pub const MOST_RECORDING_BYTES: usize = 1 << 28;
 /// Most rows of all recordings together.
 pub const MOST_ROWS: usize = 2_000_000;
-/// Median intervals that make a pause where a recipe says none, as for [`Runs`].
-const PAUSE_INTERVALS: f64 = 10.0;
 
 /// A file as it was given.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -84,8 +82,8 @@ pub fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Vec<Fault
 /// A clock on which recordings would have more rows than are read: a few rows far apart make any number of them.
 fn too_many_ticks(recipe: &Recipe, recordings: &[Recording]) -> Option<Fault> {
     let rate_hz = recipe.preprocess.rate_hz?;
-    let medians = recordings.iter().filter_map(Recording::interval_s);
-    let usual = PAUSE_INTERVALS * medians.fold(0.0, f64::max);
+    let typical = recordings.iter().filter_map(Recording::interval_s);
+    let usual = PAUSE_INTERVALS * typical.fold(0.0, f64::max);
     let pause_s = recipe.preprocess.pause_s.unwrap_or(usual);
     let gaps = recordings.iter().flat_map(|run| run.time_s.windows(2));
     let gaps = gaps.filter_map(|pair| Some(pair.last()? - pair.first()?));
