@@ -21,8 +21,6 @@ const MARGIN: f64 = 0.05;
 /// On public recordings of a soft sensor a process's error on another run was 1.4 and 1.6 times that on left-out parts of its own
 /// (sensors of eFlesh, normal presses: 0.98 % of the range against 1.35 and 1.55 %).
 const ANOTHER_RUN: f64 = 1.5;
-/// Groups of features.
-const GROUPS: usize = 4;
 
 /// Forces from signals.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -252,10 +250,5 @@ impl Estimator {
             *x < low - margin || *x > high + margin
         };
         values.iter().zip(&self.ranges).any(beyond)
-    }
-
-    /// How many features a row has in all.
-    pub fn features(&self) -> usize {
-        GROUPS * self.columns.signals.len()
     }
 }

@@ -33,7 +33,7 @@ pub struct StreamSettings {
 }
 
 /// Groups of features: values, slopes, rolling means, rolling variances.
-const GROUPS: usize = 4;
+pub const GROUPS: usize = 4;
 
 /// Features of a run's rows, one after another.
 #[derive(Debug, Clone)]

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use ndarray::{Array2, Axis};
 
 use crate::error_metrics::{nrmse_percent, r2, rmse, rmse_interval};
-use crate::features::columns;
+use crate::features::{GROUPS, columns};
 use crate::interval::{Fared, LeftOut, fared};
 use crate::model::contract::{Effort, FitError, Prediction, Training};
 use crate::model::even_subset::even_subset;
@@ -304,7 +304,7 @@ impl Learner {
         recipe: &Recipe,
         effort: Effort,
     ) -> Result<Self, FitError> {
-        let signals = rows.features.ncols() / 4;
+        let signals = rows.features.ncols() / GROUPS;
         let train = match recipe.preprocess.outlier_z {
             Some(most) => without_outliers(&rows.features, train, signals, most),
             None => train.to_vec(),

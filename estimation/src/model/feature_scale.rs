@@ -41,11 +41,6 @@ impl FeatureScale {
         Self { shift, width }
     }
 
-    /// How many features it is for.
-    pub fn features(&self) -> usize {
-        self.shift.len()
-    }
-
     /// A row on the scale.
     pub fn scaled(&self, row: impl IntoIterator<Item = f64>) -> Vec<f64> {
         let scale = self.shift.iter().zip(&self.width);
