@@ -56,6 +56,31 @@ impl Circuit {
         feedback_nf: 10.0,
         feedback_mohm: 1000.0,
     };
+
+    /// Voltage of a film's charge, nC, without any resistance, V, and the time constant with it, s; the film's capacitance in pF. Charge amplifiers are taken
+    /// without their change of sign.
+    pub fn held(&self, charge_nc: f64, capacitance_pf: f64) -> (f64, Option<f64>) {
+        match *self {
+            Self::OpenCircuit => (1e3 * charge_nc / capacitance_pf, None),
+            Self::Voltage {
+                input_mohm,
+                cable_pf,
+            } => {
+                let capacitance_pf = capacitance_pf + cable_pf;
+                (
+                    1e3 * charge_nc / capacitance_pf,
+                    Some(1e-6 * input_mohm * capacitance_pf),
+                )
+            }
+            Self::Charge {
+                feedback_nf,
+                feedback_mohm,
+            } => (
+                charge_nc / feedback_nf,
+                Some(1e-3 * feedback_mohm * feedback_nf),
+            ),
+        }
+    }
 }
 
 impl Default for Amplifier {
@@ -82,7 +107,7 @@ pub struct Reading {
 impl Amplifier {
     /// What is read of a film with this charge, nC, and capacitance, pF.
     pub fn reading(&self, charge_nc: f64, capacitance_pf: f64) -> Reading {
-        let (held_v, time_constant_s) = self.held(charge_nc, capacitance_pf);
+        let (held_v, time_constant_s) = self.circuit.held(charge_nc, capacitance_pf);
         let share = time_constant_s.map_or(1.0, |time| {
             let turns = TAU * self.press_hz * time;
             turns / turns.hypot(1.0)
@@ -103,33 +128,9 @@ impl Amplifier {
 
     /// Voltage, V, so long after a press that came at once and stays, s.
     pub fn after_step(&self, charge_nc: f64, capacitance_pf: f64, elapsed_s: f64) -> f64 {
-        let (held_v, time_constant_s) = self.held(charge_nc, capacitance_pf);
+        let (held_v, time_constant_s) = self.circuit.held(charge_nc, capacitance_pf);
         let decay = time_constant_s.map_or(1.0, |time| (-elapsed_s / time).exp());
         decay * held_v
-    }
-
-    /// Voltage without any resistance, V, and the time constant with it, s. Charge amplifiers are taken without their change of sign.
-    fn held(&self, charge_nc: f64, capacitance_pf: f64) -> (f64, Option<f64>) {
-        match self.circuit {
-            Circuit::OpenCircuit => (1e3 * charge_nc / capacitance_pf, None),
-            Circuit::Voltage {
-                input_mohm,
-                cable_pf,
-            } => {
-                let capacitance_pf = capacitance_pf + cable_pf;
-                (
-                    1e3 * charge_nc / capacitance_pf,
-                    Some(1e-6 * input_mohm * capacitance_pf),
-                )
-            }
-            Circuit::Charge {
-                feedback_nf,
-                feedback_mohm,
-            } => (
-                charge_nc / feedback_nf,
-                Some(1e-3 * feedback_mohm * feedback_nf),
-            ),
-        }
     }
 }
 

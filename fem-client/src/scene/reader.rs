@@ -6,6 +6,7 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+pub mod circuit_reader;
 pub(super) mod film_reader;
 mod geometry_reader;
 mod ground_reader;

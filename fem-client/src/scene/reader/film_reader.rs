@@ -3,11 +3,12 @@
 use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 
+use super::circuit_reader::{circuit_fields, named_circuit, read_circuit};
 use super::inner_table::section;
 use super::shared_ranges::{LENGTH, MODULUS};
 use crate::document::fault::{Fault, entry, member};
 use crate::document::fields::{Fields, Number, Range, plain, shown};
-use crate::film::amplifier::{Amplifier, Circuit};
+use crate::film::amplifier::Amplifier;
 use crate::film::piezo::Piezo;
 use crate::scene::{Film, FilmLayer, Geometry, Glue};
 
@@ -17,13 +18,10 @@ const CHARGE_PER_FORCE: Range = Range::new(-1e4, 1e4, "pC/N");
 const CHARGE_PER_WARMING: Range = Range::new(-1e4, 1e4, "uC/(m2 K)");
 const PERMITTIVITY: Range = Range::new(1.0, 1e6, "pF/m");
 const FREQUENCY: Range = Range::new(1e-6, 1e6, "Hz");
-const RESISTANCE: Range = Range::new(1e-6, 1e9, "megohm");
 const NOISE: Range = Range::new(0.0, 1e9, "mV");
 const GAIN: Range = Range::new(0.0, 1.0, "");
 const WARMING: Range = Range::new(0.0, 1e3, "K");
 const HALF_TURN: Range = Range::new(-180.0, 180.0, "degrees");
-const CABLE: Range = Range::new(0.0, 1e6, "pF");
-const CAPACITANCE: Range = Range::new(1e-6, 1e6, "nF");
 /// Thickest film, in walls: it has no thickness in the model.
 const THICKEST: f64 = 0.1;
 const MOST_LAYERS: usize = 8;
@@ -172,29 +170,14 @@ fn piezo(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Piezo>
 }
 
 fn amplifier(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Amplifier> {
-    let kinds = [
-        ("open-circuit", Circuit::OpenCircuit),
-        ("voltage", Circuit::VOLTAGE),
-        ("charge", Circuit::CHARGE),
-    ];
     let mut amplifier = Amplifier::default();
-    let kind = value.get("kind").and_then(Value::as_str);
-    if let Some((_, circuit)) = kinds.iter().find(|(name, _)| Some(*name) == kind) {
-        amplifier.circuit = *circuit;
-    }
-    // The fields of its own kind; of an unknown kind, of none, so that the kind alone is at fault.
-    let own: &[&str] = match amplifier.circuit {
-        Circuit::Voltage { .. } => &["input_mohm", "cable_pf"],
-        Circuit::Charge { .. } => &["feedback_nf", "feedback_mohm"],
-        Circuit::OpenCircuit => &[],
-    };
+    let circuit = named_circuit(value, amplifier.circuit);
     let known = [
-        &["kind", "press_hz", "noise_mv", "gain_std", "temperature_k"],
-        own,
+        circuit_fields(circuit),
+        &["press_hz", "noise_mv", "gain_std", "temperature_k"],
     ]
     .concat();
     let fields = Fields::open(value, pointer, &known, faults)?;
-    let kind = fields.choice("kind", &kinds, Circuit::OpenCircuit, faults);
     let press = fields.numbers(
         [
             ("press_hz", FREQUENCY, &mut amplifier.press_hz),
@@ -204,30 +187,9 @@ fn amplifier(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Am
         ],
         faults,
     );
-    let circuit = match &mut amplifier.circuit {
-        Circuit::OpenCircuit => Some(()),
-        Circuit::Voltage {
-            input_mohm,
-            cable_pf,
-        } => fields.numbers(
-            [
-                ("input_mohm", RESISTANCE, input_mohm),
-                ("cable_pf", CABLE, cable_pf),
-            ],
-            faults,
-        ),
-        Circuit::Charge {
-            feedback_nf,
-            feedback_mohm,
-        } => fields.numbers(
-            [
-                ("feedback_nf", CAPACITANCE, feedback_nf),
-                ("feedback_mohm", RESISTANCE, feedback_mohm),
-            ],
-            faults,
-        ),
-    };
-    kind.and(press).and(circuit)?;
+    let circuit = read_circuit(&fields, circuit, faults);
+    press?;
+    amplifier.circuit = circuit?;
     Some(amplifier)
 }
 
