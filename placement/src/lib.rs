@@ -11,6 +11,8 @@
 //! - [`answer`]: all of that in one sentence, and how sure it is
 //! - [`ladder`]: meshes times methods, from quick to accurate
 //! - [`signals`]: films' voltages over load, pressure and contact angle
+//! - [`gait`]: strokes of a crank that press a tire onto the ground
+//! - [`rig`]: what films and a force sensor record of them
 //! - [`compare`]: studies side by side, and which differences are real
 //! - [`estimate`]: what a study will cost, before anything is solved
 //! - [`own_model`]: inputs and outputs of models that others run
@@ -18,10 +20,12 @@
 pub mod answer;
 pub mod compare;
 pub mod estimate;
+pub mod gait;
 pub mod ladder;
 pub mod layout;
 pub mod own_model;
 pub mod result;
+pub mod rig;
 pub mod run;
 pub mod score;
 pub mod signals;

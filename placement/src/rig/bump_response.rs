@@ -1,0 +1,96 @@
+//! A tire for tests, in closed form: films evenly around the wheel, each with a bump of charge as the contact passes.
+//!
+//! Fz = k d^1.5; forces along and across are stiffnesses times shifts, and slide at a share of Fz. A film's charge is a Gaussian of its angle to the contact,
+//! as large as the depth, and skewed by the shift along the wheel.
+
+use crate::rig::contact_response::{Contact, ContactResponse, StanceResponse};
+
+const VERTICAL_N: f64 = 11.0;
+const SHEAR_N_PER_MM: [f64; 2] = [6.0, 4.0];
+const FRICTION: f64 = 0.8;
+const WIDTH_DEG: f64 = 22.0;
+const PEAK_NC_PER_MM: f64 = 1.0;
+
+/// Films evenly around a wheel.
+pub(crate) struct BumpResponse {
+    full_scale_nc: Vec<f64>,
+    capacitance_pf: Vec<f64>,
+    warming_nc_per_k: Vec<f64>,
+}
+
+/// With the contact at one angle.
+pub(crate) struct BumpStance {
+    /// Of each film: the bump and its slope at the contact's angle.
+    bumps: Vec<[f64; 2]>,
+}
+
+impl BumpResponse {
+    pub(crate) fn new(films: usize) -> Self {
+        Self {
+            full_scale_nc: vec![2.0; films],
+            capacitance_pf: vec![980.0; films],
+            warming_nc_per_k: vec![7.5; films],
+        }
+    }
+
+    pub(crate) fn stance(&self, contact_deg: f64) -> BumpStance {
+        let films = self.films();
+        let bump = |film: usize| {
+            let turn = 360.0 * film as f64 / films as f64 - contact_deg;
+            let away = (turn - 360.0 * (turn / 360.0).round()) / WIDTH_DEG;
+            let height = (-0.5 * away * away).exp();
+            [height, away * height]
+        };
+        BumpStance {
+            bumps: (0..films).map(bump).collect(),
+        }
+    }
+}
+
+impl ContactResponse for BumpResponse {
+    fn films(&self) -> usize {
+        self.full_scale_nc.len()
+    }
+
+    fn full_scale_nc(&self) -> &[f64] {
+        &self.full_scale_nc
+    }
+
+    fn capacitance_pf(&self) -> &[f64] {
+        &self.capacitance_pf
+    }
+
+    fn warming_nc_per_k(&self) -> &[f64] {
+        &self.warming_nc_per_k
+    }
+
+    fn depth_of_load_mm(&self, load_n: f64) -> f64 {
+        (load_n / VERTICAL_N).powf(2.0 / 3.0)
+    }
+
+    fn sticking_shift_mm(&self, depth_mm: f64) -> [f64; 2] {
+        SHEAR_N_PER_MM.map(|stiffness| FRICTION * vertical(depth_mm) / stiffness)
+    }
+
+    fn at_angle(&self, contact_deg: f64) -> Box<dyn StanceResponse + '_> {
+        Box::new(self.stance(contact_deg))
+    }
+}
+
+impl StanceResponse for BumpStance {
+    fn charges_nc(&self, contact: &Contact, charges: &mut [f64]) {
+        for (charge, [height, slope]) in charges.iter_mut().zip(&self.bumps) {
+            *charge = PEAK_NC_PER_MM * (contact.depth_mm * height + contact.shift_mm[0] * slope);
+        }
+    }
+
+    fn force_n(&self, contact: &Contact) -> [f64; 3] {
+        let [along, across] = contact.shift_mm;
+        let [kx, ky] = SHEAR_N_PER_MM;
+        [kx * along, ky * across, vertical(contact.depth_mm)]
+    }
+}
+
+fn vertical(depth_mm: f64) -> f64 {
+    VERTICAL_N * depth_mm * depth_mm.sqrt()
+}

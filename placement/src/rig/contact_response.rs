@@ -1,0 +1,49 @@
+//! What a rig asks of a tire with its films: charges and forces for any contact.
+
+/// How the ground presses at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// Below the inflated tire's outer radius, mm; 0 and less: in the air.
+    pub depth_mm: f64,
+    /// Shift of the ground along the wheel and across it, mm.
+    pub shift_mm: [f64; 2],
+}
+
+impl Contact {
+    /// Nothing touches.
+    pub const AIR: Self = Self {
+        depth_mm: 0.0,
+        shift_mm: [0.0; 2],
+    };
+
+    /// Whether nothing touches.
+    pub fn is_air(&self) -> bool {
+        self.depth_mm <= 0.0
+    }
+}
+
+/// What a tire with its films answers to a contact that is pressed slowly. In the air it isn't asked: charges and forces are those of the inflated tire, 0.
+pub trait ContactResponse {
+    /// How many films there are.
+    fn films(&self) -> usize;
+    /// Charge at which each film's full scale lies, nC: the largest of its kind at the largest load.
+    fn full_scale_nc(&self) -> &[f64];
+    /// Capacitance of each film, pF.
+    fn capacitance_pf(&self) -> &[f64];
+    /// Charge of each film by its warming, nC/K.
+    fn warming_nc_per_k(&self) -> &[f64];
+    /// The depth that bears a force, N, without a shift; mm.
+    fn depth_of_load_mm(&self, load_n: f64) -> f64;
+    /// Largest shift along and across up to which the response is known at a depth, mm, before it slides.
+    fn sticking_shift_mm(&self, depth_mm: f64) -> [f64; 2];
+    /// The films with the contact at this wheel angle, degrees.
+    fn at_angle(&self, contact_deg: f64) -> Box<dyn StanceResponse + '_>;
+}
+
+/// A tire with its films, the contact at one wheel angle.
+pub trait StanceResponse {
+    /// Charges of all films, nC, into their places.
+    fn charges_nc(&self, contact: &Contact, charges: &mut [f64]);
+    /// Force of the ground on the tire: along, across, vertical, N.
+    fn force_n(&self, contact: &Contact) -> [f64; 3];
+}

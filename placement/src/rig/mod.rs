@@ -1,0 +1,22 @@
+//! A virtual rig: what films and a force sensor record while a foot steps. Pure: a tire's answer and settings in, numbers out.
+//!
+//! - [`contact_response`]: what a rig asks of a tire with its films
+//! - [`rig_settings`]: everything that can be set
+//! - [`even_clock`], [`seeded_draws`]: instants of a clock, and random numbers by seed, run and purpose
+//! - [`relaxation`]: how much more the rubber bears at first
+//! - [`electronics`]: from a film's charge to the number that is stored
+//! - [`pressed_tire`]: charges and forces of one contact after another
+//! - [`rig_run`]: one run, both clocks
+//! - [`run_csv`]: a run as a recording that `strainsite force fit` reads
+
+#[cfg(test)]
+pub(crate) mod bump_response;
+pub mod contact_response;
+pub mod electronics;
+pub mod even_clock;
+pub mod pressed_tire;
+pub mod relaxation;
+pub mod rig_run;
+pub mod rig_settings;
+pub mod run_csv;
+pub mod seeded_draws;

@@ -1,0 +1,55 @@
+//! Forces of one contact after another, the rubber's relaxation with them.
+
+use crate::gait::stance::Stance;
+use crate::rig::contact_response::{Contact, ContactResponse, StanceResponse};
+use crate::rig::relaxation::Relaxation;
+use crate::rig::rig_settings::Branch;
+
+/// A tire that is pressed at even intervals.
+pub struct PressedTire<'r, R: ?Sized> {
+    response: &'r R,
+    relaxation: Relaxation,
+    /// The stance that was asked last, by its number.
+    stance: Option<(usize, Box<dyn StanceResponse + 'r>)>,
+}
+
+/// What a contact that touches makes.
+pub struct Pressed<'p> {
+    /// The tire with the contact at its angle.
+    pub films: &'p dyn StanceResponse,
+    /// Force over that of slow pressing.
+    pub factor: f64,
+    /// Force of the ground on the tire: along, across, vertical, N.
+    pub force_n: [f64; 3],
+}
+
+impl<'r, R: ContactResponse + ?Sized> PressedTire<'r, R> {
+    /// A tire at rest, to be pressed at intervals, s.
+    pub fn new(response: &'r R, relaxation: &[Branch], interval_s: f64) -> Self {
+        Self {
+            response,
+            relaxation: Relaxation::new(relaxation, interval_s),
+            stance: None,
+        }
+    }
+
+    /// What the contact at the next instant makes; None in the air.
+    pub fn next(&mut self, stance: &Stance, contact: &Contact) -> Option<Pressed<'_>> {
+        if contact.is_air() {
+            self.relaxation.factor(0.0);
+            return None;
+        }
+        let asked = self.stance.take();
+        let (_, films) = self.stance.insert(match asked {
+            Some((number, films)) if number == stance.number => (number, films),
+            _ => (stance.number, self.response.at_angle(stance.contact_deg)),
+        });
+        let slow_n = films.force_n(contact);
+        let factor = self.relaxation.factor(slow_n[2]);
+        Some(Pressed {
+            films: &**films,
+            factor,
+            force_n: slow_n.map(|force| factor * force),
+        })
+    }
+}
