@@ -1,7 +1,7 @@
 //! The study document: what varies, what is asked.
 //!
 //! - [`directions`]: which strains are asked for, and what follows from that
-//! - [`study_reader`] and, for its parts, `candidate_reader`, [`distribution_reader`], [`hand_layout_reader`], `input_reader`, `layout_reader`, `method_reader`, [`scene_reader`],
+//! - [`study_reader`] and, for its parts, `candidate_reader`, [`distribution_reader`], [`hand_layout_reader`], `input_reader`, `layout_reader`, `method_reader`, [`rig_reader`], [`scene_reader`],
 //!   `signal_reader`: read a study, with every fault at once
 //! - [`plan`]: the design points of a study, a pure function of the document
 
@@ -14,6 +14,7 @@ pub(crate) mod input_reader;
 pub(crate) mod layout_reader;
 pub(crate) mod method_reader;
 pub mod plan;
+pub mod rig_reader;
 pub mod scene_reader;
 pub(crate) mod signal_reader;
 pub mod study_reader;
