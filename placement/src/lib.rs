@@ -10,9 +10,9 @@
 //! - [`layout`]: strain rings to ranked layouts
 //! - [`answer`]: all of that in one sentence, and how sure it is
 //! - [`ladder`]: meshes times methods, from quick to accurate
+//! - [`response_table`]: responses to any contact, between solves
 //! - [`signals`]: films' voltages over load, pressure and contact angle
-//! - [`gait`]: strokes of a crank that press a tire onto the ground
-//! - [`rig`]: what films and a force sensor record of them
+//! - [`rig`]: what films and a force sensor record of a tire that steps
 //! - [`compare`]: studies side by side, and which differences are real
 //! - [`estimate`]: what a study will cost, before anything is solved
 //! - [`own_model`]: inputs and outputs of models that others run
@@ -20,10 +20,10 @@
 pub mod answer;
 pub mod compare;
 pub mod estimate;
-pub mod gait;
 pub mod ladder;
 pub mod layout;
 pub mod own_model;
+pub mod response_table;
 pub mod result;
 pub mod rig;
 pub mod run;

@@ -14,6 +14,7 @@ use crate::answer::{answer_of, effect_notes};
 use crate::ladder::effects;
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::measuring_layouts;
+use crate::response_table::measuring_forces;
 use crate::result::{Climb, ClimbRung, GradedNote, Output, StudyResult, Topic};
 use crate::run::usage::{cpu_s, peak_memory_bytes};
 use crate::run::{RunContext, RunError, run_from};
@@ -39,6 +40,8 @@ const GROWTH: f64 = 1.5;
 const OF_ADAPTING: f64 = 3.0;
 const SIGNALS_LEFT_OUT: &str =
     "The budget left no time for the films' signals: a study with accuracy.preset solves them.";
+const FORCES_LEFT_OUT: &str =
+    "The budget left no time for the rig: a study with accuracy.preset solves its table.";
 const LAYOUTS_LEFT_OUT: &str =
     "The budget left no time for layouts: a study with accuracy.preset scores them.";
 /// How often a run looks whether its time is up.
@@ -66,7 +69,7 @@ pub fn answer(
     Ok(result)
 }
 
-/// Adds the effects of what is left out and films' signals, and the time that they took.
+/// Adds the effects of what is left out, layouts, films' signals and what a rig shows, and the time that they took.
 fn with_further_solves(
     first: usize,
     study: &Study,
@@ -83,6 +86,8 @@ fn with_further_solves(
     measuring_layouts::measure(first, study, plan, result, context)?;
     let first = first + result.cost.layout_solves;
     measuring::measure(first, study, plan, result, context)?;
+    let first = first + result.cost.signal_solves;
+    measuring_forces::measure(first, study, plan, result, context)?;
     result.cost.wall_s += begun.elapsed().as_secs_f64();
     result.cost.cpu_s += (cpu_s() - cpu_before).max(0.0);
     result.cost.peak_memory_bytes = peak_memory_bytes();
@@ -176,6 +181,9 @@ impl<'c> Climber<'c> {
             Err(RunError::Stopped) if self.is_late() => {
                 if self.study.signals.is_some() && best.signals.is_none() {
                     best.note(GradedNote::changing(Topic::Signals, SIGNALS_LEFT_OUT));
+                }
+                if self.study.rig.is_some() && best.forces.is_none() {
+                    best.note(GradedNote::changing(Topic::Signals, FORCES_LEFT_OUT));
                 }
                 if self.study.layouts.is_asked() && best.layout_findings.is_none() {
                     best.note(GradedNote::changing(Topic::Layout, LAYOUTS_LEFT_OUT));

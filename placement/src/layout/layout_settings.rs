@@ -6,9 +6,9 @@ use fem_client::solver::direction::Direction;
 use serde_json::{Map, Value, json};
 
 use crate::layout::arrangement::FilmReads;
-use crate::result::film_place::FilmPlace;
+use crate::result::film::film_place::FilmPlace;
+use crate::result::film::signal_words::FilmModel;
 use crate::result::layout_findings::STRAIN_UNIT;
-use crate::result::signal_words::FilmModel;
 use crate::study::directions::Directions;
 
 /// Share of the crown's largest strain that a film's noise has unless the study says otherwise.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::film_place::FilmPlace;
+use super::film::film_place::FilmPlace;
 
 /// Unit of films that follow the wall and resist nothing.
 pub(crate) const STRAIN_UNIT: &str = "strain";

@@ -6,15 +6,13 @@ pub mod answer;
 mod climb_report;
 mod cost_forecast;
 mod failed_point;
-pub mod film_place;
-mod film_signals;
+pub mod film;
 mod index_map;
 mod indexed_output;
 pub(crate) mod layout_findings;
 pub mod named;
 mod ranked_layout;
 mod ranked_location;
-pub mod signal_words;
 mod study_cost;
 
 pub use answer::{
@@ -24,9 +22,11 @@ pub use climb_report::{Climb, ClimbRung};
 pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast};
 pub use failed_point::{Cause, FailedPoint};
 use fem_client::solver::ModelSummary;
-pub use film_place::FilmPlace;
-pub use film_signals::{
-    ClaimRow, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth,
+pub use film::film_place::FilmPlace;
+pub use film::signal_words::{Claim, FilmModel, Holds, SignalAxis, Trend};
+pub use film::{
+    ClaimRow, FilmPair, ForceFindings, SignalCurve, SignalError, SignalRow, Signals, StressWidth,
+    TableReport,
 };
 pub use index_map::{IndexMap, MapLayer};
 pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};
@@ -40,7 +40,6 @@ pub use ranked_layout::{
 };
 pub use ranked_location::RankedLocation;
 use serde::{Deserialize, Serialize};
-pub use signal_words::{Claim, FilmModel, Holds, SignalAxis, Trend};
 pub use study_cost::StudyCost;
 
 /// The whole answer.
@@ -70,6 +69,9 @@ pub struct StudyResult {
     /// Films' signals over load, pressure and contact angle; absent where the study asks for none.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub signals: Option<Signals>,
+    /// What a virtual rig shows; absent where the study has none.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub forces: Option<ForceFindings>,
     /// What the user must know before believing the numbers, whole sentences: the texts of `graded_notes`.
     pub notes: Vec<String>,
     /// The same with what each does to the answer; empty in results of earlier versions.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::film_place::FilmPlace;
+use super::film::film_place::FilmPlace;
 
 /// One layout in the ranking.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

@@ -20,6 +20,9 @@ pub struct StudyCost {
     /// Solves of layouts' loads, on both meshes.
     #[serde(default)]
     pub layout_solves: usize,
+    /// Solves of a rig's table of responses.
+    #[serde(default)]
+    pub table_solves: usize,
     /// Wall-clock time of each rung of the climb, s.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub rungs_wall_s: Vec<f64>,

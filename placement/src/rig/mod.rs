@@ -2,6 +2,7 @@
 //!
 //! - [`contact_response`]: what a rig asks of a tire with its films
 //! - [`rig_settings`]: everything that can be set
+//! - [`gait`]: strokes of a crank that press the tire onto the ground
 //! - [`even_clock`], [`seeded_draws`]: instants of a clock, and random numbers by seed, run and purpose
 //! - [`relaxation`]: how much more the rubber bears at first
 //! - [`electronics`]: from a film's charge to the number that is stored
@@ -14,6 +15,7 @@ pub(crate) mod bump_response;
 pub mod contact_response;
 pub mod electronics;
 pub mod even_clock;
+pub mod gait;
 pub mod pressed_tire;
 pub mod relaxation;
 pub mod rig_run;

@@ -1,7 +1,7 @@
 //! Forces of one contact after another, the rubber's relaxation with them.
 
-use crate::gait::stance::Stance;
 use crate::rig::contact_response::{Contact, ContactResponse, StanceResponse};
+use crate::rig::gait::stance::Stance;
 use crate::rig::relaxation::Relaxation;
 use crate::rig::rig_settings::Branch;
 

@@ -4,11 +4,11 @@
 
 use ndarray::Array2;
 
-use crate::gait::drawn_gait::Gait;
-use crate::gait::stance::Stance;
 use crate::rig::contact_response::ContactResponse;
 use crate::rig::electronics::film_chain::FilmChain;
 use crate::rig::even_clock::EvenClock;
+use crate::rig::gait::drawn_gait::Gait;
+use crate::rig::gait::stance::Stance;
 use crate::rig::pressed_tire::PressedTire;
 use crate::rig::rig_settings::{ForceSensor, RigSettings};
 use crate::rig::seeded_draws::{SeededDraws, Stream};
@@ -152,8 +152,8 @@ fn table(columns: usize, cells: Vec<f64>) -> Array2<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gait::gait_settings::{Frequency, RunLength};
     use crate::rig::bump_response::BumpResponse;
+    use crate::rig::gait::gait_settings::{Frequency, RunLength};
     use crate::rig::rig_settings::Noise;
 
     fn settings(frequency: Frequency, stances: usize) -> RigSettings {

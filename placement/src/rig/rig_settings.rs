@@ -7,7 +7,7 @@
 use fem_client::film::amplifier::Circuit;
 use serde_json::{Value, json};
 
-use crate::gait::gait_settings::GaitSettings;
+use crate::rig::gait::gait_settings::GaitSettings;
 
 /// A virtual rig.
 #[derive(Debug, Clone, PartialEq)]

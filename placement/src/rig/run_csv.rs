@@ -77,8 +77,8 @@ mod tests {
     use fem_client::document::{Format, parse};
 
     use super::*;
-    use crate::gait::gait_settings::{Frequency, RunLength};
     use crate::rig::bump_response::BumpResponse;
+    use crate::rig::gait::gait_settings::{Frequency, RunLength};
     use crate::rig::rig_settings::RigSettings;
 
     fn settings() -> RigSettings {

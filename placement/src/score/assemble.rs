@@ -52,6 +52,7 @@ pub fn assemble(
         layout_findings: None,
         map: scores.map,
         signals: None,
+        forces: None,
         notes: graded_notes.iter().map(|note| note.text.clone()).collect(),
         graded_notes,
         failed_points,

@@ -5,7 +5,7 @@ use fem_client::solver::Position;
 use fem_client::solver::direction::Direction;
 use serde_json::{Value, json};
 
-use crate::result::signal_words::FilmModel;
+use crate::result::film::signal_words::FilmModel;
 
 /// The study's own tire among those of its signals.
 pub const OWN_TIRE: &str = "own";

@@ -28,6 +28,7 @@ use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
 use crate::layout::layout_settings::Layouts;
+use crate::rig::rig_settings::RigSettings;
 use crate::signals::signal_settings::SignalSettings;
 use crate::study::directions::Directions;
 
@@ -54,6 +55,8 @@ pub struct Study {
     pub accuracy: Accuracy,
     /// Films' signals over loads, pressures and contact angles; absent: none are solved.
     pub signals: Option<SignalSettings>,
+    /// A virtual rig that steps on the tire; absent: none does.
+    pub rig: Option<RigSettings>,
 }
 
 /// What is asked of the answer.
@@ -131,8 +134,12 @@ impl Study {
                 Accuracy::Budget(seconds) => json!({"budget_s": seconds}),
             },
         });
-        if let (Some(document), Some(signals)) = (document.as_object_mut(), &self.signals) {
-            document.insert("signals".to_owned(), signals.to_value());
+        if let Some(document) = document.as_object_mut() {
+            let signals = self.signals.as_ref().map(SignalSettings::to_value);
+            let rig = self.rig.as_ref().map(RigSettings::to_value);
+            for (name, table) in [("signals", signals), ("rig", rig)] {
+                document.extend(table.map(|table| (name.to_owned(), table)));
+            }
         }
         document.to_string()
     }

@@ -8,7 +8,7 @@ use fem_client::document::fields::{Fields, Range, plain, shown};
 use fem_client::scene::reader::circuit_reader::{circuit_fields, named_circuit, read_circuit};
 use serde_json::Value;
 
-use crate::gait::gait_reader::gait;
+use crate::rig::gait::gait_reader::gait;
 use crate::rig::rig_settings::{Branch, Electronics, ForceSensor, Noise, RigSettings};
 use crate::study::candidate_reader::list;
 

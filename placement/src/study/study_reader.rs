@@ -17,6 +17,7 @@ use crate::study::input_reader::{read_inputs, read_name};
 use crate::study::layout_reader::layouts;
 use crate::study::method_reader::{Limits, read_method};
 use crate::study::plan::{Estimable, PlanError, PlannedStudy};
+use crate::study::rig_reader::rig;
 use crate::study::scene_reader::{Resolve, scene};
 use crate::study::signal_reader::signals;
 use crate::study::{Accuracy, Study};
@@ -128,6 +129,7 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         "method",
         "accuracy",
         "signals",
+        "rig",
     ];
     let fields = Fields::open(value, "", &known, faults)?;
     let name = read_name(&fields, "name", LONGEST_NAME, faults);
@@ -148,9 +150,10 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         .map_or(Method::of(Kind::Mdrm).nodes, |method| method.nodes);
     let inputs = read_inputs(&fields, scene.as_ref(), nodes, faults);
     faults.append(&mut of_signals);
+    let rig = rig(&fields, faults);
     let (mut scene, (accuracy, level)) = (scene?, accuracy?);
     scene.model.level = level;
-    let mut signals = signals?;
+    let (mut signals, rig) = (signals?, rig?);
     for tire in signals.iter_mut().flat_map(|signals| &mut signals.tires) {
         tire.scene.model.level = level;
     }
@@ -166,6 +169,7 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         level,
         accuracy,
         signals,
+        rig,
     })
 }
 

@@ -6,7 +6,7 @@ use fem_client::solver::{Coarser, Readout, Solver};
 use crate::layout::search::search_criterion::SearchCriterion;
 use crate::layout::solving::glued_films::GluedFilms;
 use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
-use crate::layout::solving::shear_fields::mirrored;
+use crate::layout::solving::mirror_parts::mirrored;
 use crate::layout::solving::study_layouts::Asked;
 use crate::signals::answers::check_transferable;
 use crate::study::Study;

@@ -9,7 +9,8 @@ use crate::layout::solving::judged_layouts::Answer;
 use crate::layout::solving::layout_fields::{MeshFields, mesh_fields};
 use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
 use crate::layout::solving::layout_workload::{layout_series, levels};
-use crate::layout::solving::shear_fields::{add_shear, mirrored};
+use crate::layout::solving::mirror_parts::mirrored;
+use crate::layout::solving::shear_fields::add_shear;
 use crate::layout::solving::study_layouts::Asked;
 use crate::result::{GradedNote, LayoutFindings, LayoutScore, RankedLayout, StudyResult, Topic};
 use crate::run::archive::Outcome;
@@ -145,8 +146,8 @@ fn solved(
     Ok(Ok(fields))
 }
 
-/// What becomes of these scenes; the place moves behind their points.
-fn outcomes(
+/// What becomes of these scenes, or why nothing did; the place moves behind their points.
+pub(crate) fn outcomes(
     all: &[Scene],
     readout: &Readout,
     means: &[f64],

@@ -1,9 +1,9 @@
 //! The stances of a run, and the contact at the instants of a clock.
 
-use crate::gait::gait_settings::{Frequency, GaitSettings, RunLength};
-use crate::gait::stance::Stance;
 use crate::rig::contact_response::{Contact, ContactResponse};
 use crate::rig::even_clock::EvenClock;
+use crate::rig::gait::gait_settings::{Frequency, GaitSettings, RunLength};
+use crate::rig::gait::stance::Stance;
 use crate::rig::seeded_draws::SeededDraws;
 
 /// The stances of one run, each turn after the other.

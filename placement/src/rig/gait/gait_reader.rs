@@ -7,7 +7,7 @@ use fem_client::document::fault::{Fault, entry};
 use fem_client::document::fields::{Fields, Range, number, plain, shown};
 use serde_json::Value;
 
-use crate::gait::gait_settings::{Frequency, GaitSettings, RunLength};
+use crate::rig::gait::gait_settings::{Frequency, GaitSettings, RunLength};
 
 const TURNS: Range = Range::new(0.01, 100.0, "Hz");
 const CONTACT: Range = Range::new(-180.0, 180.0, "degrees");

@@ -1,0 +1,117 @@
+//! A layout's films on a tire whose responses are in a table: what a virtual rig asks.
+
+use fem_client::film::laminate::product;
+use fem_client::scene::Film;
+use fem_client::solver::FilmSignal;
+
+use crate::layout::arrangement::{FilmKind, FilmReads, LaidFilm};
+use crate::response_table::solved_table::{FilmNodes, ResponseTable};
+use crate::rig::contact_response::{Contact, ContactResponse, StanceResponse};
+use crate::signals::answers::signal_of_tension;
+
+/// The kind of film whose signal is the volts of a film that follows the wall and resists nothing, open circuit.
+pub fn bare_in_volts(kind: &FilmKind, film: &Film) -> FilmKind {
+    let volts = |strain: [f64; 3]| {
+        let [along, across, _] = product(&film.laminate().membrane, &strain);
+        signal_of_tension(film, [along, across]).open_circuit_v
+    };
+    FilmKind {
+        reads: FilmReads::Volts([volts([1.0, 0.0, 0.0]), volts([0.0, 1.0, 0.0])]),
+        ..*kind
+    }
+}
+
+/// Films around a wheel, each of a kind of the table, whose signals are volts of the open circuit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LaidFilms<'t> {
+    table: &'t ResponseTable,
+    films: Vec<LaidFilm>,
+    /// Of one film, pF.
+    capacitance_pf: f64,
+    full_scales_nc: Vec<f64>,
+    capacitances_pf: Vec<f64>,
+    warming_nc_per_k: Vec<f64>,
+}
+
+impl<'t> LaidFilms<'t> {
+    /// Films of these kinds in the table, all made as this one.
+    pub fn new(table: &'t ResponseTable, film: &Film, films: &[LaidFilm]) -> Self {
+        let FilmSignal {
+            capacitance_pf,
+            charge_by_warming_nc_per_k,
+            ..
+        } = signal_of_tension(film, [0.0; 2]);
+        let full_scale =
+            |film: &LaidFilm| charge_nc(table.largest_signal(film.kind), capacitance_pf);
+        Self {
+            table,
+            capacitance_pf,
+            full_scales_nc: films.iter().map(full_scale).collect(),
+            capacitances_pf: vec![capacitance_pf; films.len()],
+            warming_nc_per_k: vec![charge_by_warming_nc_per_k; films.len()],
+            films: films.to_vec(),
+        }
+    }
+}
+
+/// Of the volts of an open circuit.
+fn charge_nc(volts: f64, capacitance_pf: f64) -> f64 {
+    1e-3 * volts * capacitance_pf
+}
+
+impl ContactResponse for LaidFilms<'_> {
+    fn films(&self) -> usize {
+        self.films.len()
+    }
+
+    fn full_scale_nc(&self) -> &[f64] {
+        &self.full_scales_nc
+    }
+
+    fn capacitance_pf(&self) -> &[f64] {
+        &self.capacitances_pf
+    }
+
+    fn warming_nc_per_k(&self) -> &[f64] {
+        &self.warming_nc_per_k
+    }
+
+    fn depth_of_load_mm(&self, load_n: f64) -> f64 {
+        self.table.depth_of_load_mm(load_n)
+    }
+
+    fn sticking_shift_mm(&self, depth_mm: f64) -> [f64; 2] {
+        [self.table.largest_shift_mm(depth_mm); 2]
+    }
+
+    fn at_angle(&self, contact_deg: f64) -> Box<dyn StanceResponse + '_> {
+        let films = self.films.iter();
+        let apart = films.map(move |film| (film.kind, film.theta_deg - contact_deg));
+        Box::new(FilmsAtAngle {
+            table: self.table,
+            nodes: self.table.film_nodes(apart),
+            capacitance_pf: self.capacitance_pf,
+        })
+    }
+}
+
+/// The films with the contact at one wheel angle.
+struct FilmsAtAngle<'t> {
+    table: &'t ResponseTable,
+    nodes: FilmNodes,
+    capacitance_pf: f64,
+}
+
+impl StanceResponse for FilmsAtAngle<'_> {
+    fn charges_nc(&self, contact: &Contact, charges: &mut [f64]) {
+        let weights = self.table.weights(contact.depth_mm, contact.shift_mm);
+        for (film, charge) in charges.iter_mut().enumerate() {
+            *charge = charge_nc(self.nodes.signal(film, &weights), self.capacitance_pf);
+        }
+    }
+
+    fn force_n(&self, contact: &Contact) -> [f64; 3] {
+        self.table
+            .force_n(&self.table.weights(contact.depth_mm, contact.shift_mm))
+    }
+}

@@ -1,0 +1,19 @@
+//! What a tire with films answers to any contact, between solves: for a virtual rig, which needs thousands of contacts a second.
+//!
+//! - [`table_settings`]: loads and shifts of the ground that are solved
+//! - [`table_scenes`]: the scenes, and those that test the table
+//! - [`drag_basis`]: how a response depends on the ground's shift
+//! - [`solved_table`]: signals and forces between what was solved
+//! - [`table_error`]: how far they are off
+//! - [`laid_films`]: a layout's films, as a rig asks for them
+//! - [`table_solving`]: the solves, as points of a study; [`study_table`]: those of a study with a rig; `measuring_forces`: puts what it shows into the result
+
+pub mod drag_basis;
+pub mod laid_films;
+pub(crate) mod measuring_forces;
+pub mod solved_table;
+pub mod study_table;
+pub mod table_error;
+pub mod table_scenes;
+pub mod table_settings;
+pub mod table_solving;

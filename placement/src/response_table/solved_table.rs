@@ -1,0 +1,318 @@
+//! A tire's responses between what was solved.
+
+use fem_client::solver::{Response, Ring};
+
+use crate::layout::arrangement::FilmKind;
+use crate::layout::field::hermite::{DEGREES, Nodes, Shares, Turn, summed};
+use crate::layout::solving::layout_fields::samples;
+use crate::layout::solving::layout_scenes::readout;
+use crate::layout::solving::mirror_parts::{mirrored, part};
+use crate::response_table::drag_basis::{DRAGS, PARTS, PRODUCTS, products};
+use crate::response_table::table_scenes::Pressing;
+use crate::response_table::table_settings::TableSettings;
+
+/// Parts that the pull along the wheel and the one across have: each is odd in its own shift alone.
+const OF_PULL: [usize; 2] = [1, 2];
+
+/// Signals of all kinds of film, and forces, over load, shift of the ground and wheel angle.
+///
+/// Between loads they are cubic in the depth of the undragged ground, between shifts polynomials (`drag_basis`), around the wheel cubic between degrees. Ground
+/// that doesn't press has signals and forces of zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ResponseTable {
+    settings: TableSettings,
+    /// Depths of the undragged ground, mm, none first; and the loads there, N.
+    depths: Nodes,
+    loads_n: Vec<f64>,
+    /// Those that were dragged, none first.
+    dragged: Nodes,
+    kinds: Vec<KindTable>,
+    /// Pull along and across, N, by dragged depth and product.
+    pulls: Vec<[f64; PRODUCTS]>,
+}
+
+/// Signals of one kind of film.
+#[derive(Debug, Clone, PartialEq)]
+struct KindTable {
+    /// By depth.
+    undragged: Vec<Turn>,
+    /// What dragging adds, by dragged depth, then product.
+    added: Vec<Vec<Turn>>,
+}
+
+/// What every node of a table contributes at one contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Weights {
+    undragged: Shares,
+    dragged: Shares,
+    products: [f64; PRODUCTS],
+}
+
+/// Signals of some films with the contact at one wheel angle, at all nodes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilmNodes {
+    /// By film, then depth.
+    undragged: Vec<Vec<f64>>,
+    /// By film, then dragged depth and product.
+    added: Vec<Vec<f64>>,
+}
+
+impl ResponseTable {
+    /// From the answers to undragged and dragged pressings.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn new(
+        settings: &TableSettings,
+        kinds: &[FilmKind],
+        undragged: &[(Pressing, &Response)],
+        dragged: &[(Pressing, &Response)],
+    ) -> Result<Self, String> {
+        let mut loads: Vec<(f64, f64, &Response)> = Vec::new();
+        for (pressing, response) in undragged {
+            let depth_mm = response.depth_mm.ok_or("the solver gives no depth")?;
+            loads.push((pressing.load_n, depth_mm, response));
+        }
+        loads.sort_by(|a, b| a.0.total_cmp(&b.0));
+        if loads.is_empty()
+            || loads.windows(2).any(|pair| pair[1].1 <= pair[0].1)
+            || loads[0].1 <= 0.0
+        {
+            return Err("a larger load has no larger depth".to_owned());
+        }
+        let depth_of = |load_n: f64| {
+            loads
+                .iter()
+                .find(|load| load.0 == load_n)
+                .map(|load| load.1)
+        };
+        let groups: Vec<&[(Pressing, &Response)]> = dragged.chunks(DRAGS.len()).collect();
+        let mut dragged_depths = vec![0.0];
+        for group in &groups {
+            dragged_depths
+                .push(depth_of(group[0].0.load_n).ok_or("a dragged load wasn't solved undragged")?);
+        }
+        if groups.is_empty() {
+            // Nothing is added at any depth.
+            dragged_depths.push(loads[loads.len() - 1].1);
+        }
+        let tables = kinds
+            .iter()
+            .map(|kind| KindTable::new(kind, kinds, &loads, &groups));
+        let kinds = tables
+            .collect::<Option<_>>()
+            .ok_or("the solver gives no strains around the wheel")?;
+        let mut pulls = vec![[0.0; PRODUCTS]];
+        for group in &groups {
+            pulls.push(pulls_of(group)?);
+        }
+        pulls.resize(dragged_depths.len(), [0.0; PRODUCTS]);
+        let with_none = |of: fn(&(f64, f64, &Response)) -> f64| {
+            std::iter::once(0.0).chain(loads.iter().map(of)).collect()
+        };
+        Ok(Self {
+            settings: settings.clone(),
+            depths: Nodes::new(with_none(|load| load.1)),
+            loads_n: with_none(|load| load.0),
+            dragged: Nodes::new(dragged_depths),
+            kinds,
+            pulls,
+        })
+    }
+
+    /// Weights at a depth of the undragged ground, mm, with the ground shifted, mm; both are taken into the solved range.
+    pub fn weights(&self, depth_mm: f64, shift_mm: [f64; 2]) -> Weights {
+        let [undragged, dragged] = [&self.depths, &self.dragged].map(|nodes| {
+            let [value, _] = nodes.shares(depth_mm);
+            merged(&value)
+        });
+        let largest = self.settings.shift_mm(self.load_of(&undragged));
+        let share = |shift: f64| match largest > 0.0 {
+            true => (shift / largest).clamp(-1.0, 1.0),
+            false => 0.0,
+        };
+        Weights {
+            undragged,
+            dragged,
+            products: products(shift_mm.map(share)),
+        }
+    }
+
+    /// Force of the ground on the tire: along the wheel, across, and vertical, N.
+    pub fn force_n(&self, weights: &Weights) -> [f64; 3] {
+        let pull = |part: usize| {
+            let of_drags = |pulls: &[f64; PRODUCTS]| -> f64 {
+                let drags = (0..DRAGS.len()).map(|drag| drag * PARTS.len() + part);
+                drags
+                    .map(|product| weights.products[product] * pulls[product])
+                    .sum()
+            };
+            summed(&weights.dragged, |node| of_drags(&self.pulls[node]))
+        };
+        let [along, across] = OF_PULL.map(pull);
+        [along, across, self.load_of(&weights.undragged)]
+    }
+
+    /// The largest load, N.
+    pub fn largest_load_n(&self) -> f64 {
+        self.settings.largest_load_n
+    }
+
+    fn load_of(&self, undragged: &Shares) -> f64 {
+        summed(undragged, |node| self.loads_n[node])
+    }
+
+    /// The depth that bears a load, N, up to the largest, mm.
+    pub fn depth_of_load_mm(&self, load_n: f64) -> f64 {
+        let load_n = load_n.clamp(0.0, self.settings.largest_load_n);
+        let load_at = |depth_mm: f64| self.load_of(&self.depths.shares(depth_mm)[0]);
+        let [mut low, mut high] = self.depths.ends();
+        // Halved until nothing is between both: the force grows with the depth.
+        while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
+            let middle = 0.5 * (low + high);
+            if load_at(middle) < load_n {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high
+    }
+
+    /// The shift along or across at a depth up to which the table was solved, mm.
+    pub fn largest_shift_mm(&self, depth_mm: f64) -> f64 {
+        let [undragged, _] = self.depths.shares(depth_mm);
+        self.settings.shift_mm(self.load_of(&undragged))
+    }
+
+    /// Signal of a kind of film around the wheel, a sample each degree from -180.
+    pub fn samples(&self, kind: usize, weights: &Weights) -> Vec<f64> {
+        let table = &self.kinds[kind];
+        let sample = |degree: usize| {
+            let of = |turn: &Turn| turn.samples()[degree];
+            weights.sum(
+                |node| of(&table.undragged[node]),
+                |node, product| of(&table.added[node][product]),
+            )
+        };
+        (0..DEGREES).map(sample).collect()
+    }
+
+    /// The largest signal of a kind of film, whatever the load, the shift and the place.
+    pub fn largest_signal(&self, kind: usize) -> f64 {
+        let samples = self.kinds[kind].undragged.iter().flat_map(Turn::samples);
+        samples.fold(0.0, |largest: f64, sample| largest.max(sample.abs()))
+    }
+
+    /// Signals at all nodes, of films of these kinds so many degrees from the contact.
+    pub fn film_nodes(&self, films: impl Iterator<Item = (usize, f64)> + Clone) -> FilmNodes {
+        let undragged = films.clone().map(|(kind, apart_deg)| {
+            let turns = self.kinds[kind].undragged.iter();
+            turns.map(|turn| turn.at(apart_deg)).collect()
+        });
+        let added = films.map(|(kind, apart_deg)| {
+            let turns = self.kinds[kind].added.iter().flatten();
+            turns.map(|turn| turn.at(apart_deg)).collect()
+        });
+        FilmNodes {
+            undragged: undragged.collect(),
+            added: added.collect(),
+        }
+    }
+}
+
+impl Weights {
+    fn sum(&self, undragged: impl Fn(usize) -> f64, added: impl Fn(usize, usize) -> f64) -> f64 {
+        let of_node = |node: usize| -> f64 {
+            let products = self.products.iter().enumerate();
+            products
+                .map(|(product, weight)| weight * added(node, product))
+                .sum()
+        };
+        summed(&self.undragged, undragged) + summed(&self.dragged, of_node)
+    }
+}
+
+impl FilmNodes {
+    /// The signal of a film.
+    pub fn signal(&self, film: usize, weights: &Weights) -> f64 {
+        let (undragged, added) = (&self.undragged[film], &self.added[film]);
+        weights.sum(
+            |node| undragged[node],
+            |node, product| added[node * PRODUCTS + product],
+        )
+    }
+}
+
+impl KindTable {
+    fn new(
+        kind: &FilmKind,
+        kinds: &[FilmKind],
+        loads: &[(f64, f64, &Response)],
+        dragged: &[&[(Pressing, &Response)]],
+    ) -> Option<Self> {
+        let lines = readout(kinds).rings;
+        let read = mirrored(kinds).rings;
+        let part_of = |response: &Response, odd: [bool; 2]| {
+            let ring = |line| part(line, odd, 1.0, &read, &response.rings);
+            let rings: Vec<Ring> = lines.iter().map(ring).collect::<Option<_>>()?;
+            samples(&rings, kind, kinds)
+        };
+        let none = || vec![0.0; DEGREES];
+        let mut undragged = vec![Turn::new(none())];
+        for (_, _, response) in loads {
+            undragged.push(Turn::new(part_of(response, [false; 2])?));
+        }
+        let still = |load_n: f64| {
+            let load = loads.iter().position(|load| load.0 == load_n)?;
+            Some(undragged[load + 1].samples())
+        };
+        let zero = || vec![Turn::new(none()); PRODUCTS];
+        let mut added = vec![zero()];
+        for group in dragged {
+            let mut turns = Vec::with_capacity(PRODUCTS);
+            for (pressing, response) in *group {
+                for odd in PARTS {
+                    let mut samples = part_of(response, odd)?;
+                    if odd == [false; 2] {
+                        let still = still(pressing.load_n)?;
+                        samples
+                            .iter_mut()
+                            .zip(still)
+                            .for_each(|(sample, still)| *sample -= still);
+                    }
+                    turns.push(Turn::new(samples));
+                }
+            }
+            added.push(turns);
+        }
+        if dragged.is_empty() {
+            added.push(zero());
+        }
+        Some(Self { undragged, added })
+    }
+}
+
+/// Each node once.
+fn merged(shares: &Shares) -> Shares {
+    let mut merged: Shares = Vec::with_capacity(4);
+    for (node, share) in shares {
+        match merged.iter_mut().find(|(other, _)| other == node) {
+            Some((_, sum)) => *sum += share,
+            None => merged.push((*node, *share)),
+        }
+    }
+    merged
+}
+
+/// Pulls at one dragged load.
+fn pulls_of(group: &[(Pressing, &Response)]) -> Result<[f64; PRODUCTS], String> {
+    let mut pulls = [0.0; PRODUCTS];
+    for (drag, (_, response)) in group.iter().enumerate() {
+        let force = response.force_n.ok_or("the solver gives no force")?;
+        for (axis, part) in OF_PULL.into_iter().enumerate() {
+            pulls[drag * PARTS.len() + part] = force[axis];
+        }
+    }
+    Ok(pulls)
+}

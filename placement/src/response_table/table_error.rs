@@ -1,0 +1,161 @@
+//! How far a table is off, by solves that it wasn't made of.
+
+use fem_client::solver::Response;
+use serde::{Deserialize, Serialize};
+
+use crate::layout::arrangement::FilmKind;
+use crate::layout::field::hermite::{DEGREES, Turn};
+use crate::layout::solving::layout_fields::samples;
+use crate::layout::solving::mirror_parts::own_rings;
+use crate::response_table::solved_table::{ResponseTable, Weights};
+use crate::response_table::table_scenes::Pressing;
+
+/// Errors of a table over all kinds of film, wheel angles and tested solves, relative.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct TableError {
+    /// Solves that it was tested by.
+    pub solves: usize,
+    /// Root mean square of a signal's error, over the largest signal of its kind.
+    pub signal_rms: f64,
+    /// The largest.
+    pub signal_worst: f64,
+    /// Root mean square of the error of a slope over the wheel angle, over the largest of its kind.
+    pub angle_slope_rms: f64,
+    /// The largest.
+    pub angle_slope_worst: f64,
+    /// Root mean square of the error of a slope over the depth, over the largest of its kind.
+    pub depth_slope_rms: f64,
+    /// The largest.
+    pub depth_slope_worst: f64,
+    /// The largest error of a force's component, over the largest load.
+    pub force_worst: f64,
+}
+
+/// Squares of errors and the largest of them.
+#[derive(Default)]
+struct Errors {
+    squares: f64,
+    count: f64,
+    worst: f64,
+}
+
+impl Errors {
+    fn add(&mut self, found: &[f64], expected: &[f64], scale: f64) {
+        for (a, b) in found.iter().zip(expected) {
+            let error = (a - b) / scale;
+            self.squares += error * error;
+            self.count += 1.0;
+            self.worst = self.worst.max(error.abs());
+        }
+    }
+
+    fn rms(&self) -> f64 {
+        (self.squares / self.count.max(1.0)).sqrt()
+    }
+}
+
+/// What a kind of film reads of both solves of a pair, by the table or by the solves.
+type Both = [Vec<f64>; 2];
+
+/// Compares a table with pairs of solves that differ by their load alone. None without pairs.
+pub fn table_error(
+    table: &ResponseTable,
+    kinds: &[FilmKind],
+    pairs: &[[(Pressing, &Response); 2]],
+) -> Option<TableError> {
+    let (mut signals, mut over_angle, mut over_depth) = Default::default();
+    let mut force_worst = 0.0f64;
+    for (number, kind) in kinds.iter().enumerate() {
+        let compared: Option<Vec<(Both, Both, f64)>> = pairs
+            .iter()
+            .map(|pair| both(table, number, kind, kinds, pair))
+            .collect();
+        add(
+            &compared?,
+            table.largest_signal(number),
+            [&mut signals, &mut over_angle, &mut over_depth],
+        );
+    }
+    for (pressing, response) in pairs.iter().flatten() {
+        let found = table.force_n(&weights(table, pressing));
+        for (found, solved) in found.iter().zip(response.force_n?) {
+            force_worst = force_worst.max((found - solved).abs() / table.largest_load_n());
+        }
+    }
+    (!pairs.is_empty()).then(|| TableError {
+        solves: 2 * pairs.len(),
+        signal_rms: signals.rms(),
+        signal_worst: signals.worst,
+        angle_slope_rms: over_angle.rms(),
+        angle_slope_worst: over_angle.worst,
+        depth_slope_rms: over_depth.rms(),
+        depth_slope_worst: over_depth.worst,
+        force_worst,
+    })
+}
+
+/// What the table and the solves say of a pair, and by how much its depths differ, mm.
+fn both(
+    table: &ResponseTable,
+    number: usize,
+    kind: &FilmKind,
+    kinds: &[FilmKind],
+    pair: &[(Pressing, &Response); 2],
+) -> Option<(Both, Both, f64)> {
+    let found = pair.map(|(pressing, _)| table.samples(number, &weights(table, &pressing)));
+    let [first, second] =
+        pair.map(|(_, response)| samples(&own_rings(kinds, &response.rings)?, kind, kinds));
+    let [low, high] = pair.map(|(pressing, _)| table.depth_of_load_mm(pressing.load_n));
+    Some((found, [first?, second?], high - low))
+}
+
+/// Adds the errors of one kind of film: of its signals, and of their slopes over angle and depth.
+fn add(
+    compared: &[(Both, Both, f64)],
+    largest: f64,
+    [signals, over_angle, over_depth]: [&mut Errors; 3],
+) {
+    let angle_slopes = |samples: &Vec<f64>| -> Vec<f64> {
+        let turn = Turn::new(samples.clone());
+        (0..DEGREES)
+            .map(|degree| turn.slope(degree as f64 - 180.0))
+            .collect()
+    };
+    let depth_slopes = |[low, high]: &Both, apart: f64| -> Vec<f64> {
+        low.iter()
+            .zip(high)
+            .map(|(low, high)| (high - low) / apart)
+            .collect()
+    };
+    let of_solves = |slopes: &dyn Fn(&Both, f64) -> Vec<f64>| {
+        let all = compared
+            .iter()
+            .flat_map(|(_, solved, apart)| slopes(solved, *apart));
+        all.fold(f64::MIN_POSITIVE, |largest: f64, slope| {
+            largest.max(slope.abs())
+        })
+    };
+    let both_angles =
+        |both: &Both, _: f64| both.iter().flat_map(angle_slopes).collect::<Vec<f64>>();
+    let (steepest, fastest) = (of_solves(&both_angles), of_solves(&depth_slopes));
+    for (found, solved, apart) in compared {
+        signals.add(&found.concat(), &solved.concat(), largest);
+        over_angle.add(
+            &both_angles(found, *apart),
+            &both_angles(solved, *apart),
+            steepest,
+        );
+        over_depth.add(
+            &depth_slopes(found, *apart),
+            &depth_slopes(solved, *apart),
+            fastest,
+        );
+    }
+}
+
+fn weights(table: &ResponseTable, pressing: &Pressing) -> Weights {
+    let depth_mm = table.depth_of_load_mm(pressing.load_n);
+    let largest = table.largest_shift_mm(depth_mm);
+    table.weights(depth_mm, pressing.shares.map(|share| share * largest))
+}

@@ -1,0 +1,157 @@
+//! The scenes of a table: flat ground at every load, dragged at some, and where it is only tested.
+
+use fem_client::scene::Scene;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+
+use crate::response_table::drag_basis::{DRAGS, SHARES};
+use crate::response_table::table_settings::{PAIR_SHARE, PAIRS, TableSettings};
+
+/// The least load at which a table is tested, over the largest.
+const LEAST_TESTED: f64 = 0.1;
+/// Tested shifts stay within this share of the largest along and across together.
+const FARTHEST_TESTED: f64 = 0.95;
+
+/// How the ground presses, and how far it is dragged.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pressing {
+    /// Force, N; the ground keeps it while it is dragged.
+    pub load_n: f64,
+    /// Shift along the wheel and across it, as shares of the largest at this load.
+    pub shares: [f64; 2],
+}
+
+/// All that is solved for a table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TableScenes {
+    /// The bare tire.
+    tire: Scene,
+    settings: TableSettings,
+}
+
+impl TableScenes {
+    /// Of a tire: a study's scene at its means.
+    pub fn new(means: &Scene, settings: TableSettings) -> Self {
+        let mut tire = means.clone();
+        tire.film = None;
+        tire.model.level = settings.level;
+        tire.ground.depths_mm.clear();
+        Self { tire, settings }
+    }
+
+    /// What was asked for.
+    pub fn settings(&self) -> &TableSettings {
+        &self.settings
+    }
+
+    /// Undragged ground, a load in the middle first: all others start from its equilibrium.
+    pub fn undragged(&self) -> Vec<Pressing> {
+        let loads = self.settings.loads_n().into_iter();
+        let mut pressings: Vec<Pressing> = loads.map(undragged).collect();
+        let middle = pressings.len() / 2;
+        pressings.swap(0, middle);
+        pressings
+    }
+
+    /// Dragged ground, by load and drag, and then the pairs that test the table.
+    pub fn dragged(&self) -> Vec<Pressing> {
+        let loads = self.settings.loads_n();
+        let of_load = |load: usize| {
+            let load_n = loads[load];
+            DRAGS.iter().map(move |drag| {
+                let share = |axis: usize| match drag[axis] {
+                    0 => 0.0,
+                    node => SHARES[node - 1],
+                };
+                Pressing {
+                    load_n,
+                    shares: [share(0), share(1)],
+                }
+            })
+        };
+        self.settings.dragged().flat_map(of_load).collect()
+    }
+
+    /// Pairs of pressings that differ by their load alone, drawn by the seed: no node of the table.
+    pub fn tested(&self) -> Vec<[Pressing; 2]> {
+        let mut rng = ChaCha8Rng::seed_from_u64(self.settings.seed);
+        let mut even = || (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+        let is_dragged = self.settings.dragged().next().is_some();
+        let pair = |_| {
+            let share = LEAST_TESTED + (1.0 - LEAST_TESTED - PAIR_SHARE) * even();
+            let (turn, reach) = (std::f64::consts::TAU * even(), FARTHEST_TESTED * even());
+            let shares = match is_dragged {
+                true => [reach * turn.cos(), reach * turn.sin()],
+                false => [0.0; 2],
+            };
+            [-PAIR_SHARE, PAIR_SHARE].map(|beside| Pressing {
+                load_n: self.settings.largest_load_n * share * (1.0 + beside),
+                shares,
+            })
+        };
+        (0..PAIRS).map(pair).collect()
+    }
+
+    /// The scene of a pressing.
+    pub fn scene(&self, pressing: &Pressing) -> Scene {
+        let mut scene = self.tire.clone();
+        let largest = self.settings.shift_mm(pressing.load_n);
+        scene.ground.load_n = Some(pressing.load_n);
+        scene.ground.shift_mm = pressing.shares.map(|share| share * largest + 0.0);
+        scene
+    }
+}
+
+fn undragged(load_n: f64) -> Pressing {
+    Pressing {
+        load_n,
+        shares: [0.0; 2],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use fem_client::scene::Level;
+
+    use super::*;
+
+    fn scenes(friction: f64) -> TableScenes {
+        let settings = TableSettings::new(30.0, 12.5, friction, Level::Coarse);
+        TableScenes::new(&Scene::default(), settings)
+    }
+
+    #[test]
+    fn every_scene_is_one_that_the_reader_takes() {
+        let table = scenes(0.5);
+        let tested = table.tested().concat();
+        let all = [table.undragged(), table.dragged(), tested].concat();
+        assert_eq!(all.len(), 12 + 32 + 20);
+        for pressing in &all {
+            let mut scene = table.scene(pressing);
+            scene.contact.friction = 0.5;
+            assert_eq!(Scene::from_json(&scene.canonical_json()), Ok(scene));
+        }
+    }
+
+    #[test]
+    fn pairs_lie_within_the_table_and_are_drawn_by_the_seed() {
+        let table = scenes(0.5);
+        for [low, high] in table.tested() {
+            assert_eq!(low.shares, high.shares);
+            assert!((high.load_n / low.load_n - 1.05 / 0.95).abs() < 1e-12);
+            assert!(
+                low.load_n > 0.0 && high.load_n <= 30.0 && low.shares[0].hypot(low.shares[1]) < 1.0
+            );
+        }
+        assert_eq!(table.tested(), scenes(0.5).tested());
+        let smooth = scenes(0.0);
+        assert!(smooth.dragged().is_empty());
+        assert!(
+            smooth
+                .tested()
+                .concat()
+                .iter()
+                .all(|pressing| pressing.shares == [0.0; 2])
+        );
+    }
+}

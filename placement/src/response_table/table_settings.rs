@@ -1,0 +1,89 @@
+//! What is solved for a table of responses: loads, shifts of the ground, and solves that only test it.
+
+use fem_client::scene::Level;
+
+/// Loads of the undragged ground.
+const LOADS: usize = 12;
+/// Loads grow with this power of their number: the depth is then about even, as a tire's force grows with the depth to the power of 4/3 to 3/2.
+const LOAD_POWER: f64 = 1.4;
+/// Every so-manyth load is dragged, too.
+const DRAGGED_EVERY: usize = 3;
+/// The largest shift at a load grows with this power of the load, about as the depth does: ground that presses twice as deep slides twice as far before it slips.
+const SHIFT_POWER: f64 = 0.75;
+/// Largest shift at the largest load over the section's radius, with a coefficient of friction of one: three quarters of the pull at which the foot tire slides.
+const SHIFT_OF_SECTION: f64 = 0.12;
+/// Pairs of solves that test the table. The loads of a pair differ by this share, for slopes over the depth.
+pub const PAIRS: usize = 10;
+/// Half of that share.
+pub const PAIR_SHARE: f64 = 0.05;
+
+/// The loads and shifts of a table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TableSettings {
+    /// The largest load, N.
+    pub largest_load_n: f64,
+    /// The largest shift at that load, mm; 0: the ground isn't dragged.
+    pub largest_shift_mm: f64,
+    /// Draws the solves that test the table.
+    pub seed: u64,
+    /// Mesh level.
+    pub level: Level,
+}
+
+impl TableSettings {
+    /// For loads up to this one, N, on a section of this radius, mm, with this coefficient of friction.
+    pub fn new(largest_load_n: f64, section_radius_mm: f64, friction: f64, level: Level) -> Self {
+        Self {
+            largest_load_n,
+            largest_shift_mm: SHIFT_OF_SECTION * friction * section_radius_mm,
+            seed: 1,
+            level,
+        }
+    }
+
+    /// Loads of the undragged ground, N, increasing.
+    pub fn loads_n(&self) -> Vec<f64> {
+        let share = |k: usize| (k as f64 / LOADS as f64).powf(LOAD_POWER);
+        (1..=LOADS)
+            .map(|k| self.largest_load_n * share(k))
+            .collect()
+    }
+
+    /// Which of them are dragged.
+    pub fn dragged(&self) -> impl Iterator<Item = usize> {
+        let last = if self.largest_shift_mm > 0.0 {
+            LOADS
+        } else {
+            0
+        };
+        (1..=last).filter(|k| k % DRAGGED_EVERY == 0).map(|k| k - 1)
+    }
+
+    /// The shift at a load, N, that is one share, mm.
+    pub fn shift_mm(&self, load_n: f64) -> f64 {
+        let share = (load_n / self.largest_load_n).max(0.0);
+        self.largest_shift_mm * share.powf(SHIFT_POWER)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loads_end_at_the_largest_and_a_third_is_dragged() {
+        let settings = TableSettings::new(30.0, 12.5, 0.5, Level::Coarse);
+        let loads = settings.loads_n();
+        assert_eq!((loads.len(), loads[11]), (12, 30.0));
+        assert!(loads.windows(2).all(|pair| pair[0] < pair[1]));
+        assert_eq!(settings.dragged().collect::<Vec<_>>(), [2, 5, 8, 11]);
+        assert_eq!(settings.shift_mm(30.0), 0.75);
+        assert!(settings.shift_mm(15.0) < 0.5 && settings.shift_mm(0.0) == 0.0);
+    }
+
+    #[test]
+    fn ground_without_friction_is_not_dragged() {
+        let smooth = TableSettings::new(30.0, 12.5, 0.0, Level::Coarse);
+        assert_eq!(smooth.dragged().count(), 0);
+    }
+}

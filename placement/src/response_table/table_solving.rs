@@ -1,0 +1,114 @@
+//! Solves a table's pressings as points of a study: stored, shared and resumed as all others.
+
+use fem_client::scene::Scene;
+use fem_client::solver::{Readout, Response};
+
+use crate::layout::arrangement::FilmKind;
+use crate::layout::solving::layout_scenes::FINE_DEG;
+use crate::layout::solving::measuring_layouts::outcomes;
+use crate::layout::solving::mirror_parts::mirrored;
+use crate::response_table::drag_basis::DRAGS;
+use crate::response_table::solved_table::ResponseTable;
+use crate::response_table::table_error::{TableError, table_error};
+use crate::response_table::table_scenes::{Pressing, TableScenes};
+use crate::run::archive::Outcome;
+use crate::run::{Place, RunContext, RunError};
+
+/// A table with its error.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TestedTable {
+    /// The table.
+    pub table: ResponseTable,
+    /// None where a tested solve has no equilibrium.
+    pub error: Option<TableError>,
+}
+
+/// Pressings with what became of them.
+type Solved = Vec<(Pressing, Outcome)>;
+
+/// All that is solved for a table: two series, each of which starts from its first equilibrium, and what is read of them.
+pub(crate) fn table_series(scenes: &TableScenes, kinds: &[FilmKind]) -> [(Vec<Scene>, Readout); 2] {
+    series(scenes).map(|pressings| {
+        let scenes = pressings.iter().map(|pressing| scenes.scene(pressing));
+        (scenes.collect(), readout(kinds))
+    })
+}
+
+/// Undragged pressings, and dragged ones with those that test the table.
+fn series(scenes: &TableScenes) -> [Vec<Pressing>; 2] {
+    let tested = scenes.tested().concat();
+    let is_dragged = scenes.settings().largest_shift_mm > 0.0;
+    match is_dragged {
+        true => [scenes.undragged(), [scenes.dragged(), tested].concat()],
+        false => [[scenes.undragged(), tested].concat(), Vec::new()],
+    }
+}
+
+fn readout(kinds: &[FilmKind]) -> Readout {
+    Readout {
+        fine_deg: Some(FINE_DEG),
+        ..mirrored(kinds)
+    }
+}
+
+/// Solves a table; the place moves behind its points.
+///
+/// # Errors
+/// See [`RunError`]; within, why there is no table.
+pub(crate) fn solve(
+    scenes: &TableScenes,
+    kinds: &[FilmKind],
+    means: &[f64],
+    place: &mut Place,
+    context: RunContext<'_>,
+) -> Result<Result<TestedTable, String>, RunError> {
+    let mut solved: Solved = Vec::new();
+    for pressings in series(scenes) {
+        if pressings.is_empty() {
+            continue;
+        }
+        let all: Vec<Scene> = pressings
+            .iter()
+            .map(|pressing| scenes.scene(pressing))
+            .collect();
+        match outcomes(&all, &readout(kinds), means, place, context)? {
+            Ok(outcomes) => solved.extend(pressings.into_iter().zip(outcomes)),
+            Err(reason) => return Ok(Err(reason)),
+        }
+    }
+    Ok(tabulated(scenes, kinds, &solved))
+}
+
+/// The table and its error from what became of its pressings.
+fn tabulated(
+    scenes: &TableScenes,
+    kinds: &[FilmKind],
+    solved: &Solved,
+) -> Result<TestedTable, String> {
+    let of = |pressing: &Pressing| -> Result<(Pressing, &Response), String> {
+        let found = solved.iter().find(|(other, _)| other == pressing);
+        let (_, outcome) = found.ok_or("it wasn't solved")?;
+        match outcome {
+            Ok(response) => Ok((*pressing, response)),
+            Err(unsolved) => Err(format!(
+                "{} N with shifts {:?} of the largest: {unsolved}",
+                pressing.load_n, pressing.shares
+            )),
+        }
+    };
+    let undragged: Vec<_> = scenes
+        .undragged()
+        .iter()
+        .map(of)
+        .collect::<Result<_, _>>()?;
+    let dragged: Vec<_> = scenes.dragged().iter().map(of).collect::<Result<_, _>>()?;
+    debug_assert_eq!(dragged.len() % DRAGS.len(), 0);
+    let table = ResponseTable::new(scenes.settings(), kinds, &undragged, &dragged)?;
+    let pairs = scenes
+        .tested()
+        .into_iter()
+        .map(|[low, high]| Some([of(&low).ok()?, of(&high).ok()?]));
+    let pairs: Option<Vec<_>> = pairs.collect();
+    let error = pairs.and_then(|pairs| table_error(&table, kinds, &pairs));
+    Ok(TestedTable { table, error })
+}

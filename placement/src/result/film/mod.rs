@@ -1,0 +1,11 @@
+//! What films read, and what is known of forces by them.
+
+pub mod film_place;
+mod film_signals;
+mod force_findings;
+pub mod signal_words;
+
+pub use film_signals::{
+    ClaimRow, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth,
+};
+pub use force_findings::{ForceFindings, TableReport};
