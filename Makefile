@@ -90,10 +90,9 @@ house:
 test-unit: setup-build
 	$(UNIT_TESTS)
 
-# The tests, then the documentation: its links and its examples.
+# The tests, and the documentation: its links and its examples.
 test-rust: setup-rust
-	MAKEFLAGS= tests/rust/run $(ALL) --tests
-	RUSTDOC=$(abspath tests/rust/rustdoc) $(CARGO) test $(ALL) --doc
+	RUSTDOC=$(abspath tests/rust/rustdoc) MAKEFLAGS= tests/rust/run $(ALL)
 
 # Every case whose answer is known; the Rust tests ran the extremes.
 verify: $(PROGRAM)

@@ -55,6 +55,7 @@ pub fn estimate(work: &Workload, known: &HashSet<String>, machine: &Machine) -> 
             effects: count(&bills[..expected], |bill| bill.effects),
             signals: count(&bills[..expected], |bill| bill.signals),
             layouts: count(&bills[..expected], |bill| bill.layouts),
+            tables: count(&bills[..expected], |bill| bill.tables),
             known: count(&bills[..expected], |bill| bill.known),
             left: CountForecast {
                 least: bills[0].left,
@@ -155,6 +156,7 @@ struct Bill {
     effects: usize,
     signals: usize,
     layouts: usize,
+    tables: usize,
     known: usize,
     left: usize,
     planned_s: f64,
@@ -184,6 +186,7 @@ impl Bill {
             effects: stage.effects.len(),
             signals: stage.signals.iter().map(Vec::len).sum(),
             layouts: stage.layouts.iter().map(Vec::len).sum(),
+            tables: stage.tables.iter().map(Vec::len).sum(),
             known: all - left,
             left,
             planned_s: lacking.iter().map(|series| series_s(series, machine)).sum(),

@@ -12,6 +12,7 @@ use super::law::{How, Task, mirror_class, tire};
 use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings};
+use crate::response_table::study_table::StudyTable;
 use crate::run::keys;
 use crate::signals::measuring::signal_series;
 use crate::study::plan::{Plan, PlanError, PlannedStudy};
@@ -51,6 +52,8 @@ pub(crate) struct Stage {
     pub signals: Vec<Vec<Point>>,
     /// What shows layouts' loads, a series for each mesh.
     pub layouts: Vec<Vec<Point>>,
+    /// What a rig's table is made of.
+    pub tables: Vec<Vec<Point>>,
     /// How often a layout is scored at a load on a mesh.
     pub scorings: usize,
     /// Films of the largest layout.
@@ -66,6 +69,7 @@ impl Stage {
             .into_iter()
             .chain(&self.signals)
             .chain(&self.layouts)
+            .chain(&self.tables)
     }
 
     /// Points on both meshes, those included that an adaptive method is expected to ask for.
@@ -194,6 +198,7 @@ impl Workload {
             };
             let signals = further(&|| signal_series(study, &planned.plan, solver));
             let layouts = further(&|| layout_series(study, &planned.plan, solver));
+            let tables = further(&|| StudyTable::series_of(study, &planned.plan));
             let solved_there =
                 |stage: &Stage| Some(stage.fidelity.level) == coarser_level && stage.extra.most > 0;
             let extra = Extra {
@@ -207,6 +212,7 @@ impl Workload {
                 effects,
                 signals,
                 layouts,
+                tables,
                 scorings: if is_first {
                     scorings(study, &planned.plan, solver)
                 } else {

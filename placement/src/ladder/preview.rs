@@ -58,6 +58,7 @@ impl Preview {
                 grid,
                 layouts: Layouts::none(),
                 signals: None,
+                rig: None,
                 accuracy: Accuracy::Preset,
                 ..draft.raise(study)
             },

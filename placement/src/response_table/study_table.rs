@@ -70,6 +70,13 @@ impl StudyTable {
         })
     }
 
+    /// All that is solved for a study's rig, and what is read of it; nothing without a table.
+    pub(crate) fn series_of(study: &Study, plan: &Plan) -> Vec<(Vec<Scene>, Readout)> {
+        let table = study.rig.as_ref().map(|rig| Self::of(study, rig, plan));
+        let series = table.and_then(Result::ok);
+        series.iter().flat_map(Self::series).collect()
+    }
+
     /// All that is solved, and what is read of it.
     pub(crate) fn series(&self) -> impl Iterator<Item = (Vec<Scene>, Readout)> {
         let series = table_series(&self.scenes, &self.kinds).into_iter();

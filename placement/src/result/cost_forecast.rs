@@ -38,6 +38,9 @@ pub struct SolveForecast {
     /// Solves of layouts' loads, on both meshes.
     #[serde(default)]
     pub layouts: usize,
+    /// Solves of a rig's table of responses.
+    #[serde(default)]
+    pub tables: usize,
     /// How many of these the database has already: they cost nothing.
     pub known: usize,
     /// How many are left to solve.

@@ -97,6 +97,7 @@ fn study(
         method,
         accuracy: Accuracy::Preset,
         signals: None,
+        rig: None,
     })
 }
 

@@ -41,12 +41,16 @@ pub fn cost(result: &StudyResult) -> String {
         0 => String::new(),
         solves => format!(", {solves} for films' signals"),
     };
+    let tables = match cost.table_solves {
+        0 => String::new(),
+        solves => format!(", {solves} for the rig's table"),
+    };
     let layouts = match cost.layout_solves {
         0 => String::new(),
         solves => format!(", {solves} for layouts"),
     };
     let counts = format!(
-        "whole study {:.2} s; {} solves, {} of them known before{coarser}{layouts}{signals}; {} Newton iterations, {} factorisations",
+        "whole study {:.2} s; {} solves, {} of them known before{coarser}{layouts}{signals}{tables}; {} Newton iterations, {} factorisations",
         cost.wall_s, cost.solves, cost.reused, cost.newton_iterations, cost.factorisations,
     );
     let shares = format!(
