@@ -115,3 +115,86 @@ impl StanceResponse for FilmsAtAngle<'_> {
             .force_n(&self.table.weights(contact.depth_mm, contact.shift_mm))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use fem_client::scene::{FilmLayer, Geometry, Scene};
+
+    use super::*;
+    use crate::layout::arrangement::Arrangement;
+    use crate::response_table::solved_table::tests::{field, table_of};
+    use crate::signals::signal_settings::SignalSettings;
+
+    fn film() -> Film {
+        SignalSettings::on(&Scene::default()).film
+    }
+
+    #[test]
+    fn a_uniform_strain_charges_a_film_as_plane_stress_says() {
+        let film = film();
+        let kind = bare_in_volts(
+            &FilmKind::sized(&Geometry::default(), Some([5.0, 5.0]), 0.0, 0.0),
+            &film,
+        );
+        let FilmReads::Volts([along, across]) = kind.reads else {
+            panic!("volts");
+        };
+        let FilmLayer {
+            modulus_mpa,
+            poisson_ratio,
+            thickness_mm,
+            ..
+        } = film.layers[0];
+        let stiffness = modulus_mpa / (1.0 - poisson_ratio * poisson_ratio);
+        let area = film.length_mm * film.width_mm;
+        let capacitance_pf = film.piezo.capacitance_pf(area, thickness_mm);
+        for (volts, stress) in [
+            (along, [1.0, poisson_ratio]),
+            (across, [poisson_ratio, 1.0]),
+        ] {
+            let charge = film
+                .piezo
+                .charge_nc(stress.map(|share| share * stiffness), area);
+            assert!((charge_nc(volts, capacitance_pf) / charge - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_wheel_that_turned_reads_what_it_read_before() {
+        let kinds = [FilmKind::point(0.0, 90.0), FilmKind::point(30.0, 0.0)];
+        let (table, settings) = table_of(&kinds, 0.5);
+        let film = film();
+        let six = Arrangement::regular(6, &[0, 1], false);
+        let turned: Vec<LaidFilm> = six
+            .films
+            .iter()
+            .map(|film| LaidFilm {
+                theta_deg: film.theta_deg + 17.0,
+                ..*film
+            })
+            .collect();
+        let [six, turned] = [&six.films, &turned].map(|films| LaidFilms::new(&table, &film, films));
+        let contact = Contact {
+            depth_mm: 1.0,
+            shift_mm: [0.4 * settings.shift_mm(20.0), 0.0],
+        };
+        let charges = |films: &LaidFilms<'_>, contact_deg: f64| {
+            let mut charges = vec![0.0; films.films()];
+            films
+                .at_angle(contact_deg)
+                .charges_nc(&contact, &mut charges);
+            charges
+        };
+        let before = charges(&six, 8.0);
+        for (a, b) in before.iter().zip(charges(&turned, 25.0)) {
+            assert!((a - b).abs() < 1e-12 * six.full_scale_nc()[0]);
+        }
+        // The third film is the second unit's first: 60 degrees around, 52 from the contact.
+        let expected = field(1.0, [0.4, 0.0], 52.0, 0.0, 90.0);
+        assert!((before[2] - charge_nc(expected, six.capacitance_pf()[0])).abs() < 1e-8);
+        assert_eq!(
+            six.at_angle(8.0).force_n(&contact),
+            turned.at_angle(0.0).force_n(&contact)
+        );
+    }
+}

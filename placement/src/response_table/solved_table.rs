@@ -316,3 +316,177 @@ fn pulls_of(group: &[(Pressing, &Response)]) -> Result<[f64; PRODUCTS], String> 
     }
     Ok(pulls)
 }
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use std::sync::atomic::AtomicBool;
+
+    use fem_client::closed_form::ClosedFormSolver;
+    use fem_client::scene::{Level, Scene};
+    use fem_client::solver::direction::PerDirection;
+    use fem_client::solver::{Readout, RingLine, SolveRequest, Solver};
+
+    use super::*;
+    use crate::response_table::table_scenes::TableScenes;
+
+    const DEPTH_OF_LOAD: f64 = 0.05;
+
+    /// A field with both mirror planes that grows with the depth d, mm, and is a polynomial of the shifts as shares of the largest.
+    pub(crate) fn field(d: f64, [x, y]: [f64; 2], u: f64, phi: f64, angle: f64) -> f64 {
+        let (u, phi, angle) = (u.to_radians(), phi.to_radians(), angle.to_radians());
+        let (straight, turned) = (angle.cos().powi(2), angle.sin() * angle.cos());
+        let still = u.cos() * phi.cos() + 3.0 * u.sin() * phi.sin() * turned;
+        let along = u.sin() * phi.cos() * (1.0 + straight) + u.cos() * phi.sin() * turned;
+        let across = u.cos() * phi.sin() * (1.0 + straight) + u.sin() * phi.cos() * turned;
+        let both = u.sin() * phi.sin() + u.cos() * phi.cos() * turned;
+        d * (still * (1.0 + x * x - 0.3 * y.powi(4))
+            + along * (x + 0.2 * x.powi(3))
+            + across * y
+            + both * x * y.powi(3))
+    }
+
+    /// What a solver answers to a pressing of that tire.
+    fn answer(base: &Response, lines: &[RingLine], pressing: &Pressing) -> Response {
+        let d = DEPTH_OF_LOAD * pressing.load_n;
+        let ring = |line: &RingLine| {
+            let around = |angle: f64| {
+                (-180..180)
+                    .map(|u| field(d, pressing.shares, f64::from(u), line.section_deg, angle))
+                    .collect()
+            };
+            Ring {
+                section_deg: line.section_deg,
+                theta_deg: (-180..180).map(f64::from).collect(),
+                strain: PerDirection {
+                    x: around(0.0),
+                    y: around(90.0),
+                },
+                turned: line.turned_deg.iter().map(|angle| around(*angle)).collect(),
+            }
+        };
+        let [x, y] = pressing.shares;
+        Response {
+            reaction_n: pressing.load_n,
+            force_n: Some([d * x * (1.0 + y * y), -d * y, pressing.load_n]),
+            depth_mm: Some(d),
+            rings: lines.iter().map(ring).collect(),
+            ..base.clone()
+        }
+    }
+
+    /// A response whose fields are put in.
+    fn base() -> Response {
+        let (scene, readout, go) = (Scene::default(), Readout::default(), AtomicBool::new(false));
+        let request = SolveRequest {
+            scene: &scene,
+            readout: &readout,
+            start: None,
+            watch: &go,
+        };
+        let solved = ClosedFormSolver::new().solve(&request);
+        solved.expect("a response").response
+    }
+
+    /// What that tire answers to a pressing, read for these kinds of film.
+    pub(crate) fn answers_to(kinds: &[FilmKind], pressing: &Pressing) -> Response {
+        answer(&base(), &mirrored(kinds).rings, pressing)
+    }
+
+    /// The table of that tire with the kinds of film.
+    pub(crate) fn table_of(kinds: &[FilmKind], friction: f64) -> (ResponseTable, TableSettings) {
+        let settings = TableSettings::new(30.0, 12.5, friction, Level::Coarse);
+        let scenes = TableScenes::new(&Scene::default(), settings.clone());
+        let (base, lines) = (base(), mirrored(kinds).rings);
+        let answers = |pressings: Vec<Pressing>| -> Vec<(Pressing, Response)> {
+            let answer = |pressing| (pressing, answer(&base, &lines, &pressing));
+            pressings.into_iter().map(answer).collect()
+        };
+        let (undragged, dragged) = (answers(scenes.undragged()), answers(scenes.dragged()));
+        let [undragged, dragged] = [&undragged, &dragged]
+            .map(|list| list.iter().map(|(p, r)| (*p, r)).collect::<Vec<_>>());
+        let table = ResponseTable::new(&settings, kinds, &undragged, &dragged).expect("a table");
+        (table, settings)
+    }
+
+    fn kinds() -> Vec<FilmKind> {
+        [(0.0, 0.0), (0.0, 90.0), (30.0, 90.0), (-30.0, 40.0)]
+            .map(|(phi, angle)| FilmKind::point(phi, angle))
+            .to_vec()
+    }
+
+    #[test]
+    fn a_field_that_the_table_can_be_is_met_everywhere() {
+        let kinds = kinds();
+        let (table, settings) = table_of(&kinds, 0.5);
+        for (load_n, shares) in [
+            (30.0, [1.0, -1.0]),
+            (11.7, [-0.3, 0.8]),
+            (0.4, [0.0, 0.0]),
+            (23.0, [0.9, 0.1]),
+        ] {
+            let d = DEPTH_OF_LOAD * load_n;
+            assert!((table.depth_of_load_mm(load_n) - d).abs() < 1e-12);
+            let weights = table.weights(d, shares.map(|share| share * settings.shift_mm(load_n)));
+            for (number, kind) in kinds.iter().enumerate() {
+                let samples = table.samples(number, &weights);
+                for (u, sample) in (-180..180).zip(samples) {
+                    let expected = field(d, shares, f64::from(u), kind.phi_deg, kind.angle_deg);
+                    assert!(
+                        (sample - expected).abs() < 1e-11,
+                        "{load_n} {shares:?} {kind:?} {u}: {sample} {expected}"
+                    );
+                }
+            }
+            let expected = [
+                d * shares[0] * (1.0 + shares[1] * shares[1]),
+                -d * shares[1],
+                load_n,
+            ];
+            for (found, expected) in table.force_n(&weights).iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-11, "{found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn films_read_the_field_where_they_stand() {
+        let kinds = kinds();
+        let (table, settings) = table_of(&kinds, 0.5);
+        let weights = table.weights(1.0, [0.5 * settings.shift_mm(20.0), 0.0]);
+        let nodes = table.film_nodes([(1, 12.25), (3, -40.0)].into_iter());
+        for (film, (kind, apart)) in [(1, 12.25), (3, -40.0)].into_iter().enumerate() {
+            let FilmKind {
+                phi_deg, angle_deg, ..
+            } = kinds[kind];
+            let expected = field(1.0, [0.5, 0.0], apart, phi_deg, angle_deg);
+            // A cubic between degrees: h^4 / 384 of a fourth derivative of some 5, h in radians.
+            assert!(
+                (nodes.signal(film, &weights) - expected).abs() < 5e-9,
+                "{film}"
+            );
+        }
+    }
+
+    #[test]
+    fn beyond_the_table_the_nearest_contact_answers_and_air_is_nothing() {
+        let kinds = kinds();
+        let (table, _) = table_of(&kinds, 0.5);
+        let [deepest, deeper] =
+            [1.5, 9.0].map(|depth| table.samples(0, &table.weights(depth, [0.0; 2])));
+        assert_eq!(deepest, deeper);
+        assert_eq!(table.force_n(&table.weights(0.0, [0.1, 0.1])), [0.0; 3]);
+        assert!((table.largest_signal(0) - 1.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn ground_without_friction_pulls_nothing() {
+        let kinds = kinds();
+        let (table, _) = table_of(&kinds, 0.0);
+        let weights = table.weights(1.0, [0.3, 0.3]);
+        assert_eq!(table.force_n(&weights)[..2], [0.0; 2]);
+        assert_eq!(
+            table.samples(0, &weights),
+            table.samples(0, &table.weights(1.0, [0.0; 2]))
+        );
+    }
+}

@@ -10,6 +10,7 @@ use crate::response_table::laid_films::{LaidFilms, bare_in_volts};
 use crate::response_table::table_scenes::TableScenes;
 use crate::response_table::table_settings::TableSettings;
 use crate::response_table::table_solving::{TestedTable, solve, table_series};
+use crate::result::RankedLayout;
 use crate::rig::rig_settings::RigSettings;
 use crate::run::{Place, RunContext, RunError};
 use crate::signals::signal_settings::SignalSettings;
@@ -62,8 +63,10 @@ impl StudyTable {
             means.contact.friction,
             study.level.min(Level::Coarse),
         );
+        let scenes = TableScenes::new(means, settings);
+        scenes.check()?;
         Ok(Self {
-            scenes: TableScenes::new(means, settings),
+            scenes,
             kinds,
             film,
             layouts,
@@ -81,6 +84,27 @@ impl StudyTable {
     pub(crate) fn series(&self) -> impl Iterator<Item = (Vec<Scene>, Readout)> {
         let series = table_series(&self.scenes, &self.kinds).into_iter();
         series.filter(|(scenes, _)| !scenes.is_empty())
+    }
+
+    /// The layout that a row of the result is of; none of those that a search found.
+    pub fn asked(&self, ranked: &RankedLayout) -> Option<&AskedLayout> {
+        let is_same = |layout: &&AskedLayout| {
+            let label = &layout.label;
+            (
+                &label.name,
+                label.units,
+                &label.position,
+                &label.films,
+                label.staggered,
+            ) == (
+                &ranked.name,
+                ranked.units,
+                &ranked.position,
+                &ranked.films,
+                ranked.staggered,
+            )
+        };
+        self.layouts.iter().find(is_same)
     }
 
     /// How many solves that takes.

@@ -159,3 +159,66 @@ fn weights(table: &ResponseTable, pressing: &Pressing) -> Weights {
     let largest = table.largest_shift_mm(depth_mm);
     table.weights(depth_mm, pressing.shares.map(|share| share * largest))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::response_table::solved_table::tests::{answers_to, table_of};
+    use crate::response_table::table_scenes::TableScenes;
+    use fem_client::scene::Scene;
+
+    fn compared(spoil: impl Fn(&mut Response)) -> TableError {
+        let kinds = [FilmKind::point(0.0, 90.0), FilmKind::point(30.0, 40.0)];
+        let (table, settings) = table_of(&kinds, 0.5);
+        let scenes = TableScenes::new(&Scene::default(), settings);
+        let tested = scenes.tested();
+        let answers: Vec<[(Pressing, Response); 2]> = tested
+            .iter()
+            .map(|pair| {
+                pair.map(|pressing| {
+                    let mut response = answers_to(&kinds, &pressing);
+                    spoil(&mut response);
+                    (pressing, response)
+                })
+            })
+            .collect();
+        let pairs: Vec<_> = answers
+            .iter()
+            .map(|pair| {
+                pair.each_ref()
+                    .map(|(pressing, response)| (*pressing, response))
+            })
+            .collect();
+        table_error(&table, &kinds, &pairs).expect("pairs")
+    }
+
+    #[test]
+    fn a_table_that_is_right_has_no_error() {
+        let error = compared(|_| ());
+        assert_eq!(error.solves, 20);
+        for value in [
+            error.signal_worst,
+            error.angle_slope_worst,
+            error.depth_slope_worst,
+            error.force_worst,
+        ] {
+            assert!(value < 1e-9, "{error:?}");
+        }
+    }
+
+    /// The largest signal of the kind along y at the crown is 1.5, by the depth.
+    #[test]
+    fn what_the_solves_say_otherwise_is_told() {
+        let error = compared(|response| {
+            response.rings[0].strain.y[100] += 0.15;
+            response.reaction_n += 1.0;
+            response.force_n = response.force_n.map(|[x, y, z]| [x, y - 0.3, z]);
+        });
+        assert!((error.signal_worst - 0.1).abs() < 1e-9, "{error:?}");
+        // One sample of 360 of one of two kinds.
+        assert!((error.signal_rms - 0.1 / 720f64.sqrt()).abs() < 1e-9);
+        assert!((error.force_worst - 0.01).abs() < 1e-9);
+        // Both solves of a pair are off by the same: a slope over the depth isn't.
+        assert!(error.depth_slope_worst < 1e-9 && error.angle_slope_worst > 0.01);
+    }
+}

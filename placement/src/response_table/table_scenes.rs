@@ -92,6 +92,32 @@ impl TableScenes {
         (0..PAIRS).map(pair).collect()
     }
 
+    /// Whether a tire can be asked for all that.
+    ///
+    /// # Errors
+    /// What can't be asked for.
+    pub fn check(&self) -> Result<(), String> {
+        let load_n = self.settings.largest_load_n;
+        if load_n <= 0.0 {
+            return Err("The rig never presses: gait.load_n has no load above zero.".to_owned());
+        }
+        let farthest = Pressing {
+            load_n,
+            shares: [1.0; 2],
+        };
+        let scene = self.scene(&farthest);
+        match Scene::from_json(&scene.canonical_json()) {
+            Ok(_) => Ok(()),
+            Err(faults) => {
+                let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
+                Err(format!(
+                    "This tire can't be pressed by {load_n} N as the rig asks: {}",
+                    faults.join("; ")
+                ))
+            }
+        }
+    }
+
     /// The scene of a pressing.
     pub fn scene(&self, pressing: &Pressing) -> Scene {
         let mut scene = self.tire.clone();

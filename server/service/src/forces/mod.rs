@@ -7,6 +7,7 @@
 //! - [`fitting`]: learns an estimator on all cores
 //! - [`model_file`]: estimators as texts
 //! - [`applying`]: estimates of a recording, whole or row by row
+//! - [`rig_recording`]: recordings of a virtual rig on a study's layout
 //! - [`estimator_queue`]: the line of estimators that the service learns
 
 pub mod applying;
@@ -16,4 +17,5 @@ pub mod fitting;
 pub mod model_file;
 pub mod recipe_reader;
 pub mod recorded_texts;
+pub mod rig_recording;
 pub mod submission_reader;

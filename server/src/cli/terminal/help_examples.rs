@@ -53,6 +53,11 @@ pub const FORCE_APPLY: &str = "Examples:
   strainsite force apply model.json friday.csv -o forces.csv
   strainsite force apply model.json -";
 
+/// Examples of `force record`.
+pub const FORCE_RECORD: &str = "Examples:
+  strainsite force record studies/forces.toml --layout 1 -o recordings
+  strainsite force fit recordings/recipe.toml recordings/run-*.csv";
+
 /// Examples of `trade`.
 pub const TRADE: &str = "Examples:
   strainsite trade studies/foot-tire.toml --out trade

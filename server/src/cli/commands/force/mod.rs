@@ -2,10 +2,12 @@
 //!
 //! - `force_fit`: validates every model on every split, learns the best
 //! - `force_apply`: estimates of a recording, or of rows as they come
+//! - `force_record`: recordings of a virtual rig on a study's tire
 //! - `force_table`: what a fit found, for people
 
 mod force_apply;
 mod force_fit;
+mod force_record;
 mod force_table;
 
 use clap::{Args, Subcommand};
@@ -30,6 +32,9 @@ enum Step {
     /// Estimate the forces of a recording, with 95 % intervals
     #[command(after_help = help_examples::FORCE_APPLY)]
     Apply(force_apply::Apply),
+    /// Let a virtual rig step on a study's tire, and write what the films of a layout record
+    #[command(after_help = help_examples::FORCE_RECORD)]
+    Record(force_record::Record),
 }
 
 impl Force {
@@ -38,6 +43,7 @@ impl Force {
         match &self.step {
             Step::Fit(step) => step.execute(),
             Step::Apply(step) => step.execute(),
+            Step::Record(step) => step.execute(),
         }
     }
 
@@ -46,6 +52,7 @@ impl Force {
         match &self.step {
             Step::Fit(step) => step.files(),
             Step::Apply(step) => step.files(),
+            Step::Record(step) => step.files(),
         }
     }
 
@@ -53,7 +60,7 @@ impl Force {
     pub fn json(&self) -> Option<JsonTarget> {
         match &self.step {
             Step::Fit(step) => step.json.clone(),
-            Step::Apply(_) => None,
+            Step::Apply(_) | Step::Record(_) => None,
         }
     }
 }
