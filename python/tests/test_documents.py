@@ -108,7 +108,7 @@ def test_files_that_can_not_be_read_are_named(tmp_path: Path) -> None:
 def test_a_study_is_the_same_as_a_file_a_name_and_a_table(client: Client) -> None:
     by_file = client.document(str(STUDY))
     assert by_file == client.document(STUDY) == client.document("foot-tire") == client.document(by_file)
-    known = "foot-tire, foot-tire-paper, layouts, placement"
+    known = "foot-tire, foot-tire-paper, forces, layouts, placement"
     with pytest.raises(DocumentError, match=f"'bicycle' is neither a shipped study .*{known}"):
         client.document("bicycle")
 

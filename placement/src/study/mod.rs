@@ -82,7 +82,7 @@ pub struct Input {
 }
 
 /// Names and TOML texts of the studies that ship.
-pub fn presets() -> [(&'static str, &'static str); 4] {
+pub fn presets() -> [(&'static str, &'static str); 5] {
     [
         ("foot-tire", include_str!("../../../studies/foot-tire.toml")),
         (
@@ -91,6 +91,7 @@ pub fn presets() -> [(&'static str, &'static str); 4] {
         ),
         ("placement", include_str!("../../../studies/placement.toml")),
         ("layouts", include_str!("../../../studies/layouts.toml")),
+        ("forces", include_str!("../../../studies/forces.toml")),
     ]
 }
 

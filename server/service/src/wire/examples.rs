@@ -41,7 +41,7 @@ pub fn detail() -> Value {
 /// What it is expected to take.
 pub fn estimate() -> Value {
     json!({
-        "solves": {"own": 10, "coarser": 0, "effects": 0, "signals": 0, "known": 0, "left": {"least": 10, "expected": 10, "most": 10}},
+        "solves": {"own": 10, "coarser": 0, "effects": 0, "signals": 0, "layouts": 0, "tables": 0, "known": 0, "left": {"least": 10, "expected": 10, "most": 10}},
         "wall_s": {"least": 0.06, "expected": 0.18, "most": 0.54},
         "peak_memory_bytes": 36_000_000,
         "accuracy": {"fidelity": "draft mdrm 3", "error_true": 0.022, "error_claimed": 0.1323},

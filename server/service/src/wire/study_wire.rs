@@ -260,6 +260,9 @@ pub struct StudyDocument {
     /// Films' signals over loads, pressures and contact angles; none where it is left out.
     #[schema(nullable = false)]
     pub signals: Option<SignalsDocument>,
+    /// A virtual rig that steps on the tire; none where it is left out.
+    #[schema(nullable = false)]
+    pub rig: Option<RigDocument>,
 }
 
 /// One uncertain field of the scene.
@@ -436,6 +439,39 @@ pub struct SignalsDocument {
     /// Tires beside the study's own.
     #[schema(nullable = false, max_items = 16)]
     pub tires: Option<Vec<FurtherTireDocument>>,
+}
+
+/// How a virtual rig steps, and what its films are wired to.
+#[derive(Debug, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RigDocument {
+    /// `frequency` (`kind`: fixed, randomised or transition), `stances` or `run_s`, `contact_deg` and `load_n` (each least and greatest), `duty`, `shear_share`.
+    #[schema(value_type = Object, nullable = false)]
+    pub gait: Option<Value>,
+    /// `kind` and the fields of a film's amplifier; `time_constant_s`, `bits`, `range_v`.
+    #[schema(value_type = Object, nullable = false)]
+    pub electronics: Option<Value>,
+    /// `white_share`, `thermal_k`, `drift_share`, `drift_time_s`, `warming_k_per_min`, `gain_std`.
+    #[schema(value_type = Object, nullable = false)]
+    pub noise: Option<Value>,
+    /// `rate_hz`, `offset_s`, `ppm`, `noise_n`.
+    #[schema(value_type = Object, nullable = false)]
+    pub force_sensor: Option<Value>,
+    /// Prony branches of the rubber: `share` and `time_s` of each.
+    #[schema(value_type = Vec<Object>, nullable = false, max_items = 8)]
+    pub relaxation: Option<Vec<Value>>,
+    /// Whether films relax as the force does.
+    #[schema(nullable = false)]
+    pub films_follow_force: Option<bool>,
+    /// Readings of each film a second, Hz.
+    #[schema(nullable = false)]
+    pub film_rate_hz: Option<f64>,
+    /// Runs, each with gains of its own.
+    #[schema(nullable = false, minimum = 1, maximum = 1000)]
+    pub runs: Option<u64>,
+    /// Of all that is drawn.
+    #[schema(nullable = false)]
+    pub seed: Option<u64>,
 }
 
 /// A tire beside the study's own.
