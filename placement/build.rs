@@ -4,7 +4,7 @@
 mod sources;
 
 /// Folders whose sources make a result of responses.
-const SOURCES: [&str; 2] = ["src", "../gsa/src"];
+const SOURCES: [&str; 3] = ["src", "../gsa/src", "../estimation/src"];
 
 fn main() -> std::io::Result<()> {
     println!("cargo::rerun-if-changed=../fem-client/sources.rs");

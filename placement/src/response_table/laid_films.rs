@@ -6,7 +6,7 @@ use fem_client::solver::FilmSignal;
 
 use crate::layout::arrangement::{FilmKind, FilmReads, LaidFilm};
 use crate::response_table::solved_table::{FilmNodes, ResponseTable};
-use crate::rig::contact_response::{Contact, ContactResponse, StanceResponse};
+use crate::rig::contact_response::{Contact, ContactResponse, StanceResponse, TurnableFilms};
 use crate::signals::answers::signal_of_tension;
 
 /// The kind of film whose signal is the volts of a film that follows the wall and resists nothing, open circuit.
@@ -92,6 +92,16 @@ impl ContactResponse for LaidFilms<'_> {
             nodes: self.table.film_nodes(apart),
             capacitance_pf: self.capacitance_pf,
         })
+    }
+}
+
+impl TurnableFilms for LaidFilms<'_> {
+    fn turned(&self, by_deg: &[f64]) -> Self {
+        let mut turned = self.clone();
+        for (film, by) in turned.films.iter_mut().zip(by_deg) {
+            film.theta_deg += by;
+        }
+        turned
     }
 }
 

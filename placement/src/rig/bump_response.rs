@@ -3,7 +3,7 @@
 //! Fz = k d^1.5; forces along and across are stiffnesses times shifts, and slide at a share of Fz. A film's charge is a Gaussian of its angle to the contact,
 //! as large as the depth, and skewed by the shift along the wheel.
 
-use crate::rig::contact_response::{Contact, ContactResponse, StanceResponse};
+use crate::rig::contact_response::{Contact, ContactResponse, StanceResponse, TurnableFilms};
 
 const VERTICAL_N: f64 = 11.0;
 const SHEAR_N_PER_MM: [f64; 2] = [6.0, 4.0];
@@ -12,7 +12,10 @@ const WIDTH_DEG: f64 = 22.0;
 const PEAK_NC_PER_MM: f64 = 1.0;
 
 /// Films evenly around a wheel.
+#[derive(Clone)]
 pub(crate) struct BumpResponse {
+    /// Wheel angles of the films, degrees.
+    angles_deg: Vec<f64>,
     full_scale_nc: Vec<f64>,
     capacitance_pf: Vec<f64>,
     warming_nc_per_k: Vec<f64>,
@@ -26,7 +29,9 @@ pub(crate) struct BumpStance {
 
 impl BumpResponse {
     pub(crate) fn new(films: usize) -> Self {
+        let angle = |film: usize| 360.0 * film as f64 / films as f64;
         Self {
+            angles_deg: (0..films).map(angle).collect(),
             full_scale_nc: vec![2.0; films],
             capacitance_pf: vec![980.0; films],
             warming_nc_per_k: vec![7.5; films],
@@ -34,15 +39,14 @@ impl BumpResponse {
     }
 
     pub(crate) fn stance(&self, contact_deg: f64) -> BumpStance {
-        let films = self.films();
-        let bump = |film: usize| {
-            let turn = 360.0 * film as f64 / films as f64 - contact_deg;
+        let bump = |angle_deg: &f64| {
+            let turn = angle_deg - contact_deg;
             let away = (turn - 360.0 * (turn / 360.0).round()) / WIDTH_DEG;
             let height = (-0.5 * away * away).exp();
             [height, away * height]
         };
         BumpStance {
-            bumps: (0..films).map(bump).collect(),
+            bumps: self.angles_deg.iter().map(bump).collect(),
         }
     }
 }
@@ -74,6 +78,16 @@ impl ContactResponse for BumpResponse {
 
     fn at_angle(&self, contact_deg: f64) -> Box<dyn StanceResponse + '_> {
         Box::new(self.stance(contact_deg))
+    }
+}
+
+impl TurnableFilms for BumpResponse {
+    fn turned(&self, by_deg: &[f64]) -> Self {
+        let mut turned = self.clone();
+        for (angle, by) in turned.angles_deg.iter_mut().zip(by_deg) {
+            *angle += by;
+        }
+        turned
     }
 }
 

@@ -40,6 +40,12 @@ pub trait ContactResponse {
     fn at_angle(&self, contact_deg: f64) -> Box<dyn StanceResponse + '_>;
 }
 
+/// Films whose places can be changed.
+pub trait TurnableFilms: ContactResponse + Sized {
+    /// The same with each film turned around the wheel by so many degrees.
+    fn turned(&self, by_deg: &[f64]) -> Self;
+}
+
 /// A tire with its films, the contact at one wheel angle.
 pub trait StanceResponse {
     /// Charges of all films, nC, into their places.

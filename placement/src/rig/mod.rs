@@ -9,12 +9,14 @@
 //! - [`pressed_tire`]: charges and forces of one contact after another
 //! - [`rig_run`]: one run, both clocks
 //! - [`run_csv`]: a run as a recording that `strainsite force fit` reads
+//! - [`force_error`]: how well forces are known by what a rig records
 
 #[cfg(test)]
 pub(crate) mod bump_response;
 pub mod contact_response;
 pub mod electronics;
 pub mod even_clock;
+pub mod force_error;
 pub mod gait;
 pub mod pressed_tire;
 pub mod relaxation;

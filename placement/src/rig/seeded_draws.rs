@@ -16,11 +16,13 @@ pub enum Stream {
     Films,
     /// Noise of the force sensor.
     Force,
+    /// Where films really lie.
+    Place,
 }
 
 impl Stream {
     /// How many there are.
-    const COUNT: u64 = 4;
+    const COUNT: u64 = 5;
 }
 
 /// A stream of random numbers.
@@ -79,7 +81,8 @@ mod tests {
         let mut all = Vec::new();
         for seed in 0..3 {
             for run in 0..3 {
-                for stream in [Stream::Gait, Stream::Gain, Stream::Films, Stream::Force] {
+                let streams = [Stream::Gait, Stream::Gain, Stream::Films, Stream::Force];
+                for stream in streams.into_iter().chain([Stream::Place]) {
                     all.push(first(seed, run, stream));
                 }
             }

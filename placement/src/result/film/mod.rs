@@ -2,6 +2,7 @@
 
 pub mod film_place;
 mod film_signals;
+pub mod force_error;
 mod force_findings;
 pub mod signal_words;
 

@@ -1,0 +1,1 @@
+//! What is assumed of a rig, as sentences: the paper states none of it.

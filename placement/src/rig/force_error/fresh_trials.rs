@@ -1,0 +1,167 @@
+//! What was learnt, tried on runs that nobody learnt from: as they come, with a film dead, and with films that lie elsewhere.
+//!
+//! All three are the same runs, with the same stances, gains and noise, so that their errors differ by the films alone. Estimates are held against true forces.
+
+use estimation::error_metrics::{nrmse_percent, r2, rmse};
+use estimation::estimator::{Estimate, ForceModel};
+use estimation::features::GROUPS;
+
+use crate::result::film::force_error::{AskewError, DeadFilmError, TrialError, WorstContact};
+use crate::rig::contact_response::TurnableFilms;
+use crate::rig::force_error::thinned_run::ThinnedRun;
+use crate::rig::rig_settings::RigSettings;
+use crate::rig::seeded_draws::{SeededDraws, Stream};
+
+/// Runs of each kind: one would show the luck of its gains.
+const RUNS: usize = 2;
+/// Standard deviation of the places of films that are askew, degrees around the wheel: about a millimetre on the foot tire.
+const ASKEW_DEG: f64 = 3.0;
+/// Rows of all runs from which the film is told whose loss costs most.
+const DEAD_ROWS: usize = 160;
+/// Width of the parts of the wheel whose contacts are told apart, degrees.
+const CONTACT_DEG: f64 = 5.0;
+/// Errors of fewer rows of a part say little of it.
+const FEWEST_ROWS: usize = 20;
+
+/// Runs that nobody learns from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FreshTrials {
+    fresh: Vec<ThinnedRun>,
+    askew: Vec<ThinnedRun>,
+    contact_deg: [f64; 2],
+}
+
+/// A true force with its estimate.
+type Tried = (f64, Estimate);
+
+impl FreshTrials {
+    /// Records them, counted behind those of the settings.
+    pub fn recorded<R: TurnableFilms>(response: &R, settings: &RigSettings, one_of: usize) -> Self {
+        let numbers = || (settings.runs..settings.runs + RUNS).map(|run| run as u64);
+        let askew = |run| {
+            let mut draws = SeededDraws::new(settings.seed, run, Stream::Place);
+            let by_deg: Vec<f64> = (0..response.films())
+                .map(|_| ASKEW_DEG * draws.normal())
+                .collect();
+            ThinnedRun::recorded(&response.turned(&by_deg), settings, run, one_of)
+        };
+        Self {
+            fresh: numbers()
+                .map(|run| ThinnedRun::recorded(response, settings, run, one_of))
+                .collect(),
+            askew: numbers().map(askew).collect(),
+            contact_deg: settings.gait.contact_deg,
+        }
+    }
+
+    /// On the runs as they come; with the worst contacts.
+    pub fn fresh(&self, model: &ForceModel, axis: usize) -> (TrialError, Option<WorstContact>) {
+        let tried = tried(model, &self.fresh, axis);
+        (trial_error(&tried), self.worst_contact(&tried))
+    }
+
+    /// On the runs with films askew.
+    pub fn askew(&self, model: &ForceModel, axis: usize) -> AskewError {
+        AskewError {
+            std_deg: ASKEW_DEG,
+            error: trial_error(&tried(model, &self.askew, axis)),
+        }
+    }
+
+    /// On the runs with the film dead whose loss costs most; None without films.
+    pub fn dead(&self, model: &ForceModel, axis: usize) -> Option<DeadFilmError> {
+        let films = self.fresh.first()?.features.ncols() / GROUPS;
+        let squares = |film: usize| -> f64 {
+            let runs = self.fresh.iter().map(|run| {
+                let few = (RUNS * run.time_s.len()).div_ceil(DEAD_ROWS).max(1);
+                let dead = run.with_dead_film(film);
+                let rows = (0..dead.time_s.len()).step_by(few);
+                let error = rows.map(|row| {
+                    let (truth, estimate) = at(model, &dead, axis, row);
+                    (estimate.force - truth) * (estimate.force - truth)
+                });
+                error.sum::<f64>()
+            });
+            runs.sum()
+        };
+        let costs: Vec<f64> = (0..films).map(squares).collect();
+        // The first of equal ones.
+        let film = (0..films)
+            .rev()
+            .max_by(|a, b| costs[*a].total_cmp(&costs[*b]))?;
+        let dead: Vec<ThinnedRun> = self
+            .fresh
+            .iter()
+            .map(|run| run.with_dead_film(film))
+            .collect();
+        Some(DeadFilmError {
+            film,
+            error: trial_error(&tried(model, &dead, axis)),
+        })
+    }
+
+    fn worst_contact(&self, tried: &[Tried]) -> Option<WorstContact> {
+        let [from, to] = self.contact_deg;
+        let parts = (((to - from) / CONTACT_DEG).ceil() as usize).max(1);
+        let mut squares = vec![(0.0, 0usize); parts];
+        let rows = self
+            .fresh
+            .iter()
+            .flat_map(|run| (0..run.time_s.len()).map(move |row| (run, row)));
+        for ((run, row), (truth, estimate)) in rows.zip(tried) {
+            if run.touches(row) {
+                let part = ((run.contact_deg[row] - from) / CONTACT_DEG) as usize;
+                let (sum, count) = &mut squares[part.min(parts - 1)];
+                *sum += (estimate.force - truth) * (estimate.force - truth);
+                *count += 1;
+            }
+        }
+        let known = squares
+            .iter()
+            .enumerate()
+            .filter(|(_, (_, count))| *count >= FEWEST_ROWS);
+        let errors = known.map(|(part, (sum, count))| {
+            let begin = from + part as f64 * CONTACT_DEG;
+            WorstContact {
+                deg: 0.5 * (begin + (begin + CONTACT_DEG).min(to)),
+                rmse_n: (sum / *count as f64).sqrt(),
+            }
+        });
+        let worst = errors.max_by(|a, b| a.rmse_n.total_cmp(&b.rmse_n));
+        worst.filter(|worst| worst.rmse_n.is_finite())
+    }
+}
+
+fn at(model: &ForceModel, run: &ThinnedRun, axis: usize, row: usize) -> Tried {
+    let features = run.features.row(row);
+    let columns = model.columns(features.len() / GROUPS);
+    let read = columns.into_iter().map(|column| features[column]);
+    (run.true_force_n[[row, axis]], model.estimate(read))
+}
+
+fn tried(model: &ForceModel, runs: &[ThinnedRun], axis: usize) -> Vec<Tried> {
+    let rows = runs
+        .iter()
+        .flat_map(|run| (0..run.time_s.len()).map(move |row| (run, row)));
+    rows.map(|(run, row)| at(model, run, axis, row)).collect()
+}
+
+fn trial_error(tried: &[Tried]) -> TrialError {
+    if tried.is_empty() {
+        return TrialError::default();
+    }
+    let (truth, mean): (Vec<f64>, Vec<f64>) = tried
+        .iter()
+        .map(|(truth, estimate)| (*truth, estimate.force))
+        .unzip();
+    let within = |(truth, estimate): &&Tried| (estimate.low..=estimate.high).contains(truth);
+    let covered = tried.iter().filter(within).count();
+    let error = rmse(&truth, &mean);
+    let finite = |x: &f64| x.is_finite();
+    TrialError {
+        rmse_n: Some(error).filter(finite),
+        nrmse_percent: nrmse_percent(&truth, error).filter(finite),
+        r2: r2(&truth, &mean).filter(finite),
+        coverage: Some(covered as f64 / tried.len() as f64),
+    }
+}
