@@ -1,7 +1,6 @@
 //! How far a table is off, by solves that it wasn't made of.
 
 use fem_client::solver::Response;
-use serde::{Deserialize, Serialize};
 
 use crate::layout::arrangement::FilmKind;
 use crate::layout::field::hermite::{DEGREES, Turn};
@@ -9,28 +8,7 @@ use crate::layout::solving::layout_fields::samples;
 use crate::layout::solving::mirror_parts::own_rings;
 use crate::response_table::solved_table::{ResponseTable, Weights};
 use crate::response_table::table_scenes::Pressing;
-
-/// Errors of a table over all kinds of film, wheel angles and tested solves, relative.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-pub struct TableError {
-    /// Solves that it was tested by.
-    pub solves: usize,
-    /// Root mean square of a signal's error, over the largest signal of its kind.
-    pub signal_rms: f64,
-    /// The largest.
-    pub signal_worst: f64,
-    /// Root mean square of the error of a slope over the wheel angle, over the largest of its kind.
-    pub angle_slope_rms: f64,
-    /// The largest.
-    pub angle_slope_worst: f64,
-    /// Root mean square of the error of a slope over the depth, over the largest of its kind.
-    pub depth_slope_rms: f64,
-    /// The largest.
-    pub depth_slope_worst: f64,
-    /// The largest error of a force's component, over the largest load.
-    pub force_worst: f64,
-}
+use crate::result::TableError;
 
 /// Squares of errors and the largest of them.
 #[derive(Default)]

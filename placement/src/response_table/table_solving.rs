@@ -9,8 +9,9 @@ use crate::layout::solving::measuring_layouts::outcomes;
 use crate::layout::solving::mirror_parts::mirrored;
 use crate::response_table::drag_basis::DRAGS;
 use crate::response_table::solved_table::ResponseTable;
-use crate::response_table::table_error::{TableError, table_error};
+use crate::response_table::table_error::table_error;
 use crate::response_table::table_scenes::{Pressing, TableScenes};
+use crate::result::TableError;
 use crate::run::archive::Outcome;
 use crate::run::{Place, RunContext, RunError};
 

@@ -25,8 +25,9 @@ use fem_client::solver::ModelSummary;
 pub use film::film_place::FilmPlace;
 pub use film::signal_words::{Claim, FilmModel, Holds, SignalAxis, Trend};
 pub use film::{
-    ClaimRow, FilmPair, ForceFindings, SignalCurve, SignalError, SignalRow, Signals, StressWidth,
-    TableReport,
+    AskewError, ClaimRow, DeadFilmError, FilmPair, ForceError, ForceFindings, SignalCurve,
+    SignalError, SignalRow, Signals, SplitError, StressWidth, TableError, TableReport, TrialError,
+    WorstContact,
 };
 pub use index_map::{IndexMap, MapLayer};
 pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::film::film_place::FilmPlace;
+use super::film::force_error::ForceError;
 
 /// One layout in the ranking.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -41,6 +42,25 @@ pub struct RankedLayout {
     /// Its scores at every load; absent from results of earlier versions.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub loads: Vec<LoadScore>,
+    /// How well it tells the forces along, across and vertical on a virtual rig; absent where the study has none, and of layouts that a search found.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub force_error: Option<Vec<ForceError>>,
+}
+
+impl RankedLayout {
+    /// Whether both are names of one layout, whatever is known of it.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        let label = |layout: &Self| {
+            let name = (layout.name.clone(), layout.position.clone(), layout.units);
+            (
+                name,
+                layout.films.clone(),
+                layout.staggered,
+                layout.places.clone(),
+            )
+        };
+        label(self) == label(other)
+    }
 }
 
 /// A layout's scores at one load.

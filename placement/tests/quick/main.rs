@@ -8,6 +8,7 @@ mod answers;
 mod directions;
 mod documents;
 mod failing;
+mod forces;
 mod fuzzed;
 mod glued_layouts;
 mod mirrored;

@@ -17,11 +17,11 @@ pub struct ForceError {
     pub useful: bool,
     /// The chosen model by random rows, by later rows, and by whole runs (cycles where there is one run).
     pub splits: Vec<SplitError>,
-    /// Error on left-out runs over that on random rows: how far a random split would have misled.
+    /// Error on left-out runs over that on random rows: how far a random split would have misled. Null of the training mean.
     pub leak: Option<f64>,
     /// On runs that nobody learnt from: films have other gains there.
     pub fresh: TrialError,
-    /// The same with the one film dead whose loss costs most; null of a single film.
+    /// The same with the one film dead whose loss costs most; null where the training mean is given, which reads no film.
     pub dead: Option<DeadFilmError>,
     /// The same with films that lie elsewhere than those that were learnt from.
     pub askew: AskewError,
@@ -57,7 +57,7 @@ pub struct SplitError {
     pub reason: Option<String>,
 }
 
-/// Estimates against true forces on runs that nobody learnt from.
+/// Estimates against true forces on runs that nobody learnt from, rows in the air among them.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct TrialError {
@@ -82,7 +82,7 @@ pub struct DeadFilmError {
 }
 
 /// With films askew.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct AskewError {
     /// Standard deviation of the films' places around the wheel, degrees.

@@ -2,8 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::response_table::table_error::TableError;
-
 /// What a virtual rig shows.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -11,6 +9,9 @@ pub struct ForceFindings {
     /// The table of responses that the rig reads; absent where there is none.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub table: Option<TableReport>,
+    /// What is assumed of the rig and stated by no source, whole sentences; empty where nothing was learnt.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub assumed: Vec<String>,
     /// Why something is missing, whole sentences.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub reasons: Vec<String>,
@@ -30,4 +31,26 @@ pub struct TableReport {
     pub solves: usize,
     /// How far it is off; null where a load that tests it has no equilibrium.
     pub error: Option<TableError>,
+}
+
+/// Errors of a table over all kinds of film, wheel angles and tested solves, relative.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct TableError {
+    /// Solves that it was tested by.
+    pub solves: usize,
+    /// Root mean square of a signal's error, over the largest signal of its kind.
+    pub signal_rms: f64,
+    /// The largest.
+    pub signal_worst: f64,
+    /// Root mean square of the error of a slope over the wheel angle, over the largest of its kind.
+    pub angle_slope_rms: f64,
+    /// The largest.
+    pub angle_slope_worst: f64,
+    /// Root mean square of the error of a slope over the depth, over the largest of its kind.
+    pub depth_slope_rms: f64,
+    /// The largest.
+    pub depth_slope_worst: f64,
+    /// The largest error of a force's component, over the largest load.
+    pub force_worst: f64,
 }

@@ -2,11 +2,14 @@
 
 pub mod film_place;
 mod film_signals;
-pub mod force_error;
+pub(crate) mod force_error;
 mod force_findings;
 pub mod signal_words;
 
 pub use film_signals::{
     ClaimRow, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth,
 };
-pub use force_findings::{ForceFindings, TableReport};
+pub use force_error::{
+    AskewError, DeadFilmError, ForceError, SplitError, TrialError, WorstContact,
+};
+pub use force_findings::{ForceFindings, TableError, TableReport};

@@ -2,18 +2,22 @@
 //!
 //! All three are the same runs, with the same stances, gains and noise, so that their errors differ by the films alone. Estimates are held against true forces.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use estimation::error_metrics::{nrmse_percent, r2, rmse};
 use estimation::estimator::{Estimate, ForceModel};
 use estimation::features::GROUPS;
 
 use crate::result::film::force_error::{AskewError, DeadFilmError, TrialError, WorstContact};
 use crate::rig::contact_response::TurnableFilms;
-use crate::rig::force_error::thinned_run::ThinnedRun;
+use crate::rig::force_error::thinned_run::{ThinnedRun, thinning};
 use crate::rig::rig_settings::RigSettings;
 use crate::rig::seeded_draws::{SeededDraws, Stream};
 
 /// Runs of each kind: one would show the luck of its gains.
 const RUNS: usize = 2;
+/// A trial keeps as many rows as one of so many runs: of more runs each would have few.
+const AS_OF: usize = 4;
 /// Standard deviation of the places of films that are askew, degrees around the wheel: about a millimetre on the foot tire.
 const ASKEW_DEG: f64 = 3.0;
 /// Rows of all runs from which the film is told whose loss costs most.
@@ -35,23 +39,32 @@ pub struct FreshTrials {
 type Tried = (f64, Estimate);
 
 impl FreshTrials {
-    /// Records them, counted behind those of the settings.
-    pub fn recorded<R: TurnableFilms>(response: &R, settings: &RigSettings, one_of: usize) -> Self {
-        let numbers = || (settings.runs..settings.runs + RUNS).map(|run| run as u64);
-        let askew = |run| {
+    /// Records them, counted behind those of the settings; None where the caller stops meanwhile.
+    pub fn recorded<R: TurnableFilms>(
+        response: &R,
+        settings: &RigSettings,
+        stop: &AtomicBool,
+    ) -> Option<Self> {
+        let one_of = thinning(settings, settings.runs.min(AS_OF));
+        let recorded = |response: &R, run: u64| {
+            let stopped = stop.load(Ordering::Relaxed);
+            (!stopped).then(|| ThinnedRun::recorded(response, settings, run, one_of))
+        };
+        let askew = |run: u64| {
             let mut draws = SeededDraws::new(settings.seed, run, Stream::Place);
             let by_deg: Vec<f64> = (0..response.films())
                 .map(|_| ASKEW_DEG * draws.normal())
                 .collect();
-            ThinnedRun::recorded(&response.turned(&by_deg), settings, run, one_of)
+            recorded(&response.turned(&by_deg), run)
         };
-        Self {
+        let numbers = || (settings.runs..settings.runs + RUNS).map(|run| run as u64);
+        Some(Self {
             fresh: numbers()
-                .map(|run| ThinnedRun::recorded(response, settings, run, one_of))
-                .collect(),
-            askew: numbers().map(askew).collect(),
+                .map(|run| recorded(response, run))
+                .collect::<Option<_>>()?,
+            askew: numbers().map(askew).collect::<Option<_>>()?,
             contact_deg: settings.gait.contact_deg,
-        }
+        })
     }
 
     /// On the runs as they come; with the worst contacts.

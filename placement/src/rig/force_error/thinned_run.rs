@@ -2,9 +2,9 @@
 //!
 //! Features look back over earlier rows, so they are made of all of them before any is left out.
 
-use estimation::features::{GROUPS, StreamSettings, features};
-use estimation::recording::{PAUSE_INTERVALS, Recording};
-use ndarray::{Array2, Axis};
+use estimation::features::{FeatureStream, GROUPS, StreamSettings};
+use estimation::recording::PAUSE_INTERVALS;
+use ndarray::{Array2, ArrayView1, Axis};
 
 use crate::rig::contact_response::ContactResponse;
 use crate::rig::gait::stance::Stance;
@@ -17,7 +17,7 @@ pub const WINDOW_ROWS: usize = 10;
 /// Rows are kept at this rate at most, Hz: five of the quickest stance.
 const MOST_HZ: f64 = 40.0;
 /// Rows of all runs that are learnt from, at most.
-const MOST_ROWS: f64 = 1600.0;
+const MOST_ROWS: f64 = 2000.0;
 /// The golden ratio's fraction: multiples of it fill every interval evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
@@ -42,10 +42,10 @@ pub struct ThinnedRun {
     pub contact_deg: Vec<f64>,
 }
 
-/// One of how many instants is kept.
-pub fn thinning(settings: &RigSettings) -> usize {
+/// One of how many instants is kept where so many runs are recorded.
+pub fn thinning(settings: &RigSettings, runs: usize) -> usize {
     let by_rate = settings.film_rate_hz / MOST_HZ;
-    let instants = settings.film_rate_hz * settings.gait.longest_s() * settings.runs as f64;
+    let instants = settings.film_rate_hz * settings.gait.longest_s() * runs as f64;
     by_rate.max(instants / MOST_ROWS).ceil().max(1.0) as usize
 }
 
@@ -80,7 +80,7 @@ impl ThinnedRun {
             contact_deg: stance.iter().map(contact).collect(),
             stance,
             stances: stances.len(),
-            features: all_features(films, settings).select(Axis(0), &rows),
+            features: features_of(&films, settings, &rows),
             instant: rows,
         }
     }
@@ -105,24 +105,25 @@ fn contact_deg(stance: &Stance) -> f64 {
     stance.contact_deg
 }
 
-/// Features of all instants. First readings are kept: a circuit begins without a charge, so they are noise.
-fn all_features(films: FilmReadings, settings: &RigSettings) -> Array2<f64> {
-    let instants = films.time_s.len();
-    let recording = Recording {
-        name: String::new(),
-        time_s: films.time_s,
-        signals: films.volts,
-        forces: Array2::zeros((instants, 0)),
-        cycle: None,
-    };
-    let stream = StreamSettings {
+/// Features of some instants, made of all of them. First readings are kept: a circuit begins without a charge, so they are noise.
+fn features_of(films: &FilmReadings, settings: &RigSettings, rows: &[usize]) -> Array2<f64> {
+    let mut stream = FeatureStream::new(StreamSettings {
         subtract_start: false,
         turn_sign: false,
         smooth_rows: 1,
         window_rows: WINDOW_ROWS,
         pause_s: PAUSE_INTERVALS / settings.film_rate_hz,
-    };
-    features(&recording, &stream)
+    });
+    let mut found = Array2::zeros((rows.len(), GROUPS * films.volts.ncols()));
+    let mut kept = 0;
+    for (instant, time_s) in films.time_s.iter().enumerate() {
+        let here = stream.push(*time_s, None, &films.volts.row(instant).to_vec());
+        if rows.get(kept) == Some(&instant) {
+            found.row_mut(kept).assign(&ArrayView1::from(&here));
+            kept += 1;
+        }
+    }
+    found
 }
 
 #[cfg(test)]
@@ -140,9 +141,9 @@ mod tests {
 
     #[test]
     fn few_rows_are_kept_of_long_runs_and_forty_hertz_of_short_ones() {
-        assert_eq!(thinning(&short()), 5);
+        assert_eq!(thinning(&short(), 2), 5);
         // 4 x 60 s x 200 Hz are 48 000 instants.
-        assert_eq!(thinning(&RigSettings::default()), 30);
+        assert_eq!(thinning(&RigSettings::default(), 4), 24);
     }
 
     #[test]
@@ -176,7 +177,8 @@ mod tests {
         settings.gait.frequency = Frequency::Fixed(2.0);
         let (_, mut films) = RigRun::films_alone(&BumpResponse::new(3), &settings, 0);
         films.volts.column_mut(1).fill(0.0);
-        let expected = all_features(films, &settings);
+        let all: Vec<usize> = (0..films.time_s.len()).collect();
+        let expected = features_of(&films, &settings, &all);
         let found = ThinnedRun::recorded(&BumpResponse::new(3), &settings, 0, 1).with_dead_film(1);
         assert_eq!(found.features, expected);
     }
