@@ -1,6 +1,7 @@
 //! Studies with a virtual rig: what is said of each layout's forces.
 
 use fem_client::closed_form::ClosedFormSolver;
+use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use placement::layout::layout_settings::Layouts;
 use placement::result::StudyResult;
 use placement::rig::gait::gait_settings::RunLength;
@@ -9,14 +10,35 @@ use placement::study::Study;
 
 use crate::support::{MemoryArchive, observed, shipped, text};
 
+/// The closed form, which presses to depths, with the depths of its own loads: 13 N at 1 mm, with the power of 1.3.
+struct PressedByLoad;
+
+impl Solver for PressedByLoad {
+    fn version(&self) -> String {
+        "pressed by load".to_owned()
+    }
+
+    fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        let mut scene = request.scene.clone();
+        if let Some(load_n) = scene.ground.load_n.take() {
+            scene.ground.stations = 1;
+            scene.ground.depths_mm = vec![(load_n / 13.0).powf(1.0 / 1.3)];
+        }
+        ClosedFormSolver::new().solve(&SolveRequest {
+            scene: &scene,
+            ..*request
+        })
+    }
+}
+
 /// Two regular layouts at the crown on a tire whose ground has no friction; two short runs.
 fn rigged() -> Study {
     let mut rig = RigSettings::default();
-    rig.gait.length = RunLength::Stances(6);
+    rig.gait.length = RunLength::Stances(8);
     rig.runs = 2;
     let layouts = Layouts {
         spacings_deg: Vec::new(),
-        units: vec![2, 6],
+        units: vec![2, 12],
         positions: Vec::new(),
         section_deg: vec![0.0],
         ..Layouts::default()
@@ -24,15 +46,17 @@ fn rigged() -> Study {
     let mut study = Study {
         layouts,
         rig: Some(rig),
-        ..shipped("paper")
+        ..shipped("foot-tire")
     };
     study.scene.contact.friction = 0.0;
     study
 }
 
 fn answered_on(threads: usize) -> StudyResult {
-    let (solver, archive) = (ClosedFormSolver::new(), MemoryArchive::default());
-    observed(&rigged(), &solver, &archive, threads).0.unwrap()
+    let archive = MemoryArchive::default();
+    observed(&rigged(), &PressedByLoad, &archive, threads)
+        .0
+        .unwrap()
 }
 
 #[test]
@@ -44,7 +68,7 @@ fn each_layout_says_how_well_it_tells_the_forces() {
         forces
             .assumed
             .iter()
-            .any(|text| text.contains("2 runs of 6 stances"))
+            .any(|text| text.contains("2 runs of 8 stances"))
     );
     assert_eq!(result.layouts.len(), 2);
     for layout in &result.layouts {
@@ -58,8 +82,20 @@ fn each_layout_says_how_well_it_tells_the_forces() {
             );
         }
     }
-    // Each has its own: more films, other signals.
-    assert_ne!(result.layouts[0].force_error, result.layouts[1].force_error);
+    // Each has its own: of two units one is near the contacts, of twelve a second one is amid them.
+    let vertical_n = |units: usize| {
+        let layout = result.layouts.iter().find(|layout| layout.units == units);
+        layout.unwrap().force_error.as_ref().unwrap()[2]
+            .fresh
+            .rmse_n
+            .unwrap()
+    };
+    assert!(
+        vertical_n(12) < vertical_n(2),
+        "{} {}",
+        vertical_n(12),
+        vertical_n(2)
+    );
     let read: StudyResult = serde_json::from_str(&serde_json::to_string(&result).unwrap()).unwrap();
     assert_eq!(read.layouts, result.layouts);
     assert_eq!(text(&answered_on(2)), text(&result));

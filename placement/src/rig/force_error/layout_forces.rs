@@ -235,7 +235,7 @@ mod tests {
 
     /// With as many runs and rows as a study has, over a dozen seeds: run it with `--ignored`.
     #[test]
-    #[ignore = "takes half a minute"]
+    #[ignore = "takes ten seconds"]
     fn intervals_hold_on_fresh_runs_of_many_seeds() {
         let of_seed = |seed| RigSettings {
             seed,
