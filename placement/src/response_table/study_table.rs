@@ -88,23 +88,9 @@ impl StudyTable {
 
     /// The layout that a row of the result is of; none of those that a search found.
     pub fn asked(&self, ranked: &RankedLayout) -> Option<&AskedLayout> {
-        let is_same = |layout: &&AskedLayout| {
-            let label = &layout.label;
-            (
-                &label.name,
-                label.units,
-                &label.position,
-                &label.films,
-                label.staggered,
-            ) == (
-                &ranked.name,
-                ranked.units,
-                &ranked.position,
-                &ranked.films,
-                ranked.staggered,
-            )
-        };
-        self.layouts.iter().find(is_same)
+        self.layouts
+            .iter()
+            .find(|layout| ranked.is_same(&layout.label))
     }
 
     /// How many solves that takes.

@@ -15,7 +15,7 @@ const HEAD: &str = "                                                    angle er
 const ORDER: &str =
     "The order goes by the angle's error at the worst load times the root of the number of films.";
 /// Columns of what a layout is.
-const DESCRIBED: usize = 40;
+pub(super) const DESCRIBED: usize = 40;
 /// Layouts that are printed, beside the paper's.
 const SHOWN: usize = 5;
 /// Units of the paper's layout, each with a film along and one across.
@@ -110,7 +110,7 @@ fn row(layout: &RankedLayout, rank: &str) -> String {
     )
 }
 
-fn number(value: Option<f64>, digits: usize) -> String {
+pub(super) fn number(value: Option<f64>, digits: usize) -> String {
     value.map_or("-".to_owned(), |value| format!("{value:.digits$}"))
 }
 
@@ -178,7 +178,7 @@ fn shear(shown: &[&RankedLayout], all: &[RankedLayout]) -> String {
 }
 
 /// What a layout is, in a few words.
-fn described(layout: &RankedLayout) -> String {
+pub(super) fn described(layout: &RankedLayout) -> String {
     if let Some(name) = &layout.name {
         return cut(name.escape_debug().to_string(), DESCRIBED);
     }

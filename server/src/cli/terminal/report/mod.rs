@@ -3,12 +3,14 @@
 //!
 //! - `answer_text`: the answer, how sure it is, what could overturn it
 //! - `ranked_table`, `layout_table`, `signal_table`: places, layouts, films' signals
+//! - `forces_known`: what a virtual rig shows of layouts
 //! - `paper_table`: beside the published figures, where the study is the paper's
 //! - `study_notes`: what to know, by what it does to the answer
 //! - `study_figures`: the way to the accuracy asked for, and what it all took
 //! - `shared_rank`: `2=`
 
 mod answer_text;
+mod forces_known;
 mod layout_table;
 mod paper_table;
 mod ranked_table;
@@ -29,6 +31,7 @@ pub fn report(result: &StudyResult) -> String {
         layout_table::layouts,
         paper_table::beside_the_paper,
         signal_table::signals,
+        forces_known::forces,
         study_notes::notes,
         study_figures::climb,
         study_figures::cost,

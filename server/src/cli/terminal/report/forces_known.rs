@@ -1,0 +1,116 @@
+//! How well forces are known by layouts' films, for people: a line for each layout and force that its films tell.
+
+use std::fmt::Write;
+
+use fem_client::document::visible::visible;
+use placement::result::{ForceError, ForceFindings, RankedLayout, StudyResult, TableReport};
+
+use crate::cli::terminal::paint::{HEADER, header};
+use crate::cli::terminal::report::layout_table::{DESCRIBED, described, number};
+use crate::cli::terminal::wrapping::{labelled, wrapped};
+
+const QUESTION: &str = "how far off are they, learnt from a virtual rig, on runs with other films?";
+const HEAD: &str = "                                                                                  one  films\n                                              force   off by  NRMSE                dead    off\n\
+                    rank  layout                                          N      %     R2  covered      N      N\n";
+/// Lines of layouts that are printed.
+const SHOWN: usize = 12;
+const AXES: [&str; 3] = ["fx", "fy", "fz"];
+
+/// The forces of a result; nothing where it has none.
+pub fn forces(result: &StudyResult) -> String {
+    let Some(findings) = &result.forces else {
+        return String::new();
+    };
+    let mut text = format!("\n{}", labelled(HEADER, "forces", QUESTION));
+    let told: Vec<(&RankedLayout, &ForceError)> = result
+        .layouts
+        .iter()
+        .flat_map(|layout| {
+            layout
+                .force_error
+                .iter()
+                .flatten()
+                .map(move |of| (layout, of))
+        })
+        .collect();
+    let useful = told.iter().filter(|(_, force)| force.useful);
+    let lines: Vec<String> = useful.map(|(layout, force)| line(layout, force)).collect();
+    if !lines.is_empty() {
+        text.push_str(&header(HEAD));
+        text.extend(lines.iter().take(SHOWN).map(String::as_str));
+    }
+    if lines.len() > SHOWN {
+        let _ = writeln!(
+            text,
+            "{} more are in the result: --json -",
+            lines.len() - SHOWN
+        );
+    }
+    text.push_str(&untold(&told));
+    text.push_str(&below(findings));
+    text
+}
+
+fn line(layout: &RankedLayout, force: &ForceError) -> String {
+    let dead = force.dead.and_then(|dead| dead.error.rmse_n);
+    format!(
+        "{:>4}  {:<DESCRIBED$}{:>5}{:>9}{:>7}{:>7}{:>9}{:>7}{:>7}\n",
+        layout.rank,
+        described(layout),
+        force.axis,
+        number(force.fresh.rmse_n, 2),
+        number(force.fresh.nrmse_percent, 1),
+        number(force.fresh.r2, 2),
+        number(force.fresh.coverage, 2),
+        number(dead, 2),
+        number(force.askew.error.rmse_n, 2),
+    )
+}
+
+/// Forces that no layout's films tell.
+fn untold(told: &[(&RankedLayout, &ForceError)]) -> String {
+    let is_useless = |axis: &&&str| {
+        let mut of_axis = told
+            .iter()
+            .filter(|(_, force)| force.axis == **axis)
+            .peekable();
+        of_axis.peek().is_some() && of_axis.all(|(_, force)| !force.useful)
+    };
+    let useless: Vec<&str> = AXES.iter().filter(is_useless).copied().collect();
+    match useless.as_slice() {
+        [] => String::new(),
+        axes => wrapped(
+            &format!(
+                "{}: no layout's films tell more than the training mean does.",
+                axes.join(", ")
+            ),
+            0,
+        ),
+    }
+}
+
+/// How far the table is off that the rig reads, and what is missing.
+fn below(findings: &ForceFindings) -> String {
+    let error = |table: &TableReport| {
+        let error = table.error?;
+        Some(wrapped(
+            &format!(
+                "The rig reads a table of {} solves ({}, to {} N), off by {:.2} % of a film's full scale at most, {:.3} % rms; forces by {:.2} % of the load. \
+                 What is assumed of the rig is in the result: forces.assumed.",
+                table.solves,
+                visible(&table.level),
+                table.largest_load_n,
+                100.0 * error.signal_worst,
+                100.0 * error.signal_rms,
+                100.0 * error.force_worst,
+            ),
+            0,
+        ))
+    };
+    let table = findings.table.as_ref().and_then(error).unwrap_or_default();
+    let reasons = findings.reasons.iter();
+    table
+        + &reasons
+            .map(|reason| wrapped(&visible(reason), 0))
+            .collect::<String>()
+}
