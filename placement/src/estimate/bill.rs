@@ -19,6 +19,8 @@ pub(super) const SPREAD: [f64; 2] = [2.0, 3.0];
 const OUTPUT_S: [f64; 2] = [25e-6, 100e-6];
 /// Score of one layout at one load on one mesh, s of one core: 480 contacts are estimated.
 const SCORING_S: f64 = 0.1;
+/// Forces of one layout, learnt from the shipped rig's runs and judged, s of one core.
+const LEARNING_S: f64 = 5.0;
 
 /// What a workload costs on a machine, where the points with the `known` content keys needn't be solved.
 pub fn estimate(work: &Workload, known: &HashSet<String>, machine: &Machine) -> Estimate {
@@ -77,9 +79,9 @@ fn stage_analysis_s(work: &Workload, stage: &Stage) -> f64 {
     OUTPUT_S[usize::from(stage.extra.most > 0)] * work.readings as f64 * stage.meshes() as f64
 }
 
-/// What layouts' scores take on all cores, s.
+/// What layouts' scores, and forces learnt of them, take on all cores, s.
 fn scoring_s(stage: &Stage, machine: &Machine) -> f64 {
-    SCORING_S * stage.scorings as f64 / machine.threads as f64
+    (SCORING_S * stage.scorings as f64 + LEARNING_S * stage.learnt as f64) / machine.threads as f64
 }
 
 fn is_timed(work: &Workload, machine: &Machine) -> bool {

@@ -12,6 +12,7 @@ use super::law::{How, Task, mirror_class, tire};
 use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings};
+use crate::layout::solving::study_layouts::Asked;
 use crate::response_table::study_table::StudyTable;
 use crate::run::keys;
 use crate::signals::measuring::signal_series;
@@ -56,6 +57,8 @@ pub(crate) struct Stage {
     pub tables: Vec<Vec<Point>>,
     /// How often a layout is scored at a load on a mesh.
     pub scorings: usize,
+    /// Layouts whose forces are learnt from a rig's runs.
+    pub learnt: usize,
     /// Films of the largest layout.
     pub films: usize,
     /// Points that an adaptive method may ask for beyond its first.
@@ -217,6 +220,10 @@ impl Workload {
                     scorings(study, &planned.plan, solver)
                 } else {
                     0
+                },
+                learnt: match (&study.rig, is_first) {
+                    (Some(_), true) => Asked::of(study).layouts.len(),
+                    _ => 0,
                 },
                 films: largest_layout(study),
                 extra,

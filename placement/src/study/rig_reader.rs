@@ -8,8 +8,10 @@ use fem_client::document::fields::{Fields, Range, plain, shown};
 use fem_client::scene::reader::circuit_reader::{circuit_fields, named_circuit, read_circuit};
 use serde_json::Value;
 
+use crate::layout::solving::study_layouts::Asked;
 use crate::rig::gait::gait_reader::gait;
 use crate::rig::rig_settings::{Branch, Electronics, ForceSensor, Noise, RigSettings};
+use crate::study::Study;
 use crate::study::candidate_reader::list;
 
 const RATE: Range = Range::new(1.0, 1e5, "Hz");
@@ -28,6 +30,10 @@ const MOST_BRANCHES: usize = 8;
 const MOST_RUNS: u64 = 1000;
 /// Instants of a run by either clock: five hours and a half at 200 Hz, some 700 MB of twelve films.
 const MOST_INSTANTS: f64 = 4e6;
+/// Readings of all films in a run: 400 MB.
+const MOST_READINGS: f64 = 5e7;
+/// Readings of all runs and layouts: some minutes of a core.
+const MOST_OF_ALL: f64 = 2e9;
 
 /// The rig; Some(None) where the study has none, None after a fault.
 pub fn rig(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Option<RigSettings>> {
@@ -178,6 +184,42 @@ fn flag(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<bool> {
     flag
 }
 
+/// Whether what the films of a study's layouts read can be kept in memory, and be learnt from in reasonable time.
+pub(crate) fn check_readings(study: &Study, faults: &mut Vec<Fault>) {
+    let Some(rig) = &study.rig else {
+        return;
+    };
+    let films = Asked::of(study)
+        .layouts
+        .into_iter()
+        .map(|layout| layout.arrangement.films.len());
+    let of_film = rig.gait.longest_s() * rig.film_rate_hz;
+    let most = films.clone().max().unwrap_or(0) as f64;
+    let all = films.sum::<usize>() as f64;
+    let limits = [
+        (
+            "a run of the largest layout has",
+            most * of_film,
+            MOST_READINGS,
+        ),
+        (
+            "all runs of all layouts have",
+            all * of_film * rig.runs as f64,
+            MOST_OF_ALL,
+        ),
+    ];
+    for (what, readings, limit) in limits {
+        if readings > limit {
+            let detail = format!(
+                "{what} up to {} readings of films; at most {} are recorded",
+                plain(readings.round()),
+                plain(limit)
+            );
+            Fault::add(faults, "/rig", detail);
+        }
+    }
+}
+
 /// A run's readings are kept in memory.
 fn check_instants(
     settings: &RigSettings,
@@ -205,6 +247,7 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+    use crate::study::presets;
 
     fn read_text(text: &str) -> Result<Option<RigSettings>, Vec<Fault>> {
         let mut faults = Vec::new();
@@ -217,6 +260,35 @@ mod tests {
     fn pointers(text: &str) -> Vec<String> {
         let faults = read_text(text).expect_err(text);
         faults.into_iter().map(|fault| fault.pointer).collect()
+    }
+
+    #[test]
+    fn more_readings_than_can_be_kept_are_refused() {
+        let told = |rig: &str| {
+            let text = presets()[4]
+                .1
+                .replace("[rig] ", &format!("[rig]\n{rig}\n#"));
+            let no_files = |path: &str| Err(path.to_owned());
+            Study::from_document(&text, Format::Toml, &no_files)
+                .err()
+                .unwrap_or_default()
+        };
+        assert_eq!(told("runs = 8"), []);
+        // 48 films of 24 units at 20 kHz for 60 s; with 100 films in all, four times and a thousand times.
+        let details = |rig| -> Vec<String> {
+            let faults = told(rig).into_iter();
+            faults.map(|fault| fault.to_string()).collect()
+        };
+        let fast = details("film_rate_hz = 20000");
+        assert!(
+            fast.len() == 1 && fast[0].contains("largest layout has up to 5.76e7"),
+            "{fast:?}"
+        );
+        let many = details("film_rate_hz = 2000\nruns = 1000");
+        assert!(
+            many.len() == 1 && many[0].contains("1.2e10"),
+            "{many:?}"
+        );
     }
 
     #[test]

@@ -17,7 +17,7 @@ use crate::study::input_reader::{read_inputs, read_name};
 use crate::study::layout_reader::layouts;
 use crate::study::method_reader::{Limits, read_method};
 use crate::study::plan::{Estimable, PlanError, PlannedStudy};
-use crate::study::rig_reader::rig;
+use crate::study::rig_reader::{check_readings, rig};
 use crate::study::scene_reader::{Resolve, scene};
 use crate::study::signal_reader::signals;
 use crate::study::{Accuracy, Study};
@@ -210,6 +210,7 @@ fn planned(study: Study) -> Result<PlannedStudy, Vec<Fault>> {
     })?;
     let mut faults = Vec::new();
     check_map(&planned.study, planned.plan.points.len(), &mut faults);
+    check_readings(&planned.study, &mut faults);
     if faults.is_empty() {
         Ok(planned)
     } else {
