@@ -12,7 +12,7 @@
 //! - [`ladder`]: meshes times methods, from quick to accurate
 //! - [`response_table`]: responses to any contact, between solves
 //! - [`signals`]: films' voltages over load, pressure and contact angle
-//! - [`rig`]: what films and a force sensor record of a tire that steps
+//! - [`rig`]: what films and a force sensor record of a tire that steps, and how well forces are known by that
 //! - [`compare`]: studies side by side, and which differences are real
 //! - [`estimate`]: what a study will cost, before anything is solved
 //! - [`own_model`]: inputs and outputs of models that others run

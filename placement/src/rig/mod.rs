@@ -1,4 +1,4 @@
-//! A virtual rig: what films and a force sensor record while a foot steps. Pure: a tire's answer and settings in, numbers out.
+//! A virtual rig: what films and a force sensor record while a foot steps, and what can be learnt of it. Pure: a tire's answer and settings in, numbers out.
 //!
 //! - [`contact_response`]: what a rig asks of a tire with its films
 //! - [`rig_settings`]: everything that can be set

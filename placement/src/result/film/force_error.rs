@@ -17,7 +17,8 @@ pub struct ForceError {
     pub useful: bool,
     /// The chosen model by random rows, by later rows, and by whole runs (cycles where there is one run).
     pub splits: Vec<SplitError>,
-    /// Error on left-out runs over that on random rows: how far a random split would have misled. Null of the training mean.
+    /// Error on left-out runs over that on random rows, both as shares of the training mean's error on the same rows: how far a random split would have misled.
+    /// Null of the training mean.
     pub leak: Option<f64>,
     /// On runs that nobody learnt from: films have other gains there.
     pub fresh: TrialError,
@@ -36,7 +37,7 @@ pub struct ForceError {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct SplitError {
-    /// The split: `random` rows, later `time`, whole `run`s or `cycle`s.
+    /// The split: `random` readings of the begin of one run, whose neighbours are learnt from; later `time`; whole `run`s or `cycle`s.
     pub by: SplitKind,
     /// Root of the mean squared error, N.
     pub rmse_n: Option<f64>,

@@ -2,6 +2,7 @@
 
 use fem_client::film::amplifier::Circuit;
 
+use crate::rig::force_error::thinned_run::NEIGHBOURS;
 use crate::rig::gait::gait_settings::{GaitSettings, RunLength};
 use crate::rig::rig_settings::{Electronics, Noise, RigSettings};
 
@@ -160,7 +161,7 @@ fn runs(settings: &RigSettings) -> String {
     let count = settings.runs;
     let runs = if count == 1 { "run" } else { "runs" };
     format!(
-        "An estimator learns from {count} {runs} of {length}, from rows so far apart that a random split flatters less than among all readings."
+        "An estimator learns from {count} {runs} of {length}; its random split tests a fifth of the first {NEIGHBOURS} readings of the first run, whose neighbours it learns from."
     )
 }
 
@@ -183,7 +184,7 @@ mod tests {
             "noise of 0.05 N",
             "from 0 to 30 N and contacts from 0 to 30 degrees for each stance, which takes 50 % of a turn",
             "up to 60 % of the shift",
-            "4 runs of 60 s",
+            "4 runs of 60 s; its random split tests a fifth of the first 2000 readings",
         ] {
             assert!(all.contains(part), "{part} in\n{all}");
         }

@@ -7,7 +7,9 @@ use estimation::recipe::{FeatureSet, Kind, Recipe};
 use crate::result::film::force_error::{AskewError, ForceError, TrialError};
 use crate::rig::contact_response::TurnableFilms;
 use crate::rig::force_error::fresh_trials::FreshTrials;
-use crate::rig::force_error::learnt_force::{LearntForce, Unlearnt, labelled, learnt, recipe};
+use crate::rig::force_error::learnt_force::{
+    AxisRows, LearntForce, Unlearnt, labelled, learnt, recipe,
+};
 use crate::rig::force_error::thinned_run::{ThinnedRun, thinning};
 use crate::rig::rig_settings::RigSettings;
 
@@ -29,6 +31,8 @@ pub fn force_errors<R: TurnableFilms>(
 /// What is learnt from, and what it is tried on.
 struct Rehearsal {
     runs: Vec<ThinnedRun>,
+    /// The begin of the first of them, reading by reading.
+    begin: ThinnedRun,
     trials: FreshTrials,
     recipe: Recipe,
     /// Between rows of the films' clock, s.
@@ -48,6 +52,7 @@ impl Rehearsal {
         };
         Some(Self {
             runs: (0..settings.runs).map(run).collect::<Option<_>>()?,
+            begin: ThinnedRun::begin_of(response, settings, 0),
             trials: FreshTrials::recorded(response, settings, stop)?,
             recipe: recipe(response, settings),
             interval_s: settings.film_rate_hz.recip(),
@@ -55,7 +60,10 @@ impl Rehearsal {
     }
 
     fn error(&self, axis: usize, stop: &AtomicBool) -> Option<ForceError> {
-        let rows = labelled(&self.runs, axis);
+        let rows = AxisRows {
+            few: labelled(&self.runs, axis),
+            neighbours: labelled(std::slice::from_ref(&self.begin), axis),
+        };
         match learnt(&rows, &self.recipe, self.interval_s, stop) {
             Ok(learnt) => Some(tried(axis, learnt, &self.trials)),
             Err(Unlearnt::Reason(reason)) => Some(unknown(axis, reason)),

@@ -18,6 +18,8 @@ pub const WINDOW_ROWS: usize = 10;
 const MOST_HZ: f64 = 40.0;
 /// Rows of all runs that are learnt from, at most.
 const MOST_ROWS: f64 = 2000.0;
+/// Readings of one run whose random split is judged, one after another: about the paper's shorter recording of 2131.
+pub const NEIGHBOURS: usize = 2000;
 /// The golden ratio's fraction: multiples of it fill every interval evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
@@ -36,7 +38,7 @@ pub struct ThinnedRun {
     pub instant: Vec<usize>,
     /// Each row's stance.
     pub stance: Vec<usize>,
-    /// How many stances the run has.
+    /// How many stances there are among them.
     pub stances: usize,
     /// Wheel angle of each row's contact, degrees.
     pub contact_deg: Vec<f64>,
@@ -68,8 +70,32 @@ impl ThinnedRun {
     ) -> Self {
         let (stances, films) = RigRun::films_alone(response, settings, run);
         let rows = kept(films.time_s.len(), one_of);
+        let count = stances.len();
+        Self::of_rows(rows, &stances, count, &films, settings, run)
+    }
+
+    /// Records a run and keeps its first instants, each beside the next.
+    pub fn begin_of<R: ContactResponse + ?Sized>(
+        response: &R,
+        settings: &RigSettings,
+        run: u64,
+    ) -> Self {
+        let (stances, films) = RigRun::films_alone(response, settings, run);
+        let rows: Vec<usize> = (0..films.time_s.len().min(NEIGHBOURS)).collect();
+        let last = rows.last().map_or(0, |row| films.stance[*row]);
+        Self::of_rows(rows, &stances, last + 1, &films, settings, run)
+    }
+
+    fn of_rows(
+        rows: Vec<usize>,
+        stances: &[Stance],
+        count: usize,
+        films: &FilmReadings,
+        settings: &RigSettings,
+        run: u64,
+    ) -> Self {
         let stance: Vec<usize> = rows.iter().map(|row| films.stance[*row]).collect();
-        let contact = |number: &usize| stances.get(*number).map_or(0.0, contact_deg);
+        let contact = |number: &usize| stances.get(*number).map_or(0.0, |it| it.contact_deg);
         let true_force_n = films.true_force_n.select(Axis(0), &rows);
         let mut draws = SeededDraws::new(settings.seed, run, Stream::Force);
         let noise_n = settings.force_sensor.noise_n;
@@ -79,8 +105,8 @@ impl ThinnedRun {
             time_s: rows.iter().map(|row| films.time_s[*row]).collect(),
             contact_deg: stance.iter().map(contact).collect(),
             stance,
-            stances: stances.len(),
-            features: features_of(&films, settings, &rows),
+            stances: count,
+            features: features_of(films, settings, &rows),
             instant: rows,
         }
     }
@@ -99,10 +125,6 @@ impl ThinnedRun {
     pub fn touches(&self, row: usize) -> bool {
         self.true_force_n.row(row).iter().any(|force| *force != 0.0)
     }
-}
-
-fn contact_deg(stance: &Stance) -> f64 {
-    stance.contact_deg
 }
 
 /// Features of some instants, made of all of them. First readings are kept: a circuit begins without a charge, so they are noise.
@@ -169,6 +191,8 @@ mod tests {
         assert_eq!(all.instant, (0..600).collect::<Vec<_>>());
         assert_eq!(all.features.select(Axis(0), &few.instant), few.features);
         assert_eq!(few.features.ncols(), 12);
+        let begin = ThinnedRun::begin_of(&tire, &short(), 0);
+        assert_eq!(begin, all);
     }
 
     #[test]
