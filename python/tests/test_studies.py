@@ -178,7 +178,8 @@ def test_where_no_stream_is_to_be_had_a_study_is_looked_at(tmp_path: Path) -> No
 def test_the_service_says_its_version_and_its_presets(client: Client) -> None:
     assert client.version()
     presets = client.presets()
-    assert {preset.name for preset in presets.studies} == {"foot-tire", "foot-tire-paper", "forces", "layouts", "placement"}
+    names = {preset.name for preset in presets.studies}
+    assert names == {"foot-tire", "foot-tire-paper", "forces", "layouts", "placement"}
     assert all(preset.comment and preset.document for preset in (*presets.studies, *presets.scenes))
 
 

@@ -24,6 +24,8 @@ GROUPS = {
         "Layout",
         "LayoutFindings",
         "Signals",
+        "ForceFindings",
+        "ForceError",
         "Output",
         "Evaluation",
     ],

@@ -55,6 +55,16 @@ export interface components {
             left_out?: components["schemas"]["LeftOut"] | null;
             surer?: components["schemas"]["Surer"] | null;
         };
+        /** @description With films askew. */
+        AskewError: {
+            /**
+             * Format: double
+             * @description Standard deviation of the films' places around the wheel, degrees.
+             */
+            std_deg: number;
+            /** @description What estimates are worth then. */
+            error: components["schemas"]["TrialError"];
+        };
         /** @description A kind of film: where in the section, along which direction, how large. */
         CandidateFilm: {
             /**
@@ -369,6 +379,13 @@ export interface components {
              * @description Bound of the angle with a flat prior without it, root mean square, degrees.
              */
             bayes_angle_error_deg?: number | null;
+        };
+        /** @description With a film dead. */
+        DeadFilmError: {
+            /** @description The film, counted from 0. */
+            film: number;
+            /** @description What estimates are worth without it. */
+            error: components["schemas"]["TrialError"];
         };
         /** @description Designs by where they stand. */
         DesignCounts: {
@@ -709,6 +726,41 @@ export interface components {
             done: number;
             /** @description Of how many; 0 until that is known. */
             of: number;
+        };
+        /** @description How well a layout's films tell one force, by an estimator that is learnt from runs of a virtual rig. */
+        ForceError: {
+            /** @description `fx`: along the wheel, `fy`: across it, `fz`: vertical. */
+            axis: string;
+            /** @description The model that is chosen by left-out runs; `mean` where none is better than the training mean. */
+            chosen: components["schemas"]["Kind"];
+            /** @description The features it reads. */
+            features: components["schemas"]["FeatureSet"];
+            /** @description Whether its error on left-out runs is at most 95 % of the training mean's. */
+            useful: boolean;
+            /** @description The chosen model by random rows, by later rows, and by whole runs (cycles where there is one run). */
+            splits: components["schemas"]["SplitError"][];
+            /**
+             * Format: double
+             * @description Error on left-out runs over that on random rows, both as shares of the training mean's error on the same rows: how far a random split would have misled.
+             *     Null of the training mean.
+             */
+            leak?: number | null;
+            /** @description On runs that nobody learnt from: films have other gains there. */
+            fresh: components["schemas"]["TrialError"];
+            dead?: components["schemas"]["DeadFilmError"] | null;
+            /** @description The same with films that lie elsewhere than those that were learnt from. */
+            askew: components["schemas"]["AskewError"];
+            worst_contact?: components["schemas"]["WorstContact"] | null;
+            /** @description Why numbers are null. */
+            reason?: string | null;
+        };
+        /** @description What a virtual rig shows. */
+        ForceFindings: {
+            table?: components["schemas"]["TableReport"] | null;
+            /** @description What is assumed of the rig and stated by no source, whole sentences; empty where nothing was learnt. */
+            assumed?: string[];
+            /** @description Why something is missing, whole sentences. */
+            reasons?: string[];
         };
         /** @description What was found of a force. */
         ForceReport: {
@@ -1614,6 +1666,8 @@ export interface components {
             score: components["schemas"]["LayoutScore"];
             /** @description Its scores at every load; absent from results of earlier versions. */
             loads?: components["schemas"]["LoadScore"][];
+            /** @description How well it tells the forces along, across and vertical on a virtual rig; absent where the study has none, and of layouts that a search found. */
+            force_error?: components["schemas"]["ForceError"][] | null;
         };
         /** @description One candidate location in the ranking. */
         RankedLocation: {
@@ -1737,6 +1791,36 @@ export interface components {
             notes: string[];
             /** @description What it took. */
             cost: components["schemas"]["FitCost"];
+        };
+        /** @description How a virtual rig steps, and what its films are wired to. */
+        RigDocument: {
+            /** @description `frequency` (`kind`: fixed, randomised or transition), `stances` or `run_s`, `contact_deg` and `load_n` (each least and greatest), `duty`, `shear_share`. */
+            gait: Record<string, unknown>;
+            /** @description `kind` and the fields of a film's amplifier; `time_constant_s`, `bits`, `range_v`. */
+            electronics: Record<string, unknown>;
+            /** @description `white_share`, `thermal_k`, `drift_share`, `drift_time_s`, `warming_k_per_min`, `gain_std`. */
+            noise: Record<string, unknown>;
+            /** @description `rate_hz`, `offset_s`, `ppm`, `noise_n`. */
+            force_sensor: Record<string, unknown>;
+            /** @description Prony branches of the rubber: `share` and `time_s` of each. */
+            relaxation: Record<string, unknown>[];
+            /** @description Whether films relax as the force does. */
+            films_follow_force?: boolean;
+            /**
+             * Format: double
+             * @description Readings of each film a second, Hz.
+             */
+            film_rate_hz?: number;
+            /**
+             * Format: int64
+             * @description Runs, each with gains of its own.
+             */
+            runs?: number;
+            /**
+             * Format: int64
+             * @description Of all that is drawn.
+             */
+            seed?: number;
         };
         /** @description A load of layouts. */
         RingLoad: {
@@ -2048,6 +2132,8 @@ export interface components {
             signals?: number;
             /** @description Solves of layouts' loads, on both meshes. */
             layouts?: number;
+            /** @description Solves of a rig's table of responses. */
+            tables?: number;
             /** @description How many of these the database has already: they cost nothing. */
             known: number;
             /** @description How many are left to solve. */
@@ -2069,6 +2155,48 @@ export interface components {
              * @description Residual at which the newest one began: out-of-balance forces and volumes, relative to the tire's own; null where it has none. An equilibrium has 1e-8.
              */
             residual?: number | null;
+        };
+        /** @description The chosen model on rows that were left out by one split. */
+        SplitError: {
+            /** @description The split: `random` readings of the begin of one run, whose neighbours are learnt from; later `time`; whole `run`s or `cycle`s. */
+            by: components["schemas"]["SplitKind"];
+            /**
+             * Format: double
+             * @description Root of the mean squared error, N.
+             */
+            rmse_n?: number | null;
+            /** @description 95 % of the bootstrap's samples of whole cycles, N. */
+            rmse_interval_n?: [
+                number,
+                number
+            ] | null;
+            /**
+             * Format: double
+             * @description RMSE over the range of the tested forces, %.
+             */
+            nrmse_percent?: number | null;
+            /**
+             * Format: double
+             * @description That of the training mean.
+             */
+            mean_nrmse_percent?: number | null;
+            /**
+             * Format: double
+             * @description Coefficient of determination.
+             */
+            r2?: number | null;
+            /**
+             * Format: double
+             * @description Share of tested rows within their 95 % intervals, whose width was learnt from other groups.
+             */
+            coverage?: number | null;
+            /**
+             * Format: double
+             * @description Mean width of these intervals, N.
+             */
+            width_n?: number | null;
+            /** @description Why numbers are null. */
+            reason?: string | null;
         };
         /**
          * @description How rows are divided into those that are learnt from and those that are tested.
@@ -2220,6 +2348,8 @@ export interface components {
             signal_solves?: number;
             /** @description Solves of layouts' loads, on both meshes. */
             layout_solves?: number;
+            /** @description Solves of a rig's table of responses. */
+            table_solves?: number;
             /** @description Wall-clock time of each rung of the climb, s. */
             rungs_wall_s?: number[];
             /** @description Points taken from the archive instead of being solved. */
@@ -2294,6 +2424,8 @@ export interface components {
             accuracy?: components["schemas"]["AccuracyDocument"];
             /** @description Films' signals over loads, pressures and contact angles; none where it is left out. */
             signals?: components["schemas"]["SignalsDocument"];
+            /** @description A virtual rig that steps on the tire; none where it is left out. */
+            rig?: components["schemas"]["RigDocument"];
         };
         /** @description Which study, which document, which program. */
         StudyIdentity: {
@@ -2331,6 +2463,7 @@ export interface components {
             layout_findings?: components["schemas"]["LayoutFindings"] | null;
             map?: components["schemas"]["IndexMap"] | null;
             signals?: components["schemas"]["Signals"] | null;
+            forces?: components["schemas"]["ForceFindings"] | null;
             /** @description What the user must know before believing the numbers, whole sentences: the texts of `graded_notes`. */
             notes: string[];
             /** @description The same with what each does to the answer; empty in results of earlier versions. */
@@ -2472,6 +2605,64 @@ export interface components {
          * @enum {string}
          */
         Table: "indices" | "locations" | "layouts" | "points" | "signals" | "candidates";
+        /** @description Errors of a table over all kinds of film, wheel angles and tested solves, relative. */
+        TableError: {
+            /** @description Solves that it was tested by. */
+            solves: number;
+            /**
+             * Format: double
+             * @description Root mean square of a signal's error, over the largest signal of its kind.
+             */
+            signal_rms: number;
+            /**
+             * Format: double
+             * @description The largest.
+             */
+            signal_worst: number;
+            /**
+             * Format: double
+             * @description Root mean square of the error of a slope over the wheel angle, over the largest of its kind.
+             */
+            angle_slope_rms: number;
+            /**
+             * Format: double
+             * @description The largest.
+             */
+            angle_slope_worst: number;
+            /**
+             * Format: double
+             * @description Root mean square of the error of a slope over the depth, over the largest of its kind.
+             */
+            depth_slope_rms: number;
+            /**
+             * Format: double
+             * @description The largest.
+             */
+            depth_slope_worst: number;
+            /**
+             * Format: double
+             * @description The largest error of a force's component, over the largest load.
+             */
+            force_worst: number;
+        };
+        /** @description A table of a tire's responses to any contact. */
+        TableReport: {
+            /** @description Mesh level. */
+            level: string;
+            /**
+             * Format: double
+             * @description The largest load, N.
+             */
+            largest_load_n: number;
+            /**
+             * Format: double
+             * @description The largest shift of the ground at that load, along the wheel and across, mm; 0 where there is no friction.
+             */
+            largest_shift_mm: number;
+            /** @description Solves, those that test it included. */
+            solves: number;
+            error?: components["schemas"]["TableError"] | null;
+        };
         /**
          * @description The part of a result that a note is about.
          * @enum {string}
@@ -2493,6 +2684,29 @@ export interface components {
          * @enum {string}
          */
         Trend: "up" | "down" | "no";
+        /** @description Estimates against true forces on runs that nobody learnt from, rows in the air among them. */
+        TrialError: {
+            /**
+             * Format: double
+             * @description Root of the mean squared error, N.
+             */
+            rmse_n?: number | null;
+            /**
+             * Format: double
+             * @description RMSE over the range of the true forces, %; null where these don't vary.
+             */
+            nrmse_percent?: number | null;
+            /**
+             * Format: double
+             * @description Coefficient of determination; null where the true forces don't vary.
+             */
+            r2?: number | null;
+            /**
+             * Format: double
+             * @description Share of the true forces within their 95 % intervals.
+             */
+            coverage?: number | null;
+        };
         /**
          * @description What a difference is worth.
          * @enum {string}
@@ -2517,6 +2731,19 @@ export interface components {
             /** @description Derivative of the meridional strain by the depth, 1/mm. */
             slope_y_per_mm?: number[] | null;
         };
+        /** @description Contacts about one wheel angle. */
+        WorstContact: {
+            /**
+             * Format: double
+             * @description Middle of five degrees of the wheel.
+             */
+            deg: number;
+            /**
+             * Format: double
+             * @description Root of the mean squared error of rows with a contact there, N.
+             */
+            rmse_n: number;
+        };
     };
     responses: never;
     parameters: never;
@@ -2527,6 +2754,7 @@ export interface components {
 export type AccuracyDocument = components['schemas']['AccuracyDocument'];
 export type AlikeContacts = components['schemas']['AlikeContacts'];
 export type Answer = components['schemas']['Answer'];
+export type AskewError = components['schemas']['AskewError'];
 export type CandidateFilm = components['schemas']['CandidateFilm'];
 export type Candidates = components['schemas']['Candidates'];
 export type CandidatesDocument = components['schemas']['CandidatesDocument'];
@@ -2546,6 +2774,7 @@ export type ComparisonTable = components['schemas']['ComparisonTable'];
 export type CountForecast = components['schemas']['CountForecast'];
 export type CutPoint = components['schemas']['CutPoint'];
 export type DeadFilm = components['schemas']['DeadFilm'];
+export type DeadFilmError = components['schemas']['DeadFilmError'];
 export type DesignCounts = components['schemas']['DesignCounts'];
 export type DesignDocument = components['schemas']['DesignDocument'];
 export type DesignEstimate = components['schemas']['DesignEstimate'];
@@ -2574,6 +2803,8 @@ export type FilmPair = components['schemas']['FilmPair'];
 export type FilmPlace = components['schemas']['FilmPlace'];
 export type FitCost = components['schemas']['FitCost'];
 export type FitProgress = components['schemas']['FitProgress'];
+export type ForceError = components['schemas']['ForceError'];
+export type ForceFindings = components['schemas']['ForceFindings'];
 export type ForceReport = components['schemas']['ForceReport'];
 export type Forecast = components['schemas']['Forecast'];
 export type FormMisses = components['schemas']['FormMisses'];
@@ -2632,6 +2863,7 @@ export type Readiness = components['schemas']['Readiness'];
 export type RecordingDocument = components['schemas']['RecordingDocument'];
 export type RecordingFigures = components['schemas']['RecordingFigures'];
 export type Report = components['schemas']['Report'];
+export type RigDocument = components['schemas']['RigDocument'];
 export type RingLoad = components['schemas']['RingLoad'];
 export type Rings = components['schemas']['Rings'];
 export type Rung = components['schemas']['Rung'];
@@ -2648,6 +2880,7 @@ export type Signals = components['schemas']['Signals'];
 export type SignalsDocument = components['schemas']['SignalsDocument'];
 export type SolveForecast = components['schemas']['SolveForecast'];
 export type SolveProgress = components['schemas']['SolveProgress'];
+export type SplitError = components['schemas']['SplitError'];
 export type SplitKind = components['schemas']['SplitKind'];
 export type SplitReport = components['schemas']['SplitReport'];
 export type SplitReports = components['schemas']['SplitReports'];
@@ -2670,10 +2903,14 @@ export type SweepEstimate = components['schemas']['SweepEstimate'];
 export type SweepPage = components['schemas']['SweepPage'];
 export type SweepSummary = components['schemas']['SweepSummary'];
 export type Table = components['schemas']['Table'];
+export type TableError = components['schemas']['TableError'];
+export type TableReport = components['schemas']['TableReport'];
 export type Topic = components['schemas']['Topic'];
 export type Trade = components['schemas']['Trade'];
 export type Trend = components['schemas']['Trend'];
+export type TrialError = components['schemas']['TrialError'];
 export type Verdict = components['schemas']['Verdict'];
 export type WheelRing = components['schemas']['WheelRing'];
+export type WorstContact = components['schemas']['WorstContact'];
 export type $defs = Record<string, never>;
 export type operations = Record<string, never>;

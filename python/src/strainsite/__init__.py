@@ -29,6 +29,17 @@ from .answers.findings import (
     OrderAgreement,
     StrainRing,
 )
+from .answers.forces_known import (
+    AskewError,
+    DeadFilmError,
+    ForceError,
+    ForceFindings,
+    SplitError,
+    TableError,
+    TableReport,
+    TrialError,
+    WorstContact,
+)
 from .answers.indices import CoarserIndices, ErrorParts, FormMisses, Output
 from .answers.maps import StrainMap
 from .answers.model import Choice, Input, Model, StudyIdentity
@@ -78,6 +89,7 @@ __all__ = [
     "AlikeContacts",
     "Answer",
     "AnswerError",
+    "AskewError",
     "Busy",
     "Candidate",
     "Candidates",
@@ -93,6 +105,7 @@ __all__ = [
     "CountForecast",
     "CutPoint",
     "DeadFilm",
+    "DeadFilmError",
     "Design",
     "DesignCounts",
     "DesignEstimate",
@@ -112,6 +125,8 @@ __all__ = [
     "FitFailed",
     "FitProgress",
     "FitReport",
+    "ForceError",
+    "ForceFindings",
     "ForceReport",
     "Forecast",
     "FormMisses",
@@ -157,6 +172,7 @@ __all__ = [
     "SignalRow",
     "Signals",
     "SolveForecast",
+    "SplitError",
     "SplitReport",
     "SplitReports",
     "StrainMap",
@@ -173,7 +189,11 @@ __all__ = [
     "Sweep",
     "SweepEstimate",
     "SweepSummary",
+    "TableError",
+    "TableReport",
+    "TrialError",
     "WaitTimeout",
     "WheelRing",
+    "WorstContact",
     "local",
 ]

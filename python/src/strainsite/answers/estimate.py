@@ -40,6 +40,8 @@ class SolveForecast:
     left: CountForecast
     layouts: int = 0
     """Solves of layouts' loads, on both meshes."""
+    tables: int = 0
+    """Solves of a rig's table of responses."""
 
 
 @dataclass(frozen=True)

@@ -73,4 +73,6 @@ class Cost:
     """Of films' signals, on both meshes."""
     layout_solves: int = 0
     """Of layouts' loads, on both meshes."""
+    table_solves: int = 0
+    """Of a rig's table of responses."""
     factorisations: int = 0

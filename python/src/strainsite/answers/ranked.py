@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from .forces_known import ForceError  # noqa: TC001 - fields are read by their types
+
 
 @dataclass(frozen=True)
 class Location:
@@ -181,3 +183,5 @@ class Layout:
     """The films of a layout without units."""
     loads: tuple[LoadScore, ...] = ()
     """At every load."""
+    force_error: tuple[ForceError, ...] | None = None
+    """How well its films tell the forces; None where the study has no rig."""

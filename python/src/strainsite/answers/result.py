@@ -11,6 +11,7 @@ from strainsite.views import drawing, frames, html, ranking
 from . import rows
 from .estimate import Estimate  # noqa: TC001 - fields are read by their types
 from .findings import LayoutFindings  # noqa: TC001 - fields are read by their types
+from .forces_known import ForceFindings  # noqa: TC001 - fields are read by their types
 from .indices import Output  # noqa: TC001 - fields are read by their types
 from .maps import StrainMap
 from .model import Input, Model, StudyIdentity  # noqa: TC001 - fields are read by their types
@@ -173,6 +174,8 @@ class Result:
     """What the layouts show together; None where the study asks for none, and of earlier versions."""
     answer: Answer | None
     """The answer in a sentence, and how sure it is; None where nothing has a rank, and of earlier versions."""
+    forces: ForceFindings | None = None
+    """What a virtual rig shows; None where the study has none, and of earlier versions."""
     graded_notes: tuple[GradedNote, ...] = ()
     """The notes with what each does to the answer; empty of earlier versions."""
     raw: dict[str, Any] = field(default_factory=dict, compare=False)
