@@ -285,10 +285,7 @@ mod tests {
             "{fast:?}"
         );
         let many = details("film_rate_hz = 2000\nruns = 1000");
-        assert!(
-            many.len() == 1 && many[0].contains("1.2e10"),
-            "{many:?}"
-        );
+        assert!(many.len() == 1 && many[0].contains("1.2e10"), "{many:?}");
     }
 
     #[test]

@@ -30,13 +30,14 @@ use crate::study::study_reader::LONGEST_NAME;
 /// Most solves that all designs of a document ask for at first: each is planned before anything is stored.
 const MOST_SOLVES: usize = 100_000;
 /// Parts of a study's document that aren't its scene.
-const OF_STUDY: [&str; 6] = [
+const OF_STUDY: [&str; 7] = [
     "inputs",
     "candidates",
     "layouts",
     "method",
     "accuracy",
     "signals",
+    "rig",
 ];
 
 /// One of the designs.

@@ -29,17 +29,6 @@ from .answers.findings import (
     OrderAgreement,
     StrainRing,
 )
-from .answers.forces_known import (
-    AskewError,
-    DeadFilmError,
-    ForceError,
-    ForceFindings,
-    SplitError,
-    TableError,
-    TableReport,
-    TrialError,
-    WorstContact,
-)
 from .answers.indices import CoarserIndices, ErrorParts, FormMisses, Output
 from .answers.maps import StrainMap
 from .answers.model import Choice, Input, Model, StudyIdentity
@@ -79,6 +68,17 @@ from .errors import (
 from .fields.sections import FailedNode, RingLoad, Rings, SectionNode, Sections, WheelRing
 from .fields.surface import Surface
 from .forces.estimator import Estimator, EstimatorSummary, FitProgress
+from .forces.known import (
+    AskewError,
+    DeadFilmError,
+    ForceError,
+    ForceFindings,
+    SplitError,
+    TableError,
+    TableReport,
+    TrialError,
+    WorstContact,
+)
 from .forces.left_out import LeftOutRows
 from .forces.report import FitCost, FitReport, ForceReport, ModelReport, RecordingFigures, SplitReport, SplitReports
 from .local import local

@@ -11,4 +11,5 @@ mod long_results;
 mod numerics;
 mod own_models;
 mod program;
+mod rig_recordings;
 mod told_answers;

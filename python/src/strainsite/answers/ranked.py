@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .forces_known import ForceError  # noqa: TC001 - fields are read by their types
+from strainsite.forces.known import ForceError  # noqa: TC001 - fields are read by their types
 
 
 @dataclass(frozen=True)

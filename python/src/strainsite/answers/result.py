@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from strainsite.errors import StrainsiteError
+from strainsite.forces.known import ForceFindings  # noqa: TC001 - fields are read by their types
 from strainsite.views import drawing, frames, html, ranking
 
 from . import rows
 from .estimate import Estimate  # noqa: TC001 - fields are read by their types
 from .findings import LayoutFindings  # noqa: TC001 - fields are read by their types
-from .forces_known import ForceFindings  # noqa: TC001 - fields are read by their types
 from .indices import Output  # noqa: TC001 - fields are read by their types
 from .maps import StrainMap
 from .model import Input, Model, StudyIdentity  # noqa: TC001 - fields are read by their types

@@ -94,12 +94,16 @@ fn solves(estimate: &Estimate) -> String {
         0 => String::new(),
         signals => format!(", {signals} for films' signals"),
     };
+    let tables = match solves.tables {
+        0 => String::new(),
+        tables => format!(", {tables} for the rig's table"),
+    };
     let layouts = match solves.layouts {
         0 => String::new(),
         layouts => format!(", {layouts} for layouts"),
     };
     let line = format!(
-        "solves     {}{range}: {} points, {} on coarser meshes, {} for what is left out{layouts}{signals}; {} known already",
+        "solves     {}{range}: {} points, {} on coarser meshes, {} for what is left out{layouts}{signals}{tables}; {} known already",
         left.expected, solves.own, solves.coarser, solves.effects, solves.known
     );
     wrapped(&line, 11)

@@ -1,3 +1,4 @@
+import { KnownForcesPanel } from "../forces/known-forces-panel.tsx";
 import { SignalsPanel } from "../signals/signals-panel.tsx";
 import type { SectionProps } from "../section-props.ts";
 import { GroundsPanel } from "./grounds-panel.tsx";
@@ -15,6 +16,7 @@ export function LayoutsView({ result, study, route, onAdjust }: SectionProps) {
       <LayoutsPanel result={result} findings={findings} />
       {findings !== null && <WheelPanel study={study} result={result} layouts={result.layouts} findings={findings} route={route} onAdjust={onAdjust} />}
       {findings !== null && result.layouts.length > 0 && <GroundsPanel result={result} findings={findings} />}
+      {result.forces != null && <KnownForcesPanel layouts={result.layouts} findings={result.forces} />}
       {result.signals != null && <SignalsPanel signals={result.signals} study={study.name} />}
     </>
   );

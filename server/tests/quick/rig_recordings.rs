@@ -1,0 +1,126 @@
+//! A virtual rig on the command line: its table, what it tells of layouts, its recordings.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::program::{strainsite, text};
+
+/// A draft that takes four seconds: ground without friction isn't dragged.
+const STUDY: &str = "name = \"rig\"\nscene = { preset = \"foot-tire\" }\n\
+    [[inputs]]\nname = \"P3\"\nvary = \"ground.depths_mm[2]\"\ndistribution = { kind = \"uniform\", min = 0.7, max = 1.3 }\n\
+    [layouts]\nunits = [12]\nspacings_deg = []\npositions = [\"crown\"]\ndirections = [[\"y\"]]\n\
+    [rig]\nruns = 2\nfilms_follow_force = false\n[rig.gait]\nrun_s = 12\nload_n = [0, 20]\n\
+    [method]\nkind = \"mdrm\"\nnodes = 3\ncheck_points = 0\n[accuracy]\npreset = \"draft\"\n";
+
+fn read(folder: &Path, name: &str) -> String {
+    std::fs::read_to_string(folder.join(name)).expect("is there")
+}
+
+#[test]
+fn a_rig_tells_forces_of_layouts_and_its_recordings_are_learnt_from() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let folder = folder.path();
+    std::fs::write(folder.join("rig.toml"), STUDY).expect("writes");
+    let dry = strainsite(folder, &["run", "rig.toml", "--dry-run"]);
+    assert!(
+        text(&dry.stdout).contains("5 for layouts, 32 for the"),
+        "{}",
+        text(&dry.stdout)
+    );
+    let ran = strainsite(folder, &["run", "rig.toml", "--json", "result.json"]);
+    let said = text(&ran.stdout);
+    assert_eq!(ran.status.code(), Some(0), "{said}{}", text(&ran.stderr));
+    assert!(said.contains("12 of y, crown, 30 deg"), "{said}");
+    assert!(
+        said.contains("fx, fy: no layout's films tell more"),
+        "{said}"
+    );
+
+    let result: Value = serde_json::from_str(&read(folder, "result.json")).expect("JSON");
+    let table = &result["forces"]["table"];
+    assert_eq!(
+        (&table["solves"], &table["largest_load_n"]),
+        (&32.into(), &20.into())
+    );
+    // Contact of the draft mesh comes on node by node: 4 % of full scale where ground is dragged, less where it isn't.
+    let worst = table["error"]["signal_worst"].as_f64().expect("an error");
+    assert!(worst > 0.0 && worst < 0.04, "{worst}");
+    let forces = result["layouts"][0]["force_error"]
+        .as_array()
+        .expect("forces");
+    let vertical = &forces[2];
+    assert_eq!(
+        (&vertical["axis"], &vertical["useful"]),
+        (&"fz".into(), &true.into())
+    );
+    let share = |of: &Value| of["nrmse_percent"].as_f64().expect("a share");
+    // Twelve films every 30 degrees: a mean's 25 % and more becomes a few.
+    assert!(share(&vertical["fresh"]) < 12.0, "{vertical}");
+
+    let record = ["force", "record", "rig.toml", "--layout", "1", "-o"];
+    for to in ["first", "second"] {
+        let recorded = strainsite(folder, &[&record[..], &[to]].concat());
+        assert_eq!(
+            recorded.status.code(),
+            Some(0),
+            "{}",
+            text(&recorded.stderr)
+        );
+        assert!(text(&recorded.stdout).contains("strainsite force fit"));
+    }
+    for name in ["run-1.csv", "run-2.csv", "recipe.toml"] {
+        let [first, second] = ["first", "second"].map(|to| read(&folder.join(to), name));
+        assert!(first == second, "{name}");
+    }
+    let run = read(&folder.join("first"), "run-1.csv");
+    assert!(run.starts_with("time_s,film_1,"), "{}", &run[..80]);
+    // 2400 readings of the films, and one less or as many of the force sensor, whose clock begins later.
+    assert!((4799..=4801).contains(&(run.lines().count() - 1)));
+    let recipe = read(&folder.join("first"), "recipe.toml");
+    let quick = format!("{recipe}\n[features]\nsets = [\"raw\"]\n[models]\nkinds = [\"ridge\"]\n");
+    std::fs::write(folder.join("quick.toml"), quick).expect("writes");
+    let fit = [
+        "force",
+        "fit",
+        "quick.toml",
+        "first/run-1.csv",
+        "first/run-2.csv",
+        "--json",
+        "-",
+    ];
+    let fitted = strainsite(folder, &fit);
+    assert_eq!(fitted.status.code(), Some(0), "{}", text(&fitted.stderr));
+    let report: Value = serde_json::from_slice(&fitted.stdout).expect("JSON");
+    assert_eq!(report["recordings"][0]["rate_hz"], 200.0);
+    assert_eq!(report["forces"][2]["force"], "fz_n");
+}
+
+#[test]
+fn what_cannot_be_recorded_is_told_and_nothing_is_written() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let folder = folder.path();
+    let without = STUDY.split("[rig]").next().expect("tables").to_owned();
+    std::fs::write(folder.join("without.toml"), without).expect("writes");
+    std::fs::write(
+        folder.join("faulty.toml"),
+        STUDY
+            .replace("runs = 2", "runs = 0\nrnus = 2")
+            .replace("load_n = [0, 20]", "load_n = [20, 0]"),
+    )
+    .expect("writes");
+    let record = |study: &str| {
+        let done = strainsite(
+            folder,
+            &["force", "record", study, "--layout", "1", "-o", "out"],
+        );
+        assert_eq!(done.status.code(), Some(2));
+        text(&done.stderr).to_owned()
+    };
+    assert!(record("without.toml").contains("the study has no rig: add a table [rig]"));
+    let faults = record("faulty.toml");
+    for part in ["runs", "rnus", "load_n"] {
+        assert!(faults.contains(part), "{part}: {faults}");
+    }
+    assert!(!folder.join("out").exists() && !folder.join("strainsite.db").exists());
+}

@@ -1,0 +1,34 @@
+import type { ForceError, RankedLayout } from "../../wire.ts";
+
+/** A layout and one force that its films tell. */
+export interface KnownForce {
+  layout: RankedLayout;
+  force: ForceError;
+}
+
+export const AXIS_WORDS: Record<string, string> = { fx: "along the wheel", fy: "across it", fz: "upwards" };
+
+/** Forces that films tell, by the number of films: what more of them buy. */
+export function knownForces(layouts: RankedLayout[]): KnownForce[] {
+  const all = layouts.flatMap((layout) => (layout.force_error ?? []).map((force) => ({ layout, force })));
+  return all
+    .filter(({ force }) => force.useful)
+    .sort((a, b) => a.force.axis.localeCompare(b.force.axis) || films(a) - films(b) || a.layout.rank - b.layout.rank);
+}
+
+/** Forces that no layout's films tell. */
+export function untoldAxes(layouts: RankedLayout[]): string[] {
+  const all = layouts.flatMap((layout) => layout.force_error ?? []);
+  const axes = [...new Set(all.map((force) => force.axis))];
+  return axes.filter((axis) => all.every((force) => force.axis !== axis || !force.useful));
+}
+
+/** The layout by which a force is known best on runs with other films. */
+export function bestKnown(known: KnownForce[], axis: string): KnownForce | undefined {
+  const errors = known.filter(({ force }) => force.axis === axis && force.fresh.rmse_n != null);
+  return errors.sort((a, b) => (a.force.fresh.rmse_n ?? 0) - (b.force.fresh.rmse_n ?? 0))[0];
+}
+
+function films({ layout }: KnownForce): number {
+  return layout.film_count ?? layout.units;
+}
