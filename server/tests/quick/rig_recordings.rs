@@ -41,7 +41,7 @@ fn a_rig_tells_forces_of_layouts_and_its_recordings_are_learnt_from() {
     let table = &result["forces"]["table"];
     assert_eq!(
         (&table["solves"], &table["largest_load_n"]),
-        (&32.into(), &20.into())
+        (&32.into(), &20.0.into())
     );
     // Contact of the draft mesh comes on node by node: 4 % of full scale where ground is dragged, less where it isn't.
     let worst = table["error"]["signal_worst"].as_f64().expect("an error");
