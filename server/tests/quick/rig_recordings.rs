@@ -55,8 +55,17 @@ fn a_rig_tells_forces_of_layouts_and_its_recordings_are_learnt_from() {
         (&"fz".into(), &true.into())
     );
     let share = |of: &Value| of["nrmse_percent"].as_f64().expect("a share");
-    // Twelve films every 30 degrees: a mean's 25 % and more becomes a few.
-    assert!(share(&vertical["fresh"]) < 12.0, "{vertical}");
+    let of_runs = vertical["splits"]
+        .as_array()
+        .and_then(|splits| splits.last())
+        .expect("runs");
+    assert_eq!(of_runs["by"], "run");
+    // Useful is what is 5 % better than the mean on left-out runs: on fresh ones it is better than the mean, too.
+    let of_mean = of_runs["mean_nrmse_percent"].as_f64().expect("a share");
+    assert!(
+        share(&vertical["fresh"]) < of_mean && share(of_runs) < 0.95 * of_mean,
+        "{vertical}"
+    );
 
     let record = ["force", "record", "rig.toml", "--layout", "1", "-o"];
     for to in ["first", "second"] {
