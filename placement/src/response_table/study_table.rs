@@ -1,18 +1,23 @@
 //! A study's table of responses: the films of its layouts, up to the largest load of its rig.
 
 use fem_client::scene::{Film, Level, Scene};
-use fem_client::solver::Readout;
+use fem_client::solver::{Readout, Response};
 
 use crate::layout::arrangement::{FilmKind, LaidFilm};
 use crate::layout::ranking::asked_layouts::AskedLayout;
+use crate::layout::solving::glued_films::GluedFilms;
+use crate::layout::solving::mirror_parts::own_rings;
 use crate::layout::solving::study_layouts::Asked;
 use crate::response_table::laid_films::{LaidFilms, bare_in_volts};
-use crate::response_table::table_scenes::TableScenes;
+use crate::response_table::table_scenes::{Pressing, TableScenes};
 use crate::response_table::table_settings::TableSettings;
-use crate::response_table::table_solving::{TestedTable, solve, table_series};
+use crate::response_table::table_solving::{Solved, TestedTable, solve, table_series, tabulated};
 use crate::result::RankedLayout;
 use crate::rig::rig_settings::RigSettings;
+use crate::run::archive::Outcome;
 use crate::run::{Place, RunContext, RunError};
+use crate::signals::answers::check_transferable;
+use crate::signals::series::loads_of_transfer;
 use crate::signals::signal_settings::SignalSettings;
 use crate::study::Study;
 use crate::study::plan::Plan;
@@ -22,6 +27,8 @@ pub struct StudyTable {
     scenes: TableScenes,
     kinds: Vec<FilmKind>,
     film: Film,
+    /// Whether it is glued on with its stiffness.
+    glued: bool,
     /// The study's layouts, whose films name the kinds by number.
     pub layouts: Vec<AskedLayout>,
 }
@@ -32,19 +39,18 @@ impl StudyTable {
     /// # Errors
     /// Why there is no table.
     pub fn of(study: &Study, rig: &RigSettings, plan: &Plan) -> Result<Self, String> {
-        if study.layouts.glued.is_some() {
-            return Err(
-                "A rig reads films that follow the wall: layouts.film must be \"bare\".".to_owned(),
-            );
-        }
-        let film = film_of(study);
+        let (film, glued) = (film_of(study), study.layouts.glued.is_some());
         let asked = Asked::of(study);
         let (mut kinds, mut layouts) = (Vec::new(), asked.layouts);
         for laid in layouts
             .iter_mut()
             .flat_map(|layout| &mut layout.arrangement.films)
         {
-            let kind = bare_in_volts(&asked.kinds.all()[laid.kind], &film);
+            let kind = asked.kinds.all()[laid.kind];
+            let kind = match glued {
+                true => kind,
+                false => bare_in_volts(&kind, &film),
+            };
             laid.kind = kinds
                 .iter()
                 .position(|known| *known == kind)
@@ -69,6 +75,7 @@ impl StudyTable {
             scenes,
             kinds,
             film,
+            glued,
             layouts,
         })
     }
@@ -81,9 +88,61 @@ impl StudyTable {
     }
 
     /// All that is solved, and what is read of it.
-    pub(crate) fn series(&self) -> impl Iterator<Item = (Vec<Scene>, Readout)> {
-        let series = table_series(&self.scenes, &self.kinds).into_iter();
-        series.filter(|(scenes, _)| !scenes.is_empty())
+    pub(crate) fn series(&self) -> Vec<(Vec<Scene>, Readout)> {
+        let mut series = table_series(&self.scenes, &self.kinds).to_vec();
+        if self.glued && check_transferable(&self.film).is_ok() {
+            let glued = self.glued_films();
+            series.extend(glued.series().map(|scenes| (scenes, Readout::default())));
+        }
+        series.retain(|(scenes, _)| !scenes.is_empty());
+        series
+    }
+
+    /// The films as they are glued on, at the two loads that give their transfer.
+    fn glued_films(&self) -> GluedFilms<'_> {
+        let two = loads_of_transfer(&self.scenes.settings().loads_n());
+        let scene = |load_n: f64| self.scenes.scene(&Pressing::undragged(load_n));
+        let loads = two.map(|[first, second]| [(0, scene(first)), (1, scene(second))]);
+        GluedFilms::new(&self.film, &self.kinds, loads)
+    }
+
+    /// The kinds of film with the volts that the wall's strains are.
+    fn in_volts(
+        &self,
+        solved: &Solved,
+        means: &[f64],
+        place: &mut Place,
+        context: RunContext<'_>,
+    ) -> Result<Result<Vec<FilmKind>, String>, RunError> {
+        if !self.glued {
+            return Ok(Ok(self.kinds.clone()));
+        }
+        let two = loads_of_transfer(&self.scenes.settings().loads_n()).unwrap_or_default();
+        let of_load = |load_n: f64| {
+            let asked = Pressing::undragged(load_n);
+            let (_, outcome) = solved.iter().find(|(pressing, _)| *pressing == asked)?;
+            let own = |response: &Response| {
+                Some(Response {
+                    rings: own_rings(&self.kinds, &response.rings)?,
+                    ..response.clone()
+                })
+            };
+            match outcome {
+                Ok(response) => own(response).map(Ok),
+                Err(unsolved) => Some(Err(unsolved.clone())),
+            }
+        };
+        let Some(bare) = two
+            .map(of_load)
+            .into_iter()
+            .collect::<Option<Vec<Outcome>>>()
+        else {
+            return Ok(Err(
+                "the solver gives no strains around the wheel".to_owned()
+            ));
+        };
+        self.glued_films()
+            .kinds_in_volts(&bare, means, place, context)
     }
 
     /// The layout that a row of the result is of; none of those that a search found.
@@ -95,7 +154,7 @@ impl StudyTable {
 
     /// How many solves that takes.
     pub fn solves(&self) -> usize {
-        self.series().map(|(scenes, _)| scenes.len()).sum()
+        self.series().iter().map(|(scenes, _)| scenes.len()).sum()
     }
 
     /// Loads and shifts.
@@ -126,13 +185,13 @@ impl StudyTable {
             first,
             of: first + self.solves(),
         };
-        solve(
-            &self.scenes,
-            &self.kinds,
-            &plan.values()[0],
-            &mut place,
-            context,
-        )
+        let means = &plan.values()[0];
+        let solved = match solve(&self.scenes, &self.kinds, means, &mut place, context)? {
+            Ok(solved) => solved,
+            Err(reason) => return Ok(Err(reason)),
+        };
+        let kinds = self.in_volts(&solved, means, &mut place, context)?;
+        Ok(kinds.and_then(|kinds| tabulated(&self.scenes, &kinds, &solved)))
     }
 
     /// The films of a layout, as a rig asks for them.
@@ -141,11 +200,12 @@ impl StudyTable {
     }
 }
 
-/// The film of the signals; where the study asks for none that of the scene, or a common one; of the layouts' size.
+/// The layouts' glued film, or that of the signals; where the study asks for none that of the scene, or a common one; of the layouts' size.
 fn film_of(study: &Study) -> Film {
-    let film = match &study.signals {
-        Some(signals) => signals.film.clone(),
-        None => SignalSettings::on(&study.scene).film,
+    let film = match (&study.layouts.glued, &study.signals) {
+        (Some(glued), _) => return glued.clone(),
+        (None, Some(signals)) => signals.film.clone(),
+        (None, None) => SignalSettings::on(&study.scene).film,
     };
     let [length_mm, width_mm] = study
         .layouts

@@ -21,6 +21,16 @@ pub struct Pressing {
     pub shares: [f64; 2],
 }
 
+impl Pressing {
+    /// Of ground that isn't dragged.
+    pub fn undragged(load_n: f64) -> Self {
+        Self {
+            load_n,
+            shares: [0.0; 2],
+        }
+    }
+}
+
 /// All that is solved for a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableScenes {
@@ -47,7 +57,7 @@ impl TableScenes {
     /// Undragged ground, a load in the middle first: all others start from its equilibrium.
     pub fn undragged(&self) -> Vec<Pressing> {
         let loads = self.settings.loads_n().into_iter();
-        let mut pressings: Vec<Pressing> = loads.map(undragged).collect();
+        let mut pressings: Vec<Pressing> = loads.map(Pressing::undragged).collect();
         let middle = pressings.len() / 2;
         pressings.swap(0, middle);
         pressings
@@ -125,13 +135,6 @@ impl TableScenes {
         scene.ground.load_n = Some(pressing.load_n);
         scene.ground.shift_mm = pressing.shares.map(|share| share * largest + 0.0);
         scene
-    }
-}
-
-fn undragged(load_n: f64) -> Pressing {
-    Pressing {
-        load_n,
-        shares: [0.0; 2],
     }
 }
 

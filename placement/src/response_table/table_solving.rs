@@ -24,8 +24,8 @@ pub struct TestedTable {
     pub error: Option<TableError>,
 }
 
-/// Pressings with what became of them.
-type Solved = Vec<(Pressing, Outcome)>;
+/// Pressings with what became of them, the undragged ones first.
+pub(crate) type Solved = Vec<(Pressing, Outcome)>;
 
 /// All that is solved for a table: two series, each of which starts from its first equilibrium, and what is read of them.
 pub(crate) fn table_series(scenes: &TableScenes, kinds: &[FilmKind]) -> [(Vec<Scene>, Readout); 2] {
@@ -52,17 +52,17 @@ fn readout(kinds: &[FilmKind]) -> Readout {
     }
 }
 
-/// Solves a table; the place moves behind its points.
+/// Solves a table's pressings; the place moves behind their points.
 ///
 /// # Errors
-/// See [`RunError`]; within, why there is no table.
+/// See [`RunError`]; within, why nothing was solved.
 pub(crate) fn solve(
     scenes: &TableScenes,
     kinds: &[FilmKind],
     means: &[f64],
     place: &mut Place,
     context: RunContext<'_>,
-) -> Result<Result<TestedTable, String>, RunError> {
+) -> Result<Result<Solved, String>, RunError> {
     let mut solved: Solved = Vec::new();
     for pressings in series(scenes) {
         if pressings.is_empty() {
@@ -77,11 +77,14 @@ pub(crate) fn solve(
             Err(reason) => return Ok(Err(reason)),
         }
     }
-    Ok(tabulated(scenes, kinds, &solved))
+    Ok(Ok(solved))
 }
 
 /// The table and its error from what became of its pressings.
-fn tabulated(
+///
+/// # Errors
+/// Why there is no table.
+pub(crate) fn tabulated(
     scenes: &TableScenes,
     kinds: &[FilmKind],
     solved: &Solved,

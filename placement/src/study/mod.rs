@@ -90,8 +90,8 @@ pub fn presets() -> [(&'static str, &'static str); 5] {
             include_str!("../../../studies/foot-tire-paper.toml"),
         ),
         ("placement", include_str!("../../../studies/placement.toml")),
-        ("layouts", include_str!("../../../studies/layouts.toml")),
         ("forces", include_str!("../../../studies/forces.toml")),
+        ("layouts", include_str!("../../../studies/layouts.toml")),
     ]
 }
 

@@ -262,12 +262,15 @@ mod tests {
         faults.into_iter().map(|fault| fault.pointer).collect()
     }
 
+    fn preset(name: &str) -> &'static str {
+        let found = presets().into_iter().find(|(other, _)| *other == name);
+        found.expect("it ships").1
+    }
+
     #[test]
     fn more_readings_than_can_be_kept_are_refused() {
         let told = |rig: &str| {
-            let text = presets()[4]
-                .1
-                .replace("[rig] ", &format!("[rig]\n{rig}\n#"));
+            let text = preset("forces").replace("[rig] ", &format!("[rig]\n{rig}\n#"));
             let no_files = |path: &str| Err(path.to_owned());
             Study::from_document(&text, Format::Toml, &no_files)
                 .err()

@@ -40,7 +40,8 @@ pub struct Metrics {
 /// How things stand, asked for when somebody reads.
 #[derive(Debug, Default)]
 struct Now {
-    studies: Family<Studies, Gauge>,
+    studies: Family<OfState, Gauge>,
+    estimators: Family<OfState, Gauge>,
     database_bytes: Gauge,
     event_streams: Gauge,
     memory_bytes: Gauge,
@@ -72,6 +73,8 @@ impl PointOutcome {
 pub struct Snapshot {
     /// Studies of each state.
     pub studies: Vec<(State, i64)>,
+    /// Estimators of each state.
+    pub estimators: Vec<(State, i64)>,
     /// Size of the database with its write-ahead log.
     pub database_bytes: u64,
     /// Open event streams.
@@ -86,7 +89,7 @@ struct Point {
 }
 
 #[derive(Debug, Clone, PartialEq, Eq, Hash, EncodeLabelSet)]
-struct Studies {
+struct OfState {
     state: &'static str,
 }
 
@@ -152,6 +155,7 @@ impl Metrics {
         );
         let now = &self.now;
         own.register("studies", "Studies by state", now.studies.clone());
+        own.register("estimators", "Estimators by state", now.estimators.clone());
         let size = now.database_bytes.clone();
         own.register_with_unit(
             "database",
@@ -219,12 +223,15 @@ impl Metrics {
 
     /// All of it as text.
     pub fn text(&self, now: &Snapshot) -> String {
-        for (state, count) in &now.studies {
-            let state = state.as_str();
-            self.now
-                .studies
-                .get_or_create_owned(&Studies { state })
-                .set(*count);
+        let of_states = [
+            (&self.now.studies, &now.studies),
+            (&self.now.estimators, &now.estimators),
+        ];
+        for (family, counts) in of_states {
+            for (state, count) in counts {
+                let state = state.as_str();
+                family.get_or_create_owned(&OfState { state }).set(*count);
+            }
         }
         let whole = |bytes: u64| i64::try_from(bytes).unwrap_or(i64::MAX);
         self.now.database_bytes.set(whole(now.database_bytes));
@@ -251,6 +258,7 @@ mod tests {
         metrics.request("GET", "/v1/studies/{id}", 404, 0.001);
         let text = metrics.text(&Snapshot {
             studies: vec![(State::Queued, 7), (State::Done, 2)],
+            estimators: vec![(State::Running, 1)],
             database_bytes: 4096,
             event_streams: 3,
             memory_bytes: 1 << 20,
@@ -264,6 +272,7 @@ mod tests {
             "strainsite_requests_total{method=\"GET\",route=\"/v1/studies/{id}\",status=\"404\"} 1",
             "strainsite_request_seconds_count{route=\"/v1/studies/{id}\"} 1",
             "strainsite_studies{state=\"queued\"} 7",
+            "strainsite_estimators{state=\"running\"} 1",
             "strainsite_database_bytes 4096",
             "strainsite_event_streams 3",
             "process_resident_memory_bytes 1048576",

@@ -106,6 +106,20 @@ fn a_rig_tells_forces_of_layouts_and_its_recordings_are_learnt_from() {
 }
 
 #[test]
+fn glued_films_read_volts_by_their_transfer() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let folder = folder.path();
+    let glued = STUDY.replace("[layouts]\n", "[layouts]\nfilm = \"transfer\"\n");
+    std::fs::write(folder.join("glued.toml"), glued).expect("writes");
+    let ran = strainsite(folder, &["run", "glued.toml", "--json", "result.json"]);
+    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+    let result: Value = serde_json::from_str(&read(folder, "result.json")).expect("JSON");
+    // Two coupled solves of the one kind of film, beside the bare tire's.
+    assert_eq!(result["forces"]["table"]["solves"], 34);
+    assert_eq!(result["layouts"][0]["force_error"][2]["useful"], true);
+}
+
+#[test]
 fn what_cannot_be_recorded_is_told_and_nothing_is_written() {
     let folder = tempfile::tempdir().expect("temp dir");
     let folder = folder.path();

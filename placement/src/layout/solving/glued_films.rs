@@ -21,15 +21,22 @@ pub(crate) struct GluedFilms<'s> {
 }
 
 impl<'s> GluedFilms<'s> {
-    /// Those of these kinds, on the tires of a level.
-    pub fn new(film: &'s Film, scenes: &LayoutScenes, kinds: &'s [FilmKind], level: Level) -> Self {
+    /// Those of these kinds, on the bare tire at two loads, with their numbers among its outcomes.
+    pub fn new(film: &'s Film, kinds: &'s [FilmKind], loads: Option<[(usize, Scene); 2]>) -> Self {
+        Self { film, kinds, loads }
+    }
+
+    /// Those of layouts, on the tires of a level.
+    pub fn of_layouts(
+        film: &'s Film,
+        scenes: &LayoutScenes,
+        kinds: &'s [FilmKind],
+        level: Level,
+    ) -> Self {
         let all = scenes.scenes(level);
         let of_load = |index: usize| (index, all[index].clone());
-        Self {
-            film,
-            kinds,
-            loads: scenes.of_transfer().map(|two| two.map(of_load)),
-        }
+        let loads = scenes.of_transfer().map(|two| two.map(of_load));
+        Self::new(film, kinds, loads)
     }
 
     /// The two scenes of each kind of film, with the film at the contact's centre.

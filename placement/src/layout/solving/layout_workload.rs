@@ -41,7 +41,7 @@ pub(crate) fn layout_series(
     for level in levels {
         series.push((scenes.scenes(level), readout(kinds)));
         if let Some(film) = glued {
-            let films = GluedFilms::new(film, &scenes, kinds, level);
+            let films = GluedFilms::of_layouts(film, &scenes, kinds, level);
             series.extend(films.series().map(|scenes| (scenes, Readout::default())));
         }
         if study.layouts.shear {

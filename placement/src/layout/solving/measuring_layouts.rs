@@ -124,7 +124,7 @@ fn solved(
     };
     let mut kinds = kinds.to_vec();
     if let Some(film) = &study.layouts.glued {
-        let glued = GluedFilms::new(film, scenes, &kinds, level);
+        let glued = GluedFilms::of_layouts(film, scenes, &kinds, level);
         kinds = match glued.kinds_in_volts(&pressed, means, place, context)? {
             Ok(in_volts) => in_volts,
             Err(reason) => {

@@ -56,7 +56,7 @@ pub const FORCE_APPLY: &str = "Examples:
 /// Examples of `force record`.
 pub const FORCE_RECORD: &str = "Examples:
   strainsite force record studies/forces.toml --layout 1 -o recordings
-  strainsite force fit recordings/recipe.toml recordings/run-*.csv";
+  strainsite force record forces --layout 2 --set rig.electronics.time_constant_s=0.1";
 
 /// Examples of `trade`.
 pub const TRADE: &str = "Examples:

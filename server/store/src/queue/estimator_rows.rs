@@ -7,7 +7,7 @@ use sqlx::SqliteConnection;
 use crate::clock::now;
 use crate::column::whole;
 use crate::content::{document_sha256, intact, sha256};
-use crate::queue::study_rows::State;
+use crate::queue::study_rows::{State, by_state};
 use crate::row::from_row;
 use crate::store_error::StoreError;
 
@@ -197,6 +197,18 @@ pub async fn page(
         .bind(search)
         .fetch_all(connection)
         .await?)
+}
+
+/// How many estimators are in each state.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn counts(connection: &mut SqliteConnection) -> Result<Vec<(State, i64)>, StoreError> {
+    by_state(
+        connection,
+        "select state, count(*) from estimators group by state",
+    )
+    .await
 }
 
 /// How many estimators wait.

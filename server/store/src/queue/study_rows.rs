@@ -231,7 +231,18 @@ pub async fn beginning_with(
 /// # Errors
 /// When the database can't be read.
 pub async fn counts(connection: &mut SqliteConnection) -> Result<Vec<(State, i64)>, StoreError> {
-    let query = "select state, count(*) from studies group by state";
+    by_state(
+        connection,
+        "select state, count(*) from studies group by state",
+    )
+    .await
+}
+
+/// The answer of a query for states with their counts, every state once.
+pub(crate) async fn by_state(
+    connection: &mut SqliteConnection,
+    query: &'static str,
+) -> Result<Vec<(State, i64)>, StoreError> {
     let rows: Vec<(String, i64)> = sqlx::query_as(query).fetch_all(connection).await?;
     let count = |state: State| {
         let row = rows.iter().find(|(name, _)| name == state.as_str());

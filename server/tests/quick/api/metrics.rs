@@ -71,6 +71,7 @@ async fn the_measurements_rise_by_what_was_done() {
     assert_eq!(rise("strainsite_solve_seconds_count"), 26.0);
     assert_eq!(rise("strainsite_solve_seconds_bucket{le=\"+Inf\"}"), 26.0);
     assert_eq!(rise("strainsite_studies{state=\"done\"}"), 2.0);
+    assert_eq!(after["strainsite_estimators{state=\"queued\"}"], 0.0);
     let submitted =
         "strainsite_requests_total{method=\"POST\",route=\"/v1/studies\",status=\"202\"}";
     assert_eq!(rise(submitted), 2.0);
