@@ -243,12 +243,17 @@ impl Estimator {
         Ok(())
     }
 
-    /// Whether a row is outside of what was learnt from: a signal is beyond its range by more than a twentieth of it.
+    /// Whether a row is outside of what was learnt from.
     pub fn is_outside(&self, values: &[f64]) -> bool {
-        let beyond = |(x, (low, high)): (&f64, &(f64, f64))| {
-            let margin = MARGIN * (high - low);
-            *x < low - margin || *x > high + margin
-        };
-        values.iter().zip(&self.ranges).any(beyond)
+        is_outside(values, &self.ranges)
     }
+}
+
+/// Whether a signal is beyond the range that was learnt by more than a twentieth of it.
+pub fn is_outside(values: &[f64], ranges: &[(f64, f64)]) -> bool {
+    let beyond = |(x, (low, high)): (&f64, &(f64, f64))| {
+        let margin = MARGIN * (high - low);
+        *x < low - margin || *x > high + margin
+    };
+    values.iter().zip(ranges).any(beyond)
 }

@@ -52,6 +52,18 @@ impl<'t> LaidFilms<'t> {
             films: films.to_vec(),
         }
     }
+
+    /// The same films, with what they are wired to, on another tire.
+    pub fn on<'o>(&self, table: &'o ResponseTable) -> LaidFilms<'o> {
+        LaidFilms {
+            table,
+            capacitance_pf: self.capacitance_pf,
+            full_scales_nc: self.full_scales_nc.clone(),
+            capacitances_pf: self.capacitances_pf.clone(),
+            warming_nc_per_k: self.warming_nc_per_k.clone(),
+            films: self.films.clone(),
+        }
+    }
 }
 
 /// Of the volts of an open circuit.

@@ -2,12 +2,17 @@
 
 use std::sync::atomic::Ordering;
 
+use crate::layout::ranking::asked_layouts::is_published;
 use crate::layout::solving::on_threads::in_parallel;
 use crate::response_table::study_table::StudyTable;
 use crate::response_table::table_solving::TestedTable;
-use crate::result::{ForceError, ForceFindings, RankedLayout, StudyResult, TableReport};
+use crate::result::{
+    ForceError, ForceFindings, PublishedTables, RankedLayout, StudyResult, TableReport,
+};
 use crate::rig::force_error::assumed_rig::assumed;
 use crate::rig::force_error::layout_forces::force_errors;
+use crate::rig::published::published_gaits;
+use crate::rig::published::rig_tables::RigTables;
 use crate::rig::rig_settings::RigSettings;
 use crate::run::{RunContext, RunError};
 use crate::study::Study;
@@ -35,8 +40,18 @@ pub(crate) fn measure(
             result.cost.table_solves = table.solves();
             match tested {
                 Ok(tested) => {
-                    let errors = errors(&table, &tested, rig, context)?;
+                    let mut others = Vec::new();
+                    for (tire, other) in table.others_solved_from(first, plan, context)? {
+                        match other {
+                            Ok(other) => others.push((tire, other)),
+                            Err(reason) => forces.reasons.push(format!(
+                                "Nothing was tried on the other tire ({tire}): {reason}"
+                            )),
+                        }
+                    }
+                    let errors = errors(&table, &tested, &others, rig, context)?;
                     put(&table, errors, &mut result.layouts);
+                    forces.published = published(&table, &tested, rig, result, context)?;
                     forces.table = Some(report(&table, &tested));
                     forces.assumed = assumed(rig);
                 }
@@ -54,17 +69,51 @@ pub(crate) fn measure(
 fn errors(
     table: &StudyTable,
     tested: &TestedTable,
+    others: &[(String, TestedTable)],
     rig: &RigSettings,
     context: RunContext<'_>,
 ) -> Result<Vec<Vec<ForceError>>, RunError> {
     let of = |layout: usize| {
         let films = table.laid(tested, &table.layouts[layout].arrangement.films);
-        force_errors(&films, rig, context.stop)
+        let others = others.iter();
+        let others: Vec<_> = others
+            .map(|(tire, other)| (tire.clone(), films.on(&other.table)))
+            .collect();
+        force_errors(&films, &others, rig, context.stop)
     };
     let found = in_parallel(table.layouts.len(), context, of);
     let all = found.and_then(|found| found.into_iter().collect::<Option<Vec<_>>>());
     all.filter(|_| !context.stop.load(Ordering::Relaxed))
         .ok_or(RunError::Stopped)
+}
+
+/// The published study's tables where they are asked for, on all threads.
+fn published(
+    table: &StudyTable,
+    tested: &TestedTable,
+    rig: &RigSettings,
+    result: &StudyResult,
+    context: RunContext<'_>,
+) -> Result<Option<PublishedTables>, RunError> {
+    let its = table.layouts.iter().find(|layout| is_published(layout));
+    let Some(layout) = its.filter(|_| rig.paper_tables) else {
+        return Ok(None);
+    };
+    let films = table.laid(tested, &layout.arrangement.films);
+    let found = RigTables::recorded(&films, rig, context.stop).and_then(|tables| {
+        let pieces = in_parallel(tables.pieces(), context, |piece| {
+            tables.piece(piece, context.stop)
+        })?;
+        Some(tables.tables(pieces.into_iter().collect::<Option<_>>()?))
+    });
+    let (rows, time_constants) = found.ok_or(RunError::Stopped)?;
+    let ranked = result.layouts.iter().find(|row| row.is_same(&layout.label));
+    Ok(Some(PublishedTables {
+        layout_rank: ranked.map_or(0, |row| row.rank),
+        rows,
+        time_constants,
+        assumed: published_gaits::assumed(),
+    }))
 }
 
 /// Puts them beside the ranked layouts that they belong to. Layouts that a search found are none of the study's own.

@@ -25,6 +25,8 @@ use crate::study::plan::Plan;
 /// What a table is solved for.
 pub struct StudyTable {
     scenes: TableScenes,
+    /// Other tires that estimators are tried on.
+    others: Vec<(String, TableScenes)>,
     kinds: Vec<FilmKind>,
     film: Film,
     /// Whether it is glued on with its stiffness.
@@ -71,8 +73,17 @@ impl StudyTable {
         );
         let scenes = TableScenes::new(means, settings);
         scenes.check()?;
+        let others = rig.other_tires.iter();
+        let others = others.map(|tire| (tire.described(), scenes.untested(tire)));
+        let others: Vec<(String, TableScenes)> = others.collect();
+        for (tire, scenes) in &others {
+            scenes
+                .check()
+                .map_err(|reason| format!("{tire}: {reason}"))?;
+        }
         Ok(Self {
             scenes,
+            others,
             kinds,
             film,
             glued,
@@ -89,9 +100,15 @@ impl StudyTable {
 
     /// All that is solved, and what is read of it.
     pub(crate) fn series(&self) -> Vec<(Vec<Scene>, Readout)> {
-        let mut series = table_series(&self.scenes, &self.kinds).to_vec();
+        let others = self.others.iter().map(|(_, scenes)| scenes);
+        let tires = std::iter::once(&self.scenes).chain(others);
+        tires.flat_map(|scenes| self.series_on(scenes)).collect()
+    }
+
+    fn series_on(&self, scenes: &TableScenes) -> Vec<(Vec<Scene>, Readout)> {
+        let mut series = table_series(scenes, &self.kinds).to_vec();
         if self.glued && check_transferable(&self.film).is_ok() {
-            let glued = self.glued_films();
+            let glued = self.glued_films(scenes);
             series.extend(glued.series().map(|scenes| (scenes, Readout::default())));
         }
         series.retain(|(scenes, _)| !scenes.is_empty());
@@ -99,9 +116,9 @@ impl StudyTable {
     }
 
     /// The films as they are glued on, at the two loads that give their transfer.
-    fn glued_films(&self) -> GluedFilms<'_> {
-        let two = loads_of_transfer(&self.scenes.settings().loads_n());
-        let scene = |load_n: f64| self.scenes.scene(&Pressing::undragged(load_n));
+    fn glued_films(&self, scenes: &TableScenes) -> GluedFilms<'_> {
+        let two = loads_of_transfer(&scenes.settings().loads_n());
+        let scene = |load_n: f64| scenes.scene(&Pressing::undragged(load_n));
         let loads = two.map(|[first, second]| [(0, scene(first)), (1, scene(second))]);
         GluedFilms::new(&self.film, &self.kinds, loads)
     }
@@ -109,6 +126,7 @@ impl StudyTable {
     /// The kinds of film with the volts that the wall's strains are.
     fn in_volts(
         &self,
+        scenes: &TableScenes,
         solved: &Solved,
         means: &[f64],
         place: &mut Place,
@@ -117,7 +135,7 @@ impl StudyTable {
         if !self.glued {
             return Ok(Ok(self.kinds.clone()));
         }
-        let two = loads_of_transfer(&self.scenes.settings().loads_n()).unwrap_or_default();
+        let two = loads_of_transfer(&scenes.settings().loads_n()).unwrap_or_default();
         let of_load = |load_n: f64| {
             let asked = Pressing::undragged(load_n);
             let (_, outcome) = solved.iter().find(|(pressing, _)| *pressing == asked)?;
@@ -141,7 +159,7 @@ impl StudyTable {
                 "the solver gives no strains around the wheel".to_owned()
             ));
         };
-        self.glued_films()
+        self.glued_films(scenes)
             .kinds_in_volts(&bare, means, place, context)
     }
 
@@ -185,13 +203,50 @@ impl StudyTable {
             first,
             of: first + self.solves(),
         };
+        self.table_on(&self.scenes, plan, &mut place, context)
+    }
+
+    /// The tables of the other tires, solved after the own one's, and in what they differ from it.
+    ///
+    /// # Errors
+    /// See [`RunError`]; within, why there is no table.
+    pub(crate) fn others_solved_from(
+        &self,
+        first: usize,
+        plan: &Plan,
+        context: RunContext<'_>,
+    ) -> Result<Vec<(String, Result<TestedTable, String>)>, RunError> {
+        let own: usize = self
+            .series_on(&self.scenes)
+            .iter()
+            .map(|(scenes, _)| scenes.len())
+            .sum();
+        let mut place = Place {
+            first: first + own,
+            of: first + self.solves(),
+        };
+        let mut tables = Vec::new();
+        for (tire, scenes) in &self.others {
+            let table = self.table_on(scenes, plan, &mut place, context)?;
+            tables.push((tire.clone(), table));
+        }
+        Ok(tables)
+    }
+
+    fn table_on(
+        &self,
+        scenes: &TableScenes,
+        plan: &Plan,
+        place: &mut Place,
+        context: RunContext<'_>,
+    ) -> Result<Result<TestedTable, String>, RunError> {
         let means = &plan.values()[0];
-        let solved = match solve(&self.scenes, &self.kinds, means, &mut place, context)? {
+        let solved = match solve(scenes, &self.kinds, means, place, context)? {
             Ok(solved) => solved,
             Err(reason) => return Ok(Err(reason)),
         };
-        let kinds = self.in_volts(&solved, means, &mut place, context)?;
-        Ok(kinds.and_then(|kinds| tabulated(&self.scenes, &kinds, &solved)))
+        let kinds = self.in_volts(scenes, &solved, means, place, context)?;
+        Ok(kinds.and_then(|kinds| tabulated(scenes, &kinds, &solved)))
     }
 
     /// The films of a layout, as a rig asks for them.

@@ -6,6 +6,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use crate::response_table::drag_basis::{DRAGS, SHARES};
 use crate::response_table::table_settings::{PAIR_SHARE, PAIRS, TableSettings};
+use crate::rig::rig_settings::TireVariant;
 
 /// The least load at which a table is tested, over the largest.
 const LEAST_TESTED: f64 = 0.1;
@@ -37,6 +38,8 @@ pub struct TableScenes {
     /// The bare tire.
     tire: Scene,
     settings: TableSettings,
+    /// Whether other solves test the table.
+    tested: bool,
 }
 
 impl TableScenes {
@@ -46,7 +49,24 @@ impl TableScenes {
         tire.film = None;
         tire.model.level = settings.level;
         tire.ground.depths_mm.clear();
-        Self { tire, settings }
+        Self {
+            tire,
+            settings,
+            tested: true,
+        }
+    }
+
+    /// Of another tire, whose table isn't tested.
+    pub fn untested(&self, variant: &TireVariant) -> Self {
+        let mut other = Self {
+            tested: false,
+            ..self.clone()
+        };
+        let level = variant.level.unwrap_or(self.settings.level);
+        other.settings.level = level;
+        other.tire.model.level = level;
+        other.tire.geometry.wall_mm *= variant.wall_factor;
+        other
     }
 
     /// What was asked for.
@@ -99,7 +119,8 @@ impl TableScenes {
                 shares,
             })
         };
-        (0..PAIRS).map(pair).collect()
+        let pairs = if self.tested { PAIRS } else { 0 };
+        (0..pairs).map(pair).collect()
     }
 
     /// Whether a tire can be asked for all that.
@@ -160,6 +181,25 @@ mod tests {
             scene.contact.friction = 0.5;
             assert_eq!(Scene::from_json(&scene.canonical_json()), Ok(scene));
         }
+    }
+
+    #[test]
+    fn another_tire_is_pressed_alike_and_not_tested() {
+        let own = scenes(0.5);
+        let other = own.untested(&TireVariant {
+            level: Some(Level::Draft),
+            wall_factor: 1.05,
+        });
+        assert_eq!(
+            (other.undragged(), other.dragged()),
+            (own.undragged(), own.dragged())
+        );
+        assert!(other.tested().is_empty());
+        let scene = other.scene(&other.undragged()[0]);
+        let own = own.scene(&own.undragged()[0]);
+        assert_eq!(scene.model.level, Level::Draft);
+        assert!((scene.geometry.wall_mm - 1.05 * own.geometry.wall_mm).abs() < 1e-12);
+        assert_eq!(scene.ground, own.ground);
     }
 
     #[test]

@@ -10,6 +10,7 @@
 //! - [`rig_run`]: one run, both clocks
 //! - [`run_csv`]: a run as a recording that `strainsite force fit` reads
 //! - [`force_error`]: how well forces are known by what a rig records
+//! - [`published`]: the same under the published study's conditions, beside its tables
 
 #[cfg(test)]
 pub(crate) mod bump_response;
@@ -19,6 +20,7 @@ pub mod even_clock;
 pub mod force_error;
 pub mod gait;
 pub mod pressed_tire;
+pub mod published;
 pub mod relaxation;
 pub mod rig_run;
 pub mod rig_settings;

@@ -5,6 +5,7 @@
 //! force in the first seconds.
 
 use fem_client::film::amplifier::Circuit;
+use fem_client::scene::Level;
 use serde_json::{Value, json};
 
 use crate::rig::gait::gait_settings::GaitSettings;
@@ -30,6 +31,19 @@ pub struct RigSettings {
     pub runs: usize,
     /// Of all that is drawn at random.
     pub seed: u64,
+    /// Whether the published study's tables are asked for.
+    pub paper_tables: bool,
+    /// Tires that estimators are only tried on.
+    pub other_tires: Vec<TireVariant>,
+}
+
+/// A tire that differs from the study's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TireVariant {
+    /// Its mesh, where it has another one.
+    pub level: Option<Level>,
+    /// Its wall's thickness over that of the study's.
+    pub wall_factor: f64,
 }
 
 /// What films are wired to.
@@ -96,6 +110,8 @@ impl Default for RigSettings {
             film_rate_hz: 200.0,
             runs: 4,
             seed: 1,
+            paper_tables: false,
+            other_tires: Vec::new(),
         }
     }
 }
@@ -130,6 +146,36 @@ impl Default for Branch {
             share: 0.1,
             time_s: 0.3,
         }
+    }
+}
+
+impl Default for TireVariant {
+    fn default() -> Self {
+        Self {
+            level: None,
+            wall_factor: 1.0,
+        }
+    }
+}
+
+impl TireVariant {
+    /// In what it differs, in words.
+    pub fn described(&self) -> String {
+        let mesh = self.level.map(|level| format!("{} mesh", level.as_str()));
+        let percent = 100.0 * (self.wall_factor - 1.0);
+        let word = if percent > 0.0 { "thicker" } else { "thinner" };
+        let thicker = format!("wall {} % {word}", (10.0 * percent.abs()).round() / 10.0);
+        let wall = (self.wall_factor != 1.0).then_some(thicker);
+        let parts: Vec<String> = mesh.into_iter().chain(wall).collect();
+        parts.join(", ")
+    }
+
+    fn to_value(self) -> Value {
+        let mut value = json!({"wall_factor": self.wall_factor});
+        if let Some(level) = self.level {
+            value["level"] = level.as_str().into();
+        }
+        value
     }
 }
 
@@ -184,6 +230,8 @@ impl RigSettings {
             "film_rate_hz": self.film_rate_hz,
             "runs": self.runs,
             "seed": self.seed,
+            "paper_tables": self.paper_tables,
+            "other_tires": self.other_tires.iter().map(|tire| tire.to_value()).collect::<Vec<_>>(),
         })
     }
 }

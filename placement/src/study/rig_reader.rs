@@ -5,12 +5,14 @@
 
 use fem_client::document::fault::Fault;
 use fem_client::document::fields::{Fields, Range, plain, shown};
+use fem_client::scene::Level;
 use fem_client::scene::reader::circuit_reader::{circuit_fields, named_circuit, read_circuit};
 use serde_json::Value;
 
+use crate::layout::ranking::asked_layouts::is_published;
 use crate::layout::solving::study_layouts::Asked;
 use crate::rig::gait::gait_reader::gait;
-use crate::rig::rig_settings::{Branch, Electronics, ForceSensor, Noise, RigSettings};
+use crate::rig::rig_settings::{Branch, Electronics, ForceSensor, Noise, RigSettings, TireVariant};
 use crate::study::Study;
 use crate::study::candidate_reader::list;
 
@@ -26,6 +28,9 @@ const GAIN: Range = Range::new(0.0, 1.0, "");
 const OFFSET: Range = Range::new(0.0, 60.0, "s");
 const PPM: Range = Range::new(-1e5, 1e5, "parts in a million");
 const FORCE: Range = Range::new(0.0, 1e6, "N");
+const WALL: Range = Range::new(0.5, 2.0, "");
+/// Each has a table of its own, some minutes of two cores on the coarse mesh.
+const MOST_TIRES: usize = 4;
 const MOST_BRANCHES: usize = 8;
 const MOST_RUNS: u64 = 1000;
 /// Instants of a run by either clock: five hours and a half at 200 Hz, some 700 MB of twelve films.
@@ -56,6 +61,8 @@ fn read(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<RigSett
         "film_rate_hz",
         "runs",
         "seed",
+        "paper_tables",
+        "other_tires",
     ];
     let fields = Fields::open(value, pointer, &known, faults)?;
     let usual = RigSettings::default();
@@ -81,6 +88,14 @@ fn read(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<RigSett
     let film_rate_hz = fields.number("film_rate_hz", RATE, usual.film_rate_hz, faults);
     let runs = fields.integer("runs", (1, MOST_RUNS), usual.runs as u64, faults);
     let seed = fields.integer("seed", (0, u64::MAX), usual.seed, faults);
+    let paper_tables = table(&fields, "paper_tables", usual.paper_tables, faults, flag);
+    let others = table(
+        &fields,
+        "other_tires",
+        usual.other_tires,
+        faults,
+        other_tires,
+    );
     let settings = RigSettings {
         gait: gait?,
         electronics: electronics?,
@@ -91,6 +106,8 @@ fn read(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<RigSett
         film_rate_hz: film_rate_hz?,
         runs: runs? as usize,
         seed: seed?,
+        paper_tables: paper_tables?,
+        other_tires: others?,
     };
     check_instants(&settings, &fields, faults)?;
     Some(settings)
@@ -175,6 +192,32 @@ fn branch(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Branc
     Some(branch)
 }
 
+fn other_tires(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Vec<TireVariant>> {
+    list(value, pointer, MOST_TIRES, faults, other_tire)
+}
+
+fn other_tire(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<TireVariant> {
+    let fields = Fields::open(value, pointer, &["level", "wall_factor"], faults)?;
+    let usual = TireVariant::default();
+    let wall_factor = fields.number("wall_factor", WALL, usual.wall_factor, faults);
+    let level = match fields.get("level") {
+        None => Some(None),
+        Some(_) => fields
+            .choice("level", &Level::NAMES, Level::Draft, faults)
+            .map(Some),
+    };
+    let tire = TireVariant {
+        level: level?,
+        wall_factor: wall_factor?,
+    };
+    if tire == usual {
+        let detail = "is the study's own tire: give it another level or wall_factor";
+        Fault::add(faults, pointer, detail.to_owned());
+        return None;
+    }
+    Some(tire)
+}
+
 fn flag(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<bool> {
     let flag = value.as_bool();
     if flag.is_none() {
@@ -189,8 +232,12 @@ pub(crate) fn check_readings(study: &Study, faults: &mut Vec<Fault>) {
     let Some(rig) = &study.rig else {
         return;
     };
-    let films = Asked::of(study)
-        .layouts
+    let layouts = Asked::of(study).layouts;
+    if rig.paper_tables && !layouts.iter().any(is_published) {
+        let detail = "needs the published layout among the study's: six units of an x and a y film at the crown (layouts.units = [6])";
+        Fault::add(faults, "/rig/paper_tables", detail.to_owned());
+    }
+    let films = layouts
         .into_iter()
         .map(|layout| layout.arrangement.films.len());
     let of_film = rig.gait.longest_s() * rig.film_rate_hz;
@@ -305,6 +352,7 @@ mod tests {
             "[rig.electronics]\nkind = \"voltage\"\ninput_mohm = 1\ncable_pf = 100\nbits = 0\nrange_v = 5",
             "[rig.electronics]\nkind = \"open-circuit\"\ntime_constant_s = 0.01",
             "[rig.noise]\nwhite_share = 0\nthermal_k = 0\n[rig.force_sensor]\nppm = -40\n[rig.gait]\nstances = 12",
+            "[rig]\npaper_tables = true\nother_tires = [{ level = \"draft\" }, { wall_factor = 1.05, level = \"coarse\" }]",
             "[[rig.relaxation]]\nshare = 0.2\ntime_s = 1\n[[rig.relaxation]]\nshare = 0.1\ntime_s = 0.03",
         ] {
             let settings = read_text(text).expect(text).expect("a rig");
@@ -340,8 +388,10 @@ mod tests {
             [rig]
             film_rate_hz = 0
             runs = 0
+            other_tires = [{ level = \"fine\" }, { wall_factor = 1 }, { wall_factor = 3 }]
             seed = -1
             films_follow_force = 1
+            paper_tables = 1
             colour = 1
             [rig.gait]
             duty = 2
@@ -375,6 +425,10 @@ mod tests {
             "film_rate_hz",
             "runs",
             "seed",
+            "paper_tables",
+            "other_tires/0/level",
+            "other_tires/1",
+            "other_tires/2/wall_factor",
         ];
         assert_eq!(pointers(text), expected.map(|name| format!("/rig/{name}")));
         assert_eq!(pointers("rig = 3"), ["/rig"]);

@@ -31,6 +31,20 @@ pub struct AskedLayout {
     pub label: RankedLayout,
 }
 
+/// Whether it is the published study's: six units of an x and a y film at the crown, every 60 degrees.
+pub fn is_published(layout: &AskedLayout) -> bool {
+    let RankedLayout {
+        name,
+        units,
+        position,
+        films,
+        staggered,
+        ..
+    } = &layout.label;
+    let regular = name.is_none() && !staggered && layout.label.spacing_deg == Some(60.0);
+    regular && *units == 6 && position == "crown" && films == &["x", "y"]
+}
+
 impl Kinds {
     /// The two of the crown, whose signals set the noise: points, so that films of any size have the same, unless they are glued. Layouts have films of this length
     /// and width on this tire, mm, that read this.

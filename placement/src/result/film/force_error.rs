@@ -26,6 +26,9 @@ pub struct ForceError {
     pub dead: Option<DeadFilmError>,
     /// The same with films that lie elsewhere than those that were learnt from.
     pub askew: AskewError,
+    /// The same films on other tires, which nobody learnt from.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub elsewhere: Vec<ElsewhereError>,
     /// Where on the wheel contacts are known worst; null where too few touch.
     pub worst_contact: Option<WorstContact>,
     /// Why numbers are null.
@@ -70,6 +73,9 @@ pub struct TrialError {
     pub r2: Option<f64>,
     /// Share of the true forces within their 95 % intervals.
     pub coverage: Option<f64>,
+    /// Share of the rows that are flagged: one of their signals is beyond what was learnt from.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub outside: Option<f64>,
 }
 
 /// With a film dead.
@@ -79,6 +85,16 @@ pub struct DeadFilmError {
     /// The film, counted from 0.
     pub film: usize,
     /// What estimates are worth without it.
+    pub error: TrialError,
+}
+
+/// On another tire.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ElsewhereError {
+    /// In what it differs from the study's.
+    pub tire: String,
+    /// What estimates are worth there.
     pub error: TrialError,
 }
 

@@ -1,5 +1,6 @@
 //! What a virtual rig on a study's tire shows.
 
+use super::PublishedTables;
 use serde::{Deserialize, Serialize};
 
 /// What a virtual rig shows.
@@ -9,6 +10,9 @@ pub struct ForceFindings {
     /// The table of responses that the rig reads; absent where there is none.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub table: Option<TableReport>,
+    /// The published study's tables beside the rig's; absent where the study doesn't ask for them.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub published: Option<PublishedTables>,
     /// What is assumed of the rig and stated by no source, whole sentences; empty where nothing was learnt.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub assumed: Vec<String>,

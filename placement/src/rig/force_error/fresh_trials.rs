@@ -1,15 +1,18 @@
-//! What was learnt, tried on runs that nobody learnt from: as they come, with a film dead, and with films that lie elsewhere.
+//! What was learnt, tried on runs that nobody learnt from: as they come, with a film dead, with films that lie elsewhere, and on other tires.
 //!
-//! All three are the same runs, with the same stances, gains and noise, so that their errors differ by the films alone. Estimates are held against true forces.
+//! All are the same runs, with the same stances, gains and noise, so that their errors differ by the films alone. Estimates are held against true forces.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use estimation::error_metrics::{nrmse_percent, r2, rmse};
-use estimation::estimator::{Estimate, ForceModel};
+use estimation::estimator::{Estimate, is_outside};
 use estimation::features::GROUPS;
 
-use crate::result::film::force_error::{AskewError, DeadFilmError, TrialError, WorstContact};
+use crate::result::film::force_error::{
+    AskewError, DeadFilmError, ElsewhereError, TrialError, WorstContact,
+};
 use crate::rig::contact_response::TurnableFilms;
+use crate::rig::force_error::learnt_force::LearntForce;
 use crate::rig::force_error::thinned_run::{ThinnedRun, thinning};
 use crate::rig::rig_settings::RigSettings;
 use crate::rig::seeded_draws::{SeededDraws, Stream};
@@ -32,16 +35,34 @@ const FEWEST_ROWS: usize = 20;
 pub struct FreshTrials {
     fresh: Vec<ThinnedRun>,
     askew: Vec<ThinnedRun>,
+    elsewhere: Vec<(String, Vec<ThinnedRun>)>,
     contact_deg: [f64; 2],
 }
 
+/// A tire with the same films that nobody learns from, and in what it differs.
+pub type OtherTire<R> = (String, R);
+
 /// A true force with its estimate.
-type Tried = (f64, Estimate);
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Tried {
+    truth: f64,
+    estimate: Estimate,
+    /// Whether a signal is beyond what was learnt from.
+    outside: bool,
+}
+
+impl Tried {
+    fn square(&self) -> f64 {
+        let error = self.estimate.force - self.truth;
+        error * error
+    }
+}
 
 impl FreshTrials {
     /// Records them, counted behind those of the settings; None where the caller stops meanwhile.
     pub fn recorded<R: TurnableFilms>(
         response: &R,
+        others: &[OtherTire<R>],
         settings: &RigSettings,
         stop: &AtomicBool,
     ) -> Option<Self> {
@@ -58,42 +79,55 @@ impl FreshTrials {
             recorded(&response.turned(&by_deg), run)
         };
         let numbers = || (settings.runs..settings.runs + RUNS).map(|run| run as u64);
+        let on = |tire: &R| {
+            numbers()
+                .map(|run| recorded(tire, run))
+                .collect::<Option<_>>()
+        };
         Some(Self {
-            fresh: numbers()
-                .map(|run| recorded(response, run))
-                .collect::<Option<_>>()?,
+            fresh: on(response)?,
             askew: numbers().map(askew).collect::<Option<_>>()?,
+            elsewhere: others
+                .iter()
+                .map(|(tire, response)| Some((tire.clone(), on(response)?)))
+                .collect::<Option<_>>()?,
             contact_deg: settings.gait.contact_deg,
         })
     }
 
     /// On the runs as they come; with the worst contacts.
-    pub fn fresh(&self, model: &ForceModel, axis: usize) -> (TrialError, Option<WorstContact>) {
-        let tried = tried(model, &self.fresh, axis);
+    pub fn fresh(&self, learnt: &LearntForce, axis: usize) -> (TrialError, Option<WorstContact>) {
+        let tried = tried(learnt, &self.fresh, axis);
         (trial_error(&tried), self.worst_contact(&tried))
     }
 
     /// On the runs with films askew.
-    pub fn askew(&self, model: &ForceModel, axis: usize) -> AskewError {
+    pub fn askew(&self, learnt: &LearntForce, axis: usize) -> AskewError {
         AskewError {
             std_deg: ASKEW_DEG,
-            error: trial_error(&tried(model, &self.askew, axis)),
+            error: trial_error(&tried(learnt, &self.askew, axis)),
         }
     }
 
+    /// On the runs with other tires.
+    pub fn elsewhere(&self, learnt: &LearntForce, axis: usize) -> Vec<ElsewhereError> {
+        let on = |(tire, runs): &(String, Vec<ThinnedRun>)| ElsewhereError {
+            tire: tire.clone(),
+            error: trial_error(&tried(learnt, runs, axis)),
+        };
+        self.elsewhere.iter().map(on).collect()
+    }
+
     /// On the runs with the film dead whose loss costs most; None without films.
-    pub fn dead(&self, model: &ForceModel, axis: usize) -> Option<DeadFilmError> {
+    pub fn dead(&self, learnt: &LearntForce, axis: usize) -> Option<DeadFilmError> {
         let films = self.fresh.first()?.features.ncols() / GROUPS;
         let squares = |film: usize| -> f64 {
             let runs = self.fresh.iter().map(|run| {
                 let few = (RUNS * run.time_s.len()).div_ceil(DEAD_ROWS).max(1);
                 let dead = run.with_dead_film(film);
                 let rows = (0..dead.time_s.len()).step_by(few);
-                let error = rows.map(|row| {
-                    let (truth, estimate) = at(model, &dead, axis, row);
-                    (estimate.force - truth) * (estimate.force - truth)
-                });
-                error.sum::<f64>()
+                let squares = rows.map(|row| at(learnt, &dead, axis, row).square());
+                squares.sum::<f64>()
             });
             runs.sum()
         };
@@ -109,7 +143,7 @@ impl FreshTrials {
             .collect();
         Some(DeadFilmError {
             film,
-            error: trial_error(&tried(model, &dead, axis)),
+            error: trial_error(&tried(learnt, &dead, axis)),
         })
     }
 
@@ -121,11 +155,11 @@ impl FreshTrials {
             .fresh
             .iter()
             .flat_map(|run| (0..run.time_s.len()).map(move |row| (run, row)));
-        for ((run, row), (truth, estimate)) in rows.zip(tried) {
+        for ((run, row), tried) in rows.zip(tried) {
             if run.touches(row) {
                 let part = ((run.contact_deg[row] - from) / CONTACT_DEG) as usize;
                 let (sum, count) = &mut squares[part.min(parts - 1)];
-                *sum += (estimate.force - truth) * (estimate.force - truth);
+                *sum += tried.square();
                 *count += 1;
             }
         }
@@ -145,18 +179,24 @@ impl FreshTrials {
     }
 }
 
-fn at(model: &ForceModel, run: &ThinnedRun, axis: usize, row: usize) -> Tried {
+fn at(learnt: &LearntForce, run: &ThinnedRun, axis: usize, row: usize) -> Tried {
     let features = run.features.row(row);
-    let columns = model.columns(features.len() / GROUPS);
+    let films = features.len() / GROUPS;
+    let columns = learnt.model.columns(films);
     let read = columns.into_iter().map(|column| features[column]);
-    (run.true_force_n[[row, axis]], model.estimate(read))
+    let signals: Vec<f64> = features.iter().take(films).copied().collect();
+    Tried {
+        truth: run.true_force_n[[row, axis]],
+        estimate: learnt.model.estimate(read),
+        outside: is_outside(&signals, &learnt.ranges),
+    }
 }
 
-fn tried(model: &ForceModel, runs: &[ThinnedRun], axis: usize) -> Vec<Tried> {
+fn tried(learnt: &LearntForce, runs: &[ThinnedRun], axis: usize) -> Vec<Tried> {
     let rows = runs
         .iter()
         .flat_map(|run| (0..run.time_s.len()).map(move |row| (run, row)));
-    rows.map(|(run, row)| at(model, run, axis, row)).collect()
+    rows.map(|(run, row)| at(learnt, run, axis, row)).collect()
 }
 
 fn trial_error(tried: &[Tried]) -> TrialError {
@@ -165,16 +205,22 @@ fn trial_error(tried: &[Tried]) -> TrialError {
     }
     let (truth, mean): (Vec<f64>, Vec<f64>) = tried
         .iter()
-        .map(|(truth, estimate)| (*truth, estimate.force))
+        .map(|tried| (tried.truth, tried.estimate.force))
         .unzip();
-    let within = |(truth, estimate): &&Tried| (estimate.low..=estimate.high).contains(truth);
-    let covered = tried.iter().filter(within).count();
+    let share = |is: fn(&Tried) -> bool| {
+        let count = tried.iter().filter(|tried| is(tried)).count();
+        count as f64 / tried.len() as f64
+    };
+    let covered = |Tried {
+                       truth, estimate, ..
+                   }: &Tried| { (estimate.low..=estimate.high).contains(truth) };
     let error = rmse(&truth, &mean);
     let finite = |x: &f64| x.is_finite();
     TrialError {
         rmse_n: Some(error).filter(finite),
         nrmse_percent: nrmse_percent(&truth, error).filter(finite),
         r2: r2(&truth, &mean).filter(finite),
-        coverage: Some(covered as f64 / tried.len() as f64),
+        coverage: Some(share(covered)),
+        outside: Some(share(|tried| tried.outside)),
     }
 }

@@ -6,7 +6,7 @@ use estimation::recipe::{FeatureSet, Kind, Recipe};
 
 use crate::result::film::force_error::{AskewError, ForceError, TrialError};
 use crate::rig::contact_response::TurnableFilms;
-use crate::rig::force_error::fresh_trials::FreshTrials;
+use crate::rig::force_error::fresh_trials::{FreshTrials, OtherTire};
 use crate::rig::force_error::learnt_force::{
     AxisRows, LearntForce, Unlearnt, labelled, learnt, recipe,
 };
@@ -16,13 +16,15 @@ use crate::rig::rig_settings::RigSettings;
 /// Names of the forces, in the order of a contact's.
 const AXES: [&str; 3] = ["fx", "fy", "fz"];
 
-/// How well a layout's films tell the forces along, across and vertical; None where the caller stops meanwhile. The same films and settings give the same bits.
+/// How well a layout's films tell the forces along, across and vertical, on the tire they were learnt on and on others; None where the caller stops meanwhile.
+/// The same films and settings give the same bits.
 pub fn force_errors<R: TurnableFilms>(
     response: &R,
+    others: &[OtherTire<R>],
     settings: &RigSettings,
     stop: &AtomicBool,
 ) -> Option<Vec<ForceError>> {
-    let rehearsal = Rehearsal::recorded(response, settings, stop)?;
+    let rehearsal = Rehearsal::recorded(response, others, settings, stop)?;
     (0..AXES.len())
         .map(|axis| rehearsal.error(axis, stop))
         .collect()
@@ -42,6 +44,7 @@ struct Rehearsal {
 impl Rehearsal {
     fn recorded<R: TurnableFilms>(
         response: &R,
+        others: &[OtherTire<R>],
         settings: &RigSettings,
         stop: &AtomicBool,
     ) -> Option<Self> {
@@ -53,7 +56,7 @@ impl Rehearsal {
         Some(Self {
             runs: (0..settings.runs).map(run).collect::<Option<_>>()?,
             begin: ThinnedRun::begin_of(response, settings, 0),
-            trials: FreshTrials::recorded(response, settings, stop)?,
+            trials: FreshTrials::recorded(response, others, settings, stop)?,
             recipe: recipe(response, settings),
             interval_s: settings.film_rate_hz.recip(),
         })
@@ -73,9 +76,9 @@ impl Rehearsal {
 }
 
 fn tried(axis: usize, learnt: LearntForce, trials: &FreshTrials) -> ForceError {
-    let (fresh, worst_contact) = trials.fresh(&learnt.model, axis);
+    let (fresh, worst_contact) = trials.fresh(&learnt, axis);
     let useful = learnt.chosen.kind != Kind::Mean;
-    let dead = || trials.dead(&learnt.model, axis);
+    let dead = || trials.dead(&learnt, axis);
     ForceError {
         axis: AXES[axis].to_owned(),
         chosen: learnt.chosen.kind,
@@ -84,7 +87,8 @@ fn tried(axis: usize, learnt: LearntForce, trials: &FreshTrials) -> ForceError {
         leak: learnt.leak,
         fresh,
         dead: useful.then(dead).flatten(),
-        askew: trials.askew(&learnt.model, axis),
+        askew: trials.askew(&learnt, axis),
+        elsewhere: trials.elsewhere(&learnt, axis),
         worst_contact,
         splits: learnt.splits,
         reason: None,
@@ -102,6 +106,7 @@ fn unknown(axis: usize, reason: String) -> ForceError {
         fresh: TrialError::default(),
         dead: None,
         askew: AskewError::default(),
+        elsewhere: Vec::new(),
         worst_contact: None,
         reason: Some(reason),
     }
@@ -135,7 +140,7 @@ mod tests {
         features: FeatureSet,
     ) -> ForceError {
         let tire = BumpResponse::new(films);
-        let mut rehearsal = Rehearsal::recorded(&tire, settings, &GO_ON).expect("not stopped");
+        let mut rehearsal = Rehearsal::recorded(&tire, &[], settings, &GO_ON).expect("not stopped");
         rehearsal.recipe.models.kinds = vec![kind];
         rehearsal.recipe.features.sets = vec![features];
         rehearsal.error(FZ, &GO_ON).expect("not stopped")
@@ -148,7 +153,8 @@ mod tests {
 
     #[test]
     fn a_force_that_films_feel_is_known_and_one_that_they_do_not_is_useless() {
-        let found = force_errors(&BumpResponse::new(12), &short(1), &GO_ON).expect("not stopped");
+        let found =
+            force_errors(&BumpResponse::new(12), &[], &short(1), &GO_ON).expect("not stopped");
         let [_, fy, fz] = &found[..] else {
             panic!("three forces: {found:?}");
         };
@@ -178,7 +184,7 @@ mod tests {
         let mut settings = short(3);
         settings.runs = 2;
         settings.gait.length = RunLength::Stances(6);
-        let errors = |stop| force_errors(&BumpResponse::new(2), &settings, stop);
+        let errors = |stop| force_errors(&BumpResponse::new(2), &[], &settings, stop);
         let here = errors(&GO_ON);
         let there = std::thread::scope(|scope| {
             let other = scope.spawn(|| errors(&GO_ON));

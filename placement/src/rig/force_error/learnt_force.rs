@@ -5,6 +5,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use estimation::estimator::ForceModel;
+use estimation::features::GROUPS;
 use estimation::fit_report::Ranking;
 use estimation::recipe::{
     FeatureSet, Features, GprSettings, Kind, Models, Recipe, SplitKind, StartValue,
@@ -50,6 +51,8 @@ pub struct LearntForce {
     pub chosen: Candidate,
     /// Learnt from all runs, with the width of its intervals.
     pub model: ForceModel,
+    /// Least and greatest value of each film's signal that was learnt from.
+    pub ranges: Vec<(f64, f64)>,
     /// Its errors on what was left out: at random, by time, by runs, and by cycles where these choose.
     pub splits: Vec<SplitError>,
     /// Error on the split that chooses over that on random rows, both over the training mean's; none of the training mean itself, which nothing flatters.
@@ -174,9 +177,21 @@ pub fn learnt(
     Ok(LearntForce {
         chosen: chosen.candidate,
         model,
+        ranges: ranges(rows),
         leak: leak.filter(|leak| leak.is_finite() && chosen.candidate.kind != Kind::Mean),
         splits: errors,
     })
+}
+
+fn ranges(rows: &LabelledRows) -> Vec<(f64, f64)> {
+    let films = rows.features.ncols() / GROUPS;
+    let of_film = |film: usize| {
+        let column = rows.features.column(film).into_iter();
+        column.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+            (low.min(*x), high.max(*x))
+        })
+    };
+    (0..films).map(of_film).collect()
 }
 
 fn go_on(stop: &AtomicBool) -> Result<(), Unlearnt> {

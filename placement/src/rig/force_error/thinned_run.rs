@@ -121,6 +121,24 @@ impl ThinnedRun {
         dead
     }
 
+    /// Its rows that touch the ground.
+    pub fn touching(&self) -> Self {
+        let rows: Vec<usize> = (0..self.time_s.len())
+            .filter(|row| self.touches(*row))
+            .collect();
+        let of_all = |numbers: &[usize]| rows.iter().map(|row| numbers[*row]).collect();
+        Self {
+            features: self.features.select(Axis(0), &rows),
+            true_force_n: self.true_force_n.select(Axis(0), &rows),
+            label_n: self.label_n.select(Axis(0), &rows),
+            time_s: rows.iter().map(|row| self.time_s[*row]).collect(),
+            contact_deg: rows.iter().map(|row| self.contact_deg[*row]).collect(),
+            instant: of_all(&self.instant),
+            stance: of_all(&self.stance),
+            stances: self.stances,
+        }
+    }
+
     /// Whether the ground is touched at a row.
     pub fn touches(&self, row: usize) -> bool {
         self.true_force_n.row(row).iter().any(|force| *force != 0.0)
@@ -193,6 +211,18 @@ mod tests {
         assert_eq!(few.features.ncols(), 12);
         let begin = ThinnedRun::begin_of(&tire, &short(), 0);
         assert_eq!(begin, all);
+    }
+
+    #[test]
+    fn rows_that_touch_are_told_from_those_in_the_air() {
+        let all = ThinnedRun::recorded(&BumpResponse::new(3), &short(), 0, 1);
+        let found = all.touching();
+        // Half of each turn is in the air.
+        let share = found.time_s.len() as f64 / all.time_s.len() as f64;
+        assert!((share - 0.5).abs() < 0.1, "{share}");
+        assert!((0..found.time_s.len()).all(|row| found.touches(row)));
+        let of_first: Vec<f64> = all.features.row(found.instant[0]).to_vec();
+        assert_eq!(found.features.row(0).to_vec(), of_first);
     }
 
     #[test]
