@@ -125,16 +125,12 @@ struct FilmsAtAngle<'t> {
 }
 
 impl StanceResponse for FilmsAtAngle<'_> {
-    fn charges_nc(&self, contact: &Contact, charges: &mut [f64]) {
+    fn answer(&self, contact: &Contact, charges_nc: &mut [f64]) -> [f64; 3] {
         let weights = self.table.weights(contact.depth_mm, contact.shift_mm);
-        for (film, charge) in charges.iter_mut().enumerate() {
+        for (film, charge) in charges_nc.iter_mut().enumerate() {
             *charge = charge_nc(self.nodes.signal(film, &weights), self.capacitance_pf);
         }
-    }
-
-    fn force_n(&self, contact: &Contact) -> [f64; 3] {
-        self.table
-            .force_n(&self.table.weights(contact.depth_mm, contact.shift_mm))
+        self.table.force_n(&weights)
     }
 }
 
@@ -202,9 +198,7 @@ mod tests {
         };
         let charges = |films: &LaidFilms<'_>, contact_deg: f64| {
             let mut charges = vec![0.0; films.films()];
-            films
-                .at_angle(contact_deg)
-                .charges_nc(&contact, &mut charges);
+            films.at_angle(contact_deg).answer(&contact, &mut charges);
             charges
         };
         let before = charges(&six, 8.0);
@@ -215,8 +209,8 @@ mod tests {
         let expected = field(1.0, [0.4, 0.0], 52.0, 0.0, 90.0);
         assert!((before[2] - charge_nc(expected, six.capacitance_pf()[0])).abs() < 1e-8);
         assert_eq!(
-            six.at_angle(8.0).force_n(&contact),
-            turned.at_angle(0.0).force_n(&contact)
+            six.at_angle(8.0).answer(&contact, &mut []),
+            turned.at_angle(0.0).answer(&contact, &mut [])
         );
     }
 }

@@ -4,6 +4,7 @@ use std::sync::atomic::Ordering;
 
 use crate::layout::ranking::asked_layouts::is_published;
 use crate::layout::solving::on_threads::in_parallel;
+use crate::response_table::force_prices::force_prices;
 use crate::response_table::study_table::StudyTable;
 use crate::response_table::table_solving::TestedTable;
 use crate::result::{
@@ -51,6 +52,7 @@ pub(crate) fn measure(
                     }
                     let errors = errors(&table, &tested, &others, rig, context)?;
                     put(&table, errors, &mut result.layouts);
+                    forces.price = force_prices(&result.layouts);
                     forces.published = published(&table, &tested, rig, result, context)?;
                     forces.table = Some(report(&table, &tested));
                     forces.assumed = assumed(rig);

@@ -6,9 +6,10 @@
 //! - [`solved_table`]: signals and forces between what was solved
 //! - [`table_error`]: how far they are off
 //! - [`laid_films`]: a layout's films, as a rig asks for them
-//! - [`table_solving`]: the solves, as points of a study; [`study_table`]: those of a study with a rig; `measuring_forces`: puts what it shows into the result
+//! - [`table_solving`]: the solves, as points of a study; [`study_table`]: those of a study with a rig; `measuring_forces`: puts what it shows into the result, with `force_prices`
 
 pub mod drag_basis;
+mod force_prices;
 pub mod laid_films;
 pub(crate) mod measuring_forces;
 pub mod solved_table;

@@ -124,7 +124,7 @@ impl ResponseTable {
     pub fn weights(&self, depth_mm: f64, shift_mm: [f64; 2]) -> Weights {
         let [undragged, dragged] = [&self.depths, &self.dragged].map(|nodes| {
             let [value, _] = nodes.shares(depth_mm);
-            merged(&value)
+            value
         });
         let largest = self.settings.shift_mm(self.load_of(&undragged));
         let share = |shift: f64| match largest > 0.0 {
@@ -302,18 +302,6 @@ impl KindTable {
         }
         Some(Self { undragged, added })
     }
-}
-
-/// Each node once.
-fn merged(shares: &Shares) -> Shares {
-    let mut merged: Shares = Vec::with_capacity(4);
-    for (node, share) in shares {
-        match merged.iter_mut().find(|(other, _)| other == node) {
-            Some((_, sum)) => *sum += share,
-            None => merged.push((*node, *share)),
-        }
-    }
-    merged
 }
 
 /// Pulls at one dragged load.

@@ -26,8 +26,8 @@ pub use film::film_place::FilmPlace;
 pub use film::signal_words::{Claim, FilmModel, Holds, SignalAxis, Trend};
 pub use film::{
     AskewError, ClaimRow, Contradiction, DeadFilmError, ElsewhereError, FilmPair, ForceError,
-    ForceFindings, PrintedFigures, PublishedRow, PublishedTables, RigFigures, SignalCurve,
-    SignalError, SignalRow, Signals, SplitError, StressWidth, TableError, TableReport,
+    ForceFindings, ForcePrice, PrintedFigures, PublishedRow, PublishedTables, RigFigures,
+    SignalCurve, SignalError, SignalRow, Signals, SplitError, StressWidth, TableError, TableReport,
     TimeConstantRow, TrialError, WorstContact,
 };
 pub use index_map::{IndexMap, MapLayer};

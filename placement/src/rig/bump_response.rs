@@ -92,14 +92,11 @@ impl TurnableFilms for BumpResponse {
 }
 
 impl StanceResponse for BumpStance {
-    fn charges_nc(&self, contact: &Contact, charges: &mut [f64]) {
-        for (charge, [height, slope]) in charges.iter_mut().zip(&self.bumps) {
-            *charge = PEAK_NC_PER_MM * (contact.depth_mm * height + contact.shift_mm[0] * slope);
-        }
-    }
-
-    fn force_n(&self, contact: &Contact) -> [f64; 3] {
+    fn answer(&self, contact: &Contact, charges_nc: &mut [f64]) -> [f64; 3] {
         let [along, across] = contact.shift_mm;
+        for (charge, [height, slope]) in charges_nc.iter_mut().zip(&self.bumps) {
+            *charge = PEAK_NC_PER_MM * (contact.depth_mm * height + along * slope);
+        }
         let [kx, ky] = SHEAR_N_PER_MM;
         [kx * along, ky * across, vertical(contact.depth_mm)]
     }

@@ -48,8 +48,6 @@ pub trait TurnableFilms: ContactResponse + Sized {
 
 /// A tire with its films, the contact at one wheel angle.
 pub trait StanceResponse {
-    /// Charges of all films, nC, into their places.
-    fn charges_nc(&self, contact: &Contact, charges: &mut [f64]);
-    /// Force of the ground on the tire: along, across, vertical, N.
-    fn force_n(&self, contact: &Contact) -> [f64; 3];
+    /// Force of the ground on the tire: along, across, vertical, N; and the charges of the first films, nC, into their places, of which there may be none.
+    fn answer(&self, contact: &Contact, charges_nc: &mut [f64]) -> [f64; 3];
 }

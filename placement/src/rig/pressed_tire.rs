@@ -14,9 +14,8 @@ pub struct PressedTire<'r, R: ?Sized> {
 }
 
 /// What a contact that touches makes.
-pub struct Pressed<'p> {
-    /// The tire with the contact at its angle.
-    pub films: &'p dyn StanceResponse,
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pressed {
     /// Force over that of slow pressing.
     pub factor: f64,
     /// Force of the ground on the tire: along, across, vertical, N.
@@ -33,8 +32,13 @@ impl<'r, R: ContactResponse + ?Sized> PressedTire<'r, R> {
         }
     }
 
-    /// What the contact at the next instant makes; None in the air.
-    pub fn next(&mut self, stance: &Stance, contact: &Contact) -> Option<Pressed<'_>> {
+    /// What the contact at the next instant makes, the first films' charges by slow pressing among it, nC; None in the air, where these are left as they are.
+    pub fn next(
+        &mut self,
+        stance: &Stance,
+        contact: &Contact,
+        charges_nc: &mut [f64],
+    ) -> Option<Pressed> {
         if contact.is_air() {
             self.relaxation.factor(0.0);
             return None;
@@ -44,10 +48,9 @@ impl<'r, R: ContactResponse + ?Sized> PressedTire<'r, R> {
             Some((number, films)) if number == stance.number => (number, films),
             _ => (stance.number, self.response.at_angle(stance.contact_deg)),
         });
-        let slow_n = films.force_n(contact);
+        let slow_n = films.answer(contact, charges_nc);
         let factor = self.relaxation.factor(slow_n[2]);
         Some(Pressed {
-            films: &**films,
             factor,
             force_n: slow_n.map(|force| factor * force),
         })

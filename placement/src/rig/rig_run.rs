@@ -110,8 +110,7 @@ fn film_readings<R: ContactResponse + ?Sized>(
     for (now_s, stance, contact) in gait.contacts(clock, response) {
         charges_nc.fill(0.0);
         let mut force_n = [0.0; AXES];
-        if let Some(pressed) = tire.next(stance, &contact) {
-            pressed.films.charges_nc(&contact, &mut charges_nc);
+        if let Some(pressed) = tire.next(stance, &contact, &mut charges_nc) {
             if settings.films_follow_force {
                 charges_nc.iter_mut().for_each(|q| *q *= pressed.factor);
             }
@@ -145,7 +144,7 @@ fn force_readings<R: ContactResponse + ?Sized>(
     let (mut time_s, mut numbers) = (Vec::with_capacity(instants), Vec::with_capacity(instants));
     let mut forces = Vec::with_capacity(instants * AXES);
     for (now_s, stance, contact) in gait.contacts(clock, response) {
-        let pressed = tire.next(stance, &contact);
+        let pressed = tire.next(stance, &contact, &mut []);
         let force_n = pressed.map_or([0.0; AXES], |pressed| pressed.force_n);
         forces.extend(force_n.map(|force| force + settings.force_sensor.noise_n * draws.normal()));
         time_s.push(now_s);

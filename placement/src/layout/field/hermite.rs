@@ -104,8 +104,22 @@ fn weights(t: f64, width: f64) -> [[f64; 4]; 2] {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Nodes(Vec<f64>);
 
-/// What each sample contributes to a value or a derivative.
-pub type Shares = Vec<(usize, f64)>;
+/// Neighbouring samples that a value between two of them depends on.
+const NEAR: usize = 4;
+
+/// What each sample contributes to a value or a derivative: some in a row, the others nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shares {
+    first: usize,
+    count: usize,
+    shares: [f64; NEAR],
+}
+
+impl Shares {
+    fn add(&mut self, node: usize, share: f64) {
+        self.shares[node - self.first] += share;
+    }
+}
 
 impl Nodes {
     /// At least two places, which increase.
@@ -136,39 +150,47 @@ impl Nodes {
         let i = self.0.partition_point(|&node| node <= place);
         let i = i.saturating_sub(1).min(last);
         let width = self.0[i + 1] - self.0[i];
+        let first = i.saturating_sub(1);
+        let none = Shares {
+            first,
+            count: NEAR.min(self.0.len() - first),
+            shares: [0.0; NEAR],
+        };
         weights((place - self.0[i]) / width, width).map(|[a, b, c, d]| {
-            let mut shares = vec![(i, a), (i + 1, b)];
+            let mut shares = none;
+            shares.add(i, a);
+            shares.add(i + 1, b);
             for (node, weight) in [(i, c), (i + 1, d)] {
-                let slope = self.slope_shares(node).into_iter();
-                shares.extend(slope.map(|(of, share)| (of, weight * share)));
+                for (of, share) in self.slope_shares(node) {
+                    shares.add(of, weight * share);
+                }
             }
             shares
         })
     }
 
     /// The slope at a node by its neighbours' samples; at the ends by the parabola through the three nearest.
-    fn slope_shares(&self, node: usize) -> Shares {
+    fn slope_shares(&self, node: usize) -> [(usize, f64); 3] {
         let count = self.0.len();
         if count == 2 {
             let width = self.0[1] - self.0[0];
-            return vec![(0, -1.0 / width), (1, 1.0 / width)];
+            return [(0, -1.0 / width), (1, 1.0 / width), (1, 0.0)];
         }
         let first = node.saturating_sub(1).min(count - 3);
-        let three = [first, first + 1, first + 2];
-        let derivative = |k: usize| {
-            let others = three.iter().filter(|&&other| other != three[k]);
-            let others: Vec<f64> = others.map(|&other| self.0[other]).collect();
-            let own = self.0[three[k]];
-            let at = self.0[node];
-            (2.0 * at - others[0] - others[1]) / ((own - others[0]) * (own - others[1]))
-        };
-        (0..3).map(|k| (three[k], derivative(k))).collect()
+        [0, 1, 2].map(|k| {
+            let other = |by: usize| self.0[first + (k + by) % 3];
+            let (own, at) = (other(0), self.0[node]);
+            let rise = (own - other(1)) * (own - other(2));
+            (first + k, (2.0 * at - other(1) - other(2)) / rise)
+        })
     }
 }
 
 /// The sum of samples by their shares.
 pub fn summed(shares: &Shares, sample: impl Fn(usize) -> f64) -> f64 {
-    shares.iter().map(|(i, share)| share * sample(*i)).sum()
+    let near = shares.shares[..shares.count].iter().enumerate();
+    near.map(|(k, share)| share * sample(shares.first + k))
+        .sum()
 }
 
 #[cfg(test)]

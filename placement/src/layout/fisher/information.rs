@@ -62,16 +62,29 @@ impl Information {
         let factor = self.factor()?;
         let mut deviations = [0.0; MOST];
         for (unknown, deviation) in deviations.iter_mut().enumerate().take(self.count) {
-            // Column of the inverse: its entry on the diagonal is the squared length of the half solved unit vector.
-            let mut half = [0.0; MOST];
-            for i in unknown..self.count {
-                let unit = if i == unknown { 1.0 } else { 0.0 };
-                let before: f64 = (unknown..i).map(|k| factor[i][k] * half[k]).sum();
-                half[i] = (unit - before) / factor[i][i];
-            }
-            *deviation = half.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let mut unit = [0.0; MOST];
+            unit[unknown] = 1.0;
+            *deviation = self.length(&factor, &unit);
         }
         Ok(deviations)
+    }
+
+    /// Least standard deviation of an unbiased estimate of what has these derivatives by the unknowns.
+    ///
+    /// # Errors
+    /// See [`deviations`](Self::deviations).
+    pub fn deviation_of(&self, slopes: &[f64; MOST]) -> Result<f64, Blind> {
+        Ok(self.length(&self.factor()?, slopes))
+    }
+
+    /// Root of a form with the inverse: the length of the half solved vector.
+    fn length(&self, factor: &[[f64; MOST]; MOST], vector: &[f64; MOST]) -> f64 {
+        let mut half = [0.0; MOST];
+        for i in 0..self.count {
+            let before: f64 = (0..i).map(|k| factor[i][k] * half[k]).sum();
+            half[i] = (vector[i] - before) / factor[i][i];
+        }
+        half.iter().map(|x| x * x).sum::<f64>().sqrt()
     }
 
     /// Cholesky's factor, by rows.
@@ -127,7 +140,7 @@ mod tests {
         let found = information.deviations().expect("regular");
         let determinant: f64 = 16.25 * 85.25 - 8.0 * (8.0 * 7.25 + 3.75) + 1.25 * (-24.0 - 16.25);
         for (found, cofactor) in found.iter().zip([85.25, 116.25, 147.25]) {
-            let expected = (cofactor / determinant).sqrt();
+            let expected: f64 = (cofactor / determinant).sqrt();
             assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
         }
         let alone = Information::of(2)

@@ -31,6 +31,10 @@ pub struct ForceError {
     pub elsewhere: Vec<ElsewhereError>,
     /// Where on the wheel contacts are known worst; null where too few touch.
     pub worst_contact: Option<WorstContact>,
+    /// About the least root of the mean squared error that one instant's readings allow, N: the bound of Cramer and Rao with what is known of the gait before, for films
+    /// that hold their charge.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub floor_n: Option<f64>,
     /// Why numbers are null.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,

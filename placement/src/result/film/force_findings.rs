@@ -1,6 +1,6 @@
 //! What a virtual rig on a study's tire shows.
 
-use super::PublishedTables;
+use super::published_tables::PublishedTables;
 use serde::{Deserialize, Serialize};
 
 /// What a virtual rig shows.
@@ -10,6 +10,9 @@ pub struct ForceFindings {
     /// The table of responses that the rig reads; absent where there is none.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub table: Option<TableReport>,
+    /// What a force's error costs: for each force the layouts by which it is known better than by any with as many films or fewer.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub price: Vec<ForcePrice>,
     /// The published study's tables beside the rig's; absent where the study doesn't ask for them.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub published: Option<PublishedTables>,
@@ -19,6 +22,20 @@ pub struct ForceFindings {
     /// Why something is missing, whole sentences.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub reasons: Vec<String>,
+}
+
+/// A layout that knows a force better than all that have as many films or fewer.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ForcePrice {
+    /// `fx`: along the wheel, `fy`: across it, `fz`: vertical.
+    pub axis: String,
+    /// How many films the layout has.
+    pub films: usize,
+    /// Root of the mean squared error on runs that nobody learnt from, N.
+    pub rmse_n: f64,
+    /// The layout's rank.
+    pub layout_rank: usize,
 }
 
 /// A table of a tire's responses to any contact.

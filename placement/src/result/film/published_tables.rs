@@ -3,6 +3,8 @@
 use estimation::recipe::{FeatureSet, Kind, SplitKind};
 use serde::{Deserialize, Serialize};
 
+use super::force_error::TrialError;
+
 /// Tables 4, 5, 6, 8 and 9 of the published study and the rig's figures for the same rows, with one layout: six units every 60 degrees at the crown.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -98,5 +100,5 @@ pub struct TimeConstantRow {
     /// The model that was chosen.
     pub chosen: Kind,
     /// Its error.
-    pub error: super::TrialError,
+    pub error: TrialError,
 }

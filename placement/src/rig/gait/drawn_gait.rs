@@ -204,7 +204,7 @@ mod tests {
                 .iter()
                 .map(|stance| {
                     let contact = stance.contact(stance.begin_s + turn / stance.hz, &tire);
-                    tire.stance(stance.contact_deg).force_n(&contact)
+                    tire.stance(stance.contact_deg).answer(&contact, &mut [])
                 })
                 .collect();
             for (a, b) in [(0, 2), (1, 2), (0, 1)] {

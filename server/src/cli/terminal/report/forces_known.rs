@@ -47,6 +47,8 @@ pub fn forces(result: &StudyResult) -> String {
         );
     }
     text.push_str(&untold(&told));
+    text.push_str(&prices(findings, &told));
+    text.push_str(&elsewhere(&told));
     text.push_str(&below(findings));
     text
 }
@@ -87,6 +89,68 @@ fn untold(told: &[(&RankedLayout, &ForceError)]) -> String {
             0,
         ),
     }
+}
+
+/// What each force's error costs in films, beside what no estimator can be better than.
+fn prices(findings: &ForceFindings, told: &[(&RankedLayout, &ForceError)]) -> String {
+    let of_axis = |axis: &str| {
+        let own = findings.price.iter().filter(|price| price.axis == axis);
+        let words: Vec<String> = own
+            .map(|price| {
+                let is_its = |(layout, force): &&(&RankedLayout, &ForceError)| {
+                    layout.rank == price.layout_rank && force.axis == axis
+                };
+                let floor = told
+                    .iter()
+                    .find(is_its)
+                    .and_then(|(_, force)| force.floor_n);
+                format!(
+                    "{} films to {:.2} N (bound {})",
+                    price.films,
+                    price.rmse_n,
+                    number(floor, 2)
+                )
+            })
+            .collect();
+        (!words.is_empty())
+            .then(|| wrapped(&format!("{axis} is known by {}.", words.join(", by ")), 0))
+    };
+    AXES.iter().filter_map(|axis| of_axis(axis)).collect()
+}
+
+/// The same estimators on tires that they weren't learnt on.
+fn elsewhere(told: &[(&RankedLayout, &ForceError)]) -> String {
+    let useful = || told.iter().filter(|(_, force)| force.useful);
+    let mut tires: Vec<&str> = Vec::new();
+    for other in useful().flat_map(|(_, force)| &force.elsewhere) {
+        if !tires.contains(&other.tire.as_str()) {
+            tires.push(&other.tire);
+        }
+    }
+    let of_tire = |tire: &&str| {
+        let words = useful().filter_map(|(layout, force)| {
+            let error = force
+                .elsewhere
+                .iter()
+                .find(|other| other.tire == **tire)?
+                .error;
+            let percent = |share: Option<f64>| number(share.map(|share| 100.0 * share), 0);
+            Some(format!(
+                "layout {}: {} off by {} N, {} % covered, {} % flagged",
+                layout.rank,
+                force.axis,
+                number(error.rmse_n, 2),
+                percent(error.coverage),
+                percent(error.outside)
+            ))
+        });
+        let words: Vec<String> = words.collect();
+        wrapped(
+            &format!("on another tire ({}): {}.", visible(tire), words.join("; ")),
+            2,
+        )
+    };
+    tires.iter().map(of_tire).collect()
 }
 
 /// How far the table is off that the rig reads, and what is missing.

@@ -4,6 +4,7 @@
 //! - `answer_text`: the answer, how sure it is, what could overturn it
 //! - `ranked_table`, `layout_table`, `signal_table`: places, layouts, films' signals
 //! - `forces_known`: what a virtual rig shows of layouts
+//! - `published_forces`: the same beside the published tables
 //! - `paper_table`: beside the published figures, where the study is the paper's
 //! - `study_notes`: what to know, by what it does to the answer
 //! - `study_figures`: the way to the accuracy asked for, and what it all took
@@ -13,6 +14,7 @@ mod answer_text;
 mod forces_known;
 mod layout_table;
 mod paper_table;
+mod published_forces;
 mod ranked_table;
 mod shared_rank;
 mod signal_table;
@@ -32,6 +34,7 @@ pub fn report(result: &StudyResult) -> String {
         paper_table::beside_the_paper,
         signal_table::signals,
         forces_known::forces,
+        published_forces::published_forces,
         study_notes::notes,
         study_figures::climb,
         study_figures::cost,
