@@ -175,7 +175,7 @@ mod tests {
         let table = scenes(0.5);
         let tested = table.tested().concat();
         let all = [table.undragged(), table.dragged(), tested].concat();
-        assert_eq!(all.len(), 12 + 32 + 20);
+        assert_eq!(all.len(), 24 + 32 + 20);
         for pressing in &all {
             let mut scene = table.scene(pressing);
             scene.contact.friction = 0.5;
