@@ -9,6 +9,7 @@ pub mod wheel_glb;
 pub mod wheel_skins;
 
 use std::fmt::Write;
+use std::iter;
 
 /// Points, cells of one kind, and what is known of them.
 #[derive(Debug, Clone, PartialEq)]
@@ -155,20 +156,24 @@ impl VtuGrid {
         ));
         file.arrays("PointData", &self.point_data);
         file.arrays("CellData", &self.cell_data);
-        file.arrays(
-            "Points",
-            &[DataArray::vectors("Points", "mm", &self.points)],
+        let positions = Block::Floats(self.points.as_flattened());
+        file.line("<Points>");
+        file.array("Float64", "Points", &of_tuples(3), positions, Some("mm"));
+        file.line("</Points>\n<Cells>");
+        let offsets = Block::Offsets { count, corners };
+        let types = Block::Types { kind, count };
+        file.array(
+            "Int64",
+            "connectivity",
+            "",
+            Block::Points(&self.cells),
+            None,
         );
-        let connectivity = self.cells.iter().map(|&point| i64::from(point));
-        let offsets = (1..=count).map(|cell| (cell * corners) as i64);
-        file.line("<Cells>");
-        file.array("Int64", "connectivity", "", &words(connectivity), None);
-        file.array("Int64", "offsets", "", &words(offsets), None);
-        file.array("UInt8", "types", "", &vec![kind; count], None);
+        file.array("Int64", "offsets", "", offsets, None);
+        file.array("UInt8", "types", "", types, None);
         file.line("</Cells>\n</Piece>\n</UnstructuredGrid>");
         file.line("<AppendedData encoding=\"base64\">");
-        let Writer { xml, appended } = file;
-        Ok(format!("{xml}_{appended}\n</AppendedData>\n</VTKFile>\n"))
+        Ok(file.with_data())
     }
 
     fn check(&self, count: usize, corners: usize) -> Result<(), VtuError> {
@@ -210,48 +215,108 @@ fn finite(array: &str, values: &[f64]) -> Result<(), VtuError> {
         .ok_or_else(|| VtuError::NotFinite { array: array() })
 }
 
-fn words(numbers: impl Iterator<Item = i64>) -> Vec<u8> {
-    numbers.flat_map(i64::to_le_bytes).collect()
+/// What an array of the file holds, still as the grid has it: a map has megabytes, which are written once, into the file.
+enum Block<'g> {
+    Floats(&'g [f64]),
+    Bytes(&'g [u8]),
+    /// Points of the cells.
+    Points(&'g [u32]),
+    /// Where each cell's points end.
+    Offsets {
+        count: usize,
+        corners: usize,
+    },
+    /// The same type for each cell.
+    Types {
+        kind: u8,
+        count: usize,
+    },
 }
 
-/// A file in the making: its elements, and the data that follow them.
+impl Block<'_> {
+    fn bytes(&self) -> usize {
+        match self {
+            Self::Floats(values) => size_of_val(*values),
+            Self::Bytes(values) => values.len(),
+            Self::Points(points) => points.len() * size_of::<i64>(),
+            Self::Offsets { count, .. } => count * size_of::<i64>(),
+            Self::Types { count, .. } => *count,
+        }
+    }
+
+    /// Digits of its length and bytes.
+    fn digits(&self) -> usize {
+        (size_of::<u64>() + self.bytes()).div_ceil(3) * 4
+    }
+
+    /// Appends its length and bytes.
+    fn push(&self, text: &mut String) {
+        let length = (self.bytes() as u64).to_le_bytes().into_iter();
+        match self {
+            Self::Floats(values) => {
+                let bytes = values.iter().flat_map(|value| value.to_le_bytes());
+                push_base64(text, length.chain(bytes));
+            }
+            Self::Bytes(values) => push_base64(text, length.chain(values.iter().copied())),
+            Self::Points(points) => {
+                let bytes = points
+                    .iter()
+                    .flat_map(|&point| i64::from(point).to_le_bytes());
+                push_base64(text, length.chain(bytes));
+            }
+            Self::Offsets { count, corners } => {
+                let bytes = (1..=*count).flat_map(|cell| ((cell * corners) as i64).to_le_bytes());
+                push_base64(text, length.chain(bytes));
+            }
+            Self::Types { kind, count } => {
+                push_base64(text, length.chain(iter::repeat_n(*kind, *count)));
+            }
+        }
+    }
+}
+
+/// The attribute of arrays that aren't of plain numbers, which readers take them for without it.
+fn of_tuples(components: usize) -> String {
+    match components {
+        1 => String::new(),
+        components => format!(" NumberOfComponents=\"{components}\""),
+    }
+}
+
+/// A file in the making: its elements, and the data that will follow them.
 #[derive(Default)]
-struct Writer {
+struct Writer<'g> {
     xml: String,
-    appended: String,
+    blocks: Vec<Block<'g>>,
+    /// Digits of the blocks.
+    digits: usize,
 }
 
-impl Writer {
+impl<'g> Writer<'g> {
     fn line(&mut self, line: &str) {
         self.xml.push_str(line);
         self.xml.push('\n');
     }
 
-    fn text(&mut self, name: &str, text: &str) {
+    fn text(&mut self, name: &str, text: &'g str) {
         let attributes = format!(
             " NumberOfTuples=\"{}\" ComponentName0=\"{}\"",
             text.len(),
             escaped(text)
         );
-        self.array("UInt8", name, &attributes, text.as_bytes(), None);
+        let block = Block::Bytes(text.as_bytes());
+        self.array("UInt8", name, &attributes, block, None);
     }
 
-    fn arrays(&mut self, element: &str, arrays: &[DataArray]) {
+    fn arrays(&mut self, element: &str, arrays: &'g [DataArray]) {
         self.line(&format!("<{element}>"));
         for array in arrays {
-            // Without the attribute, readers take an array of plain numbers.
-            let attributes = match array.components {
-                1 => String::new(),
-                components => format!(" NumberOfComponents=\"{components}\""),
+            let (kind, block) = match &array.values {
+                Values::Float(values) => ("Float64", Block::Floats(values)),
+                Values::Byte(values) => ("UInt8", Block::Bytes(values)),
             };
-            let (kind, bytes) = match &array.values {
-                Values::Float(values) => (
-                    "Float64",
-                    values.iter().copied().flat_map(f64::to_le_bytes).collect(),
-                ),
-                Values::Byte(values) => ("UInt8", values.clone()),
-            };
-            self.array(kind, &array.name, &attributes, &bytes, array.unit);
+            let attributes = of_tuples(array.components);
+            self.array(kind, &array.name, &attributes, block, array.unit);
         }
         self.line(&format!("</{element}>"));
     }
@@ -262,10 +327,10 @@ impl Writer {
         kind: &str,
         name: &str,
         attributes: &str,
-        bytes: &[u8],
+        block: Block<'g>,
         unit: Option<&str>,
     ) {
-        let (name, offset) = (escaped(name), self.appended.len());
+        let (name, offset) = (escaped(name), self.digits);
         // Writing to a string cannot fail.
         let _ = write!(
             self.xml,
@@ -278,9 +343,21 @@ impl Writer {
             )),
             None => self.line("/>"),
         }
-        let mut block = (bytes.len() as u64).to_le_bytes().to_vec();
-        block.extend_from_slice(bytes);
-        push_base64(&mut self.appended, &block);
+        self.digits += block.digits();
+        self.blocks.push(block);
+    }
+
+    /// The elements with the data behind them.
+    fn with_data(self) -> String {
+        const END: &str = "\n</AppendedData>\n</VTKFile>\n";
+        let mut file = self.xml;
+        file.reserve_exact(1 + self.digits + END.len());
+        file.push('_');
+        for block in &self.blocks {
+            block.push(&mut file);
+        }
+        file.push_str(END);
+        file
     }
 }
 
@@ -302,13 +379,16 @@ fn escaped(text: &str) -> String {
 }
 
 /// Base64 of RFC 4648, padded.
-fn push_base64(text: &mut String, bytes: &[u8]) {
+fn push_base64(text: &mut String, bytes: impl Iterator<Item = u8>) {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for group in bytes.chunks(3) {
-        let byte = |k: usize| u32::from(group.get(k).copied().unwrap_or(0));
+    let mut bytes = bytes.fuse();
+    while let Some(first) = bytes.next() {
+        let group = [Some(first), bytes.next(), bytes.next()];
+        let known = group.iter().flatten().count();
+        let byte = |k: usize| u32::from(group[k].unwrap_or(0));
         let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
         for digit in 0..4 {
-            text.push(if digit <= group.len() {
+            text.push(if digit <= known {
                 char::from(DIGITS[(bits >> (18 - 6 * digit) & 63) as usize])
             } else {
                 '='

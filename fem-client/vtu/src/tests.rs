@@ -39,6 +39,10 @@ fn decoded(text: &str) -> Vec<u8> {
     bits.chunks(8).map(byte).collect()
 }
 
+fn words(numbers: impl Iterator<Item = i64>) -> Vec<u8> {
+    numbers.flat_map(i64::to_le_bytes).collect()
+}
+
 /// The bytes of the array with this name.
 fn block(xml: &str, name: &str) -> Vec<u8> {
     let element = xml
@@ -78,7 +82,7 @@ fn base64_is_that_of_the_standard() {
     ];
     for (plain, expected) in known {
         let mut text = String::new();
-        push_base64(&mut text, plain.as_bytes());
+        push_base64(&mut text, plain.bytes());
         assert_eq!(text, expected);
         assert_eq!(decoded(&text), plain.as_bytes());
     }

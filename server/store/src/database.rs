@@ -17,6 +17,7 @@ pub struct Store {
     place: Place,
     writer: SqlitePool,
     readers: SqlitePool,
+    whole_reader: SqlitePool,
     keeper: Mutex<Option<SqliteConnection>>,
     presence: Presence,
     latest_event: watch::Sender<i64>,
@@ -43,12 +44,14 @@ impl Store {
         pools::bootstrap(&place).await?;
         let writer = pools::writer(&place, most_bytes).await?;
         let readers = pools::readers(&place).await?;
+        let whole_reader = pools::whole_reader(&place).await?;
         let keeper = pools::keeper(&place).await?;
         Ok(Self {
             presence: Presence::note(&place),
             place,
             writer,
             readers,
+            whole_reader,
             keeper: Mutex::new(Some(keeper)),
             latest_event: watch::Sender::new(0),
             is_bounded: most_bytes.is_some(),
@@ -79,6 +82,15 @@ impl Store {
     pub async fn read(&self) -> Result<PoolConnection<Sqlite>, StoreError> {
         self.presence.check()?;
         Ok(self.readers.acquire().await?)
+    }
+
+    /// The connection that reads whole results. Return it sooner than that of [`Store::read`]: there is one.
+    ///
+    /// # Errors
+    /// As [`Store::read`].
+    pub async fn read_whole(&self) -> Result<PoolConnection<Sqlite>, StoreError> {
+        self.presence.check()?;
+        Ok(self.whole_reader.acquire().await?)
     }
 
     /// A transaction on the one connection that writes. It takes the write lock at once, so that what it reads can't
@@ -127,6 +139,7 @@ impl Store {
             keeper.close().await?;
         }
         self.readers.close().await;
+        self.whole_reader.close().await;
         // Last: what can only read can't fold the log.
         self.writer.close().await;
         present
@@ -182,7 +195,8 @@ pub(crate) mod tests {
             let error = store.commit(open, 0).await.expect_err("is gone");
             assert!(error.to_string().contains(gone), "{error}");
             std::fs::copy(&away, &file).expect("copies");
-            for refused in [store.begin().await.err(), store.read().await.err()] {
+            let (begun, read) = (store.begin().await.err(), store.read().await.err());
+            for refused in [begun, read, store.read_whole().await.err()] {
                 assert!(
                     matches!(refused, Some(StoreError::Gone { .. })),
                     "{refused:?}"
@@ -231,11 +245,12 @@ pub(crate) mod tests {
     #[tokio::test]
     async fn the_reading_connections_cannot_write() {
         let (_folder, store) = fresh().await;
-        let mut connection = store.read().await.expect("reads");
-        let refused = sqlx::query("delete from studies")
-            .execute(&mut *connection)
-            .await;
-        assert!(refused.is_err());
+        for connection in [store.read().await, store.read_whole().await] {
+            let refused = sqlx::query("delete from studies")
+                .execute(&mut *connection.expect("reads"))
+                .await;
+            assert!(refused.is_err());
+        }
     }
 
     #[test]

@@ -20,9 +20,9 @@ use tokio::time::timeout;
 
 use crate::http::edge::problem_document::Problem;
 
-/// Answers that are made of whole results at once: each costs a multiple of the result, and a connection to the database.
+/// Answers that are made of whole results at once: each costs a multiple of the result, and for a while a connection to the database.
 const MAKING: usize = 2;
-/// Results that are read at once to be sent: with the answers being made they leave a connection to all others.
+/// Results that are read at once to be sent: the store has one connection for whole results, which the answers being made use too.
 const READING: usize = 1;
 /// As long as a client that doesn't read is waited for, so that what it held is free by then.
 const PATIENCE: Duration = Duration::from_secs(30);

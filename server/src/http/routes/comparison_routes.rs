@@ -3,6 +3,8 @@
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use std::slice;
+
 use axum::Json;
 use axum::extract::State;
 use axum::http::StatusCode;
@@ -111,8 +113,12 @@ async fn compared(state: &AppState, query: &ComparisonQuery) -> Result<Compariso
         (Some(studies), None) => entries_of(state, studies).await?,
         (None, Some(id)) => {
             let (_, designs) = sweep_routes::known(&state.store, id).await?;
-            let mut connection = state.store.read().await?;
-            of_designs(&mut connection, &designs).await?
+            let mut entries = Vec::new();
+            for design in &designs {
+                let mut connection = state.store.read_whole().await?;
+                entries.extend(of_designs(&mut connection, slice::from_ref(design)).await?);
+            }
+            entries
         }
         _ => {
             return Err(wrong(
@@ -143,6 +149,10 @@ async fn entries_of(state: &AppState, list: &str) -> Result<Vec<Entry>, Problem>
     for id in ids {
         rows.push(study_routes::known(&state.store, id).await?);
     }
-    let mut connection = state.store.read().await?;
-    Ok(of_studies(&mut connection, &rows).await?)
+    let mut entries = Vec::new();
+    for row in &rows {
+        let mut connection = state.store.read_whole().await?;
+        entries.extend(of_studies(&mut connection, slice::from_ref(row)).await?);
+    }
+    Ok(entries)
 }

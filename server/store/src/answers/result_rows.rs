@@ -2,7 +2,8 @@
 
 use placement::result::{StudyCost, StudyResult};
 use serde::de::DeserializeOwned;
-use sqlx::SqliteConnection;
+use sqlx::sqlite::SqliteRow;
+use sqlx::{Row, SqliteConnection};
 
 use crate::answers::ranked_rows::{self, Ranked};
 use crate::answers::stored_signals;
@@ -79,23 +80,48 @@ pub(crate) async fn complete_rankings(connection: &mut SqliteConnection) -> Resu
     Ok(())
 }
 
-/// The result of a study as its JSON text, and the hash of its content.
-async fn find_text(
+/// The row of a result, as SQLite gave it: its text is read where it lies.
+pub struct ResultRow {
+    study: String,
+    row: SqliteRow,
+}
+
+/// The row of a study's result, when there is one.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn row(
     connection: &mut SqliteConnection,
     study: &str,
-) -> Result<Option<(String, String)>, StoreError> {
+) -> Result<Option<ResultRow>, StoreError> {
     let query = "select document, document_sha256, content_sha256 from results where study = ?";
-    let row: Option<(String, String, String)> = sqlx::query_as(query)
+    let row = sqlx::query(query)
         .bind(study)
         .fetch_optional(connection)
         .await?;
-    let Some((document, stored, content)) = row else {
-        return Ok(None);
-    };
-    if sha256(&[study.as_bytes(), document.as_bytes()]) != stored {
-        return Err(damaged(study));
+    Ok(row.map(|row| ResultRow {
+        study: study.to_owned(),
+        row,
+    }))
+}
+
+impl ResultRow {
+    /// The result, or the part `R` of it, and the hash of its content.
+    ///
+    /// # Errors
+    /// [`StoreError::Damaged`] when the row doesn't match its hash.
+    pub fn read<R: DeserializeOwned>(self) -> Result<(R, String), StoreError> {
+        let [document, stored, content] = [
+            self.row.try_get::<&str, _>(0)?,
+            self.row.try_get(1)?,
+            self.row.try_get(2)?,
+        ];
+        if sha256(&[self.study.as_bytes(), document.as_bytes()]) != stored {
+            return Err(damaged(&self.study));
+        }
+        let result = serde_json::from_str(document).map_err(|_| damaged(&self.study))?;
+        Ok((result, content.to_owned()))
     }
-    Ok(Some((document, content)))
 }
 
 /// The result of a study, or the part `R` of it, and the hash of its content.
@@ -106,11 +132,10 @@ pub async fn find<R: DeserializeOwned>(
     connection: &mut SqliteConnection,
     study: &str,
 ) -> Result<Option<(R, String)>, StoreError> {
-    let Some((document, content)) = find_text(connection, study).await? else {
-        return Ok(None);
-    };
-    let result = serde_json::from_str(&document).map_err(|_| damaged(study))?;
-    Ok(Some((result, content)))
+    row(connection, study)
+        .await?
+        .map(ResultRow::read)
+        .transpose()
 }
 
 pub(super) fn damaged(study: &str) -> StoreError {

@@ -73,8 +73,18 @@ pub async fn writer(place: &Place, most_bytes: Option<u64>) -> Result<SqlitePool
 
 /// Connections that can only read.
 pub async fn readers(place: &Place) -> Result<SqlitePool, StoreError> {
+    only_reading(place, READERS).await
+}
+
+/// The one connection that reads whole results. Each connection has a thread, which keeps what it took for the longest text that it read: a pool gives its
+/// connections out in turn, so that all of them would come to hold that.
+pub async fn whole_reader(place: &Place) -> Result<SqlitePool, StoreError> {
+    only_reading(place, 1).await
+}
+
+async fn only_reading(place: &Place, connections: u32) -> Result<SqlitePool, StoreError> {
     Ok(SqlitePoolOptions::new()
-        .max_connections(READERS)
+        .max_connections(connections)
         // A file doesn't hang up: the question would cost every reader a round to the connection's thread.
         .test_before_acquire(false)
         .connect_with(reading(place))

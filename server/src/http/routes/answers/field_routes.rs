@@ -17,7 +17,7 @@ use crate::http::edge::conditional::{has, tagged};
 use crate::http::edge::extract::{Params, StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
 use crate::http::edge::room::Making;
-use crate::http::routes::answers::result_routes::{part, ready};
+use crate::http::routes::answers::result_routes::{hashed_part, part};
 use crate::http::routes::study_routes::known;
 use service::export::{ExportError, surface_file};
 use service::views::rings::Rings;
@@ -25,7 +25,6 @@ use service::views::sections::{self, Sections, SectionsError};
 use service::views::solved_wheel;
 use service::wire::examples;
 use service::wire::study_wire::ProblemDocument;
-use store::answers::result_rows;
 
 /// `/v1/studies/{id}/surface`, `/sections` and `/rings`.
 pub fn router() -> OpenApiRouter<AppState> {
@@ -66,10 +65,7 @@ async fn surface(
     headers: HeaderMap,
     _making: Making,
 ) -> Result<Response, Problem> {
-    let found = ready(&state.store, &id, async |connection| {
-        result_rows::find::<Meshed>(connection, &id).await
-    });
-    let (Meshed { model }, content_sha256) = found.await?;
+    let (Meshed { model }, content_sha256) = hashed_part(&state.store, &id).await?;
     let tag = format!("{content_sha256}-surface");
     if has(&headers, &tag) {
         return Ok(tagged(&headers, &tag, "no-cache", ()));

@@ -23,14 +23,13 @@ use crate::http::edge::document_body::Document;
 use crate::http::edge::extract::{StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
 use crate::http::edge::room::Making;
-use crate::http::routes::answers::result_routes::{part, ready};
+use crate::http::routes::answers::result_routes::{hashed_part, part};
 use crate::http::routes::study_routes::known;
 use service::study_document::stored_study;
 use service::views::hand_layouts::{self, HandLayoutsError};
 use service::wire::examples;
 use service::wire::layout_wire::{HandLayoutsDocument, ScoredLayouts};
 use service::wire::study_wire::ProblemDocument;
-use store::answers::result_rows;
 
 /// `/v1/studies/{id}/layouts:score` and `/layouts/fields`.
 pub fn router() -> OpenApiRouter<AppState> {
@@ -103,10 +102,7 @@ async fn fields(
     headers: HeaderMap,
     _making: Making,
 ) -> Result<Response, Problem> {
-    let found = ready(&state.store, &id, async |connection| {
-        result_rows::find::<Found>(connection, &id).await
-    });
-    let (Found { layout_findings }, content_sha256) = found.await?;
+    let (Found { layout_findings }, content_sha256) = hashed_part(&state.store, &id).await?;
     let tag = format!("{content_sha256}-film-fields");
     if has(&headers, &tag) {
         return Ok(tagged(&headers, &tag, "no-cache", ()));

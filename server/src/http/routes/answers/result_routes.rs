@@ -34,6 +34,7 @@ use store::answers::result_rows;
 use store::answers::result_text;
 use store::answers::stored_signals;
 use store::answers::trades;
+use store::queue::study_rows::StudyRow;
 use store::{Store, StoreError};
 
 /// `/v1/studies/{id}/result` and its parts.
@@ -334,10 +335,20 @@ async fn trade(
 
 /// The result of a study or the part `R` of it, or 404 with what became of it.
 pub(super) async fn part<R: DeserializeOwned>(store: &Store, id: &str) -> Result<R, Problem> {
-    let found = ready(store, id, async |connection| {
-        result_rows::find(connection, id).await
-    });
-    found.await.map(|(part, _)| part)
+    Ok(hashed_part(store, id).await?.0)
+}
+
+/// The same, and the hash of the whole result's content.
+pub(super) async fn hashed_part<R: DeserializeOwned>(
+    store: &Store,
+    id: &str,
+) -> Result<(R, String), Problem> {
+    let study = known(store, id).await?;
+    let mut connection = store.read_whole().await?;
+    let found = result_rows::row(&mut connection, id).await?;
+    // Others may read while this one is worked on.
+    drop(connection);
+    Ok(found.ok_or_else(|| without_result(&study))?.read()?)
 }
 
 /// What is found of a study's result, or 404 with what became of the study.
@@ -348,15 +359,18 @@ pub(super) async fn ready<R>(
 ) -> Result<R, Problem> {
     let study = known(store, id).await?;
     let mut connection = store.read().await?;
-    find(&mut connection).await?.ok_or_else(|| {
-        let cause = study
-            .error
-            .as_deref()
-            .map(|error| format!(": {error}"))
-            .unwrap_or_default();
-        Problem::not_found(format!(
-            "the study is {} and has no result{cause}",
-            study.state().as_str()
-        ))
-    })
+    let found = find(&mut connection).await?;
+    found.ok_or_else(|| without_result(&study))
+}
+
+fn without_result(study: &StudyRow) -> Problem {
+    let cause = study
+        .error
+        .as_deref()
+        .map(|error| format!(": {error}"))
+        .unwrap_or_default();
+    Problem::not_found(format!(
+        "the study is {} and has no result{cause}",
+        study.state().as_str()
+    ))
 }

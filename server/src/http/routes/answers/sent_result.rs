@@ -43,7 +43,7 @@ pub(super) async fn body(
     text: &ResultText,
 ) -> Result<Body, Problem> {
     if text.bytes <= SHORT {
-        let mut connection = store.read().await?;
+        let mut connection = store.read_whole().await?;
         let whole = text.reading().next(&mut connection, SHORT).await?;
         return Ok(whole.map(Body::from).unwrap_or_default());
     }
@@ -66,7 +66,7 @@ pub(super) async fn body(
 async fn compare(store: &Store, text: &ResultText) -> Result<(), StoreError> {
     let mut reading = text.reading();
     while !reading.ended() {
-        let mut connection = store.read().await?;
+        let mut connection = store.read_whole().await?;
         reading.next(&mut connection, AT_ONCE).await?;
     }
     Ok(())
@@ -84,7 +84,7 @@ impl Sending {
     async fn next(mut self) -> Result<Option<(Bytes, Self)>, StoreError> {
         let piece = self.room.piece().await;
         let read = async {
-            let mut connection = self.store.read().await?;
+            let mut connection = self.store.read_whole().await?;
             self.reading.next(&mut connection, piece.size()).await
         };
         let read = read
