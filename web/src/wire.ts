@@ -332,6 +332,18 @@ export interface components {
          * @enum {string}
          */
         ComparisonTable: "locations" | "designs";
+        /** @description A figure that can't be true beside the others. */
+        Contradiction: {
+            /** @description Which figure: `r2`, `nrmse_percent`, or `both` where two cells contradict each other and none tells which is right. */
+            figure: string;
+            /**
+             * Format: double
+             * @description What the other cells and this one's RMSE imply; null where none tells.
+             */
+            implied?: number | null;
+            /** @description A sentence. */
+            detail: string;
+        };
         /** @description A number of solves with its range. */
         CountForecast: {
             /** @description At least. */
@@ -427,6 +439,13 @@ export interface components {
             set: Record<string, unknown>;
             /** @description The study that answers for it. */
             study: components["schemas"]["StudySummary"];
+        };
+        /** @description On another tire. */
+        ElsewhereError: {
+            /** @description In what it differs from the study's. */
+            tire: string;
+            /** @description What estimates are worth there. */
+            error: components["schemas"]["TrialError"];
         };
         /** @description What lists say of a study or a sweep: `name`, `archived` or both. What is left out stays as it is. */
         EntryChange: {
@@ -750,17 +769,42 @@ export interface components {
             dead?: components["schemas"]["DeadFilmError"] | null;
             /** @description The same with films that lie elsewhere than those that were learnt from. */
             askew: components["schemas"]["AskewError"];
+            /** @description The same films on other tires, which nobody learnt from. */
+            elsewhere?: components["schemas"]["ElsewhereError"][];
             worst_contact?: components["schemas"]["WorstContact"] | null;
+            /**
+             * Format: double
+             * @description About the least root of the mean squared error that one instant's readings allow, N: the bound of Cramer and Rao with what is known of the gait before, for films
+             *     that hold their charge.
+             */
+            floor_n?: number | null;
             /** @description Why numbers are null. */
             reason?: string | null;
         };
         /** @description What a virtual rig shows. */
         ForceFindings: {
             table?: components["schemas"]["TableReport"] | null;
+            /** @description What a force's error costs: for each force the layouts by which it is known better than by any with as many films or fewer. */
+            price?: components["schemas"]["ForcePrice"][];
+            published?: components["schemas"]["PublishedTables"] | null;
             /** @description What is assumed of the rig and stated by no source, whole sentences; empty where nothing was learnt. */
             assumed?: string[];
             /** @description Why something is missing, whole sentences. */
             reasons?: string[];
+        };
+        /** @description A layout that knows a force better than all that have as many films or fewer. */
+        ForcePrice: {
+            /** @description `fx`: along the wheel, `fy`: across it, `fz`: vertical. */
+            axis: string;
+            /** @description How many films the layout has. */
+            films: number;
+            /**
+             * Format: double
+             * @description Root of the mean squared error on runs that nobody learnt from, N.
+             */
+            rmse_n: number;
+            /** @description The layout's rank. */
+            layout_rank: number;
         };
         /** @description What was found of a force. */
         ForceReport: {
@@ -1617,6 +1661,30 @@ export interface components {
             /** @description What the user must know before believing the numbers, whole sentences. */
             notes: string[];
         };
+        /** @description Figures as the published study prints them. */
+        PrintedFigures: {
+            /**
+             * Format: double
+             * @description RMSE over the range of the tested forces, %.
+             */
+            nrmse_percent: number;
+            /**
+             * Format: double
+             * @description Root of the mean squared error, N.
+             */
+            rmse_n?: number | null;
+            /**
+             * Format: double
+             * @description Coefficient of determination.
+             */
+            r2?: number | null;
+            /**
+             * Format: double
+             * @description What the mean of the tested forces would have reached, by what the three figures imply, %.
+             */
+            mean_nrmse_percent?: number | null;
+            contradiction?: components["schemas"]["Contradiction"] | null;
+        };
         /** @description What a client is told when a request can't be answered: RFC 9457. */
         ProblemDocument: {
             /** @description `about:blank`: the status says what kind of problem it is. */
@@ -1634,6 +1702,41 @@ export interface components {
             errors?: components["schemas"]["Fault"][];
             /** @description The request's identifier, as in the header `x-request-id` and in the log. */
             request_id?: string | null;
+        };
+        /** @description One figure of the published study beside the rig's. */
+        PublishedRow: {
+            /**
+             * Format: int32
+             * @description Number of the published table.
+             */
+            table: number;
+            /** @description The gait: `randomised`, `1 Hz`, `low frequency` or the like. */
+            gait: string;
+            /** @description The model. */
+            model: components["schemas"]["Kind"];
+            /** @description The features it reads. */
+            features: components["schemas"]["FeatureSet"];
+            /** @description `fx`: along the wheel, `fy`: across it, `fz`: vertical. */
+            axis: string;
+            /** @description What the rig's model is tested by: `random` readings, later `time`, or another `run`, whose films have other gains. */
+            by: components["schemas"]["SplitKind"];
+            /** @description As it was printed. */
+            printed: components["schemas"]["PrintedFigures"];
+            rig?: components["schemas"]["RigFigures"] | null;
+            fresh?: components["schemas"]["RigFigures"] | null;
+            /** @description Why numbers are null. */
+            reason?: string | null;
+        };
+        /** @description Tables 4, 5, 6, 8 and 9 of the published study and the rig's figures for the same rows, with one layout: six units every 60 degrees at the crown. */
+        PublishedTables: {
+            /** @description Rank of the layout. */
+            layout_rank: number;
+            /** @description All rows, in the order of the tables. */
+            rows: components["schemas"]["PublishedRow"][];
+            /** @description The same layout's forces with other time constants of its circuit. The published study states none. */
+            time_constants: components["schemas"]["TimeConstantRow"][];
+            /** @description What was done where the published study doesn't say what it did, whole sentences. */
+            assumed: string[];
         };
         /** @description One layout in the ranking. */
         RankedLayout: {
@@ -1821,6 +1924,29 @@ export interface components {
              * @description Of all that is drawn.
              */
             seed?: number;
+        };
+        /** @description Figures of a virtual rig. */
+        RigFigures: {
+            /**
+             * Format: double
+             * @description Root of the mean squared error, N.
+             */
+            rmse_n: number;
+            /**
+             * Format: double
+             * @description RMSE over the range of the tested forces, %.
+             */
+            nrmse_percent?: number | null;
+            /**
+             * Format: double
+             * @description What the mean of the learnt forces would have reached, %.
+             */
+            mean_nrmse_percent?: number | null;
+            /**
+             * Format: double
+             * @description Coefficient of determination.
+             */
+            r2?: number | null;
         };
         /** @description A load of layouts. */
         RingLoad: {
@@ -2663,6 +2789,20 @@ export interface components {
             solves: number;
             error?: components["schemas"]["TableError"] | null;
         };
+        /** @description A layout's force on runs with other gains, with another time constant. */
+        TimeConstantRow: {
+            /**
+             * Format: double
+             * @description s
+             */
+            time_constant_s: number;
+            /** @description `fx`, `fy` or `fz`. */
+            axis: string;
+            /** @description The model that was chosen. */
+            chosen: components["schemas"]["Kind"];
+            /** @description Its error. */
+            error: components["schemas"]["TrialError"];
+        };
         /**
          * @description The part of a result that a note is about.
          * @enum {string}
@@ -2706,6 +2846,11 @@ export interface components {
              * @description Share of the true forces within their 95 % intervals.
              */
             coverage?: number | null;
+            /**
+             * Format: double
+             * @description Share of the rows that are flagged: one of their signals is beyond what was learnt from.
+             */
+            outside?: number | null;
         };
         /**
          * @description What a difference is worth.
@@ -2771,6 +2916,7 @@ export type ComparedStudy = components['schemas']['ComparedStudy'];
 export type Comparison = components['schemas']['Comparison'];
 export type ComparisonFormat = components['schemas']['ComparisonFormat'];
 export type ComparisonTable = components['schemas']['ComparisonTable'];
+export type Contradiction = components['schemas']['Contradiction'];
 export type CountForecast = components['schemas']['CountForecast'];
 export type CutPoint = components['schemas']['CutPoint'];
 export type DeadFilm = components['schemas']['DeadFilm'];
@@ -2779,6 +2925,7 @@ export type DesignCounts = components['schemas']['DesignCounts'];
 export type DesignDocument = components['schemas']['DesignDocument'];
 export type DesignEstimate = components['schemas']['DesignEstimate'];
 export type DesignView = components['schemas']['DesignView'];
+export type ElsewhereError = components['schemas']['ElsewhereError'];
 export type EntryChange = components['schemas']['EntryChange'];
 export type Estimate = components['schemas']['Estimate'];
 export type EstimatorDetail = components['schemas']['EstimatorDetail'];
@@ -2805,6 +2952,7 @@ export type FitCost = components['schemas']['FitCost'];
 export type FitProgress = components['schemas']['FitProgress'];
 export type ForceError = components['schemas']['ForceError'];
 export type ForceFindings = components['schemas']['ForceFindings'];
+export type ForcePrice = components['schemas']['ForcePrice'];
 export type ForceReport = components['schemas']['ForceReport'];
 export type Forecast = components['schemas']['Forecast'];
 export type FormMisses = components['schemas']['FormMisses'];
@@ -2855,7 +3003,10 @@ export type PlaceAnswer = components['schemas']['PlaceAnswer'];
 export type Preset = components['schemas']['Preset'];
 export type Presets = components['schemas']['Presets'];
 export type Preview = components['schemas']['Preview'];
+export type PrintedFigures = components['schemas']['PrintedFigures'];
 export type ProblemDocument = components['schemas']['ProblemDocument'];
+export type PublishedRow = components['schemas']['PublishedRow'];
+export type PublishedTables = components['schemas']['PublishedTables'];
 export type RankedLayout = components['schemas']['RankedLayout'];
 export type RankedLocation = components['schemas']['RankedLocation'];
 export type Reached = components['schemas']['Reached'];
@@ -2864,6 +3015,7 @@ export type RecordingDocument = components['schemas']['RecordingDocument'];
 export type RecordingFigures = components['schemas']['RecordingFigures'];
 export type Report = components['schemas']['Report'];
 export type RigDocument = components['schemas']['RigDocument'];
+export type RigFigures = components['schemas']['RigFigures'];
 export type RingLoad = components['schemas']['RingLoad'];
 export type Rings = components['schemas']['Rings'];
 export type Rung = components['schemas']['Rung'];
@@ -2905,6 +3057,7 @@ export type SweepSummary = components['schemas']['SweepSummary'];
 export type Table = components['schemas']['Table'];
 export type TableError = components['schemas']['TableError'];
 export type TableReport = components['schemas']['TableReport'];
+export type TimeConstantRow = components['schemas']['TimeConstantRow'];
 export type Topic = components['schemas']['Topic'];
 export type Trade = components['schemas']['Trade'];
 export type Trend = components['schemas']['Trend'];

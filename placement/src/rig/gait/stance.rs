@@ -38,6 +38,12 @@ impl Stance {
         self.begin_s + self.hz.recip()
     }
 
+    /// Part of the way from touch-down to lift-off at a time of contact.
+    pub fn progress(&self, time_s: f64) -> f64 {
+        let theta = TAU * (time_s - self.begin_s) * self.hz - PI;
+        0.5 * (1.0 + theta / (PI * self.duty))
+    }
+
     /// Where the ground is at a time within its turn, s.
     pub fn contact<R: ContactResponse + ?Sized>(&self, time_s: f64, response: &R) -> Contact {
         let theta = TAU * (time_s - self.begin_s) * self.hz - PI;
@@ -46,7 +52,7 @@ impl Stance {
             return Contact::AIR;
         }
         let depth_mm = self.peak_mm * (theta.cos() - edge.cos()) / (1.0 - edge.cos());
-        let progress = 0.5 * (1.0 + theta / edge);
+        let progress = self.progress(time_s);
         let sliding = response.sticking_shift_mm(depth_mm);
         let [down, up] = self.shear;
         Contact {
@@ -57,6 +63,11 @@ impl Stance {
             }),
         }
     }
+}
+
+/// Deviation of a share along or across that goes evenly from one point of a disc of radius one to another, at a part of the way: each point has half of the radius.
+pub fn shear_deviation(progress: f64) -> f64 {
+    0.5 * progress.hypot(1.0 - progress)
 }
 
 #[cfg(test)]
