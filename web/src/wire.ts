@@ -2730,7 +2730,7 @@ export interface components {
          * @description What is wanted of a study.
          * @enum {string}
          */
-        Table: "indices" | "locations" | "layouts" | "points" | "signals" | "candidates";
+        Table: "indices" | "locations" | "layouts" | "points" | "signals" | "candidates" | "forces" | "published";
         /** @description Errors of a table over all kinds of film, wheel angles and tested solves, relative. */
         TableError: {
             /** @description Solves that it was tested by. */

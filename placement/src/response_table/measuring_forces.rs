@@ -136,7 +136,7 @@ fn report(table: &StudyTable, tested: &TestedTable) -> TableReport {
         level: settings.level.as_str().to_owned(),
         largest_load_n: settings.largest_load_n,
         largest_shift_mm: settings.largest_shift_mm,
-        solves: table.solves(),
+        solves: table.own_solves(),
         error: tested.error,
     }
 }

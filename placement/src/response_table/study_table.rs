@@ -170,7 +170,13 @@ impl StudyTable {
             .find(|layout| ranked.is_same(&layout.label))
     }
 
-    /// How many solves that takes.
+    /// How many solves the table itself takes, those that test it included.
+    pub fn own_solves(&self) -> usize {
+        let own = self.series_on(&self.scenes);
+        own.iter().map(|(scenes, _)| scenes.len()).sum()
+    }
+
+    /// How many solves that and the other tires' tables take.
     pub fn solves(&self) -> usize {
         self.series().iter().map(|(scenes, _)| scenes.len()).sum()
     }
@@ -216,13 +222,8 @@ impl StudyTable {
         plan: &Plan,
         context: RunContext<'_>,
     ) -> Result<Vec<(String, Result<TestedTable, String>)>, RunError> {
-        let own: usize = self
-            .series_on(&self.scenes)
-            .iter()
-            .map(|(scenes, _)| scenes.len())
-            .sum();
         let mut place = Place {
-            first: first + own,
+            first: first + self.own_solves(),
             of: first + self.solves(),
         };
         let mut tables = Vec::new();

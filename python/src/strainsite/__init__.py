@@ -71,16 +71,26 @@ from .forces.estimator import Estimator, EstimatorSummary, FitProgress
 from .forces.known import (
     AskewError,
     DeadFilmError,
+    ElsewhereError,
     ForceError,
     ForceFindings,
+    ForcePrice,
     SplitError,
     TableError,
     TableReport,
-    TrialError,
     WorstContact,
 )
 from .forces.left_out import LeftOutRows
+from .forces.published import (
+    Contradiction,
+    PrintedFigures,
+    PublishedRow,
+    PublishedTables,
+    RigFigures,
+    TimeConstantRow,
+)
 from .forces.report import FitCost, FitReport, ForceReport, ModelReport, RecordingFigures, SplitReport, SplitReports
+from .forces.trial import TrialError
 from .local import local
 from .study import Study
 from .sweep import Sweep
@@ -101,6 +111,7 @@ __all__ = [
     "ComparedLocation",
     "ComparedStudy",
     "Comparison",
+    "Contradiction",
     "Cost",
     "CountForecast",
     "CutPoint",
@@ -110,6 +121,7 @@ __all__ = [
     "DesignCounts",
     "DesignEstimate",
     "DocumentError",
+    "ElsewhereError",
     "ErrorParts",
     "Estimate",
     "Estimator",
@@ -127,6 +139,7 @@ __all__ = [
     "FitReport",
     "ForceError",
     "ForceFindings",
+    "ForcePrice",
     "ForceReport",
     "Forecast",
     "FormMisses",
@@ -158,10 +171,14 @@ __all__ = [
     "Preset",
     "Presets",
     "Preview",
+    "PrintedFigures",
     "ProblemError",
+    "PublishedRow",
+    "PublishedTables",
     "RecordingFigures",
     "Refused",
     "Result",
+    "RigFigures",
     "RingLoad",
     "Rings",
     "SectionNode",
@@ -191,6 +208,7 @@ __all__ = [
     "SweepSummary",
     "TableError",
     "TableReport",
+    "TimeConstantRow",
     "TrialError",
     "WaitTimeout",
     "WheelRing",

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from .connection.transport import Transport
 
-Table = Literal["indices", "locations", "layouts", "candidates", "points", "signals"]
+Table = Literal["indices", "locations", "layouts", "candidates", "points", "signals", "forces", "published"]
 
 
 class Study:
@@ -258,8 +258,8 @@ class Study:
         Args:
             format: `csv`, `parquet`, `vtu` (the map on the inner surface, for ParaView), `glb` (the whole wheel, for
                 any 3-D viewer) or `json` (the result).
-            table: `indices` (when left out), `locations`, `layouts`, `candidates`, `points` or `signals`, for
-                formats of one table.
+            table: `indices` (when left out), `locations`, `layouts`, `candidates`, `points`, `signals`, `forces` or
+                `published`, for formats of one table.
             path: The file, or a folder; the name that the service proposes, in the working folder, when left out.
 
         """

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::program::{strainsite, text};
 
-/// A draft that takes four seconds: ground without friction isn't dragged.
+/// A draft that takes some seconds: ground without friction isn't dragged.
 const STUDY: &str = "name = \"rig\"\nscene = { preset = \"foot-tire\" }\n\
     [[inputs]]\nname = \"P3\"\nvary = \"ground.depths_mm[2]\"\ndistribution = { kind = \"uniform\", min = 0.7, max = 1.3 }\n\
     [layouts]\nunits = [12]\nspacings_deg = []\npositions = [\"crown\"]\ndirections = [[\"y\"]]\n\
@@ -21,10 +21,11 @@ fn read(folder: &Path, name: &str) -> String {
 fn a_rig_tells_forces_of_layouts_and_its_recordings_are_learnt_from() {
     let folder = tempfile::tempdir().expect("temp dir");
     let folder = folder.path();
-    std::fs::write(folder.join("rig.toml"), STUDY).expect("writes");
+    let study = STUDY.replace("[rig]\n", "[rig]\nother_tires = [{ wall_factor = 1.05 }]\n");
+    std::fs::write(folder.join("rig.toml"), study).expect("writes");
     let dry = strainsite(folder, &["run", "rig.toml", "--dry-run"]);
     assert!(
-        text(&dry.stdout).contains("5 for layouts, 32 for the"),
+        text(&dry.stdout).contains("5 for layouts, 68 for the"),
         "{}",
         text(&dry.stdout)
     );
@@ -41,7 +42,7 @@ fn a_rig_tells_forces_of_layouts_and_its_recordings_are_learnt_from() {
     let table = &result["forces"]["table"];
     assert_eq!(
         (&table["solves"], &table["largest_load_n"]),
-        (&32.into(), &20.0.into())
+        (&44.into(), &20.0.into())
     );
     // Contact of the draft mesh comes on node by node: 4 % of full scale where ground is dragged, less where it isn't.
     let worst = table["error"]["signal_worst"].as_f64().expect("an error");
@@ -66,6 +67,19 @@ fn a_rig_tells_forces_of_layouts_and_its_recordings_are_learnt_from() {
         share(&vertical["fresh"]) < of_mean && share(of_runs) < 0.95 * of_mean,
         "{vertical}"
     );
+    let other = &vertical["elsewhere"][0];
+    assert_eq!(other["tire"], "wall 5 % thicker");
+    assert!(share(&other["error"]) < of_mean, "{vertical}");
+    assert_eq!(result["forces"]["price"][0]["films"], 12);
+    let id = result["study"]["id"].as_str().expect("an identifier");
+    let exported = strainsite(folder, &["export", id, "--table", "forces"]);
+    let csv = text(&exported.stdout);
+    let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(lines.len(), 1 + forces.len(), "{csv}");
+    let column = |name: &str| lines[0].iter().position(|head| *head == name).expect(name);
+    let rmse_n = lines[3][column("fresh_rmse_n")].parse::<f64>().ok();
+    assert_eq!(rmse_n, vertical["fresh"]["rmse_n"].as_f64());
+    assert_eq!(lines[3][column("force")], "fz");
 
     let record = ["force", "record", "rig.toml", "--layout", "1", "-o"];
     for to in ["first", "second"] {
@@ -115,7 +129,7 @@ fn glued_films_read_volts_by_their_transfer() {
     assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
     let result: Value = serde_json::from_str(&read(folder, "result.json")).expect("JSON");
     // Two coupled solves of the one kind of film, beside the bare tire's.
-    assert_eq!(result["forces"]["table"]["solves"], 34);
+    assert_eq!(result["forces"]["table"]["solves"], 46);
     assert_eq!(result["layouts"][0]["force_error"][2]["useful"], true);
 }
 

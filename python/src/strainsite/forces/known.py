@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from .published import PublishedTables  # noqa: TC001 - fields are read by their types
+from .trial import TrialError  # noqa: TC001
+
 
 @dataclass(frozen=True)
 class SplitError:
@@ -28,17 +31,6 @@ class SplitError:
 
 
 @dataclass(frozen=True)
-class TrialError:
-    """Estimates against true forces on runs that nobody learnt from."""
-
-    rmse_n: float | None
-    nrmse_percent: float | None
-    r2: float | None
-    coverage: float | None
-    """Share of the true forces within their 95 % intervals."""
-
-
-@dataclass(frozen=True)
 class DeadFilmError:
     """With a film dead."""
 
@@ -53,6 +45,15 @@ class AskewError:
 
     std_deg: float
     """Standard deviation of their places around the wheel."""
+    error: TrialError
+
+
+@dataclass(frozen=True)
+class ElsewhereError:
+    """On another tire, which nobody learnt from."""
+
+    tire: str
+    """In what it differs from the study's."""
     error: TrialError
 
 
@@ -86,6 +87,10 @@ class ForceError:
     worst_contact: WorstContact | None
     reason: str | None = None
     """Why numbers are None."""
+    elsewhere: tuple[ElsewhereError, ...] = ()
+    """The same films on other tires."""
+    floor_n: float | None = None
+    """About the least error that one instant's readings allow: the bound of Cramer and Rao, with the gait as prior."""
 
 
 @dataclass(frozen=True)
@@ -118,6 +123,17 @@ class TableReport:
 
 
 @dataclass(frozen=True)
+class ForcePrice:
+    """A layout that knows a force better than all that have as many films or fewer."""
+
+    axis: str
+    films: int
+    rmse_n: float
+    """On runs that nobody learnt from."""
+    layout_rank: int
+
+
+@dataclass(frozen=True)
 class ForceFindings:
     """What a virtual rig shows."""
 
@@ -126,3 +142,7 @@ class ForceFindings:
     """What is assumed of the rig, whole sentences."""
     reasons: tuple[str, ...] = ()
     """Why something is missing, whole sentences."""
+    price: tuple[ForcePrice, ...] = ()
+    """What a force's error costs in films, the cheapest layout of each force first."""
+    published: PublishedTables | None = None
+    """The published study's tables beside the rig's; None where the study doesn't ask for them."""

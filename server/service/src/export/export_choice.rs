@@ -19,16 +19,22 @@ pub enum Table {
     Signals,
     /// Kinds of film for layouts, by several criteria.
     Candidates,
+    /// How well each layout tells each force, by a virtual rig.
+    Forces,
+    /// The published study's force errors beside a virtual rig's.
+    Published,
 }
 
 impl Table {
-    const ALL: [Self; 6] = [
+    const ALL: [Self; 8] = [
         Self::Indices,
         Self::Locations,
         Self::Layouts,
         Self::Points,
         Self::Signals,
         Self::Candidates,
+        Self::Forces,
+        Self::Published,
     ];
 
     /// The name in addresses and file names.
@@ -40,6 +46,8 @@ impl Table {
             Self::Points => "points",
             Self::Signals => "signals",
             Self::Candidates => "candidates",
+            Self::Forces => "forces",
+            Self::Published => "published",
         }
     }
 

@@ -13,6 +13,7 @@ use placement::score::location_scores::{Figure, SCORES, Score};
 use placement::study::position_name;
 
 use super::export_choice::Table;
+use super::force_tables::{forces, published};
 use super::table::{Rows, TypedTable};
 use super::unit::{PURE, unit_of};
 use crate::views::point_views::EvaluationView;
@@ -32,6 +33,8 @@ pub fn table(table: Table, result: &StudyResult, points: &[EvaluationView]) -> T
         }
         Table::Points => signed(solved(&result.inputs, points), result),
         Table::Signals => signed(signals(result), result),
+        Table::Forces => signed(forces(result), result),
+        Table::Published => signed(published(result), result),
     }
 }
 

@@ -1,4 +1,4 @@
-import type { ForceError, RankedLayout } from "../../wire.ts";
+import type { ForceError, ForcePrice, RankedLayout } from "../../wire.ts";
 
 /** A layout and one force that its films tell. */
 export interface KnownForce {
@@ -27,6 +27,11 @@ export function untoldAxes(layouts: RankedLayout[]): string[] {
 export function bestKnown(known: KnownForce[], axis: string): KnownForce | undefined {
   const errors = known.filter(({ force }) => force.axis === axis && force.fresh.rmse_n != null);
   return errors.sort((a, b) => (a.force.fresh.rmse_n ?? 0) - (b.force.fresh.rmse_n ?? 0))[0];
+}
+
+/** About the least error of a price's layout that one instant's readings allow, N. */
+export function floorOf(known: KnownForce[], price: ForcePrice): number | null | undefined {
+  return known.find(({ layout, force }) => layout.rank === price.layout_rank && force.axis === price.axis)?.force.floor_n;
 }
 
 function films({ layout }: KnownForce): number {

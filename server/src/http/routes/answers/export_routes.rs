@@ -40,7 +40,7 @@ struct ExportQuery {
 /// GLB, glTF 2.0 for any viewer, both skins of the whole wheel, pressed as at the means by the morph target `contact`.
 #[utoipa::path(get, path = "/v1/studies/{id}/export", tag = "answers", params(StudyPath,
         ("format" = Option<FileFormat>, Query, description = "csv (when left out), json, parquet, vtu or glb", example = "csv"),
-        ("table" = Option<Table>, Query, description = "What CSV and Parquet hold: indices (when left out), locations, layouts, points, signals or candidates", example = "points")),
+        ("table" = Option<Table>, Query, description = "What CSV and Parquet hold: indices (when left out), locations, layouts, points, signals, candidates, forces or published", example = "points")),
     responses((status = 200, description = "The file", content(
                   (String = "text/csv", example = json!(examples::csv())),
                   (StudyResult = "application/json", example = json!(examples::result())),
@@ -84,7 +84,8 @@ fn wanted(query: &ExportQuery) -> Result<Export, Problem> {
 }
 
 const FORMATS: &str = "format is one of csv, json, parquet, vtu, glb";
-const TABLES: &str = "table is one of indices, locations, layouts, points, signals, candidates";
+const TABLES: &str =
+    "table is one of indices, locations, layouts, points, signals, candidates, forces, published";
 
 /// The format and the table that a query names, or what each that names nothing could be.
 pub fn both<F, T>(format: (Option<F>, &str), table: (Option<T>, &str)) -> Result<(F, T), Problem> {

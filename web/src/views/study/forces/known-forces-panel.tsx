@@ -1,8 +1,9 @@
 import { fixed, MISSING } from "../../../lib/format.ts";
-import { AXIS_WORDS, bestKnown, type KnownForce, knownForces, untoldAxes } from "../../../lib/layouts/known-forces.ts";
+import { AXIS_WORDS, bestKnown, floorOf, type KnownForce, knownForces, untoldAxes } from "../../../lib/layouts/known-forces.ts";
 import { layoutWords } from "../../../lib/layouts/layout-words.ts";
-import type { ForceFindings, RankedLayout, TableReport } from "../../../wire.ts";
+import type { ForceFindings, ForcePrice, RankedLayout, TableReport } from "../../../wire.ts";
 import { ScrollTable } from "../../shared/scroll-table.tsx";
+import { PublishedPanel } from "./published-panel.tsx";
 
 /** How well forces are known by layouts' films, learnt from a virtual rig's runs. */
 export function KnownForcesPanel({ layouts, findings }: { layouts: RankedLayout[]; findings: ForceFindings }) {
@@ -15,7 +16,10 @@ export function KnownForcesPanel({ layouts, findings }: { layouts: RankedLayout[
         <Best key={axis} best={bestKnown(known, axis)} />
       ))}
       {untold.length > 0 && <p>No layout's films tell more of {untold.map((axis) => `${name(axis)} (${AXIS_WORDS[axis] ?? axis})`).join(" and ")} than the training mean does.</p>}
+      <Prices known={known} prices={findings.price ?? []} />
       {known.length > 0 && <KnownTable known={known} />}
+      <OtherTires known={known} />
+      {findings.published != null && <PublishedPanel published={findings.published} />}
       {(findings.reasons ?? []).map((reason) => (
         <p key={reason} class="flag">
           {reason}
@@ -47,6 +51,66 @@ function Best({ best }: { best: KnownForce | undefined }) {
       , on runs with other films. With one film dead, undetected, it is off by {fixed(force.dead?.error.rmse_n, 2)} N, with films {fixed(force.askew.std_deg, 0)}° off by{" "}
       {fixed(force.askew.error.rmse_n, 2)} N.
     </p>
+  );
+}
+
+/** What a force's error costs in films, beside what one instant's readings allow. */
+function Prices({ known, prices }: { known: KnownForce[]; prices: ForcePrice[] }) {
+  const axes = [...new Set(prices.map((price) => price.axis))];
+  return (
+    <>
+      {axes.map((axis) => {
+        const words = prices.filter((price) => price.axis === axis).map((price) => `${price.films} films to ${fixed(price.rmse_n, 2)} N (bound ${fixed(floorOf(known, price), 2)})`);
+        return (
+          <p key={axis}>
+            {name(axis)} is known by {words.join(", by ")}. The bound is about what one instant's readings allow.
+          </p>
+        );
+      })}
+    </>
+  );
+}
+
+/** The same estimators on tires that they weren't learnt on. */
+function OtherTires({ known }: { known: KnownForce[] }) {
+  const rows = known.flatMap(({ layout, force }) => (force.elsewhere ?? []).map((other) => ({ layout, force, other })));
+  if (rows.length === 0) return null;
+  return (
+    <details>
+      <summary>On tires that nobody learnt from</summary>
+      <ScrollTable name="Forces on other tires">
+        <thead>
+          <tr>
+            <th scope="col" class="words">
+              Tire
+            </th>
+            <th scope="col" class="words">
+              Layout
+            </th>
+            <th scope="col">Force</th>
+            <th scope="col">Off by N</th>
+            <th scope="col">Own tire N</th>
+            <th scope="col">Covered</th>
+            <th scope="col">Flagged</th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map(({ layout, force, other }) => (
+            <tr key={`${other.tire} ${layout.rank} ${force.axis}`}>
+              <td class="words">{other.tire}</td>
+              <th scope="row" class="words layout-name">
+                {layoutWords(layout)}
+              </th>
+              <td>{name(force.axis)}</td>
+              <td>{fixed(other.error.rmse_n, 2)}</td>
+              <td>{fixed(force.fresh.rmse_n, 2)}</td>
+              <td>{fixed(other.error.coverage, 2)}</td>
+              <td>{fixed(other.error.outside, 2)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </ScrollTable>
+    </details>
   );
 }
 
