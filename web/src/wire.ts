@@ -444,6 +444,8 @@ export interface components {
         ElsewhereError: {
             /** @description In what it differs from the study's. */
             tire: string;
+            /** @description Whether estimators learnt from runs on it, too. */
+            learnt?: boolean;
             /** @description What estimates are worth there. */
             error: components["schemas"]["TrialError"];
         };
@@ -769,7 +771,7 @@ export interface components {
             dead?: components["schemas"]["DeadFilmError"] | null;
             /** @description The same with films that lie elsewhere than those that were learnt from. */
             askew: components["schemas"]["AskewError"];
-            /** @description The same films on other tires, which nobody learnt from. */
+            /** @description The same films on other tires. */
             elsewhere?: components["schemas"]["ElsewhereError"][];
             worst_contact?: components["schemas"]["WorstContact"] | null;
             /**

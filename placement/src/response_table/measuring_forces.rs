@@ -11,10 +11,11 @@ use crate::result::{
     ForceError, ForceFindings, PublishedTables, RankedLayout, StudyResult, TableReport,
 };
 use crate::rig::force_error::assumed_rig::assumed;
+use crate::rig::force_error::fresh_trials::OtherTire;
 use crate::rig::force_error::layout_forces::force_errors;
 use crate::rig::published::published_gaits;
 use crate::rig::published::rig_tables::RigTables;
-use crate::rig::rig_settings::RigSettings;
+use crate::rig::rig_settings::{RigSettings, TireVariant};
 use crate::run::{RunContext, RunError};
 use crate::study::Study;
 use crate::study::plan::Plan;
@@ -46,7 +47,8 @@ pub(crate) fn measure(
                         match other {
                             Ok(other) => others.push((tire, other)),
                             Err(reason) => forces.reasons.push(format!(
-                                "Nothing was tried on the other tire ({tire}): {reason}"
+                                "Nothing was tried on the other tire ({}): {reason}",
+                                tire.described()
                             )),
                         }
                     }
@@ -71,7 +73,7 @@ pub(crate) fn measure(
 fn errors(
     table: &StudyTable,
     tested: &TestedTable,
-    others: &[(String, TestedTable)],
+    others: &[(TireVariant, TestedTable)],
     rig: &RigSettings,
     context: RunContext<'_>,
 ) -> Result<Vec<Vec<ForceError>>, RunError> {
@@ -79,7 +81,11 @@ fn errors(
         let films = table.laid(tested, &table.layouts[layout].arrangement.films);
         let others = others.iter();
         let others: Vec<_> = others
-            .map(|(tire, other)| (tire.clone(), films.on(&other.table)))
+            .map(|(tire, other)| OtherTire {
+                described: tire.described(),
+                learnt: tire.learnt,
+                response: films.on(&other.table),
+            })
             .collect();
         force_errors(&films, &others, rig, context.stop)
     };

@@ -13,7 +13,7 @@ use crate::response_table::table_scenes::{Pressing, TableScenes};
 use crate::response_table::table_settings::TableSettings;
 use crate::response_table::table_solving::{Solved, TestedTable, solve, table_series, tabulated};
 use crate::result::RankedLayout;
-use crate::rig::rig_settings::RigSettings;
+use crate::rig::rig_settings::{RigSettings, TireVariant};
 use crate::run::archive::Outcome;
 use crate::run::{Place, RunContext, RunError};
 use crate::signals::answers::check_transferable;
@@ -26,7 +26,7 @@ use crate::study::plan::Plan;
 pub struct StudyTable {
     scenes: TableScenes,
     /// Other tires that estimators are tried on.
-    others: Vec<(String, TableScenes)>,
+    others: Vec<(TireVariant, TableScenes)>,
     kinds: Vec<FilmKind>,
     film: Film,
     /// Whether it is glued on with its stiffness.
@@ -74,12 +74,11 @@ impl StudyTable {
         let scenes = TableScenes::new(means, settings);
         scenes.check()?;
         let others = rig.other_tires.iter();
-        let others = others.map(|tire| (tire.described(), scenes.untested(tire)));
-        let others: Vec<(String, TableScenes)> = others.collect();
+        let others = others.map(|tire| (*tire, scenes.untested(tire)));
+        let others: Vec<(TireVariant, TableScenes)> = others.collect();
         for (tire, scenes) in &others {
-            scenes
-                .check()
-                .map_err(|reason| format!("{tire}: {reason}"))?;
+            let named = |reason| format!("{}: {reason}", tire.described());
+            scenes.check().map_err(named)?;
         }
         Ok(Self {
             scenes,
@@ -221,7 +220,7 @@ impl StudyTable {
         first: usize,
         plan: &Plan,
         context: RunContext<'_>,
-    ) -> Result<Vec<(String, Result<TestedTable, String>)>, RunError> {
+    ) -> Result<Vec<(TireVariant, Result<TestedTable, String>)>, RunError> {
         let mut place = Place {
             first: first + self.own_solves(),
             of: first + self.solves(),
@@ -229,7 +228,7 @@ impl StudyTable {
         let mut tables = Vec::new();
         for (tire, scenes) in &self.others {
             let table = self.table_on(scenes, plan, &mut place, context)?;
-            tables.push((tire.clone(), table));
+            tables.push((*tire, table));
         }
         Ok(tables)
     }

@@ -66,6 +66,9 @@ impl TableScenes {
         other.settings.level = level;
         other.tire.model.level = level;
         other.tire.geometry.wall_mm *= variant.wall_factor;
+        other.tire.pressure.internal_mpa *= variant.pressure_factor;
+        other.tire.contact.friction *= variant.friction_factor;
+        other.settings.largest_shift_mm *= variant.friction_factor;
         other
     }
 
@@ -189,6 +192,9 @@ mod tests {
         let other = own.untested(&TireVariant {
             level: Some(Level::Draft),
             wall_factor: 1.05,
+            pressure_factor: 0.9,
+            friction_factor: 0.8,
+            learnt: false,
         });
         assert_eq!(
             (other.undragged(), other.dragged()),
@@ -199,7 +205,12 @@ mod tests {
         let own = own.scene(&own.undragged()[0]);
         assert_eq!(scene.model.level, Level::Draft);
         assert!((scene.geometry.wall_mm - 1.05 * own.geometry.wall_mm).abs() < 1e-12);
+        assert!((scene.pressure.internal_mpa / own.pressure.internal_mpa - 0.9).abs() < 1e-12);
         assert_eq!(scene.ground, own.ground);
+        // Ground that holds by less slides after less.
+        let drag = other.scene(&other.dragged()[0]).ground.shift_mm[0];
+        let farther = scenes(0.5).scene(&other.dragged()[0]);
+        assert!((drag / farther.ground.shift_mm[0] - 0.8).abs() < 1e-12);
     }
 
     #[test]

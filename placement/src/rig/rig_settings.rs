@@ -33,7 +33,7 @@ pub struct RigSettings {
     pub seed: u64,
     /// Whether the published study's tables are asked for.
     pub paper_tables: bool,
-    /// Tires that estimators are only tried on.
+    /// Tires that estimators are tried on, too.
     pub other_tires: Vec<TireVariant>,
 }
 
@@ -44,6 +44,12 @@ pub struct TireVariant {
     pub level: Option<Level>,
     /// Its wall's thickness over that of the study's.
     pub wall_factor: f64,
+    /// Its pressure over that of the study's.
+    pub pressure_factor: f64,
+    /// The ground's coefficient of friction over that of the study's.
+    pub friction_factor: f64,
+    /// Whether estimators learn from it, too: runs are shared out by turns, the study's own tire first.
+    pub learnt: bool,
 }
 
 /// What films are wired to.
@@ -154,6 +160,9 @@ impl Default for TireVariant {
         Self {
             level: None,
             wall_factor: 1.0,
+            pressure_factor: 1.0,
+            friction_factor: 1.0,
+            learnt: false,
         }
     }
 }
@@ -162,16 +171,37 @@ impl TireVariant {
     /// In what it differs, in words.
     pub fn described(&self) -> String {
         let mesh = self.level.map(|level| format!("{} mesh", level.as_str()));
-        let percent = 100.0 * (self.wall_factor - 1.0);
-        let word = if percent > 0.0 { "thicker" } else { "thinner" };
-        let thicker = format!("wall {} % {word}", (10.0 * percent.abs()).round() / 10.0);
-        let wall = (self.wall_factor != 1.0).then_some(thicker);
-        let parts: Vec<String> = mesh.into_iter().chain(wall).collect();
+        let factors = [
+            ("wall", self.wall_factor, ["thinner", "thicker"]),
+            ("pressure", self.pressure_factor, ["lower", "higher"]),
+            ("friction", self.friction_factor, ["lower", "higher"]),
+        ];
+        let other = factors.iter().filter(|(_, factor, _)| *factor != 1.0);
+        let words = other.map(|(what, factor, words)| {
+            let percent = 100.0 * (factor - 1.0);
+            let word = words[usize::from(percent > 0.0)];
+            format!("{what} {} % {word}", (10.0 * percent.abs()).round() / 10.0)
+        });
+        let parts: Vec<String> = mesh.into_iter().chain(words).collect();
         parts.join(", ")
     }
 
+    /// Whether it is the study's own.
+    pub fn is_own(&self) -> bool {
+        let usual = Self {
+            learnt: self.learnt,
+            ..Self::default()
+        };
+        *self == usual
+    }
+
     fn to_value(self) -> Value {
-        let mut value = json!({"wall_factor": self.wall_factor});
+        let mut value = json!({
+            "wall_factor": self.wall_factor,
+            "pressure_factor": self.pressure_factor,
+            "friction_factor": self.friction_factor,
+            "learnt": self.learnt,
+        });
         if let Some(level) = self.level {
             value["level"] = level.as_str().into();
         }

@@ -28,7 +28,7 @@ const GAIN: Range = Range::new(0.0, 1.0, "");
 const OFFSET: Range = Range::new(0.0, 60.0, "s");
 const PPM: Range = Range::new(-1e5, 1e5, "parts in a million");
 const FORCE: Range = Range::new(0.0, 1e6, "N");
-const WALL: Range = Range::new(0.5, 2.0, "");
+const FACTOR: Range = Range::new(0.5, 2.0, "");
 /// Each has a table of its own, some minutes of two cores on the coarse mesh.
 const MOST_TIRES: usize = 4;
 const MOST_BRANCHES: usize = 8;
@@ -197,21 +197,23 @@ fn other_tires(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<
 }
 
 fn other_tire(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<TireVariant> {
-    let fields = Fields::open(value, pointer, &["level", "wall_factor"], faults)?;
-    let usual = TireVariant::default();
-    let wall_factor = fields.number("wall_factor", WALL, usual.wall_factor, faults);
+    let mut tire = TireVariant::default();
+    let numbers = [
+        ("wall_factor", FACTOR, &mut tire.wall_factor),
+        ("pressure_factor", FACTOR, &mut tire.pressure_factor),
+        ("friction_factor", FACTOR, &mut tire.friction_factor),
+    ];
+    let fields = Fields::of_numbers(value, pointer, &["level", "learnt"], numbers, faults)?;
+    let learnt = table(&fields, "learnt", tire.learnt, faults, flag);
     let level = match fields.get("level") {
         None => Some(None),
         Some(_) => fields
             .choice("level", &Level::NAMES, Level::Draft, faults)
             .map(Some),
     };
-    let tire = TireVariant {
-        level: level?,
-        wall_factor: wall_factor?,
-    };
-    if tire == usual {
-        let detail = "is the study's own tire: give it another level or wall_factor";
+    (tire.level, tire.learnt) = (level?, learnt?);
+    if tire.is_own() {
+        let detail = "is the study's own tire: give it another level, wall_factor, pressure_factor or friction_factor";
         Fault::add(faults, pointer, detail.to_owned());
         return None;
     }
@@ -352,7 +354,7 @@ mod tests {
             "[rig.electronics]\nkind = \"voltage\"\ninput_mohm = 1\ncable_pf = 100\nbits = 0\nrange_v = 5",
             "[rig.electronics]\nkind = \"open-circuit\"\ntime_constant_s = 0.01",
             "[rig.noise]\nwhite_share = 0\nthermal_k = 0\n[rig.force_sensor]\nppm = -40\n[rig.gait]\nstances = 12",
-            "[rig]\npaper_tables = true\nother_tires = [{ level = \"draft\" }, { wall_factor = 1.05, level = \"coarse\" }]",
+            "[rig]\npaper_tables = true\nother_tires = [{ level = \"draft\" }, { wall_factor = 1.05, level = \"coarse\", pressure_factor = 0.9, friction_factor = 1.2, learnt = true }]",
             "[[rig.relaxation]]\nshare = 0.2\ntime_s = 1\n[[rig.relaxation]]\nshare = 0.1\ntime_s = 0.03",
         ] {
             let settings = read_text(text).expect(text).expect("a rig");

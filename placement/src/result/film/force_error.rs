@@ -26,7 +26,7 @@ pub struct ForceError {
     pub dead: Option<DeadFilmError>,
     /// The same with films that lie elsewhere than those that were learnt from.
     pub askew: AskewError,
-    /// The same films on other tires, which nobody learnt from.
+    /// The same films on other tires.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub elsewhere: Vec<ElsewhereError>,
     /// Where on the wheel contacts are known worst; null where too few touch.
@@ -98,6 +98,9 @@ pub struct DeadFilmError {
 pub struct ElsewhereError {
     /// In what it differs from the study's.
     pub tire: String,
+    /// Whether estimators learnt from runs on it, too.
+    #[serde(default)]
+    pub learnt: bool,
     /// What estimates are worth there.
     pub error: TrialError,
 }

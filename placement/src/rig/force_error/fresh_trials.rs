@@ -35,12 +35,28 @@ const FEWEST_ROWS: usize = 20;
 pub struct FreshTrials {
     fresh: Vec<ThinnedRun>,
     askew: Vec<ThinnedRun>,
-    elsewhere: Vec<(String, Vec<ThinnedRun>)>,
+    elsewhere: Vec<Elsewhere>,
     contact_deg: [f64; 2],
 }
 
-/// A tire with the same films that nobody learns from, and in what it differs.
-pub type OtherTire<R> = (String, R);
+/// Another tire with the same films.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OtherTire<R> {
+    /// In what it differs.
+    pub described: String,
+    /// Whether estimators learn from it, too.
+    pub learnt: bool,
+    /// What it answers.
+    pub response: R,
+}
+
+/// Runs on another tire.
+#[derive(Debug, Clone, PartialEq)]
+struct Elsewhere {
+    described: String,
+    learnt: bool,
+    runs: Vec<ThinnedRun>,
+}
 
 /// A true force with its estimate.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -89,7 +105,13 @@ impl FreshTrials {
             askew: numbers().map(askew).collect::<Option<_>>()?,
             elsewhere: others
                 .iter()
-                .map(|(tire, response)| Some((tire.clone(), on(response)?)))
+                .map(|other| {
+                    Some(Elsewhere {
+                        described: other.described.clone(),
+                        learnt: other.learnt,
+                        runs: on(&other.response)?,
+                    })
+                })
                 .collect::<Option<_>>()?,
             contact_deg: settings.gait.contact_deg,
         })
@@ -111,9 +133,10 @@ impl FreshTrials {
 
     /// On the runs with other tires.
     pub fn elsewhere(&self, learnt: &LearntForce, axis: usize) -> Vec<ElsewhereError> {
-        let on = |(tire, runs): &(String, Vec<ThinnedRun>)| ElsewhereError {
-            tire: tire.clone(),
-            error: trial_error(&tried(learnt, runs, axis)),
+        let on = |other: &Elsewhere| ElsewhereError {
+            tire: other.described.clone(),
+            learnt: other.learnt,
+            error: trial_error(&tried(learnt, &other.runs, axis)),
         };
         self.elsewhere.iter().map(on).collect()
     }

@@ -51,9 +51,13 @@ impl Rehearsal {
         stop: &AtomicBool,
     ) -> Option<Self> {
         let one_of = thinning(settings, settings.runs);
+        let learnt = others.iter().filter(|other| other.learnt);
+        let learnt = learnt.map(|other| &other.response);
+        let tires: Vec<&R> = std::iter::once(response).chain(learnt).collect();
         let run = |run: usize| {
             let stopped = stop.load(Ordering::Relaxed);
-            (!stopped).then(|| ThinnedRun::recorded(response, settings, run as u64, one_of))
+            let tire = tires[run % tires.len()];
+            (!stopped).then(|| ThinnedRun::recorded(tire, settings, run as u64, one_of))
         };
         Some(Self {
             runs: (0..settings.runs).map(run).collect::<Option<_>>()?,
@@ -208,9 +212,15 @@ pub(crate) mod tests {
     #[test]
     fn other_tires_are_tried_by_what_was_learnt() {
         let tire = BumpResponse::new(2);
+        let other = |described: &str, learnt: bool, response: BumpResponse| OtherTire {
+            described: described.to_owned(),
+            learnt,
+            response,
+        };
+        let turned = tire.turned(&[20.0, 20.0]);
         let others = [
-            ("the same".to_owned(), tire.clone()),
-            ("turned".to_owned(), tire.turned(&[20.0, 20.0])),
+            other("the same", false, tire.clone()),
+            other("turned", false, turned.clone()),
         ];
         let errors = force_errors(&tire, &others, &shortest(), &GO_ON).expect("not stopped");
         for error in errors {
@@ -220,6 +230,16 @@ pub(crate) mod tests {
             assert_eq!((same.tire.as_str(), same.error), ("the same", error.fresh));
             assert!(turned.error.rmse_n.is_some() && turned.error.outside.is_some());
         }
+        // Every second run is on the other tire where that is learnt from, too.
+        let recorded = |learnt: bool| {
+            let others = [other("turned", learnt, turned.clone())];
+            let found = Rehearsal::recorded(&tire, &others, &shortest(), &GO_ON);
+            found.expect("not stopped").runs
+        };
+        let (own, both) = (recorded(false), recorded(true));
+        assert_eq!(own[0], both[0]);
+        assert_eq!(own[1].time_s, both[1].time_s);
+        assert_ne!(own[1].features, both[1].features);
     }
 
     #[test]

@@ -50,11 +50,13 @@ class AskewError:
 
 @dataclass(frozen=True)
 class ElsewhereError:
-    """On another tire, which nobody learnt from."""
+    """On another tire."""
 
     tire: str
     """In what it differs from the study's."""
     error: TrialError
+    learnt: bool = False
+    """Whether estimators learnt from runs on it, too."""
 
 
 @dataclass(frozen=True)

@@ -118,7 +118,7 @@ fn prices(findings: &ForceFindings, told: &[(&RankedLayout, &ForceError)]) -> St
     AXES.iter().filter_map(|axis| of_axis(axis)).collect()
 }
 
-/// The same estimators on tires that they weren't learnt on.
+/// The same estimators on other tires.
 fn elsewhere(told: &[(&RankedLayout, &ForceError)]) -> String {
     let useful = || told.iter().filter(|(_, force)| force.useful);
     let mut tires: Vec<&str> = Vec::new();

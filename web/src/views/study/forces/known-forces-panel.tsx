@@ -71,13 +71,13 @@ function Prices({ known, prices }: { known: KnownForce[]; prices: ForcePrice[] }
   );
 }
 
-/** The same estimators on tires that they weren't learnt on. */
+/** The same estimators on other tires. */
 function OtherTires({ known }: { known: KnownForce[] }) {
   const rows = known.flatMap(({ layout, force }) => (force.elsewhere ?? []).map((other) => ({ layout, force, other })));
   if (rows.length === 0) return null;
   return (
     <details>
-      <summary>On tires that nobody learnt from</summary>
+      <summary>On other tires</summary>
       <ScrollTable name="Forces on other tires">
         <thead>
           <tr>
@@ -97,7 +97,10 @@ function OtherTires({ known }: { known: KnownForce[] }) {
         <tbody>
           {rows.map(({ layout, force, other }) => (
             <tr key={`${other.tire} ${layout.rank} ${force.axis}`}>
-              <td class="words">{other.tire}</td>
+              <td class="words">
+                {other.tire}
+                {other.learnt && ", learnt from"}
+              </td>
               <th scope="row" class="words layout-name">
                 {layoutWords(layout)}
               </th>
