@@ -35,6 +35,9 @@ pub struct StudyTable {
     pub layouts: Vec<AskedLayout>,
 }
 
+/// Another tire with its table, or why it has none.
+pub(crate) type OtherTable = (TireVariant, Result<TestedTable, String>);
+
 impl StudyTable {
     /// Of a study with a rig.
     ///
@@ -220,7 +223,7 @@ impl StudyTable {
         first: usize,
         plan: &Plan,
         context: RunContext<'_>,
-    ) -> Result<Vec<(TireVariant, Result<TestedTable, String>)>, RunError> {
+    ) -> Result<Vec<OtherTable>, RunError> {
         let mut place = Place {
             first: first + self.own_solves(),
             of: first + self.solves(),
