@@ -888,6 +888,20 @@ export interface components {
             name: string;
             /** @description As a study's scene. */
             scene: Record<string, unknown>;
+            /** @description Its own loads, where they differ from the signals', N. */
+            loads_n?: number[];
+            /** @description Its own pressures, MPa. */
+            pressures_mpa?: number[];
+            /**
+             * Format: double
+             * @description Its own load of the pressures, N.
+             */
+            at_load_n?: number;
+            /**
+             * Format: double
+             * @description Its own load of the contact angles, N.
+             */
+            contact_load_n?: number;
         };
         /**
          * @description What a note does to the answer; gravest first.
@@ -1926,6 +1940,10 @@ export interface components {
              * @description Of all that is drawn.
              */
             seed?: number;
+            /** @description Whether the published study's tables are made, too; it needs its layout among the study's. */
+            paper_tables?: boolean;
+            /** @description Tires that estimators are tried on, too: `level`, `wall_factor`, `pressure_factor`, `friction_factor`, and whether they are `learnt` from. */
+            other_tires: Record<string, unknown>[];
         };
         /** @description Figures of a virtual rig. */
         RigFigures: {

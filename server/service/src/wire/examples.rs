@@ -353,6 +353,7 @@ mod tests {
     use crate::views::rings::Rings;
     use crate::views::sections::Sections;
     use crate::wire::layout_wire::{HandLayoutsDocument, ScoredLayouts};
+    use placement::study::presets;
 
     fn reads<T: DeserializeOwned>(example: Value) {
         serde_json::from_value::<T>(example.clone())
@@ -378,6 +379,17 @@ mod tests {
         reads::<StudyResult>(result());
         reads::<Trade>(trade());
         reads::<Signals>(signals());
+    }
+
+    /// A canonical document has every field: the description knows them all.
+    #[test]
+    fn shipped_studies_are_of_the_described_type() {
+        let refuse = |path: &str| Err(path.to_owned());
+        for (name, text) in presets() {
+            let study = Study::from_document(text, Format::Toml, &refuse).expect(name);
+            let canonical: Value = serde_json::from_str(&study.canonical()).expect("JSON");
+            reads::<wire::StudyDocument>(canonical);
+        }
     }
 
     #[test]

@@ -472,6 +472,12 @@ pub struct RigDocument {
     /// Of all that is drawn.
     #[schema(nullable = false)]
     pub seed: Option<u64>,
+    /// Whether the published study's tables are made, too; it needs its layout among the study's.
+    #[schema(nullable = false)]
+    pub paper_tables: Option<bool>,
+    /// Tires that estimators are tried on, too: `level`, `wall_factor`, `pressure_factor`, `friction_factor`, and whether they are `learnt` from.
+    #[schema(value_type = Vec<Object>, nullable = false, max_items = 4)]
+    pub other_tires: Option<Vec<Value>>,
 }
 
 /// A tire beside the study's own.
@@ -483,4 +489,16 @@ pub struct FurtherTireDocument {
     /// As a study's scene.
     #[schema(value_type = Object)]
     pub scene: Value,
+    /// Its own loads, where they differ from the signals', N.
+    #[schema(nullable = false, min_items = 1, max_items = 64)]
+    pub loads_n: Option<Vec<f64>>,
+    /// Its own pressures, MPa.
+    #[schema(nullable = false, min_items = 1, max_items = 64)]
+    pub pressures_mpa: Option<Vec<f64>>,
+    /// Its own load of the pressures, N.
+    #[schema(nullable = false)]
+    pub at_load_n: Option<f64>,
+    /// Its own load of the contact angles, N.
+    #[schema(nullable = false)]
+    pub contact_load_n: Option<f64>,
 }
