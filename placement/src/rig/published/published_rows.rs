@@ -21,21 +21,22 @@ pub fn published_rows() -> Vec<PublishedRow> {
     rows
 }
 
-fn row(table: u32, gait: &str, (model, features): (Kind, FeatureSet), axis: usize) -> PublishedRow {
+fn row(
+    table: u32,
+    gait: &str,
+    (model, features): (Kind, FeatureSet),
+    axis: usize,
+    by: SplitKind,
+    printed: PrintedFigures,
+) -> PublishedRow {
     PublishedRow {
         table,
         gait: gait.to_owned(),
         model,
         features,
         axis: AXES[axis].to_owned(),
-        by: SplitKind::Random,
-        printed: PrintedFigures {
-            nrmse_percent: 0.0,
-            rmse_n: None,
-            r2: None,
-            mean_nrmse_percent: None,
-            contradiction: None,
-        },
+        by,
+        printed,
         rig: None,
         fresh: None,
         reason: None,
@@ -47,9 +48,14 @@ fn ablations() -> Vec<PublishedRow> {
         let given = (ablation.model, ablation.features);
         let (table, percent) = (ablation.table, ablation.nrmse_percent);
         (0..AXES.len()).map(move |axis| {
-            let mut row = row(table, RANDOMISED, given, axis);
-            row.printed.nrmse_percent = percent[axis];
-            row
+            let printed = PrintedFigures {
+                nrmse_percent: percent[axis],
+                rmse_n: None,
+                r2: None,
+                mean_nrmse_percent: None,
+                contradiction: None,
+            };
+            row(table, RANDOMISED, given, axis, SplitKind::Random, printed)
         })
     };
     ABLATIONS.iter().flat_map(of).collect()
@@ -71,11 +77,9 @@ fn frequencies() -> Vec<PublishedRow> {
         for (axis, cells) in pair.cells.iter().enumerate() {
             let checked = checked(cells);
             for (at, model) in [Kind::Gpr, Kind::Ann].into_iter().enumerate() {
-                rows.push(PublishedRow {
-                    by: SplitKind::Run,
-                    printed: printed(&cells[at], &checked, at),
-                    ..row(6, pair.gait, (model, FeatureSet::All), axis)
-                });
+                let printed = printed(&cells[at], &checked, at);
+                let given = (model, FeatureSet::All);
+                rows.push(row(6, pair.gait, given, axis, SplitKind::Run, printed));
             }
         }
     }
@@ -95,11 +99,9 @@ fn cross_validations(table: u32) -> Vec<PublishedRow> {
             let checked = checked(&cells);
             for (cell, by) in BEFORE_AND_AFTER.into_iter().enumerate() {
                 let at = first + cell;
-                rows.push(PublishedRow {
-                    by,
-                    printed: printed(&cells[at], &checked, at),
-                    ..row(table, process.gait, (model, FeatureSet::All), axis)
-                });
+                let printed = printed(&cells[at], &checked, at);
+                let given = (model, FeatureSet::All);
+                rows.push(row(table, process.gait, given, axis, by, printed));
             }
         }
     }
