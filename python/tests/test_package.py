@@ -58,6 +58,7 @@ DESCRIBED: list[tuple[type, str, set[str]]] = [
     (strainsite.FilmPair, "FilmPair", set()),
     (strainsite.AskewError, "AskewError", set()),
     (strainsite.DeadFilmError, "DeadFilmError", set()),
+    (strainsite.FilmAnglesReport, "FilmAnglesReport", set()),
     (strainsite.ForceError, "ForceError", set()),
     (strainsite.ForceFindings, "ForceFindings", set()),
     (strainsite.SplitError, "SplitError", set()),

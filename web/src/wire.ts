@@ -645,6 +645,32 @@ export interface components {
          * @enum {string}
          */
         FileFormat: "csv" | "json" | "parquet" | "vtu" | "glb";
+        /** @description Glued films solved with the tire around the wheel, in a table on undragged ground; errors are over the largest signal of their kind. */
+        FilmAnglesReport: {
+            /** @description Mesh level of the tire with a film. */
+            level: string;
+            /** @description Angles from the contact, degrees; films that lie askew on both sides of it. */
+            angles_deg: number[];
+            /** @description Loads, N. */
+            loads_n: number[];
+            /** @description Solves between them that tested the table; 0 where it isn't tested. */
+            tested: number;
+            /**
+             * Format: double
+             * @description Root mean square of their signals' errors; null where nothing was tested.
+             */
+            signal_rms?: number | null;
+            /**
+             * Format: double
+             * @description The largest; null where nothing was tested.
+             */
+            signal_worst?: number | null;
+            /**
+             * Format: double
+             * @description The largest error that a transfer without this axis would have.
+             */
+            transfer_worst: number;
+        };
         /** @description Signals of every kind of film at every load of a study's layouts. */
         FilmFields: {
             /** @description What signals are in: `strain`, or `V` of glued films. */
@@ -2808,6 +2834,7 @@ export interface components {
             /** @description Solves, those that test it included. */
             solves: number;
             error?: components["schemas"]["TableError"] | null;
+            films?: components["schemas"]["FilmAnglesReport"] | null;
         };
         /** @description A layout's force on runs with other gains, with another time constant. */
         TimeConstantRow: {
@@ -2962,6 +2989,7 @@ export type FeatureSet = components['schemas']['FeatureSet'];
 export type FidelityReport = components['schemas']['FidelityReport'];
 export type FieldLoad = components['schemas']['FieldLoad'];
 export type FileFormat = components['schemas']['FileFormat'];
+export type FilmAnglesReport = components['schemas']['FilmAnglesReport'];
 export type FilmFields = components['schemas']['FilmFields'];
 export type FilmKindPlace = components['schemas']['FilmKindPlace'];
 export type FilmModel = components['schemas']['FilmModel'];

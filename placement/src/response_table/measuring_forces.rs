@@ -144,5 +144,6 @@ fn report(table: &StudyTable, tested: &TestedTable) -> TableReport {
         largest_shift_mm: settings.largest_shift_mm,
         solves: table.own_solves(),
         error: tested.error,
+        films: tested.films.clone(),
     }
 }

@@ -4,11 +4,14 @@
 //! - [`table_scenes`]: the scenes, and those that test the table
 //! - [`drag_basis`]: how a response depends on the ground's shift
 //! - [`solved_table`]: signals and forces between what was solved
+//! - `film_angles`: glued films around the wheel, solved with the tire; [`angle_residual`]: what their transfer misses
 //! - [`table_error`]: how far they are off
 //! - [`laid_films`]: a layout's films, as a rig asks for them
 //! - [`table_solving`]: the solves, as points of a study; [`study_table`]: those of a study with a rig; `measuring_forces`: puts what it shows into the result, with `force_prices`
 
+pub mod angle_residual;
 pub mod drag_basis;
+mod film_angles;
 mod force_prices;
 pub mod laid_films;
 pub(crate) mod measuring_forces;

@@ -204,6 +204,17 @@ impl ResponseTable {
         samples.fold(0.0, |largest: f64, sample| largest.max(sample.abs()))
     }
 
+    /// Adds to a kind's signals on undragged ground what is given at each depth, mm, and wheel angle, degrees.
+    pub(crate) fn add_undragged(&mut self, kind: usize, added: impl Fn(f64, f64) -> f64) {
+        let undragged = &mut self.kinds[kind].undragged;
+        for (turn, depth_mm) in undragged.iter_mut().zip(self.depths.places()) {
+            let samples = turn.samples().iter().zip(-180..);
+            let samples =
+                samples.map(|(sample, degree)| sample + added(*depth_mm, f64::from(degree)));
+            *turn = Turn::new(samples.collect());
+        }
+    }
+
     /// Signals at all nodes, of films of these kinds so many degrees from the contact.
     pub fn film_nodes(&self, films: impl Iterator<Item = (usize, f64)> + Clone) -> FilmNodes {
         let undragged = films.clone().map(|(kind, apart_deg)| {

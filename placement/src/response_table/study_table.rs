@@ -1,23 +1,20 @@
 //! A study's table of responses: the films of its layouts, up to the largest load of its rig.
 
-use fem_client::scene::{Film, Level, Scene};
-use fem_client::solver::{Readout, Response};
+use fem_client::scene::{Film, Scene};
+use fem_client::solver::Readout;
 
 use crate::layout::arrangement::{FilmKind, LaidFilm};
 use crate::layout::ranking::asked_layouts::AskedLayout;
-use crate::layout::solving::glued_films::GluedFilms;
-use crate::layout::solving::mirror_parts::own_rings;
 use crate::layout::solving::study_layouts::Asked;
+use crate::response_table::film_angles::FilmAngles;
 use crate::response_table::laid_films::{LaidFilms, bare_in_volts};
-use crate::response_table::table_scenes::{Pressing, TableScenes};
+use crate::response_table::table_scenes::TableScenes;
 use crate::response_table::table_settings::TableSettings;
-use crate::response_table::table_solving::{Solved, TestedTable, solve, table_series, tabulated};
+use crate::response_table::table_solving::{TestedTable, solve, table_series, tabulated};
 use crate::result::RankedLayout;
 use crate::rig::rig_settings::{RigSettings, TireVariant};
-use crate::run::archive::Outcome;
 use crate::run::{Place, RunContext, RunError};
 use crate::signals::answers::check_transferable;
-use crate::signals::series::loads_of_transfer;
 use crate::signals::signal_settings::SignalSettings;
 use crate::study::Study;
 use crate::study::plan::Plan;
@@ -72,7 +69,7 @@ impl StudyTable {
             rig.gait.load_n[1],
             means.geometry.section_radius_mm,
             means.contact.friction,
-            study.level.min(Level::Coarse),
+            study.level,
         );
         let scenes = TableScenes::new(means, settings);
         scenes.check()?;
@@ -109,60 +106,18 @@ impl StudyTable {
 
     fn series_on(&self, scenes: &TableScenes) -> Vec<(Vec<Scene>, Readout)> {
         let mut series = table_series(scenes, &self.kinds).to_vec();
-        if self.glued && check_transferable(&self.film).is_ok() {
-            let glued = self.glued_films(scenes);
-            series.extend(glued.series().map(|scenes| (scenes, Readout::default())));
+        let glued = self.glued_films(scenes);
+        if let Some(films) = glued.filter(|_| check_transferable(&self.film).is_ok()) {
+            series.extend(films.series());
         }
         series.retain(|(scenes, _)| !scenes.is_empty());
         series
     }
 
-    /// The films as they are glued on, at the two loads that give their transfer.
-    fn glued_films(&self, scenes: &TableScenes) -> GluedFilms<'_> {
-        let two = loads_of_transfer(&scenes.settings().loads_n());
-        let scene = |load_n: f64| scenes.scene(&Pressing::undragged(load_n));
-        let loads = two.map(|[first, second]| [(0, scene(first)), (1, scene(second))]);
-        GluedFilms::new(&self.film, &self.kinds, loads)
-    }
-
-    /// The kinds of film with the volts that the wall's strains are.
-    fn in_volts(
-        &self,
-        scenes: &TableScenes,
-        solved: &Solved,
-        means: &[f64],
-        place: &mut Place,
-        context: RunContext<'_>,
-    ) -> Result<Result<Vec<FilmKind>, String>, RunError> {
-        if !self.glued {
-            return Ok(Ok(self.kinds.clone()));
-        }
-        let two = loads_of_transfer(&scenes.settings().loads_n()).unwrap_or_default();
-        let of_load = |load_n: f64| {
-            let asked = Pressing::undragged(load_n);
-            let (_, outcome) = solved.iter().find(|(pressing, _)| *pressing == asked)?;
-            let own = |response: &Response| {
-                Some(Response {
-                    rings: own_rings(&self.kinds, &response.rings)?,
-                    ..response.clone()
-                })
-            };
-            match outcome {
-                Ok(response) => own(response).map(Ok),
-                Err(unsolved) => Some(Err(unsolved.clone())),
-            }
-        };
-        let Some(bare) = two
-            .map(of_load)
-            .into_iter()
-            .collect::<Option<Vec<Outcome>>>()
-        else {
-            return Ok(Err(
-                "the solver gives no strains around the wheel".to_owned()
-            ));
-        };
-        self.glued_films(scenes)
-            .kinds_in_volts(&bare, means, place, context)
+    /// The films as they are glued on; none where they follow the wall.
+    fn glued_films<'s>(&'s self, scenes: &'s TableScenes) -> Option<FilmAngles<'s>> {
+        let films = FilmAngles::new(&self.film, &self.kinds, scenes);
+        self.glued.then_some(films)
     }
 
     /// The layout that a row of the result is of; none of those that a search found.
@@ -248,8 +203,19 @@ impl StudyTable {
             Ok(solved) => solved,
             Err(reason) => return Ok(Err(reason)),
         };
-        let kinds = self.in_volts(scenes, &solved, means, place, context)?;
-        Ok(kinds.and_then(|kinds| tabulated(scenes, &kinds, &solved)))
+        let Some(films) = self.glued_films(scenes) else {
+            return Ok(tabulated(scenes, &self.kinds, &solved));
+        };
+        if let Err(reason) = check_transferable(&self.film) {
+            return Ok(Err(reason));
+        }
+        let answers = films.solve(means, place, context)?;
+        Ok(answers.and_then(|answers| {
+            let kinds = films.in_volts(&answers)?;
+            let mut tested = tabulated(scenes, &kinds, &solved)?;
+            tested.films = Some(films.put(&answers, &kinds, &mut tested.table)?);
+            Ok(tested)
+        }))
     }
 
     /// The films of a layout, as a rig asks for them.

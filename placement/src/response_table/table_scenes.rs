@@ -5,11 +5,13 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use crate::response_table::drag_basis::{DRAGS, SHARES};
-use crate::response_table::table_settings::{PAIR_SHARE, PAIRS, TableSettings};
+use crate::response_table::table_settings::{FILM_TESTS, PAIR_SHARE, PAIRS, TableSettings};
 use crate::rig::rig_settings::TireVariant;
 
 /// The least load at which a table is tested, over the largest.
 const LEAST_TESTED: f64 = 0.1;
+/// Glued films are tested up to so many degrees from the contact.
+const FARTHEST_FILM_DEG: f64 = 30.0;
 /// Tested shifts stay within this share of the largest along and across together.
 const FARTHEST_TESTED: f64 = 0.95;
 
@@ -62,9 +64,10 @@ impl TableScenes {
             tested: false,
             ..self.clone()
         };
-        let level = variant.level.unwrap_or(self.settings.level);
-        other.settings.level = level;
-        other.tire.model.level = level;
+        if let Some(level) = variant.level {
+            (other.settings.level, other.settings.film_level) = (level, level);
+            other.tire.model.level = level;
+        }
         other.tire.geometry.wall_mm *= variant.wall_factor;
         other.tire.pressure.internal_mpa *= variant.pressure_factor;
         other.tire.contact.friction *= variant.friction_factor;
@@ -107,8 +110,7 @@ impl TableScenes {
 
     /// Pairs of pressings that differ by their load alone, drawn by the seed: no node of the table.
     pub fn tested(&self) -> Vec<[Pressing; 2]> {
-        let mut rng = ChaCha8Rng::seed_from_u64(self.settings.seed);
-        let mut even = || (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+        let mut even = self.draws(0);
         let is_dragged = self.settings.dragged().next().is_some();
         let pair = |_| {
             let share = LEAST_TESTED + (1.0 - LEAST_TESTED - PAIR_SHARE) * even();
@@ -124,6 +126,25 @@ impl TableScenes {
         };
         let pairs = if self.tested { PAIRS } else { 0 };
         (0..pairs).map(pair).collect()
+    }
+
+    /// Wheel angles from the contact, degrees, and loads, N, at which a kind of glued film is tested.
+    pub fn tested_films(&self, kind: usize) -> Vec<(f64, f64)> {
+        let mut even = self.draws(1 + kind as u64);
+        let count = if self.tested { FILM_TESTS } else { 0 };
+        let film = |_| {
+            let theta_deg = FARTHEST_FILM_DEG * (2.0 * even() - 1.0);
+            let share = LEAST_TESTED + (1.0 - LEAST_TESTED) * even();
+            (theta_deg, self.settings.largest_load_n * share)
+        };
+        (0..count).map(film).collect()
+    }
+
+    /// Even draws from 0 to 1 by the seed, independent for each stream.
+    fn draws(&self, stream: u64) -> impl FnMut() -> f64 {
+        let mut rng = ChaCha8Rng::seed_from_u64(self.settings.seed);
+        rng.set_stream(stream);
+        move || (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// Whether a tire can be asked for all that.
@@ -150,6 +171,13 @@ impl TableScenes {
                 ))
             }
         }
+    }
+
+    /// The tire that films are glued on, pressed by a load, N.
+    pub fn film_scene(&self, load_n: f64) -> Scene {
+        let mut scene = self.scene(&Pressing::undragged(load_n));
+        scene.model.level = self.settings.film_level;
+        scene
     }
 
     /// The scene of a pressing.

@@ -6,8 +6,8 @@ use fem_client::scene::Level;
 const LOADS: usize = 24;
 /// Loads grow with this power of their number: the depth is then about even, as a tire's force grows with the depth to the power of 4/3 to 3/2.
 const LOAD_POWER: f64 = 1.4;
-/// Every so-manyth load is dragged, too: half a tire or a whole one each, thirty times as dear on the coarse mesh.
-const DRAGGED_EVERY: usize = 6;
+/// Every so-manyth load is dragged, too, and presses films beside the contact: half a tire or a whole one each, up to thirty times as dear on the coarse mesh.
+const DEAR_EVERY: usize = 6;
 /// The largest shift at a load grows with this power of the load, about as the depth does: ground that presses twice as deep slides twice as far before it slips.
 const SHIFT_POWER: f64 = 0.75;
 /// Largest shift at the largest load over the section's radius, with a coefficient of friction of one: three quarters of the pull at which the foot tire slides.
@@ -16,6 +16,9 @@ const SHIFT_OF_SECTION: f64 = 0.12;
 pub const PAIRS: usize = 10;
 /// Half of that share.
 pub const PAIR_SHARE: f64 = 0.05;
+
+/// Solves that test each kind of glued film beside the contact.
+pub const FILM_TESTS: usize = 5;
 
 /// The loads and shifts of a table.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,18 +29,22 @@ pub struct TableSettings {
     pub largest_shift_mm: f64,
     /// Draws the solves that test the table.
     pub seed: u64,
-    /// Mesh level.
+    /// Mesh level of the bare tire.
     pub level: Level,
+    /// Mesh level of the tire with a film glued on: where it is coarse, films beside the contact are off by a fifth.
+    pub film_level: Level,
 }
 
 impl TableSettings {
-    /// For loads up to this one, N, on a section of this radius, mm, with this coefficient of friction.
+    /// For loads up to this one, N, on a section of this radius, mm, with this coefficient of friction, in a study of this level: the bare tire's strains are
+    /// converged to 1 % on the coarse mesh, and dragged ones are dear.
     pub fn new(largest_load_n: f64, section_radius_mm: f64, friction: f64, level: Level) -> Self {
         Self {
             largest_load_n,
             largest_shift_mm: SHIFT_OF_SECTION * friction * section_radius_mm,
             seed: 1,
-            level,
+            level: level.min(Level::Coarse),
+            film_level: level,
         }
     }
 
@@ -51,12 +58,14 @@ impl TableSettings {
 
     /// Which of them are dragged.
     pub fn dragged(&self) -> impl Iterator<Item = usize> {
-        let last = if self.largest_shift_mm > 0.0 {
-            LOADS
-        } else {
-            0
-        };
-        (1..=last).filter(|k| k % DRAGGED_EVERY == 0).map(|k| k - 1)
+        let is_dragged = self.largest_shift_mm > 0.0;
+        dear().filter(move |_| is_dragged)
+    }
+
+    /// Loads, N, of which glued films are solved around the wheel; increasing.
+    pub fn film_loads_n(&self) -> Vec<f64> {
+        let loads = self.loads_n();
+        dear().map(|load| loads[load]).collect()
     }
 
     /// The shift at a load, N, that is one share, mm.
@@ -64,6 +73,10 @@ impl TableSettings {
         let share = (load_n / self.largest_load_n).max(0.0);
         self.largest_shift_mm * share.powf(SHIFT_POWER)
     }
+}
+
+fn dear() -> impl Iterator<Item = usize> {
+    (1..=LOADS).filter(|k| k % DEAR_EVERY == 0).map(|k| k - 1)
 }
 
 #[cfg(test)]
@@ -85,5 +98,6 @@ mod tests {
     fn ground_without_friction_is_not_dragged() {
         let smooth = TableSettings::new(30.0, 12.5, 0.0, Level::Coarse);
         assert_eq!(smooth.dragged().count(), 0);
+        assert_eq!(smooth.film_loads_n().len(), 4);
     }
 }

@@ -11,7 +11,7 @@ use crate::response_table::drag_basis::DRAGS;
 use crate::response_table::solved_table::ResponseTable;
 use crate::response_table::table_error::table_error;
 use crate::response_table::table_scenes::{Pressing, TableScenes};
-use crate::result::TableError;
+use crate::result::{FilmAnglesReport, TableError};
 use crate::run::archive::Outcome;
 use crate::run::{Place, RunContext, RunError};
 
@@ -22,6 +22,8 @@ pub struct TestedTable {
     pub table: ResponseTable,
     /// None where a tested solve has no equilibrium.
     pub error: Option<TableError>,
+    /// Of glued films, whose angle is an axis.
+    pub films: Option<FilmAnglesReport>,
 }
 
 /// Pressings with what became of them, the undragged ones first.
@@ -31,7 +33,7 @@ pub(crate) type Solved = Vec<(Pressing, Outcome)>;
 pub(crate) fn table_series(scenes: &TableScenes, kinds: &[FilmKind]) -> [(Vec<Scene>, Readout); 2] {
     series(scenes).map(|pressings| {
         let scenes = pressings.iter().map(|pressing| scenes.scene(pressing));
-        (scenes.collect(), readout(kinds))
+        (scenes.collect(), table_readout(kinds))
     })
 }
 
@@ -45,7 +47,8 @@ fn series(scenes: &TableScenes) -> [Vec<Pressing>; 2] {
     }
 }
 
-fn readout(kinds: &[FilmKind]) -> Readout {
+/// What is read of the bare wall for these kinds of film.
+pub(crate) fn table_readout(kinds: &[FilmKind]) -> Readout {
     Readout {
         fine_deg: Some(FINE_DEG),
         ..mirrored(kinds)
@@ -72,7 +75,7 @@ pub(crate) fn solve(
             .iter()
             .map(|pressing| scenes.scene(pressing))
             .collect();
-        match outcomes(&all, &readout(kinds), means, place, context)? {
+        match outcomes(&all, &table_readout(kinds), means, place, context)? {
             Ok(outcomes) => solved.extend(pressings.into_iter().zip(outcomes)),
             Err(reason) => return Ok(Err(reason)),
         }
@@ -114,5 +117,9 @@ pub(crate) fn tabulated(
         .map(|[low, high]| Some([of(&low).ok()?, of(&high).ok()?]));
     let pairs: Option<Vec<_>> = pairs.collect();
     let error = pairs.and_then(|pairs| table_error(&table, kinds, &pairs));
-    Ok(TestedTable { table, error })
+    Ok(TestedTable {
+        table,
+        error,
+        films: None,
+    })
 }

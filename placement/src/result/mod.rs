@@ -25,10 +25,10 @@ use fem_client::solver::ModelSummary;
 pub use film::film_place::FilmPlace;
 pub use film::signal_words::{Claim, FilmModel, Holds, SignalAxis, Trend};
 pub use film::{
-    AskewError, ClaimRow, Contradiction, DeadFilmError, ElsewhereError, FilmPair, ForceError,
-    ForceFindings, ForcePrice, PrintedFigures, PublishedRow, PublishedTables, RigFigures,
-    SignalCurve, SignalError, SignalRow, Signals, SplitError, StressWidth, TableError, TableReport,
-    TimeConstantRow, TrialError, WorstContact,
+    AskewError, ClaimRow, Contradiction, DeadFilmError, ElsewhereError, FilmAnglesReport, FilmPair,
+    ForceError, ForceFindings, ForcePrice, PrintedFigures, PublishedRow, PublishedTables,
+    RigFigures, SignalCurve, SignalError, SignalRow, Signals, SplitError, StressWidth, TableError,
+    TableReport, TimeConstantRow, TrialError, WorstContact,
 };
 pub use index_map::{IndexMap, MapLayer};
 pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};

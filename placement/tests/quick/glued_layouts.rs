@@ -67,7 +67,7 @@ fn tension(strain: [f64; 2]) -> [f64; 2] {
 }
 
 /// What a film gives where the bare wall has these strains along and across.
-fn glued(film: &Film, strain: [f64; 2]) -> FilmState {
+pub fn glued(film: &Film, strain: [f64; 2]) -> FilmState {
     let [[a, b, _], ..] = film.laminate().membrane;
     let ([n, m], determinant) = (tension(strain), a * a - b * b);
     let means = FilmMeans {

@@ -11,6 +11,7 @@ mod failing;
 mod forces;
 mod fuzzed;
 mod glued_layouts;
+mod glued_rigs;
 mod mirrored;
 mod paper_choice;
 mod running;

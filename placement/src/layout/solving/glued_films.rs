@@ -1,7 +1,7 @@
 //! What glued films make of the bare wall's strains, on one mesh: for each kind of film two coupled equilibria give its transfer, and that its volts.
 
 use fem_client::scene::{Film, Level, Scene};
-use fem_client::solver::{Readout, Response};
+use fem_client::solver::{FilmSignal, Readout, Response};
 
 use crate::layout::arrangement::{FilmKind, FilmReads};
 use crate::layout::solving::layout_fields::{CONTACT, samples};
@@ -21,11 +21,6 @@ pub(crate) struct GluedFilms<'s> {
 }
 
 impl<'s> GluedFilms<'s> {
-    /// Those of these kinds, on the bare tire at two loads, with their numbers among its outcomes.
-    pub fn new(film: &'s Film, kinds: &'s [FilmKind], loads: Option<[(usize, Scene); 2]>) -> Self {
-        Self { film, kinds, loads }
-    }
-
     /// Those of layouts, on the tires of a level.
     pub fn of_layouts(
         film: &'s Film,
@@ -36,7 +31,7 @@ impl<'s> GluedFilms<'s> {
         let all = scenes.scenes(level);
         let of_load = |index: usize| (index, all[index].clone());
         let loads = scenes.of_transfer().map(|two| two.map(of_load));
-        Self::new(film, kinds, loads)
+        Self { film, kinds, loads }
     }
 
     /// The two scenes of each kind of film, with the film at the contact's centre.
@@ -44,20 +39,9 @@ impl<'s> GluedFilms<'s> {
         let kinds = self.loads.iter().flat_map(|_| self.kinds);
         kinds.map(|kind| {
             let scenes = self.loads.iter().flatten();
-            scenes.map(|(_, scene)| self.glued(scene, kind)).collect()
+            let glued = scenes.map(|(_, scene)| glued(scene, self.film, kind, 0.0));
+            glued.collect()
         })
-    }
-
-    fn glued(&self, scene: &Scene, kind: &FilmKind) -> Scene {
-        Scene {
-            film: Some(Film {
-                theta_deg: 0.0,
-                phi_deg: kind.phi_deg,
-                angle_deg: kind.angle_deg,
-                ..self.film.clone()
-            }),
-            ..scene.clone()
-        }
     }
 
     /// The kinds with the volts that their strains are: the bare wall's strains come from `outcomes`, in the order of the layouts' scenes. The place moves behind
@@ -83,51 +67,74 @@ impl<'s> GluedFilms<'s> {
         for (kind, scenes) in self.kinds.iter().zip(self.series()) {
             let readout = Readout::default();
             let coupled = answers_from_first(&scenes, None, &readout, values, place, context)?;
-            match self.in_volts(kind, bare, &coupled) {
+            let coupled = [0, 1].map(|load| coupled.get(load));
+            match in_volts(self.film, kind, self.kinds, bare, coupled) {
                 Ok(kind) => kinds.push(kind),
                 Err(reason) => return Ok(Err(reason)),
             }
         }
         Ok(Ok(kinds))
     }
+}
 
-    /// A kind with its volts, from what the bare wall and the film give at both loads.
-    fn in_volts(
-        &self,
-        kind: &FilmKind,
-        bare: [&Outcome; 2],
-        coupled: &[Answer],
-    ) -> Result<FilmKind, String> {
-        let strains = bare.map(|outcome| {
-            let response = outcome.as_ref().map_err(ToString::to_string)?;
-            self.strains(response, kind)
-                .ok_or_else(|| "the solver gives no strains around the wheel".to_owned())
-        });
-        let tensions = [0, 1].map(|load| {
-            let answer = coupled.get(load).ok_or("it wasn't solved")?;
-            let film = answer.as_ref().map_err(Clone::clone)?.film;
-            let signal = film.and_then(|film| film.signal);
-            let signal = signal.ok_or("the solver gives no reading of a glued film")?;
-            Ok::<_, String>(tension(&signal))
-        });
-        let ([a, b], [n, m]) = (strains, tensions);
-        let transfer = TensionTransfer::of([a?, b?], [n?, m?])?;
-        let volts = |strain| signal_of_tension(self.film, transfer.tension(strain)).open_circuit_v;
-        Ok(FilmKind {
-            reads: FilmReads::Volts([volts([1.0, 0.0]), volts([0.0, 1.0])]),
+/// A tire with a film of this kind glued on, so many degrees around the wheel.
+pub(crate) fn glued(tire: &Scene, film: &Film, kind: &FilmKind, theta_deg: f64) -> Scene {
+    Scene {
+        film: Some(Film {
+            theta_deg,
+            phi_deg: kind.phi_deg,
+            angle_deg: kind.angle_deg,
+            ..film.clone()
+        }),
+        ..tire.clone()
+    }
+}
+
+/// A kind with its volts, from what the bare wall, read for these `kinds`, and the film at the contact's centre give at two loads.
+///
+/// # Errors
+/// Why there is no transfer.
+pub(crate) fn in_volts(
+    film: &Film,
+    kind: &FilmKind,
+    kinds: &[FilmKind],
+    bare: [&Outcome; 2],
+    coupled: [Option<&Answer>; 2],
+) -> Result<FilmKind, String> {
+    let strains = bare.map(|outcome| {
+        let response = outcome.as_ref().map_err(ToString::to_string)?;
+        strains(response, kind, kinds)
+            .ok_or_else(|| "the solver gives no strains around the wheel".to_owned())
+    });
+    let tensions = coupled.map(|answer| Ok::<_, String>(tension(&signal(answer)?)));
+    let ([a, b], [n, m]) = (strains, tensions);
+    let transfer = TensionTransfer::of([a?, b?], [n?, m?])?;
+    let volts = |strain| signal_of_tension(film, transfer.tension(strain)).open_circuit_v;
+    Ok(FilmKind {
+        reads: FilmReads::Volts([volts([1.0, 0.0]), volts([0.0, 1.0])]),
+        ..*kind
+    })
+}
+
+/// What a glued film gives.
+///
+/// # Errors
+/// Why it gives nothing.
+pub(crate) fn signal(answer: Option<&Answer>) -> Result<FilmSignal, String> {
+    let response = answer.ok_or("it wasn't solved")?.as_ref();
+    let film = response.map_err(Clone::clone)?.film;
+    let signal = film.and_then(|film| film.signal);
+    signal.ok_or_else(|| "the solver gives no reading of a glued film".to_owned())
+}
+
+/// The bare wall's mean strains along and across a film at the contact's centre.
+fn strains(response: &Response, kind: &FilmKind, kinds: &[FilmKind]) -> Option<[f64; 2]> {
+    let strain = |shares| {
+        let kind = FilmKind {
+            reads: FilmReads::Volts(shares),
             ..*kind
-        })
-    }
-
-    /// The bare wall's mean strains along and across a film at the contact's centre.
-    fn strains(&self, response: &Response, kind: &FilmKind) -> Option<[f64; 2]> {
-        let strain = |shares| {
-            let kind = FilmKind {
-                reads: FilmReads::Volts(shares),
-                ..*kind
-            };
-            Some(samples(&response.rings, &kind, self.kinds)?[CONTACT])
         };
-        Some([strain([1.0, 0.0])?, strain([0.0, 1.0])?])
-    }
+        Some(samples(&response.rings, &kind, kinds)?[CONTACT])
+    };
+    Some([strain([1.0, 0.0])?, strain([0.0, 1.0])?])
 }

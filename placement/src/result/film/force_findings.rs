@@ -52,6 +52,29 @@ pub struct TableReport {
     pub solves: usize,
     /// How far it is off; null where a load that tests it has no equilibrium.
     pub error: Option<TableError>,
+    /// Of glued films: their wheel angle as an axis; absent for films that resist nothing.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub films: Option<FilmAnglesReport>,
+}
+
+/// Glued films solved with the tire around the wheel, in a table on undragged ground; errors are over the largest signal of their kind.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct FilmAnglesReport {
+    /// Mesh level of the tire with a film.
+    pub level: String,
+    /// Angles from the contact, degrees; films that lie askew on both sides of it.
+    pub angles_deg: Vec<f64>,
+    /// Loads, N.
+    pub loads_n: Vec<f64>,
+    /// Solves between them that tested the table; 0 where it isn't tested.
+    pub tested: usize,
+    /// Root mean square of their signals' errors; null where nothing was tested.
+    pub signal_rms: Option<f64>,
+    /// The largest; null where nothing was tested.
+    pub signal_worst: Option<f64>,
+    /// The largest error that a transfer without this axis would have.
+    pub transfer_worst: f64,
 }
 
 /// Errors of a table over all kinds of film, wheel angles and tested solves, relative.

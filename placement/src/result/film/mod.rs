@@ -13,7 +13,7 @@ pub use film_signals::{
 pub use force_error::{
     AskewError, DeadFilmError, ElsewhereError, ForceError, SplitError, TrialError, WorstContact,
 };
-pub use force_findings::{ForceFindings, ForcePrice, TableError, TableReport};
+pub use force_findings::{FilmAnglesReport, ForceFindings, ForcePrice, TableError, TableReport};
 pub use published_tables::{
     Contradiction, PrintedFigures, PublishedRow, PublishedTables, RigFigures, TimeConstantRow,
 };

@@ -112,6 +112,24 @@ class TableError:
 
 
 @dataclass(frozen=True)
+class FilmAnglesReport:
+    """Glued films solved with the tire around the wheel; errors are over the largest signal of their kind."""
+
+    level: str
+    """Mesh level of the tire with a film."""
+    angles_deg: tuple[float, ...]
+    """From the contact; films that lie askew on both sides of it."""
+    loads_n: tuple[float, ...]
+    tested: int
+    """Solves between them that tested the table."""
+    signal_rms: float | None
+    """None where nothing was tested."""
+    signal_worst: float | None
+    transfer_worst: float
+    """The largest error that a transfer without this axis would have."""
+
+
+@dataclass(frozen=True)
 class TableReport:
     """A table of a tire's responses to any contact."""
 
@@ -122,6 +140,8 @@ class TableReport:
     solves: int
     error: TableError | None
     """None where a load that tests it has no equilibrium."""
+    films: FilmAnglesReport | None = None
+    """Of glued films, whose wheel angle is an axis; None for films that resist nothing."""
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,9 @@
 use std::fmt::Write;
 
 use fem_client::document::visible::visible;
-use placement::result::{ForceError, ForceFindings, RankedLayout, StudyResult, TableReport};
+use placement::result::{
+    FilmAnglesReport, ForceError, ForceFindings, RankedLayout, StudyResult, TableReport,
+};
 
 use crate::cli::terminal::paint::{HEADER, header};
 use crate::cli::terminal::report::layout_table::{DESCRIBED, described, number};
@@ -171,10 +173,34 @@ fn below(findings: &ForceFindings) -> String {
             0,
         ))
     };
-    let table = findings.table.as_ref().and_then(error).unwrap_or_default();
+    let table = findings.table.as_ref();
+    let films = table.and_then(|table| table.films.as_ref()).map(glued);
+    let table = table.and_then(error).unwrap_or_default() + &films.unwrap_or_default();
     let reasons = findings.reasons.iter();
     table
         + &reasons
             .map(|reason| wrapped(&visible(reason), 0))
             .collect::<String>()
+}
+
+/// How far the volts of glued films are off beside the contact.
+fn glued(films: &FilmAnglesReport) -> String {
+    let off = match (films.signal_worst, films.signal_rms) {
+        (Some(worst), Some(rms)) => format!(
+            "off by {:.1} % of full scale at most, {:.1} % rms, at {} solves between them",
+            100.0 * worst,
+            100.0 * rms,
+            films.tested
+        ),
+        _ => "not tested".to_owned(),
+    };
+    wrapped(
+        &format!(
+            "Glued films are solved with the tire ({}) at {} angles from the contact: {off}; their transfer alone would be off by {:.1} %.",
+            visible(&films.level),
+            films.angles_deg.len(),
+            100.0 * films.transfer_worst
+        ),
+        0,
+    )
 }

@@ -1,7 +1,7 @@
 import { fixed, MISSING } from "../../../lib/format.ts";
 import { AXIS_WORDS, bestKnown, floorOf, type KnownForce, knownForces, untoldAxes } from "../../../lib/layouts/known-forces.ts";
 import { layoutWords } from "../../../lib/layouts/layout-words.ts";
-import type { ForceFindings, ForcePrice, RankedLayout, TableReport } from "../../../wire.ts";
+import type { FilmAnglesReport, ForceFindings, ForcePrice, RankedLayout, TableReport } from "../../../wire.ts";
 import { ScrollTable } from "../../shared/scroll-table.tsx";
 import { PublishedPanel } from "./published-panel.tsx";
 
@@ -26,6 +26,7 @@ export function KnownForcesPanel({ layouts, findings }: { layouts: RankedLayout[
         </p>
       ))}
       {findings.table != null && <TableNote table={findings.table} />}
+      {findings.table?.films != null && <GluedNote films={findings.table.films} />}
       {(findings.assumed ?? []).length > 0 && (
         <details>
           <summary>What is assumed of the rig</summary>
@@ -167,6 +168,20 @@ function TableNote({ table }: { table: TableReport }) {
       {table.error == null
         ? "; a load that tests it has no equilibrium."
         : `: off by ${fixed(100 * table.error.signal_worst, 2)} % of a film's full scale at most, ${fixed(100 * table.error.signal_rms, 3)} % rms, at ${table.error.solves} solves that it wasn't made of.`}
+    </p>
+  );
+}
+
+/** Glued films beside the contact: how far they are off, and would be without their own solves. */
+function GluedNote({ films }: { films: FilmAnglesReport }) {
+  const off =
+    films.signal_worst == null
+      ? "not tested"
+      : `off by ${fixed(100 * films.signal_worst, 1)} % of full scale at most, ${fixed(100 * (films.signal_rms ?? 0), 1)} % rms, at ${films.tested} solves between them`;
+  return (
+    <p class="quiet">
+      Glued films are solved with the tire on the {films.level} mesh at {films.angles_deg.length} angles from the contact: {off}. Their transfer alone would be off by{" "}
+      {fixed(100 * films.transfer_worst, 1)} %.
     </p>
   );
 }
