@@ -120,7 +120,7 @@ fn a_rig_tells_forces_of_layouts_and_its_recordings_are_learnt_from() {
 }
 
 #[test]
-fn glued_films_read_volts_by_their_transfer() {
+fn glued_films_are_solved_with_the_tire_around_the_wheel() {
     let folder = tempfile::tempdir().expect("temp dir");
     let folder = folder.path();
     let glued = STUDY.replace("[layouts]\n", "[layouts]\nfilm = \"transfer\"\n");
@@ -128,8 +128,16 @@ fn glued_films_read_volts_by_their_transfer() {
     let ran = strainsite(folder, &["run", "glued.toml", "--json", "result.json"]);
     assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
     let result: Value = serde_json::from_str(&read(folder, "result.json")).expect("JSON");
-    // Two coupled solves of the one kind of film, beside the bare tire's.
-    assert_eq!(result["forces"]["table"]["solves"], 46);
+    // Four loads of the tire without friction, and of the one kind of film at twelve angles, with five tests, beside the table's own.
+    let table = &result["forces"]["table"];
+    assert_eq!(table["solves"], 44 + 4 + 12 * 4 + 5);
+    let films = &table["films"];
+    assert_eq!(
+        (&films["level"], &films["tested"]),
+        (&"draft".into(), &5.into())
+    );
+    let error = |name: &str| films[name].as_f64().expect("an error");
+    assert!(error("signal_worst") < error("transfer_worst"), "{films}");
     assert_eq!(result["layouts"][0]["force_error"][2]["useful"], true);
 }
 
