@@ -3,22 +3,22 @@
 //! A film that is stiffer than the wall breaks the tire's symmetry: its transfer, of two loads with the film above the contact, misses what the film does to the
 //! wall elsewhere. What it misses is solved at some angles and loads, and added to the table.
 //!
-//! Those solves leave out friction, which makes half a tire five times as dear, for both the films and the bare wall that they are compared with; the solves that
+//! Those solves leave out friction, which makes half a tire ten times as dear, for both the films and the bare wall that they are compared with; the solves that
 //! test the table have it.
 
 use fem_client::scene::{Film, Scene};
-use fem_client::solver::{Readout, Response};
+use fem_client::solver::Readout;
 
 use crate::layout::arrangement::FilmKind;
 use crate::layout::field::hermite::Turn;
 use crate::layout::solving::glued_films::{glued, in_volts, signal};
 use crate::layout::solving::layout_fields::samples;
+use crate::layout::solving::layout_scenes::readout;
 use crate::layout::solving::measuring_layouts::outcomes;
-use crate::layout::solving::mirror_parts::own_rings;
 use crate::response_table::angle_residual::AngleResidual;
 use crate::response_table::solved_table::ResponseTable;
+use crate::response_table::table_error::Errors;
 use crate::response_table::table_scenes::{Pressing, TableScenes};
-use crate::response_table::table_solving::table_readout;
 use crate::result::FilmAnglesReport;
 use crate::run::archive::Outcome;
 use crate::run::{Place, RunContext, RunError};
@@ -70,14 +70,13 @@ impl<'s> FilmAngles<'s> {
         let of_kind = |(number, kind)| {
             let around = solved_deg(kind).into_iter();
             let around = around.map(|angle| self.around(kind, angle));
-            let tested = self.tests(number).into_iter();
-            let tested = tested.map(|(scene, ..)| vec![scene]);
+            let tested = self.tests(number).into_iter().map(|scene| vec![scene]);
             around.chain(tested).collect::<Vec<_>>()
         };
         let kinds = self.kinds.iter().enumerate();
         let films = kinds.flat_map(of_kind);
         let films = films.map(|scenes| (scenes, Readout::default()));
-        std::iter::once((self.bare(), table_readout(self.kinds)))
+        std::iter::once((self.bare(), readout(self.kinds)))
             .chain(films)
             .collect()
     }
@@ -101,14 +100,13 @@ impl<'s> FilmAngles<'s> {
         loads.into_iter()
     }
 
-    /// The scenes that test a kind of film, with its angle, degrees, and the load, N.
-    fn tests(&self, number: usize) -> Vec<(Scene, f64, f64)> {
-        let scene = |(angle_deg, load_n)| {
-            let scene = self.scene(&self.kinds[number], angle_deg, load_n);
-            (scene, angle_deg, load_n)
-        };
+    /// The scenes that test a kind of film.
+    fn tests(&self, number: usize) -> Vec<Scene> {
         let tested = self.scenes.tested_films(number).into_iter();
-        tested.map(scene).collect()
+        let kind = &self.kinds[number];
+        tested
+            .map(|(angle_deg, load_n)| self.scene(kind, angle_deg, load_n))
+            .collect()
     }
 
     fn scene(&self, kind: &FilmKind, angle_deg: f64, load_n: f64) -> Scene {
@@ -125,7 +123,7 @@ impl<'s> FilmAngles<'s> {
         place: &mut Place,
         context: RunContext<'_>,
     ) -> Result<Result<FilmAnswers, String>, RunError> {
-        let readout = table_readout(self.kinds);
+        let readout = readout(self.kinds);
         let mut bare = match outcomes(&self.bare(), &readout, means, place, context)? {
             Ok(bare) => bare,
             Err(reason) => return Ok(Err(reason)),
@@ -145,7 +143,7 @@ impl<'s> FilmAngles<'s> {
                 around.push(answers);
             }
             let mut tested = Vec::new();
-            for (scene, ..) in self.tests(number) {
+            for scene in self.tests(number) {
                 tested.extend(solved(&[scene], None)?);
             }
             kinds.push(KindAnswers { around, tested });
@@ -159,16 +157,14 @@ impl<'s> FilmAngles<'s> {
     /// Why there is no transfer.
     pub fn in_volts(&self, answers: &FilmAnswers) -> Result<Vec<FilmKind>, String> {
         let loads = self.scenes.settings().film_loads_n();
-        let bare = answers.bare.iter().map(|outcome| own(self.kinds, outcome));
-        let bare: Vec<Outcome> = bare.collect::<Result<_, _>>()?;
         let two = loads_of_transfer(&loads).ok_or("two loads give a transfer; there is one")?;
         let two = two.map(|load_n| loads.iter().position(|other| *other == load_n));
         let [Some(first), Some(second)] = two else {
             return Err("a load of the transfer isn't solved".to_owned());
         };
+        let bare = [&answers.bare[first], &answers.bare[second]];
         let of_kind = |(kind, answers): (&FilmKind, &KindAnswers)| {
             let coupled = [first, second].map(|load| answers.around[0].get(load));
-            let bare = [&bare[first], &bare[second]];
             in_volts(self.film, kind, self.kinds, bare, coupled)
         };
         self.kinds.iter().zip(&answers.kinds).map(of_kind).collect()
@@ -186,7 +182,7 @@ impl<'s> FilmAngles<'s> {
     ) -> Result<FilmAnglesReport, String> {
         let loads = self.scenes.settings().film_loads_n();
         let depths: Vec<f64> = loads.iter().map(|n| table.depth_of_load_mm(*n)).collect();
-        let mut errors = Errors::default();
+        let (mut of_transfer, mut of_table) = (Errors::default(), Errors::default());
         for (number, (kind, of_kind)) in kinds.iter().zip(&answers.kinds).enumerate() {
             let solved_deg = solved_deg(kind);
             let bare = answers.bare.iter();
@@ -206,10 +202,19 @@ impl<'s> FilmAngles<'s> {
             table.add_undragged(number, |depth, angle| residual.at(depth, angle));
             let after = self.test(number, &of_kind.tested, table)?;
             let full_scale = table.largest_signal(number);
-            errors.add_transfer(around.iter().flatten().chain(&before), full_scale);
-            errors.add_table(&after, full_scale);
+            of_transfer.add(around.into_iter().flatten().chain(before), full_scale);
+            of_table.add(after, full_scale);
         }
-        Ok(errors.report(self, loads))
+        let tested = |error: f64| (of_table.count() > 0).then_some(error);
+        Ok(FilmAnglesReport {
+            level: self.scenes.settings().film_level.as_str().to_owned(),
+            angles_deg: ANGLES_DEG.to_vec(),
+            loads_n: loads,
+            tested: of_table.count(),
+            signal_rms: tested(of_table.rms()),
+            signal_worst: tested(of_table.worst()),
+            transfer_worst: of_transfer.worst(),
+        })
     }
 
     /// What a table lacks of the volts of a kind of film, at the solves that test it.
@@ -219,16 +224,13 @@ impl<'s> FilmAngles<'s> {
         answers: &[Answer],
         table: &ResponseTable,
     ) -> Result<Vec<f64>, String> {
-        let missing = |(answer, (_, angle, load_n)): (&Answer, (Scene, f64, f64))| {
+        let missing = |(answer, (angle, load_n)): (&Answer, (f64, f64))| {
             let weights = table.weights(table.depth_of_load_mm(load_n), [0.0; 2]);
             let film = table.film_nodes(std::iter::once((number, angle)));
             Ok(volts(answer, angle, load_n)? - film.signal(0, &weights))
         };
-        answers
-            .iter()
-            .zip(self.tests(number))
-            .map(missing)
-            .collect()
+        let tested = answers.iter().zip(self.scenes.tested_films(number));
+        tested.map(missing).collect()
     }
 }
 
@@ -238,21 +240,9 @@ fn smooth(mut scene: Scene) -> Scene {
     scene
 }
 
-/// What the bare wall answers, read for these kinds of film.
-fn own(kinds: &[FilmKind], outcome: &Outcome) -> Result<Outcome, String> {
-    let Ok(response) = outcome else {
-        return Ok(outcome.clone());
-    };
-    let rings = own_rings(kinds, &response.rings);
-    Ok(Ok(Response {
-        rings: rings.ok_or("the solver gives no strains around the wheel")?,
-        ..response.clone()
-    }))
-}
-
 /// The volts of a kind of film around the wheel, by its transfer.
 fn transferred(kind: &FilmKind, kinds: &[FilmKind], outcome: &Outcome) -> Result<Turn, String> {
-    let response = own(kinds, outcome)?.map_err(|unsolved| unsolved.to_string())?;
+    let response = outcome.as_ref().map_err(ToString::to_string)?;
     let samples = samples(&response.rings, kind, kinds);
     Ok(Turn::new(
         samples.ok_or("the solver gives no strains around the wheel")?,
@@ -273,43 +263,4 @@ fn volts(answer: &Answer, angle_deg: f64, load_n: f64) -> Result<f64, String> {
         format!("a glued film {angle_deg} degrees from a contact of {load_n} N: {reason}")
     })?;
     Ok(signal.open_circuit_v)
-}
-
-/// Errors over the full scale of their kind.
-#[derive(Default)]
-struct Errors {
-    transfer_worst: f64,
-    squares: f64,
-    count: usize,
-    worst: f64,
-}
-
-impl Errors {
-    fn add_transfer<'e>(&mut self, missing: impl Iterator<Item = &'e f64>, full_scale: f64) {
-        for error in missing {
-            self.transfer_worst = self.transfer_worst.max(error.abs() / full_scale);
-        }
-    }
-
-    fn add_table(&mut self, missing: &[f64], full_scale: f64) {
-        for error in missing {
-            let error = error.abs() / full_scale;
-            self.squares += error * error;
-            self.worst = self.worst.max(error);
-            self.count += 1;
-        }
-    }
-
-    fn report(&self, films: &FilmAngles<'_>, loads_n: Vec<f64>) -> FilmAnglesReport {
-        let tested = |error: f64| (self.count > 0).then_some(error);
-        FilmAnglesReport {
-            level: films.scenes.settings().film_level.as_str().to_owned(),
-            angles_deg: ANGLES_DEG.to_vec(),
-            loads_n,
-            tested: self.count,
-            signal_rms: tested((self.squares / self.count.max(1) as f64).sqrt()),
-            signal_worst: tested(self.worst),
-            transfer_worst: self.transfer_worst,
-        }
-    }
 }

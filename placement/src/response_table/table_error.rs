@@ -12,24 +12,41 @@ use crate::result::TableError;
 
 /// Squares of errors and the largest of them.
 #[derive(Default)]
-struct Errors {
+pub(crate) struct Errors {
     squares: f64,
-    count: f64,
+    count: usize,
     worst: f64,
 }
 
 impl Errors {
-    fn add(&mut self, found: &[f64], expected: &[f64], scale: f64) {
-        for (a, b) in found.iter().zip(expected) {
-            let error = (a - b) / scale;
+    fn compare(&mut self, found: &[f64], expected: &[f64], scale: f64) {
+        let errors = found.iter().zip(expected).map(|(a, b)| a - b);
+        self.add(errors, scale);
+    }
+
+    /// Adds errors over a scale.
+    pub fn add(&mut self, errors: impl IntoIterator<Item = f64>, scale: f64) {
+        for error in errors {
+            let error = error / scale;
             self.squares += error * error;
-            self.count += 1.0;
+            self.count += 1;
             self.worst = self.worst.max(error.abs());
         }
     }
 
-    fn rms(&self) -> f64 {
-        (self.squares / self.count.max(1.0)).sqrt()
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Root mean square; 0 of none.
+    pub fn rms(&self) -> f64 {
+        (self.squares / self.count.max(1) as f64).sqrt()
+    }
+
+    /// The largest absolute one; 0 of none.
+    pub fn worst(&self) -> f64 {
+        self.worst
     }
 }
 
@@ -118,13 +135,13 @@ fn add(
         |both: &Both, _: f64| both.iter().flat_map(angle_slopes).collect::<Vec<f64>>();
     let (steepest, fastest) = (of_solves(&both_angles), of_solves(&depth_slopes));
     for (found, solved, apart) in compared {
-        signals.add(&found.concat(), &solved.concat(), largest);
-        over_angle.add(
+        signals.compare(&found.concat(), &solved.concat(), largest);
+        over_angle.compare(
             &both_angles(found, *apart),
             &both_angles(solved, *apart),
             steepest,
         );
-        over_depth.add(
+        over_depth.compare(
             &depth_slopes(found, *apart),
             &depth_slopes(solved, *apart),
             fastest,

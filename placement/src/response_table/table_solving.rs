@@ -4,7 +4,6 @@ use fem_client::scene::Scene;
 use fem_client::solver::{Readout, Response};
 
 use crate::layout::arrangement::FilmKind;
-use crate::layout::solving::layout_scenes::FINE_DEG;
 use crate::layout::solving::measuring_layouts::outcomes;
 use crate::layout::solving::mirror_parts::mirrored;
 use crate::response_table::drag_basis::DRAGS;
@@ -33,7 +32,7 @@ pub(crate) type Solved = Vec<(Pressing, Outcome)>;
 pub(crate) fn table_series(scenes: &TableScenes, kinds: &[FilmKind]) -> [(Vec<Scene>, Readout); 2] {
     series(scenes).map(|pressings| {
         let scenes = pressings.iter().map(|pressing| scenes.scene(pressing));
-        (scenes.collect(), table_readout(kinds))
+        (scenes.collect(), mirrored(kinds))
     })
 }
 
@@ -44,14 +43,6 @@ fn series(scenes: &TableScenes) -> [Vec<Pressing>; 2] {
     match is_dragged {
         true => [scenes.undragged(), [scenes.dragged(), tested].concat()],
         false => [[scenes.undragged(), tested].concat(), Vec::new()],
-    }
-}
-
-/// What is read of the bare wall for these kinds of film.
-pub(crate) fn table_readout(kinds: &[FilmKind]) -> Readout {
-    Readout {
-        fine_deg: Some(FINE_DEG),
-        ..mirrored(kinds)
     }
 }
 
@@ -75,7 +66,7 @@ pub(crate) fn solve(
             .iter()
             .map(|pressing| scenes.scene(pressing))
             .collect();
-        match outcomes(&all, &table_readout(kinds), means, place, context)? {
+        match outcomes(&all, &mirrored(kinds), means, place, context)? {
             Ok(outcomes) => solved.extend(pressings.into_iter().zip(outcomes)),
             Err(reason) => return Ok(Err(reason)),
         }
