@@ -18,6 +18,9 @@ pub const FEWEST_ROWS: usize = 20;
 pub const RATE_FACTOR: f64 = 1.5;
 /// A run whose first force is a smaller share of its range begins unloaded.
 const UNLOADED: f64 = 0.05;
+/// Without a force, signals may be this share of their own deviation away from a run's first reading where that is their zero. Beyond, taking it off
+/// moves signals of another run by more than their offsets are likely to differ: an offset as large would be half of what they say.
+const ZERO_SHARE: f64 = 0.5;
 
 /// What recordings can't be used for as the recipe asks.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -238,12 +241,17 @@ impl Runs {
             .all(|run| run.forces.columns().into_iter().all(begins_unloaded))
     }
 
+    /// Whether every run's first reading is what its signals come back to without a force. A motor's position isn't: it begins where it happened to stand.
+    pub fn begin_at_zero(&self) -> bool {
+        self.begin_unloaded() && self.runs.iter().all(comes_back)
+    }
+
     /// Whether the first reading is taken off; None where left-out runs are to tell.
     pub fn subtract_start(&self, asked: StartValue) -> Option<bool> {
         match asked {
             StartValue::Subtract => Some(true),
             StartValue::Keep => Some(false),
-            StartValue::Auto if self.runs.len() < 2 => Some(self.begin_unloaded()),
+            StartValue::Auto if self.runs.len() < 2 => Some(self.begin_at_zero()),
             StartValue::Auto => None,
         }
     }
@@ -273,6 +281,35 @@ fn begins_unloaded(forces: ArrayView1<'_, f64>) -> bool {
     };
     let most = known.fold(first.abs(), |most, force| most.max(force.abs()));
     first.abs() <= UNLOADED * most
+}
+
+/// Whether most signals are near their first reading wherever no force acts.
+fn comes_back(run: &Recording) -> bool {
+    let most: Vec<f64> = run
+        .forces
+        .columns()
+        .into_iter()
+        .map(|forces| {
+            let known = forces.iter().filter(|force| force.is_finite());
+            known.fold(0.0, |most: f64, force| most.max(force.abs()))
+        })
+        .collect();
+    let unloaded: Vec<usize> = (0..run.rows())
+        .filter(|row| {
+            let mut forces = run.forces.row(*row).into_iter().zip(&most);
+            // A force that wasn't measured may be any.
+            forces.all(|(force, most)| force.abs() <= UNLOADED * most)
+        })
+        .collect();
+    let share = |signal: ArrayView1<'_, f64>| {
+        let first = *signal.first()?;
+        let away = unloaded.iter().map(|row| (signal[*row] - first).powi(2));
+        let away = (away.sum::<f64>() / unloaded.len().max(1) as f64).sqrt();
+        // One that doesn't vary is at its first reading: 0 / 0 tells nothing.
+        Some(away / signal.std(0.0)).filter(|share| share.is_finite())
+    };
+    let shares = run.signals.columns().into_iter().filter_map(share);
+    median(shares).is_none_or(|share| share <= ZERO_SHARE)
 }
 
 fn places(runs: &[Recording], recipe: &Recipe) -> Vec<Place> {

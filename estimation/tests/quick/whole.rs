@@ -217,3 +217,36 @@ fn what_cannot_be_learnt_from_says_all_that_is_wrong() {
         refusals[0].detail
     );
 }
+
+/// A run that is loaded in every second row; signals are then 1 or -1 in turn, and else `unloaded` or its opposite.
+fn returning(unloaded: f64, first_force: f64) -> Recording {
+    let mut made = run(1, 401);
+    for row in 1..made.rows() {
+        let (force, size) = if row % 2 == 0 {
+            (10.0, 1.0)
+        } else {
+            (0.0, unloaded)
+        };
+        let sign = if row % 4 < 2 { 1.0 } else { -1.0 };
+        made.forces[[row, 0]] = force;
+        made.signals.row_mut(row).fill(sign * size);
+    }
+    made.forces[[0, 0]] = first_force;
+    made.signals.row_mut(0).fill(0.0);
+    made
+}
+
+#[test]
+fn a_first_reading_is_taken_off_one_run_where_signals_come_back_to_it() {
+    let auto = |recording: Recording| {
+        let runs = Runs::new(&recipe(), names(), vec![recording]).expect("a run");
+        runs.subtract_start(StartValue::Auto)
+    };
+    // u away from the first reading without a force, of a deviation root((u^2 + 1) / 2): the share is 1/2 at u = 1 / root 7 = 0.378, the first of the 401 rows apart.
+    assert_eq!(auto(returning(0.37, 0.0)), Some(true));
+    assert_eq!(auto(returning(0.385, 0.0)), Some(false));
+    assert_eq!(auto(returning(0.37, 10.0)), Some(false));
+    let two = vec![run(1, 200), run(2, 200)];
+    let runs = Runs::new(&recipe(), names(), two).expect("runs");
+    assert_eq!(runs.subtract_start(StartValue::Auto), None);
+}
