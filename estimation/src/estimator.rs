@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::features::StreamSettings;
-use crate::interval::{LeftOut, factor};
+use crate::interval::{factor, factor_of_rows};
 use crate::model::contract::{Effort, FitError, Prediction};
 use crate::model::feature_scale::FeatureScale;
 use crate::model::fitted::Fitted;
@@ -186,14 +186,21 @@ impl ForceModel {
     }
 }
 
-/// From the rows that were left out. Where these are cycles of the runs that were learnt from, it is widened by what another run brings, or as later rows
-/// ask for if that is more.
+/// From the rows that were left out. Where these are of the runs that were learnt from, it is widened by what another run brings, but never beyond the training
+/// mean's error: a model that hardly knows more than the mean loses no more on another run than that.
 fn interval_factor(judged: &Judged, by: SplitKind) -> f64 {
-    let of = |rows: &[LeftOut]| factor(rows).unwrap_or(f64::MIN_POSITIVE);
-    match by {
-        SplitKind::Run => of(&judged.left_out),
-        _ => (ANOTHER_RUN * of(&judged.left_out)).max(of(&judged.later)),
-    }
+    let found = match by {
+        SplitKind::Run => factor(&judged.left_out),
+        _ => factor_of_rows(&judged.left_out).map(|factor| factor * another_run(judged, by)),
+    };
+    found.unwrap_or(f64::MIN_POSITIVE)
+}
+
+fn another_run(judged: &Judged, by: SplitKind) -> f64 {
+    judged.on(by).map_or(ANOTHER_RUN, |figures| {
+        // NaN of 0 / 0 is passed over by both.
+        (figures.mean_rmse / figures.rmse).min(ANOTHER_RUN).max(1.0)
+    })
 }
 
 impl Estimator {
@@ -256,4 +263,50 @@ pub fn is_outside(values: &[f64], ranges: &[(f64, f64)]) -> bool {
         *x < low - margin || *x > high + margin
     };
     values.iter().zip(ranges).any(beyond)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interval::LeftOut;
+    use crate::validation::SplitFigures;
+
+    #[test]
+    fn another_run_is_never_worse_than_the_mean() {
+        let left_out: Vec<LeftOut> = (0..20)
+            .map(|row| LeftOut {
+                row,
+                group: row / 10,
+                truth: (row + 1) as f64,
+                mean: 0.0,
+                deviation: 1.0,
+            })
+            .collect();
+        let of = |rmse: f64, by: SplitKind| {
+            let figures = SplitFigures {
+                rmse,
+                mean_rmse: 6.0,
+                rmse_interval: None,
+                nrmse_percent: None,
+                mean_nrmse_percent: None,
+                r2: None,
+                intervals: None,
+            };
+            let judged = Judged {
+                candidate: Candidate {
+                    kind: Kind::Ridge,
+                    features: FeatureSet::Raw,
+                },
+                splits: [(by, Ok(figures))].into(),
+                left_out: left_out.clone(),
+            };
+            interval_factor(&judged, by)
+        };
+        // 19 of the 20 rows are within 19 deviations.
+        let found = [1.0, 5.0, 6.0, 7.0].map(|rmse| of(rmse, SplitKind::Cycle));
+        for (found, widened) in found.into_iter().zip([1.5, 6.0 / 5.0, 1.0, 1.0]) {
+            assert!((found - 19.0 * widened).abs() < 1e-12, "{found}");
+        }
+        assert_eq!(Some(of(1.0, SplitKind::Run)), factor(&left_out));
+    }
 }
