@@ -28,7 +28,7 @@ const TIME_CONSTANTS: f64 = 3.0;
 const MOST_TESTED: usize = 10_000;
 /// Where one run was recorded, signals of left-out rows are moved by offsets with this standard deviation, as a share of their ranges: another session's
 /// instruments read so far off at the best of times, and a force that hangs on small differences of large signals must show it.
-const ANOTHER_SESSION: f64 = 0.005;
+pub const ANOTHER_SESSION: f64 = 0.005;
 /// A gap takes at most this part of a typical cycle from what is learnt: of short cycles nothing would be left.
 const GAP_SHARE: usize = 4;
 
@@ -291,7 +291,7 @@ impl Session {
         generator.set_stream(row as u64);
         let signals = self.ranges.len();
         for (signal, range) in self.ranges.iter().enumerate() {
-            // Even numbers between -root 3 and root 3 have a variance of 1.
+            // Drawn evenly from -root 3 to root 3: a variance of 1.
             let drawn = generator.random_range(-3f64.sqrt()..3f64.sqrt());
             for group in [VALUES, MEANS] {
                 features[group * signals + signal] += ANOTHER_SESSION * range * drawn;
@@ -442,7 +442,7 @@ mod tests {
         };
         assert_eq!(moved(7), [a, b, 0.0, 0.0, a, b, 0.0, 0.0]);
         assert_ne!(moved(8)[0], a);
-        // The squares of even numbers with variance 1 have a variance of 9/5 - 1: the mean of 4000 is known to 0.014, four of which are allowed.
+        // Squares of evenly drawn numbers with variance 1 have a variance of 9/5 - 1: the mean of 4000 is known to 0.014, four of which are allowed.
         let square = |(moved, range): (f64, f64)| (moved / (0.005 * range)).powi(2);
         let squares: f64 = (0..2000)
             .map(moved)

@@ -10,7 +10,9 @@ use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
 use estimation::recording::Recording;
 use estimation::rows::{LabelledRows, Runs};
 use estimation::split::strictest;
-use estimation::validation::{Candidate, Judged, Splits, candidates, judge, rolled_r2};
+use estimation::validation::{
+    ANOTHER_SESSION, Candidate, Judged, Splits, candidates, judge, rolled_r2,
+};
 use fem_client::document::fault::Fault;
 use serde::{Deserialize, Serialize};
 use store::content::sha256;
@@ -276,8 +278,14 @@ fn more_notes(runs: &Runs, subtract_start: bool, recipe: &Recipe) -> Vec<String>
                 .to_owned(),
         );
     }
+    let strictest = strictest_of(runs);
+    if strictest == SplitKind::Cycle {
+        notes.push(format!(
+            "one run: its left-out cycles are tested with signals moved by {} % of their ranges, as another session may read them",
+            100.0 * ANOTHER_SESSION
+        ));
+    }
     if let Some(by) = recipe.validation.by {
-        let strictest = strictest_of(runs);
         if by != strictest && by != SplitKind::Time && by != SplitKind::Frequency {
             notes.push(format!(
                 "models are chosen by {}, though {} could be left out",
