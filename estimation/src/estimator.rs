@@ -198,8 +198,13 @@ fn interval_factor(judged: &Judged, by: SplitKind) -> f64 {
 
 fn another_run(judged: &Judged, by: SplitKind) -> f64 {
     judged.on(by).map_or(ANOTHER_RUN, |figures| {
-        // NaN of 0 / 0 is passed over by both.
-        (figures.mean_rmse / figures.rmse).min(ANOTHER_RUN).max(1.0)
+        let mean_over_model = figures.mean_rmse / figures.rmse;
+        // Without any error there is nothing to widen.
+        if mean_over_model.is_nan() {
+            1.0
+        } else {
+            mean_over_model.clamp(1.0, ANOTHER_RUN)
+        }
     })
 }
 
