@@ -285,14 +285,16 @@ fn more_notes(runs: &Runs, subtract_start: bool, recipe: &Recipe) -> Vec<String>
             100.0 * ANOTHER_SESSION
         ));
     }
-    if let Some(by) = recipe.validation.by {
-        if by != strictest && by != SplitKind::Time && by != SplitKind::Frequency {
-            notes.push(format!(
-                "models are chosen by {}, though {} could be left out",
-                by.as_str(),
-                plural(strictest)
-            ));
-        }
+    if let Some(by) = recipe.validation.by
+        && by != strictest
+        && by != SplitKind::Time
+        && by != SplitKind::Frequency
+    {
+        notes.push(format!(
+            "models are chosen by {}, though {} could be left out",
+            by.as_str(),
+            plural(strictest)
+        ));
     }
     notes
 }
