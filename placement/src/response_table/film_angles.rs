@@ -182,7 +182,7 @@ impl<'s> FilmAngles<'s> {
     ) -> Result<FilmAnglesReport, String> {
         let loads = self.scenes.settings().film_loads_n();
         let depths: Vec<f64> = loads.iter().map(|n| table.depth_of_load_mm(*n)).collect();
-        let (mut of_transfer, mut of_table) = (Errors::default(), Errors::default());
+        let (mut of_transfer, mut of_table) = (Errors::default(), Some(Errors::default()));
         for (number, (kind, of_kind)) in kinds.iter().zip(&answers.kinds).enumerate() {
             let solved_deg = solved_deg(kind);
             let bare = answers.bare.iter();
@@ -197,37 +197,36 @@ impl<'s> FilmAngles<'s> {
             };
             let around = solved_deg.iter().zip(&of_kind.around).map(missing);
             let around: Vec<Vec<f64>> = around.collect::<Result<_, _>>()?;
-            let before = self.test(number, &of_kind.tested, table)?;
+            let before = self.test(number, &of_kind.tested, table);
             let residual = AngleResidual::new(&solved_deg, &depths, &around);
             table.add_undragged(number, |depth, angle| residual.at(depth, angle));
-            let after = self.test(number, &of_kind.tested, table)?;
+            let after = self.test(number, &of_kind.tested, table);
             let full_scale = table.largest_signal(number);
+            let before = before.into_iter().flatten();
             of_transfer.add(around.into_iter().flatten().chain(before), full_scale);
-            of_table.add(after, full_scale);
+            of_table = of_table.zip(after).map(|(mut errors, after)| {
+                errors.add(after, full_scale);
+                errors
+            });
         }
-        let tested = |error: f64| (of_table.count() > 0).then_some(error);
+        let of_table = of_table.filter(|errors| errors.count() > 0);
         Ok(FilmAnglesReport {
             level: self.scenes.settings().film_level.as_str().to_owned(),
             angles_deg: ANGLES_DEG.to_vec(),
             loads_n: loads,
-            tested: of_table.count(),
-            signal_rms: tested(of_table.rms()),
-            signal_worst: tested(of_table.worst()),
+            tested: of_table.as_ref().map_or(0, Errors::count),
+            signal_rms: of_table.as_ref().map(Errors::rms),
+            signal_worst: of_table.as_ref().map(Errors::worst),
             transfer_worst: of_transfer.worst(),
         })
     }
 
-    /// What a table lacks of the volts of a kind of film, at the solves that test it.
-    fn test(
-        &self,
-        number: usize,
-        answers: &[Answer],
-        table: &ResponseTable,
-    ) -> Result<Vec<f64>, String> {
+    /// What a table lacks of the volts of a kind of film, at the solves that test it; None where one of them has no equilibrium.
+    fn test(&self, number: usize, answers: &[Answer], table: &ResponseTable) -> Option<Vec<f64>> {
         let missing = |(answer, (angle, load_n)): (&Answer, (f64, f64))| {
             let weights = table.weights(table.depth_of_load_mm(load_n), [0.0; 2]);
             let film = table.film_nodes(std::iter::once((number, angle)));
-            Ok(volts(answer, angle, load_n)? - film.signal(0, &weights))
+            Some(volts(answer, angle, load_n).ok()? - film.signal(0, &weights))
         };
         let tested = answers.iter().zip(self.scenes.tested_films(number));
         tested.map(missing).collect()

@@ -112,9 +112,9 @@ impl ResponseTable {
         };
         Ok(Self {
             settings: settings.clone(),
-            depths: Nodes::new(with_none(|load| load.1)),
+            depths: Nodes::about_even(with_none(|load| load.1)),
             loads_n: with_none(|load| load.0),
-            dragged: Nodes::new(dragged_depths),
+            dragged: Nodes::about_even(dragged_depths),
             kinds,
             pulls,
         })

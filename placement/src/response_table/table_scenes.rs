@@ -206,7 +206,7 @@ mod tests {
         let table = scenes(0.5);
         let tested = table.tested().concat();
         let all = [table.undragged(), table.dragged(), tested].concat();
-        assert_eq!(all.len(), 24 + 32 + 20);
+        assert_eq!(all.len(), 36 + 32 + 20);
         for pressing in &all {
             let mut scene = table.scene(pressing);
             scene.contact.friction = 0.5;

@@ -2,7 +2,9 @@
 
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::gauge::Gauge;
-use fem_client::solver::{Readout, SolveError, SolveRequest, Solved, Solver};
+use fem_client::solver::{
+    NoEquilibrium, Reached, Readout, SolveError, SolveRequest, Solved, Solver,
+};
 use placement::result::FilmAnglesReport;
 use placement::study::Study;
 use serde_json::json;
@@ -14,7 +16,10 @@ use crate::support::{MemoryArchive, observed};
 const BEYOND_V: f64 = 100.0;
 
 /// A tire whose glued films have a known transfer and, beside the contact, something more.
-struct MoreBeside;
+struct MoreBeside {
+    /// Whether films between whole degrees, which only test the table, have an equilibrium.
+    between_degrees: bool,
+}
 
 /// 13 N at 1 mm, with the power of 1.3.
 fn depth_of_load_mm(load_n: f64) -> f64 {
@@ -39,6 +44,16 @@ impl Solver for MoreBeside {
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
         let (mut scene, film) = (request.scene.clone(), request.scene.film.clone());
         scene.film = None;
+        let between = film
+            .as_ref()
+            .is_some_and(|film| film.theta_deg.fract() != 0.0);
+        if between && !self.between_degrees {
+            return Err(SolveError::NoEquilibrium {
+                status: NoEquilibrium::NotConverged,
+                detail: "between degrees".to_owned(),
+                reached: Reached::default(),
+            });
+        }
         let load_n = scene.ground.load_n.take().unwrap_or_default();
         let depth_mm = depth_of_load_mm(load_n);
         if load_n > 0.0 {
@@ -84,7 +99,7 @@ impl Solver for MoreBeside {
     }
 }
 
-fn films() -> FilmAnglesReport {
+fn films(solver: &MoreBeside) -> FilmAnglesReport {
     let document = json!({
         "name": "glued films on a rig",
         "scene": {"preset": "foot-tire", "film": {"length_mm": 1e-3, "width_mm": 1e-3}},
@@ -100,7 +115,7 @@ fn films() -> FilmAnglesReport {
     });
     let study = Study::from_value(&document, &|path| Err(path.to_owned())).unwrap();
     let archive = MemoryArchive::default();
-    let result = observed(&study, &MoreBeside, &archive, 2).0.unwrap();
+    let result = observed(&study, solver, &archive, 2).0.unwrap();
     let forces = result.forces.unwrap();
     let table = forces
         .table
@@ -111,10 +126,21 @@ fn films() -> FilmAnglesReport {
 /// A transfer of films above the contact misses what they give beside it; the table doesn't.
 #[test]
 fn what_films_give_beside_the_contact_is_in_the_table() {
-    let films = films();
+    let films = films(&MoreBeside {
+        between_degrees: true,
+    });
     assert_eq!((films.level.as_str(), films.tested), ("draft", 10));
     let (worst, missed) = (films.signal_worst.unwrap(), films.transfer_worst);
     assert!(missed > 0.1, "{missed}");
     // What is left is the bare strains between loads and degrees.
     assert!(worst < 0.01 * missed, "{worst} of {missed}");
+}
+
+#[test]
+fn a_film_that_only_tests_the_table_does_not_cost_it() {
+    let films = films(&MoreBeside {
+        between_degrees: false,
+    });
+    assert_eq!((films.tested, films.signal_worst), (0, None));
+    assert!(films.transfer_worst > 0.1, "{}", films.transfer_worst);
 }

@@ -25,7 +25,7 @@ fn a_rig_tells_forces_of_layouts_and_its_recordings_are_learnt_from() {
     std::fs::write(folder.join("rig.toml"), study).expect("writes");
     let dry = strainsite(folder, &["run", "rig.toml", "--dry-run"]);
     assert!(
-        text(&dry.stdout).contains("5 for layouts, 68 for the"),
+        text(&dry.stdout).contains("5 for layouts, 92 for the"),
         "{}",
         text(&dry.stdout)
     );
@@ -42,7 +42,7 @@ fn a_rig_tells_forces_of_layouts_and_its_recordings_are_learnt_from() {
     let table = &result["forces"]["table"];
     assert_eq!(
         (&table["solves"], &table["largest_load_n"]),
-        (&44.into(), &20.0.into())
+        (&56.into(), &20.0.into())
     );
     // Contact of the draft mesh comes on node by node: 4 % of full scale where ground is dragged, less where it isn't.
     let worst = table["error"]["signal_worst"].as_f64().expect("an error");
@@ -130,7 +130,7 @@ fn glued_films_are_solved_with_the_tire_around_the_wheel() {
     let result: Value = serde_json::from_str(&read(folder, "result.json")).expect("JSON");
     // Four loads of the tire without friction, and of the one kind of film at twelve angles, with five tests, beside the table's own.
     let table = &result["forces"]["table"];
-    assert_eq!(table["solves"], 44 + 4 + 12 * 4 + 5);
+    assert_eq!(table["solves"], 56 + 4 + 12 * 4 + 5);
     let films = &table["films"];
     assert_eq!(
         (&films["level"], &films["tested"]),

@@ -67,7 +67,7 @@ pub struct FilmAnglesReport {
     pub angles_deg: Vec<f64>,
     /// Loads, N.
     pub loads_n: Vec<f64>,
-    /// Solves between them that tested the table; 0 where it isn't tested.
+    /// Solves between them that tested the table; 0 where it isn't tested, or where one of them has no equilibrium.
     pub tested: usize,
     /// Root mean square of their signals' errors; null where nothing was tested.
     pub signal_rms: Option<f64>,
