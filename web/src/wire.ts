@@ -653,7 +653,7 @@ export interface components {
             angles_deg: number[];
             /** @description Loads, N. */
             loads_n: number[];
-            /** @description Solves between them that tested the table; 0 where it isn't tested. */
+            /** @description Solves between them that tested the table; 0 where it isn't tested, or where one of them has no equilibrium. */
             tested: number;
             /**
              * Format: double
