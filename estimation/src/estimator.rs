@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::features::StreamSettings;
-use crate::interval::{factor, factor_of_rows};
+use crate::interval::factor_by;
 use crate::model::contract::{Effort, FitError, Prediction};
 use crate::model::feature_scale::FeatureScale;
 use crate::model::fitted::Fitted;
@@ -189,10 +189,11 @@ impl ForceModel {
 /// From the rows that were left out. Where these are of the runs that were learnt from, it is widened by what another run brings, but never beyond the training
 /// mean's error: a model that hardly knows more than the mean loses no more on another run than that.
 fn interval_factor(judged: &Judged, by: SplitKind) -> f64 {
-    let found = match by {
-        SplitKind::Run => factor(&judged.left_out),
-        _ => factor_of_rows(&judged.left_out).map(|factor| factor * another_run(judged, by)),
+    let widened = match by {
+        SplitKind::Run => 1.0,
+        _ => another_run(judged, by),
     };
+    let found = factor_by(by, &judged.left_out).map(|factor| factor * widened);
     found.unwrap_or(f64::MIN_POSITIVE)
 }
 
@@ -273,7 +274,7 @@ pub fn is_outside(values: &[f64], ranges: &[(f64, f64)]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::interval::LeftOut;
+    use crate::interval::{LeftOut, factor};
     use crate::validation::SplitFigures;
 
     #[test]

@@ -8,6 +8,7 @@
 use std::collections::BTreeMap;
 
 use crate::error_metrics::{PROMISE, interval_score, quantile};
+use crate::recipe::SplitKind;
 
 /// What a model said of a row that it hadn't learnt from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,6 +34,14 @@ const USUAL_SPREAD: f64 = 0.2;
 /// Degrees of freedom that this expectation is worth: two runs that happen to agree don't say that a third will.
 const USUAL_WEIGHT: usize = 2;
 
+/// Factor on the deviation by what was left out; none of no rows. Runs differ, and few are seen; cycles are many, and a run has all sorts of them.
+pub fn factor_by(kind: SplitKind, left_out: &[LeftOut]) -> Option<f64> {
+    match kind {
+        SplitKind::Run => factor(left_out),
+        _ => factor_of_rows(left_out),
+    }
+}
+
 /// Factor on the deviation so that an interval holds [`PROMISE`] of a new group's rows; none of no rows.
 pub fn factor(left_out: &[LeftOut]) -> Option<f64> {
     let mut groups: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
@@ -51,7 +60,7 @@ pub fn factor(left_out: &[LeftOut]) -> Option<f64> {
 }
 
 /// Factor on the deviation that holds [`PROMISE`] of all rows, whichever groups they are of; none of no rows.
-pub fn factor_of_rows(left_out: &[LeftOut]) -> Option<f64> {
+fn factor_of_rows(left_out: &[LeftOut]) -> Option<f64> {
     let found = of_ratios(left_out.iter().map(ratio).collect());
     found.is_finite().then_some(found.max(f64::MIN_POSITIVE))
 }

@@ -12,7 +12,7 @@ use rand_chacha::rand_core::SeedableRng;
 
 use crate::error_metrics::{nrmse_percent, r2, rmse, rmse_interval};
 use crate::features::{GROUPS, MEANS, VALUES, columns};
-use crate::interval::{Fared, LeftOut, factor, factor_of_rows, fared};
+use crate::interval::{Fared, LeftOut, factor_by, fared};
 use crate::model::contract::{Effort, FitError, Prediction, Training};
 use crate::model::even_subset::even_subset;
 use crate::model::feature_scale::FeatureScale;
@@ -321,11 +321,7 @@ impl Tested {
             mean_nrmse_percent: nrmse_percent(&truth, mean_rmse),
             mean_rmse,
             r2: r2(&truth, &estimate),
-            // Runs differ, and few are seen; cycles are many, and a run has all sorts of them.
-            intervals: match kind {
-                SplitKind::Run => fared(&self.left_out, factor),
-                _ => fared(&self.left_out, factor_of_rows),
-            },
+            intervals: fared(&self.left_out, |rows| factor_by(kind, rows)),
         }
     }
 }
