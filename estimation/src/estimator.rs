@@ -4,16 +4,14 @@ use serde::{Deserialize, Serialize};
 
 use crate::features::StreamSettings;
 use crate::interval::factor_by;
-use crate::model::contract::{Effort, FitError, Prediction};
-use crate::model::feature_scale::FeatureScale;
-use crate::model::fitted::Fitted;
-use crate::recipe::{FeatureSet, Kind, Recipe, SplitKind};
+use crate::model::contract::{FitError, Prediction};
+use crate::recipe::{Recipe, SplitKind};
 use crate::recording::named_columns::NamedColumns;
 use crate::rows::{LabelledRows, Runs};
-use crate::validation::{Candidate, Judged, Learner};
+use crate::validation::{Judged, LearntModel};
 
 /// Version of the model file. One of another version is refused.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 /// What a model file says it is.
 pub const FORMAT: &str = "strainsite-estimator";
 /// A signal may leave the range that was learnt by this share of it before a row is flagged.
@@ -68,12 +66,8 @@ pub struct Stream {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ForceModel {
-    /// What it is given.
-    pub features: FeatureSet,
-    /// On which scale.
-    pub scale: FeatureScale,
-    /// The model.
-    pub model: Fitted,
+    /// The models whose mean is the estimate; mostly one, or a blend's.
+    pub members: Vec<LearntModel>,
     /// Deviations times this are half an interval's width.
     pub factor: f64,
 }
@@ -91,6 +85,7 @@ pub struct Estimate {
 
 /// Limits of what a model file may ask for.
 const MOST_ROWS: usize = 100_000;
+const MOST_MEMBERS: usize = 12;
 
 impl Stream {
     /// As the recipe has it, with the first reading taken off or not.
@@ -139,49 +134,29 @@ impl ForceModel {
         rows: &LabelledRows,
         recipe: &Recipe,
     ) -> Result<Self, FitError> {
-        let Candidate { kind, features } = judged.candidate;
-        let all: Vec<usize> = (0..rows.forces.len()).collect();
-        let learner = Learner::learn(
-            Candidate { kind, features },
-            rows,
-            &all,
-            recipe,
-            Effort::Whole,
-        )?;
-        Ok(Self {
-            features,
-            scale: learner.scale,
-            model: learner.model,
-            factor: interval_factor(judged, by),
-        })
+        let members = judged.members.iter();
+        let learnt = members.map(|member| LearntModel::whole(*member, rows, recipe));
+        Ok(Self::of(learnt.collect::<Result<_, _>>()?, judged, by))
     }
 
-    /// Which of all features of so many signals it reads.
-    pub fn columns(&self, signals: usize) -> Vec<usize> {
-        match self.model {
-            Fitted::Mean(_) => Vec::new(),
-            _ => crate::features::columns(self.features, signals),
+    /// Members that were learnt, with intervals as wide as their left-out rows ask for.
+    pub fn of(members: Vec<LearntModel>, judged: &Judged, by: SplitKind) -> Self {
+        Self {
+            members,
+            factor: interval_factor(judged, by),
         }
     }
 
-    /// The force at a row of its features, unscaled.
-    pub fn estimate(&self, features: impl IntoIterator<Item = f64>) -> Estimate {
-        let Prediction { mean, deviation } = self.model.predict(&self.scale.scaled(features));
+    /// The force at a row of all features.
+    pub fn estimate(&self, features: &[f64]) -> Estimate {
+        let members = self.members.iter();
+        let said: Vec<Prediction> = members.map(|member| member.predict(features)).collect();
+        let Prediction { mean, deviation } = Prediction::mixture(&said);
         let half = self.factor * deviation;
         Estimate {
             force: mean,
             low: mean - half,
             high: mean + half,
-        }
-    }
-
-    /// Which kind of model it is.
-    pub fn kind(&self) -> Kind {
-        match self.model {
-            Fitted::Mean(_) => Kind::Mean,
-            Fitted::Ridge(_) => Kind::Ridge,
-            Fitted::Gpr(_) => Kind::Gpr,
-            Fitted::Ann(_) => Kind::Ann,
         }
     }
 }
@@ -193,7 +168,7 @@ fn interval_factor(judged: &Judged, by: SplitKind) -> f64 {
         SplitKind::Run => 1.0,
         _ => another_run(judged, by),
     };
-    let found = factor_by(by, &judged.left_out).map(|factor| factor * widened);
+    let found = factor_by(by, judged.left_out(by)).map(|factor| factor * widened);
     found.unwrap_or(f64::MIN_POSITIVE)
 }
 
@@ -246,9 +221,15 @@ impl Estimator {
             return Err("there must be a model for each force".to_owned());
         }
         for force in &mut self.forces {
-            let features = force.columns(signals).len();
-            force.scale.check(features)?;
-            force.model.prepare(features)?;
+            if force.members.is_empty() || force.members.len() > MOST_MEMBERS {
+                return Err(format!(
+                    "a force must have 1 to {MOST_MEMBERS} models; it has {}",
+                    force.members.len()
+                ));
+            }
+            for member in &mut force.members {
+                member.prepare(signals)?;
+            }
             if !(force.factor.is_finite() && force.factor >= 0.0) {
                 return Err("a force's factor must be positive".to_owned());
             }
@@ -275,7 +256,8 @@ pub fn is_outside(values: &[f64], ranges: &[(f64, f64)]) -> bool {
 mod tests {
     use super::*;
     use crate::interval::{LeftOut, factor};
-    use crate::validation::SplitFigures;
+    use crate::recipe::{FeatureSet, Kind};
+    use crate::validation::{Candidate, Outcome, SplitFigures, Tested};
 
     #[test]
     fn another_run_is_never_worse_than_the_mean() {
@@ -298,13 +280,21 @@ mod tests {
                 r2: None,
                 intervals: None,
             };
-            let judged = Judged {
-                candidate: Candidate {
-                    kind: Kind::Ridge,
-                    features: FeatureSet::Raw,
+            let candidate = Candidate {
+                kind: Kind::Ridge,
+                features: FeatureSet::Raw,
+            };
+            let outcome = Outcome {
+                figures,
+                tested: Tested {
+                    left_out: left_out.clone(),
+                    means: Vec::new(),
                 },
-                splits: [(by, Ok(figures))].into(),
-                left_out: left_out.clone(),
+            };
+            let judged = Judged {
+                candidate,
+                members: vec![candidate],
+                splits: [(by, Ok(outcome))].into(),
             };
             interval_factor(&judged, by)
         };

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::recipe::{FeatureSet, Kind, SplitKind};
-use crate::validation::{Judged, SplitFigures};
+use crate::validation::{Candidate, Judged, SplitFigures};
 
 /// A model that isn't this much better than the training mean is useless: its RMSE must be at most this share of the mean's.
 pub const USEFUL_SHARE: f64 = 0.95;
@@ -69,6 +69,9 @@ pub struct ModelReport {
     pub model: Kind,
     /// The features it reads.
     pub features: FeatureSet,
+    /// The models whose mean a blend is; left out of others.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub members: Vec<MemberReport>,
     /// On the split that chooses.
     pub validation: SplitReport,
     /// On every split; null where there is none, the reason in the notes.
@@ -77,6 +80,16 @@ pub struct ModelReport {
     pub leak_factor: Option<f64>,
     /// Whether its error is at most 95 % of the training mean's on the split that chooses.
     pub better_than_mean: bool,
+}
+
+/// A model that is part of a blend.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct MemberReport {
+    /// The model.
+    pub model: Kind,
+    /// The features it reads.
+    pub features: FeatureSet,
 }
 
 /// A candidate on every split.
@@ -137,24 +150,25 @@ pub struct Ranking {
 }
 
 impl Ranking {
-    /// Puts the candidates in order: by their errors, but first the simplest of those that are as good as the best; the training mean where none is useful.
+    /// Puts the candidates in order: by their errors, but first, of those that are useful and as good as the best, the blend, or the simplest where none is; the
+    /// training mean where none is useful.
     pub fn new(mut judged: Vec<Judged>, by: SplitKind) -> Self {
         let error = |judged: &Judged| judged.on(by).map_or(f64::INFINITY, |figures| figures.rmse);
         judged.sort_by(|a, b| error(a).total_cmp(&error(b)));
         let least = judged.first().map_or(f64::INFINITY, error);
-        let useful = judged
-            .first()
-            .and_then(|best| best.on(by))
-            .is_some_and(is_useful);
-        let simplest = |judged: &Judged| (judged.candidate.kind, judged.candidate.features);
-        let as_good = judged
-            .iter()
-            .enumerate()
-            .filter(|(_, judged)| match useful {
-                true => judged.candidate.kind != Kind::Mean && error(judged) <= least * AS_GOOD,
-                false => judged.candidate.kind == Kind::Mean,
-            });
-        if let Some((place, _)) = as_good.min_by_key(|(_, judged)| simplest(judged)) {
+        let useful = |judged: &Judged| {
+            judged.candidate.kind != Kind::Mean && judged.on(by).is_some_and(is_useful)
+        };
+        let any = judged.first().is_some_and(useful);
+        let preferred = |judged: &Judged| {
+            let Candidate { kind, features } = judged.candidate;
+            (kind != Kind::Blend, kind, features)
+        };
+        let as_good = judged.iter().enumerate().filter(|(_, judged)| match any {
+            true => useful(judged) && error(judged) <= least * AS_GOOD,
+            false => judged.candidate.kind == Kind::Mean,
+        });
+        if let Some((place, _)) = as_good.min_by_key(|(_, judged)| preferred(judged)) {
             judged[..=place].rotate_right(1);
         }
         Self { judged, by }
@@ -228,6 +242,10 @@ fn model_report(judged: &Judged, by: SplitKind) -> Option<ModelReport> {
     Some(ModelReport {
         model: judged.candidate.kind,
         features: judged.candidate.features,
+        members: match judged.candidate.kind {
+            Kind::Blend => judged.members.iter().map(member_report).collect(),
+            _ => Vec::new(),
+        },
         validation: split_report(by, figures),
         splits: SplitReports {
             random: of_split(SplitKind::Random),
@@ -241,6 +259,13 @@ fn model_report(judged: &Judged, by: SplitKind) -> Option<ModelReport> {
             .map(|(strict, random)| strict.rmse / random.rmse),
         better_than_mean: judged.candidate.kind != Kind::Mean && is_useful(figures),
     })
+}
+
+fn member_report(member: &Candidate) -> MemberReport {
+    MemberReport {
+        model: member.kind,
+        features: member.features,
+    }
 }
 
 fn split_report(by: SplitKind, figures: &SplitFigures) -> SplitReport {
@@ -264,4 +289,68 @@ pub fn promise(by: SplitKind) -> String {
         _ => "95 % of the rows of other cycles of the same runs lie within their intervals; of another run nothing is promised, as none was left out: record a second one",
     }
     .to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::validation::{Outcome, Tested};
+
+    /// Candidates with these errors where the training mean's is 1.
+    fn ranked(candidates: &[(Kind, FeatureSet, f64)]) -> (Kind, FeatureSet) {
+        let judged = |(kind, features, rmse): &(Kind, FeatureSet, f64)| {
+            let candidate = Candidate {
+                kind: *kind,
+                features: *features,
+            };
+            let figures = SplitFigures {
+                rmse: *rmse,
+                mean_rmse: 1.0,
+                rmse_interval: None,
+                nrmse_percent: None,
+                mean_nrmse_percent: None,
+                r2: None,
+                intervals: None,
+            };
+            let tested = Tested {
+                left_out: Vec::new(),
+                means: Vec::new(),
+            };
+            Judged {
+                candidate,
+                members: vec![candidate],
+                splits: [(SplitKind::Run, Ok(Outcome { figures, tested }))].into(),
+            }
+        };
+        let mean = (Kind::Mean, FeatureSet::Raw, 1.0);
+        let judged = candidates.iter().chain([&mean]).map(judged).collect();
+        let ranking = Ranking::new(judged, SplitKind::Run);
+        let Candidate { kind, features } = ranking.chosen().expect("the mean at least").candidate;
+        (kind, features)
+    }
+
+    #[test]
+    fn a_blend_that_is_as_good_comes_first_then_the_simplest() {
+        use FeatureSet::{All, Raw, Slopes};
+        let models = [
+            (Kind::Ann, All, 0.50),
+            (Kind::Gpr, Slopes, 0.51),
+            (Kind::Gpr, Raw, 0.524),
+            (Kind::Ridge, Raw, 0.53),
+        ];
+        assert_eq!(ranked(&models), (Kind::Gpr, Raw));
+        let with = |error: f64| [&models[..], &[(Kind::Blend, All, error)]].concat();
+        assert_eq!(ranked(&with(0.52)), (Kind::Blend, All));
+        assert_eq!(ranked(&with(0.53)), (Kind::Gpr, Raw));
+    }
+
+    #[test]
+    fn what_is_useless_is_not_chosen_for_being_as_good() {
+        let models = [
+            (Kind::Gpr, FeatureSet::Raw, 0.94),
+            (Kind::Ridge, FeatureSet::Raw, 0.96),
+        ];
+        assert_eq!(ranked(&models), (Kind::Gpr, FeatureSet::Raw));
+        assert_eq!(ranked(&models[1..]), (Kind::Mean, FeatureSet::Raw));
+    }
 }

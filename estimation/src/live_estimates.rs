@@ -10,8 +10,6 @@ pub struct Live<'e> {
     estimator: &'e Estimator,
     clock: Option<Clock>,
     stream: FeatureStream,
-    /// Which of all features each force reads.
-    columns: Vec<Vec<usize>>,
 }
 
 /// What is known at a time.
@@ -48,11 +46,6 @@ impl<'e> Live<'e> {
                 .rate_hz
                 .map(|rate_hz| Clock::new(rate_hz, stream.pause_s, signals)),
             stream: FeatureStream::new(stream.settings()),
-            columns: estimator
-                .forces
-                .iter()
-                .map(|force| force.columns(signals))
-                .collect(),
         }
     }
 
@@ -72,14 +65,10 @@ impl<'e> Live<'e> {
 
     fn estimated(&mut self, time_s: f64, cycle: Option<usize>, signals: &[f64]) -> Estimated {
         let features = self.stream.push(time_s, cycle, signals);
-        let forces = self.estimator.forces.iter().zip(&self.columns);
+        let forces = self.estimator.forces.iter();
         Estimated {
             time_s,
-            forces: forces
-                .map(|(force, columns)| {
-                    force.estimate(columns.iter().map(|column| features[*column]))
-                })
-                .collect(),
+            forces: forces.map(|force| force.estimate(&features)).collect(),
             outside: self.estimator.is_outside(&features[..signals.len()]),
         }
     }

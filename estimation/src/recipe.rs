@@ -158,6 +158,14 @@ impl FeatureSet {
             Self::All => "all",
         }
     }
+
+    /// The smallest set that holds both.
+    pub fn with(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Slopes, Self::Rolling) | (Self::Rolling, Self::Slopes) => Self::All,
+            _ => self.max(other),
+        }
+    }
 }
 
 /// Which models are tried, and how each is learnt.
@@ -177,7 +185,7 @@ pub struct Models {
 impl Default for Models {
     fn default() -> Self {
         Self {
-            kinds: vec![Kind::Ridge, Kind::Gpr, Kind::Ann],
+            kinds: vec![Kind::Ridge, Kind::Gpr, Kind::Ann, Kind::Blend],
             gpr: GprSettings::default(),
             ann: AnnSettings::default(),
             seed: 1,
@@ -198,11 +206,13 @@ pub enum Kind {
     Gpr,
     /// A neural network.
     Ann,
+    /// The mean of those that are nearly as good as the best.
+    Blend,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 4] = [Self::Mean, Self::Ridge, Self::Gpr, Self::Ann];
+    pub const ALL: [Self; 5] = [Self::Mean, Self::Ridge, Self::Gpr, Self::Ann, Self::Blend];
 
     /// Its name in documents.
     pub fn as_str(self) -> &'static str {
@@ -211,6 +221,7 @@ impl Kind {
             Self::Ridge => "ridge",
             Self::Gpr => "gpr",
             Self::Ann => "ann",
+            Self::Blend => "blend",
         }
     }
 }

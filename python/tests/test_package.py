@@ -117,6 +117,7 @@ DESCRIBED: list[tuple[type, str, set[str]]] = [
     (strainsite.RecordingFigures, "RecordingFigures", set()),
     (strainsite.ForceReport, "ForceReport", set()),
     (strainsite.ModelReport, "ModelReport", set()),
+    (strainsite.MemberReport, "MemberReport", set()),
     (strainsite.SplitReports, "SplitReports", set()),
     (strainsite.SplitReport, "SplitReport", set()),
     (strainsite.FitCost, "FitCost", set()),

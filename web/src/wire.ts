@@ -1058,7 +1058,7 @@ export interface components {
          * @description A kind of model, the simplest first.
          * @enum {string}
          */
-        Kind: "mean" | "ridge" | "gpr" | "ann";
+        Kind: "mean" | "ridge" | "gpr" | "ann" | "blend";
         /**
          * @description From how many units on more of them bring no more than their number: the worst bound of the angle times the root of the number of units stays within
          *     twice that of a dense ring.
@@ -1524,6 +1524,13 @@ export interface components {
             /** @description `ok`, `constant`, `product-form-broken` or `unusable`. */
             status: string[];
         };
+        /** @description A model that is part of a blend. */
+        MemberReport: {
+            /** @description The model. */
+            model: components["schemas"]["Kind"];
+            /** @description The features it reads. */
+            features: components["schemas"]["FeatureSet"];
+        };
         /** @description How indices are computed. */
         MethodDocument: {
             /** @description mdrm, bivariate, tensor, pce, saltelli or auto. */
@@ -1565,6 +1572,8 @@ export interface components {
             model: components["schemas"]["Kind"];
             /** @description The features it reads. */
             features: components["schemas"]["FeatureSet"];
+            /** @description The models whose mean a blend is; left out of others. */
+            members?: components["schemas"]["MemberReport"][];
             /** @description On the split that chooses. */
             validation: components["schemas"]["SplitReport"];
             /** @description On every split; null where there is none, the reason in the notes. */
@@ -3042,6 +3051,7 @@ export type LoginLink = components['schemas']['LoginLink'];
 export type MapLayer = components['schemas']['MapLayer'];
 export type MapShape = components['schemas']['MapShape'];
 export type MapView = components['schemas']['MapView'];
+export type MemberReport = components['schemas']['MemberReport'];
 export type MethodDocument = components['schemas']['MethodDocument'];
 export type ModelReport = components['schemas']['ModelReport'];
 export type ModelSummary = components['schemas']['ModelSummary'];

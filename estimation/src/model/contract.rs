@@ -11,6 +11,23 @@ pub struct Prediction {
     pub deviation: f64,
 }
 
+impl Prediction {
+    /// What several say together, each as likely as the others: the mean and deviation of a mixture of equal weights. What one says stays as it is.
+    pub fn mixture(of: &[Self]) -> Self {
+        if let [one] = of {
+            return *one;
+        }
+        let count = of.len() as f64;
+        let mean = of.iter().map(|said| said.mean).sum::<f64>() / count;
+        let square = |said: &Self| said.deviation.powi(2) + (said.mean - mean).powi(2);
+        let variance = of.iter().map(square).sum::<f64>() / count;
+        Self {
+            mean,
+            deviation: variance.sqrt(),
+        }
+    }
+}
+
 /// What a model is learnt from.
 #[derive(Debug, Clone, Copy)]
 pub struct Training<'a> {
@@ -40,6 +57,9 @@ pub enum FitError {
     /// No network has a finite loss.
     #[error("no network has a finite loss")]
     NoLoss,
+    /// A blend was to be learnt as if it were a model.
+    #[error("a blend is learnt by its members")]
+    NotAlone,
     /// Poisson's loss takes no negative forces.
     #[error("the Poisson loss takes forces of 0 and more; a training row has a negative one")]
     Negative,
@@ -65,5 +85,19 @@ pub(crate) fn check_deviation(what: &str, deviation: f64) -> Result<(), String> 
         Ok(())
     } else {
         Err(format!("{what} must be positive; it is {deviation}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mixture_is_as_wide_as_its_parts_and_their_disagreement() {
+        let said = |mean: f64, deviation: f64| Prediction { mean, deviation };
+        // 1 and 7 are 3 from their mean of 4; (3^2 + 5^2)/2 + 3^2 = 26.
+        let both = Prediction::mixture(&[said(1.0, 3.0), said(7.0, 5.0)]);
+        assert_eq!((both.mean, both.deviation), (4.0, 26f64.sqrt()));
+        assert_eq!(Prediction::mixture(&[said(0.1, 0.3)]), said(0.1, 0.3));
     }
 }

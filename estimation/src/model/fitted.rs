@@ -34,6 +34,7 @@ pub fn fit(
     training: &Training<'_>,
 ) -> Result<Fitted, FitError> {
     Ok(match kind {
+        Kind::Blend => return Err(FitError::NotAlone),
         Kind::Mean => Fitted::Mean(TrainingMean::fit(training)),
         Kind::Ridge => Fitted::Ridge(Ridge::fit(training)?),
         Kind::Gpr => Fitted::Gpr(Gpr::fit(&settings.gpr, effort, settings.seed, training)?),

@@ -10,7 +10,7 @@ use estimation::recipe::{
 use estimation::recording::Recording;
 use estimation::recording::named_columns::NamedColumns;
 use estimation::rows::Runs;
-use estimation::validation::{Splits, candidates, judge, rolled_r2};
+use estimation::validation::{Judged, Splits, blend, candidates, judge, rolled, rolled_r2};
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -68,7 +68,9 @@ fn fitted(recipe: &Recipe, recordings: Vec<Recording>) -> (Estimator, Ranking, R
     let judged = candidates(recipe)
         .into_iter()
         .map(|candidate| judge(candidate, &rows, &splits, recipe, true).expect("judged"));
-    let ranking = Ranking::new(judged.collect(), splits.by);
+    let mut judged: Vec<Judged> = judged.collect();
+    judged.extend(blend(&judged, splits.by, &rows, recipe));
+    let ranking = Ranking::new(judged, splits.by);
     let chosen = ranking.chosen().expect("a best one");
     let estimator = Estimator {
         format: FORMAT.to_owned(),
@@ -81,7 +83,9 @@ fn fitted(recipe: &Recipe, recordings: Vec<Recording>) -> (Estimator, Ranking, R
         forces: vec![ForceModel::learn(chosen, splits.by, &rows, recipe).expect("learns")],
         recipe: recipe.clone(),
     };
-    let rolled = rolled_r2(chosen.candidate, &rows, &splits, recipe).expect("rolled");
+    let of_member = |member| rolled(member, &rows, &splits, recipe).expect("rolled");
+    let rolled: Vec<_> = chosen.members.iter().copied().map(of_member).collect();
+    let rolled = rolled_r2(&rolled).expect("varies");
     assert!(
         rolled < 0.2,
         "forces that don't belong to the signals are estimated with R2 {rolled}"
@@ -155,7 +159,7 @@ fn signals_that_know_nothing_are_called_useless() {
         Some(Kind::Mean)
     );
     assert!(ranking.notes("fz_n")[0].starts_with("fz_n: useless"));
-    assert_eq!(estimator.forces[0].kind(), Kind::Mean);
+    assert_eq!(estimator.forces[0].members[0].candidate().kind, Kind::Mean);
 }
 
 #[test]

@@ -90,7 +90,7 @@ from .forces.published import (
     RigFigures,
     TimeConstantRow,
 )
-from .forces.report import FitCost, FitReport, ForceReport, ModelReport, RecordingFigures, SplitReport, SplitReports
+from .forces.report import FitCost, FitReport, ForceReport, MemberReport, ModelReport, RecordingFigures, SplitReport, SplitReports
 from .forces.trial import TrialError
 from .local import local
 from .study import Study
@@ -163,6 +163,7 @@ __all__ = [
     "LocalServerError",
     "Location",
     "LocationStrain",
+    "MemberReport",
     "MissingExtra",
     "Model",
     "ModelReport",

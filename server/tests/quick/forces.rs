@@ -194,7 +194,7 @@ fn every_fault_is_told_and_nothing_is_written() {
                 "newer.json",
                 &std::fs::read_to_string(folder.path().join("model.json"))
                     .expect("reads")
-                    .replacen("\"version\":1", "\"version\":2", 1),
+                    .replacen("\"version\":2", "\"version\":3", 1),
             ),
         ],
     );
@@ -252,7 +252,7 @@ fn every_fault_is_told_and_nothing_is_written() {
     );
     refused(
         &["force", "apply", "newer.json", "new.csv", "-o", "no.json"],
-        &["version is 2"],
+        &["version is 3"],
     );
     refused(
         &["force", "apply", "one.csv", "new.csv", "-o", "no.json"],

@@ -205,13 +205,11 @@ impl FreshTrials {
 fn at(learnt: &LearntForce, run: &ThinnedRun, axis: usize, row: usize) -> Tried {
     let features = run.features.row(row);
     let films = features.len() / GROUPS;
-    let columns = learnt.model.columns(films);
-    let read = columns.into_iter().map(|column| features[column]);
-    let signals: Vec<f64> = features.iter().take(films).copied().collect();
+    let features = features.to_vec();
     Tried {
         truth: run.true_force_n[[row, axis]],
-        estimate: learnt.model.estimate(read),
-        outside: is_outside(&signals, &learnt.ranges),
+        estimate: learnt.model.estimate(&features),
+        outside: is_outside(&features[..films], &learnt.ranges),
     }
 }
 

@@ -7,7 +7,7 @@ use estimation::model::contract::Effort;
 use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
 use estimation::rows::LabelledRows;
 use estimation::split::Fold;
-use estimation::validation::{Candidate, Learner, Splits};
+use estimation::validation::{Candidate, LearntModel, Splits};
 
 use crate::result::{PublishedRow, RigFigures, TimeConstantRow};
 use crate::rig::contact_response::{ContactResponse, TurnableFilms};
@@ -250,7 +250,7 @@ struct Model<'r> {
 
 /// A model that was learnt, beside the mean of the forces it learnt from.
 struct Learnt {
-    learner: Learner,
+    learner: LearntModel,
     mean_n: f64,
 }
 
@@ -259,7 +259,7 @@ impl Model<'_> {
         if train.is_empty() {
             return Err("nothing touched in its recording".to_owned());
         }
-        let learner = Learner::learn(
+        let learner = LearntModel::learn(
             self.candidate,
             &self.rows,
             train,

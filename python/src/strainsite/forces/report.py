@@ -67,11 +67,19 @@ class SplitReports:
 
 
 @dataclass(frozen=True)
+class MemberReport:
+    """A model that is part of a blend."""
+
+    model: str
+    features: str
+
+
+@dataclass(frozen=True)
 class ModelReport:
     """One model with one set of features."""
 
     model: str
-    """`ridge`, `gpr`, `ann` or `mean`, the training mean."""
+    """`ridge`, `gpr`, `ann`, `blend`, the mean of several, or `mean`, the training mean."""
     features: str
     """`raw`, `slopes`, `rolling` or `all`."""
     validation: SplitReport
@@ -81,6 +89,8 @@ class ModelReport:
     """RMSE on the strictest split over that on the random one: how far a random split would have misled."""
     better_than_mean: bool
     """Whether its error is at most 95 % of the training mean's on the split that chooses."""
+    members: tuple[MemberReport, ...] = ()
+    """The models whose mean a blend is; of others none."""
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,8 @@
 //! How much memory a fit may take, before it begins.
 
-use estimation::recipe::Recipe;
+use estimation::recipe::{Recipe, SplitKind};
 use estimation::rows::Runs;
+use estimation::validation::{MOST_TESTED, candidates};
 
 /// Numbers a row has for each signal: it, its slope, its rolling mean and variance.
 const PER_SIGNAL: u64 = 4;
@@ -10,6 +11,8 @@ const COPIES: u64 = 3;
 /// Matrices of a process that are there at once: a covariance, its factor, and one of its derivatives.
 const MATRICES: u64 = 3;
 const NUMBER: u64 = 8;
+/// Numbers that are kept of a row that a candidate was tested on: its place and group, truth, estimate, deviation and the training mean.
+const PER_TESTED: u64 = 6;
 
 /// An upper bound of the memory, bytes, but for what doesn't grow with the rows.
 pub fn fit_memory_bytes(runs: &Runs, recipe: &Recipe, threads: usize) -> u64 {
@@ -26,7 +29,10 @@ pub fn fit_memory_bytes(runs: &Runs, recipe: &Recipe, threads: usize) -> u64 {
     let gpr = &recipe.models.gpr;
     let most = wide(gpr.most_rows.max(gpr.search_rows)).min(rows);
     let each = MATRICES * most * most * NUMBER;
-    held + wide(threads.max(1)) * (features * COPIES + each)
+    let candidates = wide(candidates(recipe).len()) * forces;
+    let splits = wide(SplitKind::ALL.len());
+    let tested = candidates * splits * rows.min(wide(MOST_TESTED)) * PER_TESTED * NUMBER;
+    held + tested + wide(threads.max(1)) * (features * COPIES + each)
 }
 
 #[cfg(test)]
@@ -44,10 +50,15 @@ mod tests {
         };
         let usual = Recipe::default();
         let bytes = |rows: u32, threads: usize| fit_memory_bytes(&runs(rows), &usual, threads);
-        assert_eq!(bytes(100, 1), 100 * 32 * 6 + 3 * 100 * 100 * 8);
+        // 12 models and the mean, on five splits.
+        let tested = |rows: u64| 13 * 5 * rows * 6 * 8;
+        assert_eq!(
+            bytes(100, 1),
+            100 * 32 * 6 + tested(100) + 3 * 100 * 100 * 8
+        );
         assert!(bytes(200, 1) > 2 * bytes(100, 1));
-        assert!(bytes(100, 4) > 2 * bytes(100, 1));
+        assert!(bytes(100, 4) > bytes(100, 1) + 2 * 3 * 100 * 100 * 8);
         // A process of all defaults has 3000 rows at most, whatever comes.
-        assert!(bytes(20_000, 1) < 20_000 * 32 * 6 + 3 * 3001 * 3001 * 8);
+        assert!(bytes(20_000, 1) < 20_000 * 32 * 6 + tested(10_000) + 3 * 3001 * 3001 * 8);
     }
 }

@@ -11,7 +11,8 @@ use estimation::recording::Recording;
 use estimation::rows::{LabelledRows, Runs};
 use estimation::split::strictest;
 use estimation::validation::{
-    ANOTHER_SESSION, Candidate, Judged, Splits, candidates, judge, rolled_r2,
+    ANOTHER_SESSION, Candidate, Judged, LearntModel, Splits, Tested, blend, candidates, judge,
+    rolled, rolled_r2,
 };
 use fem_client::document::fault::Fault;
 use serde::{Deserialize, Serialize};
@@ -229,8 +230,11 @@ fn judged(
         });
         return Err(FitFailure::Input(faults.take(1).collect()));
     }
-    let rankings = of_forces.into_iter().zip(splits);
-    let rankings = rankings.map(|(judged, splits)| Ranking::new(judged, splits.by));
+    let rankings = of_forces.into_iter().zip(rows).zip(splits);
+    let rankings = rankings.map(|((mut judged, rows), splits)| {
+        judged.extend(blend(&judged, splits.by, rows, recipe));
+        Ranking::new(judged, splits.by)
+    });
     Ok((rankings.collect(), failures))
 }
 
@@ -247,21 +251,33 @@ fn learnt(
         told: &|_, _| {},
         ..work
     };
-    let learnt = in_parallel(rows.len(), quiet, |force| {
-        let chosen = rankings[force].chosen()?;
-        let rolled = rolled_r2(chosen.candidate, &rows[force], &splits[force], recipe);
-        Some((
-            ForceModel::learn(chosen, splits[force].by, &rows[force], recipe),
-            rolled,
-        ))
+    let members: Vec<(usize, Candidate)> = rankings
+        .iter()
+        .enumerate()
+        .filter_map(|(force, ranking)| Some((force, ranking.chosen()?)))
+        .flat_map(|(force, chosen)| chosen.members.iter().map(move |member| (force, *member)))
+        .collect();
+    let learnt = in_parallel(members.len(), quiet, |piece| {
+        let (force, member) = members[piece];
+        (
+            LearntModel::whole(member, &rows[force], recipe),
+            rolled(member, &rows[force], &splits[force], recipe),
+        )
     })?;
-    let mut models = Vec::new();
-    let mut rolled = Vec::new();
-    for (model, chance) in learnt.into_iter().flatten() {
+    let mut of_forces: Vec<(Vec<LearntModel>, Vec<Tested>)> = vec![Default::default(); rows.len()];
+    for ((force, _), (model, rolled)) in members.iter().zip(learnt) {
+        let (models, said) = &mut of_forces[*force];
         models.push(model.map_err(|error| FitFailure::Other(error.to_string()))?);
-        rolled.push(chance);
+        said.extend(rolled);
     }
-    Ok((models, rolled))
+    let forces = of_forces.into_iter().zip(rankings).zip(splits);
+    let found = forces.filter_map(|(((models, rolled), ranking), splits)| {
+        // What chance would do is told of all members, or of none.
+        let whole = rolled.len() == models.len();
+        let chance = rolled_r2(&rolled).filter(|_| whole);
+        Some((ForceModel::of(models, ranking.chosen()?, splits.by), chance))
+    });
+    Ok(found.unzip())
 }
 
 fn more_notes(runs: &Runs, subtract_start: bool, recipe: &Recipe) -> Vec<String> {
@@ -346,7 +362,7 @@ fn left_out_rows(
     };
     let mut said = ranking
         .chosen()
-        .map_or(Vec::new(), |chosen| chosen.left_out.clone());
+        .map_or(Vec::new(), |chosen| chosen.left_out(ranking.by).to_vec());
     said.sort_by_key(|row| row.row);
     for row in said {
         let half = model.factor * row.deviation;

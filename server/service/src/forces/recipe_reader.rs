@@ -178,6 +178,14 @@ fn models(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Model
     let usual = Models::default();
     let kinds = Kind::ALL.map(|kind| (kind.as_str(), kind));
     let kinds = distinct(&fields, "kinds", &kinds, usual.kinds, faults);
+    let alone = |kinds: &Vec<Kind>| {
+        let learnt = |kind: &Kind| !matches!(kind, Kind::Mean | Kind::Blend);
+        kinds.contains(&Kind::Blend) && !kinds.iter().any(learnt)
+    };
+    if kinds.as_ref().is_some_and(alone) {
+        let detail = "must name a model beside \"blend\", which is the mean of others";
+        Fault::add(faults, &format!("{pointer}/kinds"), detail);
+    }
     let seed = fields.integer("seed", (0, u64::from(u32::MAX)), usual.seed, faults);
     let gpr = match fields.get("gpr") {
         Some((value, at)) => gpr(value, &at, faults),
@@ -452,6 +460,14 @@ mod tests {
         assert_eq!(read.models.ann.layers, [5]);
         assert_eq!(read.models.ann.activation, Activation::Softmax);
         assert_eq!(read.validation.by, Some(SplitKind::Time));
+    }
+
+    #[test]
+    fn a_blend_needs_others() {
+        let text = r#"{"models": {"kinds": ["mean", "blend"]}}"#;
+        let faults = recipe_from_text(text, Format::Json).expect_err("a fault");
+        assert_eq!(faults[0].pointer, "/models/kinds");
+        assert!(recipe_from_text(&text.replace("mean", "ann"), Format::Json).is_ok());
     }
 
     #[test]

@@ -29,6 +29,12 @@ test("a force that no model knows is called useless, with the best of the models
   assert.deepEqual(answer.facts, [["Best model", "ridge regression of signals, slopes, off by 1.77 N"]]);
 });
 
+test("a blend is said by its members", () => {
+  const blend: ModelReport = { ...model("blend", 1, true), members: [{ model: "gpr", features: "slopes" }, { model: "ann", features: "raw" }] };
+  const answer = forceAnswer({ force: "f", chosen: "blend", chosen_features: "slopes", models: [blend] });
+  assert.deepEqual(answer.facts[0], ["Model", "mean of 2 models: Gaussian process (slopes), neural network (raw)"]);
+});
+
 test("intervals that hold too few rows are said to", () => {
   const few = { ...model("gpr", 1, true), validation: { ...error(1), coverage: 0.88 } };
   assert.match(forceAnswer({ force: "f", chosen: "gpr", chosen_features: "raw", models: [few] }).facts[2]?.[1] ?? "", /holds only 88 %/);

@@ -1,9 +1,9 @@
 /** What was found of a force, in words. */
 
 import { fixed, significant } from "../format.ts";
-import type { FeatureSet, ForceReport, Kind, SplitKind, SplitReport } from "../../wire.ts";
+import type { FeatureSet, ForceReport, Kind, ModelReport, SplitKind, SplitReport } from "../../wire.ts";
 
-export const MODELS: Record<Kind, string> = { mean: "training mean", ridge: "ridge regression", gpr: "Gaussian process", ann: "neural network" };
+export const MODELS: Record<Kind, string> = { mean: "training mean", ridge: "ridge regression", gpr: "Gaussian process", ann: "neural network", blend: "blend" };
 
 export const FEATURES: Record<FeatureSet, string> = { raw: "signals", slopes: "signals, slopes", rolling: "signals, rolling means and variances", all: "signals, slopes, rolling means and variances" };
 
@@ -30,7 +30,7 @@ export interface ForceAnswer {
 }
 
 export function forceAnswer(report: ForceReport): ForceAnswer {
-  const { force, chosen, chosen_features } = report;
+  const { force } = report;
   const [first] = report.models;
   if (first === undefined) return { force, isUseful: false, sentence: "no model was judged", facts: [] };
   const error = first.validation;
@@ -47,11 +47,17 @@ export function forceAnswer(report: ForceReport): ForceAnswer {
     isUseful: true,
     sentence: `off by ${newtons(error.rmse_n)} N${between(error)} ${LEFT_OUT[error.by]}`,
     facts: [
-      ["Model", `${MODELS[chosen]} of ${FEATURES[chosen_features]}`],
+      ["Model", modelWords(first)],
       ["Share of the range", `${fixed(error.nrmse_percent, 1)} %; the training mean ${fixed(error.mean_nrmse_percent, 1)} %`],
       ["95 % interval", `${newtons(error.width_n)} N wide, holds ${(error.coverage ?? 1) < FEW ? "only " : ""}${share(error.coverage)} % of the rows`],
     ],
   };
+}
+
+/** A model with what it reads; a blend by its members. */
+export function modelWords({ model, features, members }: ModelReport): string {
+  if (members === undefined) return `${MODELS[model]} of ${FEATURES[features]}`;
+  return `mean of ${members.length} models: ${members.map((member) => `${MODELS[member.model]} (${member.features})`).join(", ")}`;
 }
 
 /** The best of the models that are none the better for it. */
@@ -59,7 +65,7 @@ function bestOf({ models }: ForceReport): [string, string][] {
   const others = models.filter(({ model }) => model !== "mean");
   const [best] = [...others].sort((a, b) => a.validation.rmse_n - b.validation.rmse_n);
   if (best === undefined) return [];
-  return [["Best model", `${MODELS[best.model]} of ${FEATURES[best.features]}, off by ${newtons(best.validation.rmse_n)} N`]];
+  return [["Best model", `${modelWords(best)}, off by ${newtons(best.validation.rmse_n)} N`]];
 }
 
 /** A note as a sentence; the name of a force stays as it is written. */

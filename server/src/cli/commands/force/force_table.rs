@@ -43,10 +43,9 @@ fn answer(force: &ForceReport) -> String {
             format!(" ({low:.3} to {high:.3})")
         });
     format!(
-        "{}: {} on {} features, off by {} N{range} on {}\n",
+        "{}: {}, off by {} N{range} on {}\n",
         force.force,
-        force.chosen.as_str(),
-        force.chosen_features.as_str(),
+        chosen(model),
         painted(GOOD, format!("{:.3}", figures.rmse_n)),
         match figures.by.as_str() {
             "run" => "runs it didn't learn from",
@@ -56,6 +55,22 @@ fn answer(force: &ForceReport) -> String {
             _ => "rows drawn at random",
         }
     )
+}
+
+fn chosen(model: &ModelReport) -> String {
+    let named: Vec<String> = model
+        .members
+        .iter()
+        .map(|member| format!("{} {}", member.model.as_str(), member.features.as_str()))
+        .collect();
+    match named.split_last() {
+        Some((last, others)) => format!("blend of {} and {last}", others.join(", ")),
+        None => format!(
+            "{} on {} features",
+            model.model.as_str(),
+            model.features.as_str()
+        ),
+    }
 }
 
 fn models(force: &ForceReport) -> String {

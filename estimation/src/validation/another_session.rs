@@ -1,0 +1,96 @@
+//! One run says nothing of how the next session's instruments read: its left-out rows are moved as they may be.
+
+use ndarray::ArrayView1;
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+
+use crate::features::{GROUPS, MEANS, VALUES};
+use crate::rows::LabelledRows;
+
+/// Where one run was recorded, signals of left-out rows are moved by offsets with this standard deviation, as a share of their ranges: another session's
+/// instruments read so far off at the best of times, and a force that hangs on small differences of large signals must show it.
+pub const ANOTHER_SESSION: f64 = 0.005;
+
+/// What another session's instruments may add to signals.
+pub(super) struct Session {
+    /// Of each signal.
+    ranges: Vec<f64>,
+    seed: u64,
+}
+
+impl Session {
+    pub(super) fn new(rows: &LabelledRows, seed: u64) -> Self {
+        let signals = rows.features.ncols() / GROUPS;
+        let range = |column: ArrayView1<'_, f64>| {
+            let low = column.iter().copied().fold(f64::INFINITY, f64::min);
+            let high = column.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            high - low
+        };
+        let columns = rows.features.columns();
+        Self {
+            ranges: columns.into_iter().take(signals).map(range).collect(),
+            seed,
+        }
+    }
+
+    /// Moves a row's signals, and with them their rolling means; slopes and variances don't know an offset. Each row meets a session of its own: an error
+    /// over all rows is then that over as many sessions.
+    pub(super) fn disturb(&self, row: usize, features: &mut [f64]) {
+        let mut generator = ChaCha8Rng::seed_from_u64(self.seed);
+        generator.set_stream(row as u64);
+        let signals = self.ranges.len();
+        for (signal, range) in self.ranges.iter().enumerate() {
+            // Drawn evenly from -root 3 to root 3: a variance of 1.
+            let drawn = generator.random_range(-3f64.sqrt()..3f64.sqrt());
+            for group in [VALUES, MEANS] {
+                features[group * signals + signal] += ANOTHER_SESSION * range * drawn;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use ndarray::Array2;
+
+    use super::*;
+    use crate::split::Place;
+
+    #[test]
+    fn another_session_moves_values_and_means_alike() {
+        // Two signals with ranges of 2 and 400.
+        let ends = [[-1.0, 100.0], [1.0, 500.0]];
+        let rows = LabelledRows {
+            features: Array2::from_shape_fn((2, 2 * GROUPS), |(row, k)| ends[row][k % 2]),
+            forces: vec![0.0, 1.0],
+            places: vec![
+                Place {
+                    run: 0,
+                    row: 0,
+                    cycle: 0,
+                    time_s: 0.0
+                };
+                2
+            ],
+        };
+        let session = Session::new(&rows, 1);
+        let moved = |row: usize| {
+            let mut features = vec![0.0; 2 * GROUPS];
+            session.disturb(row, &mut features);
+            features
+        };
+        let [a, b, ..] = moved(7)[..] else {
+            panic!("eight features")
+        };
+        assert_eq!(moved(7), [a, b, 0.0, 0.0, a, b, 0.0, 0.0]);
+        assert_ne!(moved(8)[0], a);
+        // Squares of evenly drawn numbers with variance 1 have a variance of 9/5 - 1: the mean of 4000 is known to 0.014, four of which are allowed.
+        let square = |(moved, range): (f64, f64)| (moved / (0.005 * range)).powi(2);
+        let squares: f64 = (0..2000)
+            .map(moved)
+            .map(|moved| square((moved[0], 2.0)) + square((moved[1], 400.0)))
+            .sum();
+        assert!((squares / 4000.0 - 1.0).abs() < 0.057, "{squares}");
+    }
+}

@@ -1,0 +1,25 @@
+//! Every model with every feature set on every split: what is learnt is never tested.
+//!
+//! Scale, outliers, hyperparameters and penalties are learnt from a fold's training rows alone. One [`Candidate`] of one force is one piece of work, which depends on
+//! nothing but its arguments, so that whoever has cores can share the pieces out.
+//!
+//! - `candidate`: a model with a set of features; `learnt_model`: the same, learnt
+//! - `split_set`: the splits of a force's rows
+//! - `tested_rows`: what was said of left-out rows, and its errors; `another_session`: how those of one run are moved
+//! - `judged`: a candidate on every split; `blend`: the mean of those that are nearly as good as the best
+
+mod another_session;
+mod blend;
+mod candidate;
+mod judged;
+mod learnt_model;
+mod split_set;
+mod tested_rows;
+
+pub use another_session::ANOTHER_SESSION;
+pub use blend::blend;
+pub use candidate::{Candidate, candidates};
+pub use judged::{Judged, Outcome, judge, rolled, rolled_r2};
+pub use learnt_model::LearntModel;
+pub use split_set::Splits;
+pub use tested_rows::{MOST_TESTED, SplitFigures, Tested};

@@ -1,0 +1,56 @@
+//! The splits of a force's rows, and which of them chooses.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::recipe::{FeatureSet, Recipe, SplitKind};
+use crate::rows::LabelledRows;
+use crate::split::{Fold, Gap, folds, strictest};
+
+/// Time constants between what is learnt and what is tested by time: after three of them 5 % are left.
+const TIME_CONSTANTS: f64 = 3.0;
+/// A gap takes at most this part of a typical cycle from what is learnt: of short cycles nothing would be left.
+const GAP_SHARE: usize = 4;
+
+/// Rows of a typical cycle.
+fn cycle_rows(rows: &LabelledRows) -> usize {
+    let cycles: BTreeSet<usize> = rows.places.iter().map(|place| place.cycle).collect();
+    rows.places.len() / cycles.len().max(1)
+}
+
+/// The splits of a force's rows.
+#[derive(Debug, Clone)]
+pub struct Splits {
+    /// The one that chooses.
+    pub by: SplitKind,
+    /// The folds of each, or why there are none.
+    pub folds: BTreeMap<SplitKind, Result<Vec<Fold>, String>>,
+}
+
+impl Splits {
+    /// All splits of these rows; `interval_s` is the time between two.
+    pub fn new(rows: &LabelledRows, recipe: &Recipe, interval_s: f64) -> Self {
+        let windowed = recipe
+            .features
+            .sets
+            .iter()
+            .any(|set| *set != FeatureSet::Raw);
+        let window = if windowed {
+            recipe.features.window_rows
+        } else {
+            1
+        };
+        let window = window.max(recipe.preprocess.smooth_rows);
+        let gap = Gap {
+            rows: (window - 1).min(cycle_rows(rows) / GAP_SHARE),
+            time_s: window as f64 * interval_s + TIME_CONSTANTS * recipe.validation.time_constant_s,
+        };
+        let of = |kind: SplitKind| (kind, folds(kind, &rows.places, gap, recipe.models.seed));
+        Self {
+            by: recipe
+                .validation
+                .by
+                .unwrap_or_else(|| strictest(&rows.places)),
+            folds: SplitKind::ALL.map(of).into(),
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! What was said of rows that weren't learnt from, and how far off it was.
+
+use crate::error_metrics::{nrmse_percent, r2, rmse, rmse_interval};
+use crate::interval::{Fared, LeftOut, factor_by, fared};
+use crate::model::contract::{Effort, FitError, Prediction};
+use crate::model::even_subset::even_subset;
+use crate::recipe::{Recipe, SplitKind};
+use crate::rows::LabelledRows;
+use crate::split::{Fold, strictest};
+use crate::validation::another_session::Session;
+use crate::validation::candidate::Candidate;
+use crate::validation::learnt_model::LearntModel;
+
+/// Most rows that a split tests, evenly taken: neighbours tell nothing new of an error.
+pub const MOST_TESTED: usize = 10_000;
+
+/// How a candidate fared on one split.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SplitFigures {
+    /// N
+    pub rmse: f64,
+    /// 95 % of the bootstrap's samples of cycles, N.
+    pub rmse_interval: Option<(f64, f64)>,
+    /// RMSE over the range of the tested forces, %.
+    pub nrmse_percent: Option<f64>,
+    /// The same of the training mean.
+    pub mean_nrmse_percent: Option<f64>,
+    /// RMSE of the training mean, N.
+    pub mean_rmse: f64,
+    /// Coefficient of determination.
+    pub r2: Option<f64>,
+    /// Intervals whose factor was learnt from other groups.
+    pub intervals: Option<Fared>,
+}
+
+/// What was said of all tested rows: the same rows in the same order, whoever says it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tested {
+    /// What was said.
+    pub left_out: Vec<LeftOut>,
+    /// The training mean of each tested row's fold, N.
+    pub means: Vec<f64>,
+}
+
+impl Tested {
+    /// Learns from each fold and says what it thinks of the rest of its rows.
+    ///
+    /// # Errors
+    /// When the model can't be learnt.
+    pub fn of(
+        candidate: Candidate,
+        rows: &LabelledRows,
+        folds: &[Fold],
+        recipe: &Recipe,
+        kind: SplitKind,
+    ) -> Result<Tested, FitError> {
+        let mut tested = Tested {
+            left_out: Vec::new(),
+            means: Vec::new(),
+        };
+        let session = (kind == SplitKind::Cycle && strictest(&rows.places) == SplitKind::Cycle)
+            .then(|| Session::new(rows, recipe.models.seed));
+        for fold in folds {
+            let model = LearntModel::learn(candidate, rows, &fold.train, recipe, Effort::Fold)?;
+            let mean = fold.train.iter().map(|row| rows.forces[*row]).sum::<f64>()
+                / fold.train.len() as f64;
+            let test = even_subset(fold.test.len(), MOST_TESTED / folds.len());
+            for row in test.into_iter().map(|place| &fold.test[place]) {
+                let mut features = rows.features.row(*row).to_vec();
+                if let Some(session) = &session {
+                    session.disturb(*row, &mut features);
+                }
+                let Prediction {
+                    mean: estimate,
+                    deviation,
+                } = model.predict(&features);
+                let place = &rows.places[*row];
+                tested.left_out.push(LeftOut {
+                    row: *row,
+                    group: if kind == SplitKind::Run {
+                        place.run
+                    } else {
+                        place.cycle
+                    },
+                    truth: rows.forces[*row],
+                    mean: estimate,
+                    deviation,
+                });
+                tested.means.push(mean);
+            }
+        }
+        Ok(tested)
+    }
+
+    /// What the mean of several says, each as likely as the others; none of none.
+    pub fn mean_of(members: &[&Self]) -> Option<Self> {
+        let mut found = (*members.first()?).clone();
+        for (place, row) in found.left_out.iter_mut().enumerate() {
+            let of_member = |member: &&Self| {
+                let LeftOut {
+                    mean, deviation, ..
+                } = member.left_out[place];
+                Prediction { mean, deviation }
+            };
+            let said: Vec<Prediction> = members.iter().map(of_member).collect();
+            Prediction {
+                mean: row.mean,
+                deviation: row.deviation,
+            } = Prediction::mixture(&said);
+        }
+        Some(found)
+    }
+
+    /// Measured and estimated forces, N.
+    pub fn truths_and_estimates(&self) -> (Vec<f64>, Vec<f64>) {
+        self.left_out
+            .iter()
+            .map(|row| (row.truth, row.mean))
+            .unzip()
+    }
+
+    /// Errors and intervals.
+    pub fn figures(&self, rows: &LabelledRows, kind: SplitKind, seed: u64) -> SplitFigures {
+        let (truth, estimate) = self.truths_and_estimates();
+        let cycles: Vec<usize> = self
+            .left_out
+            .iter()
+            .map(|row| rows.places[row.row].cycle)
+            .collect();
+        let error = rmse(&truth, &estimate);
+        let mean_rmse = rmse(&truth, &self.means);
+        SplitFigures {
+            rmse: error,
+            rmse_interval: rmse_interval(&truth, &estimate, &cycles, seed),
+            nrmse_percent: nrmse_percent(&truth, error),
+            mean_nrmse_percent: nrmse_percent(&truth, mean_rmse),
+            mean_rmse,
+            r2: r2(&truth, &estimate),
+            intervals: fared(&self.left_out, |rows| factor_by(kind, rows)),
+        }
+    }
+}
