@@ -21,14 +21,14 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
-# A second: two kinds of model on the signals alone.
+# A second: two kinds of model on the signals alone, and their mean.
 RECIPE: dict[str, Any] = {
-    "models": {"kinds": ["ridge", "gpr"], "gpr": {"restarts": 1, "search_rows": 60, "most_rows": 100}},
+    "models": {"kinds": ["ridge", "gpr", "blend"], "gpr": {"restarts": 1, "search_rows": 60, "most_rows": 100}},
     "features": {"sets": ["raw"]},
 }
 RECIPE_TOML = """
 [models]
-kinds = ["ridge", "gpr"]
+kinds = ["ridge", "gpr", "blend"]
 gpr = { restarts = 1, search_rows = 60, most_rows = 100 }
 [features]
 sets = ["raw"]
@@ -83,7 +83,10 @@ def test_the_report_is_the_services(estimator: Estimator, service: Service) -> N
     assert error.by == "run"
     assert error.rmse_interval_n is not None
     assert error.rmse_interval_n[0] <= error.rmse_n <= error.rmse_interval_n[1] < 1
-    assert f"off by {error.rmse_n:.3g} N" in str(fz)
+    assert fz.chosen == "blend"
+    assert {member.model for member in fz.models[0].members} == {"ridge", "gpr"}
+    assert f" raw, off by {error.rmse_n:.3g} N" in str(fz)
+    assert str(fz).startswith("fz_n: blend of ")
     assert "runs left out" in repr(report)
     with pytest.raises(strainsite.StrainsiteError, match="forces are fx_n, fz_n"):
         report.force("fy_n")
@@ -92,7 +95,7 @@ def test_the_report_is_the_services(estimator: Estimator, service: Service) -> N
 def test_the_frame_has_every_model_on_every_split(estimator: Estimator) -> None:
     report = estimator.report()
     frame = report.frame()
-    assert len(frame) == 2 * 3 == report.cost.candidates
+    assert len(frame) == 2 * 4 == report.cost.candidates
     assert list(frame.groupby("force")["chosen"].sum()) == [1, 1]
     best = frame[(frame["force"] == "fz_n") & frame["chosen"]].iloc[0]
     first = report.force("fz_n").models[0]

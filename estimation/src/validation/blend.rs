@@ -1,7 +1,8 @@
 //! The mean of the models that are nearly as good as the best.
 //!
 //! Left-out runs are few, and can't tell near equals apart: the next run may rank them otherwise. Errors that models don't share cancel in their mean, and where
-//! they disagree its interval is wider. Weights are equal: learnt ones cost more in variance than they gain (Claeskens et al. 2016, the forecast combination puzzle).
+//! they disagree its interval is wider. Weights are equal: learnt from left-out rows they were no better (docs/decisions/estimation/blend.md), a known puzzle of
+//! combined forecasts (Claeskens et al. 2016).
 
 use std::collections::BTreeMap;
 

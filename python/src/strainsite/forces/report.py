@@ -123,7 +123,9 @@ class ForceReport:
             return f"{self.force}: useless: no model knows it better than {mean}"
         low_high = error.rmse_interval_n
         between = "" if low_high is None else f" ({low_high[0]:.3g} to {low_high[1]:.3g})"
-        return f"{self.force}: {self.chosen}, off by {error.rmse_n:.3g} N{between} on {left_out} left out"
+        named = [f"{member.model} {member.features}" for member in self.models[0].members]
+        chosen = f"blend of {', '.join(named[:-1])} and {named[-1]}" if named else self.chosen
+        return f"{self.force}: {chosen}, off by {error.rmse_n:.3g} N{between} on {left_out} left out"
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ export function ForceAnswers({ report }: { report: Report }) {
         ))}
       </div>
       <p class="promise">{report.promise.charAt(0).toUpperCase() + report.promise.slice(1)}.</p>
-      <TermLine names={["training mean", "95 % interval", "leak factor"]} />
+      <TermLine names={["training mean", "blend", "95 % interval", "leak factor"]} />
       <p class="quiet">
         {candidates} models judged in {duration(wall_s)}. In brackets: 95 % of the bootstrap's samples of whole cycles.
       </p>

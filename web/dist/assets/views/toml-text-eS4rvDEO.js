@@ -1,0 +1,1 @@
+export{ct as readToml}from"./views-Clb3ydS7.js";
