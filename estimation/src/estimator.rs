@@ -66,7 +66,7 @@ pub struct Stream {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ForceModel {
-    /// The models whose mean is the estimate; mostly one, or a blend's.
+    /// The models whose median is the estimate: one, or a blend's.
     pub members: Vec<LearntModel>,
     /// Deviations times this are half an interval's width.
     pub factor: f64,
@@ -151,7 +151,7 @@ impl ForceModel {
     pub fn estimate(&self, features: &[f64]) -> Estimate {
         let members = self.members.iter();
         let said: Vec<Prediction> = members.map(|member| member.predict(features)).collect();
-        let Prediction { mean, deviation } = Prediction::mixture(&said);
+        let Prediction { mean, deviation } = Prediction::together(&said);
         let half = self.factor * deviation;
         Estimate {
             force: mean,

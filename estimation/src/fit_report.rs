@@ -69,7 +69,7 @@ pub struct ModelReport {
     pub model: Kind,
     /// The features it reads.
     pub features: FeatureSet,
-    /// The models whose mean a blend is; left out of others.
+    /// The models whose median a blend is; left out of others.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub members: Vec<MemberReport>,
     /// On the split that chooses.

@@ -206,7 +206,7 @@ pub enum Kind {
     Gpr,
     /// A neural network.
     Ann,
-    /// The mean of those that are nearly as good as the best.
+    /// The median of those that are nearly as good as the best.
     Blend,
 }
 

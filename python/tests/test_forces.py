@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
-# A second: two kinds of model on the signals alone, and their mean.
+# A second: two kinds of model on the signals alone, and the median of both.
 RECIPE: dict[str, Any] = {
     "models": {"kinds": ["ridge", "gpr", "blend"], "gpr": {"restarts": 1, "search_rows": 60, "most_rows": 100}},
     "features": {"sets": ["raw"]},

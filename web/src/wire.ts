@@ -1572,7 +1572,7 @@ export interface components {
             model: components["schemas"]["Kind"];
             /** @description The features it reads. */
             features: components["schemas"]["FeatureSet"];
-            /** @description The models whose mean a blend is; left out of others. */
+            /** @description The models whose median a blend is; left out of others. */
             members?: components["schemas"]["MemberReport"][];
             /** @description On the split that chooses. */
             validation: components["schemas"]["SplitReport"];

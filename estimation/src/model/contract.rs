@@ -12,18 +12,21 @@ pub struct Prediction {
 }
 
 impl Prediction {
-    /// What several say together, each as likely as the others: the mean and deviation of a mixture of equal weights. What one says stays as it is.
-    pub fn mixture(of: &[Self]) -> Self {
+    /// What several say together: the median of their means, which one that goes astray can't move far, and the root of the squared distance from it that is
+    /// expected where each is as likely to be right as the others. What one says stays as it is.
+    pub fn together(of: &[Self]) -> Self {
         if let [one] = of {
             return *one;
         }
-        let count = of.len() as f64;
-        let mean = of.iter().map(|said| said.mean).sum::<f64>() / count;
-        let square = |said: &Self| said.deviation.powi(2) + (said.mean - mean).powi(2);
-        let variance = of.iter().map(square).sum::<f64>() / count;
+        let mut means: Vec<f64> = of.iter().map(|said| said.mean).collect();
+        means.sort_by(f64::total_cmp);
+        let count = means.len();
+        let median = 0.5 * (means[(count - 1) / 2] + means[count / 2]);
+        let square = |said: &Self| said.deviation.powi(2) + (said.mean - median).powi(2);
+        let squares: f64 = of.iter().map(square).sum();
         Self {
-            mean,
-            deviation: variance.sqrt(),
+            mean: median,
+            deviation: (squares / count as f64).sqrt(),
         }
     }
 }
@@ -93,11 +96,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_mixture_is_as_wide_as_its_parts_and_their_disagreement() {
+    fn several_are_as_wide_as_each_and_their_disagreement() {
         let said = |mean: f64, deviation: f64| Prediction { mean, deviation };
-        // 1 and 7 are 3 from their mean of 4; (3^2 + 5^2)/2 + 3^2 = 26.
-        let both = Prediction::mixture(&[said(1.0, 3.0), said(7.0, 5.0)]);
-        assert_eq!((both.mean, both.deviation), (4.0, 26f64.sqrt()));
-        assert_eq!(Prediction::mixture(&[said(0.1, 0.3)]), said(0.1, 0.3));
+        // 1 and 7 are 3 from 4: (3^2 + 5^2)/2 + 3^2 = 26.
+        let two = Prediction::together(&[said(7.0, 5.0), said(1.0, 3.0)]);
+        assert_eq!((two.mean, two.deviation), (4.0, 26f64.sqrt()));
+        // One that is astray widens the interval and leaves the estimate: (3 x 1 + 1^2 + 0 + 10^2)/3.
+        let three = Prediction::together(&[said(12.0, 1.0), said(1.0, 1.0), said(2.0, 1.0)]);
+        assert_eq!((three.mean, three.deviation), (2.0, (104f64 / 3.0).sqrt()));
+        assert_eq!(Prediction::together(&[said(0.1, 0.3)]), said(0.1, 0.3));
     }
 }

@@ -15,7 +15,7 @@ use crate::validation::tested_rows::{SplitFigures, Tested};
 pub struct Judged {
     /// Which.
     pub candidate: Candidate,
-    /// The candidates that are learnt for it: itself, or those whose mean a blend is.
+    /// The candidates that are learnt for it: itself, or those whose median a blend is.
     pub members: Vec<Candidate>,
     /// How it fared, or why it couldn't.
     pub splits: BTreeMap<SplitKind, Result<Outcome, String>>,
@@ -103,9 +103,9 @@ pub fn rolled(
     Tested::of(candidate, &rolled, folds, recipe, splits.by).ok()
 }
 
-/// R2 of the mean of what members said of rolled forces: what chance would do.
+/// R2 of what members said together of rolled forces: what chance would do.
 pub fn rolled_r2(members: &[Tested]) -> Option<f64> {
     let members: Vec<&Tested> = members.iter().collect();
-    let (truth, estimate) = Tested::mean_of(&members)?.truths_and_estimates();
+    let (truth, estimate) = Tested::together(&members)?.truths_and_estimates();
     r2(&truth, &estimate)
 }

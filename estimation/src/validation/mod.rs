@@ -6,7 +6,7 @@
 //! - `candidate`: a model with a set of features; `learnt_model`: the same, learnt
 //! - `split_set`: the splits of a force's rows
 //! - `tested_rows`: what was said of left-out rows, and its errors; `another_session`: how those of one run are moved
-//! - `judged`: a candidate on every split; `blend`: the mean of those that are nearly as good as the best
+//! - `judged`: a candidate on every split; `blend`: the median of those that are nearly as good as the best
 
 mod another_session;
 mod blend;

@@ -92,8 +92,8 @@ impl Tested {
         Ok(tested)
     }
 
-    /// What the mean of several says, each as likely as the others; none of none.
-    pub fn mean_of(members: &[&Self]) -> Option<Self> {
+    /// What several say together; none of none.
+    pub fn together(members: &[&Self]) -> Option<Self> {
         let mut found = (*members.first()?).clone();
         for (place, row) in found.left_out.iter_mut().enumerate() {
             let of_member = |member: &&Self| {
@@ -106,7 +106,7 @@ impl Tested {
             Prediction {
                 mean: row.mean,
                 deviation: row.deviation,
-            } = Prediction::mixture(&said);
+            } = Prediction::together(&said);
         }
         Some(found)
     }

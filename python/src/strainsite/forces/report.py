@@ -79,7 +79,7 @@ class ModelReport:
     """One model with one set of features."""
 
     model: str
-    """`ridge`, `gpr`, `ann`, `blend`, the mean of several, or `mean`, the training mean."""
+    """`ridge`, `gpr`, `ann`, `blend`, the median of several, or `mean`, the training mean."""
     features: str
     """`raw`, `slopes`, `rolling` or `all`."""
     validation: SplitReport
@@ -90,7 +90,7 @@ class ModelReport:
     better_than_mean: bool
     """Whether its error is at most 95 % of the training mean's on the split that chooses."""
     members: tuple[MemberReport, ...] = ()
-    """The models whose mean a blend is; of others none."""
+    """The models whose median a blend is; of others none."""
 
 
 @dataclass(frozen=True)

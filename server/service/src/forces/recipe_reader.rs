@@ -183,7 +183,7 @@ fn models(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Model
         kinds.contains(&Kind::Blend) && !kinds.iter().any(learnt)
     };
     if kinds.as_ref().is_some_and(alone) {
-        let detail = "must name a model beside \"blend\", which is the mean of others";
+        let detail = "must name a model beside \"blend\", which is the median of others";
         Fault::add(faults, &format!("{pointer}/kinds"), detail);
     }
     let seed = fields.integer("seed", (0, u64::from(u32::MAX)), usual.seed, faults);

@@ -32,7 +32,7 @@ test("a force that no model knows is called useless, with the best of the models
 test("a blend is said by its members", () => {
   const blend: ModelReport = { ...model("blend", 1, true), members: [{ model: "gpr", features: "slopes" }, { model: "ann", features: "raw" }] };
   const answer = forceAnswer({ force: "f", chosen: "blend", chosen_features: "slopes", models: [blend] });
-  assert.deepEqual(answer.facts[0], ["Model", "mean of 2 models: Gaussian process (slopes), neural network (raw)"]);
+  assert.deepEqual(answer.facts[0], ["Model", "median of 2 models: Gaussian process (slopes), neural network (raw)"]);
 });
 
 test("intervals that hold too few rows are said to", () => {

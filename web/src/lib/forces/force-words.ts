@@ -57,7 +57,7 @@ export function forceAnswer(report: ForceReport): ForceAnswer {
 /** A model with what it reads; a blend by its members. */
 export function modelWords({ model, features, members }: ModelReport): string {
   if (members === undefined) return `${MODELS[model]} of ${FEATURES[features]}`;
-  return `mean of ${members.length} models: ${members.map((member) => `${MODELS[member.model]} (${member.features})`).join(", ")}`;
+  return `median of ${members.length} models: ${members.map((member) => `${MODELS[member.model]} (${member.features})`).join(", ")}`;
 }
 
 /** The best of the models that are none the better for it. */

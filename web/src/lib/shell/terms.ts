@@ -28,7 +28,7 @@ export const TERMS = {
   "real difference": "A difference from the baseline that is larger than its own error.",
   "film signal": "The open circuit volts of a piezoelectric film, from the strain averaged over its area.",
   "training mean": "The mean of the forces that were learnt from, given for every row. A model that isn't 5 % better than that is useless.",
-  blend: "The mean of the models whose errors are within 1.3 times the least on what was left out, two of a kind at most: so few runs can't tell which of them the next one will like best.",
+  blend: "The median of the models whose errors are within 1.2 times the least on what was left out, two of a kind at most: so few runs can't tell which of them the next one will like best.",
   "95 % interval": "From low to high around an estimate: 95 % of rows that weren't learnt from lay within theirs, with widths learnt from others.",
   "leak factor": "The error on runs or cycles left out over that on rows drawn at random, whose neighbours were learnt from.",
 } as const;

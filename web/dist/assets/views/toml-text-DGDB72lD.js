@@ -1,0 +1,1 @@
+export{ct as readToml}from"./views-CZwYuyRM.js";

@@ -1,1 +1,0 @@
-export{ct as readToml}from"./views-Clb3ydS7.js";
