@@ -70,7 +70,8 @@ def test_a_simulator_of_ones_own_gets_the_exact_indices(folder: Path) -> None:
 def test_forces_are_learnt_and_known_on_another_run(folder: Path) -> None:
     said = run(folder, EXAMPLES / "learn_forces.py")
     errors = [
-        float(text) for text in re.findall(r"^f[xz]_n: [\w ,]+, off by (\S+) N .* on runs left out$", said, re.MULTILINE)
+        float(text)
+        for text in re.findall(r"^f[xz]_n: [\w ,]+, off by (\S+) N .* on runs left out$", said, re.MULTILINE)
     ]
     assert len(errors) == 2, said
     assert max(errors) < 1

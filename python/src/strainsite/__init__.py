@@ -90,7 +90,16 @@ from .forces.published import (
     RigFigures,
     TimeConstantRow,
 )
-from .forces.report import FitCost, FitReport, ForceReport, MemberReport, ModelReport, RecordingFigures, SplitReport, SplitReports
+from .forces.report import (
+    FitCost,
+    FitReport,
+    ForceReport,
+    MemberReport,
+    ModelReport,
+    RecordingFigures,
+    SplitReport,
+    SplitReports,
+)
 from .forces.trial import TrialError
 from .local import local
 from .study import Study
