@@ -159,15 +159,15 @@ pub fn features(recording: &Recording, settings: &StreamSettings) -> Array2<f64>
 }
 
 /// The columns of a set among all features of so many signals.
-pub fn columns(set: FeatureSet, signals: usize) -> Vec<usize> {
-    let group = |number: usize| -> Range<usize> { number * signals..(number + 1) * signals };
-    let groups: &[usize] = match set {
+pub fn columns(set: FeatureSet, signals: usize) -> impl Iterator<Item = usize> {
+    let group = move |number: &usize| -> Range<usize> { number * signals..(number + 1) * signals };
+    let groups: &'static [usize] = match set {
         FeatureSet::Raw => &[0],
         FeatureSet::Slopes => &[0, 1],
         FeatureSet::Rolling => &[0, 2, 3],
         FeatureSet::All => &[0, 1, 2, 3],
     };
-    groups.iter().flat_map(|number| group(*number)).collect()
+    groups.iter().flat_map(group)
 }
 
 #[cfg(test)]
@@ -246,9 +246,10 @@ mod tests {
 
     #[test]
     fn sets_pick_their_groups() {
-        assert_eq!(columns(FeatureSet::Raw, 2), [0, 1]);
-        assert_eq!(columns(FeatureSet::Slopes, 2), [0, 1, 2, 3]);
-        assert_eq!(columns(FeatureSet::Rolling, 2), [0, 1, 4, 5, 6, 7]);
-        assert_eq!(columns(FeatureSet::All, 2).len(), 8);
+        let read = |set: FeatureSet, signals: usize| columns(set, signals).collect::<Vec<_>>();
+        assert_eq!(read(FeatureSet::Raw, 2), [0, 1]);
+        assert_eq!(read(FeatureSet::Slopes, 2), [0, 1, 2, 3]);
+        assert_eq!(read(FeatureSet::Rolling, 2), [0, 1, 4, 5, 6, 7]);
+        assert_eq!(read(FeatureSet::All, 2).len(), 8);
     }
 }

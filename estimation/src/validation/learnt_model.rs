@@ -40,7 +40,7 @@ impl LearntModel {
             Some(most) => without_outliers(&rows.features, train, signals, most),
             None => train.to_vec(),
         };
-        let columns = read_columns(candidate, signals);
+        let columns: Vec<usize> = read_columns(candidate, signals).collect();
         let features = rows
             .features
             .select(Axis(0), &train)
@@ -77,7 +77,7 @@ impl LearntModel {
     /// What the model says of a row of all features.
     pub fn predict(&self, features: &[f64]) -> Prediction {
         let columns = read_columns(self.candidate(), features.len() / GROUPS);
-        let read = columns.into_iter().map(|column| features[column]);
+        let read = columns.map(|column| features[column]);
         self.model.predict(&self.scale.scaled(read))
     }
 
@@ -100,18 +100,16 @@ impl LearntModel {
     /// # Errors
     /// A sentence about the first thing that is wrong.
     pub fn prepare(&mut self, signals: usize) -> Result<(), String> {
-        let features = read_columns(self.candidate(), signals).len();
+        let features = read_columns(self.candidate(), signals).count();
         self.scale.check(features)?;
         self.model.prepare(features)
     }
 }
 
 /// The columns that a candidate reads among all features of so many signals: the training mean reads none.
-fn read_columns(candidate: Candidate, signals: usize) -> Vec<usize> {
-    match candidate.kind {
-        Kind::Mean => Vec::new(),
-        _ => columns(candidate.features, signals),
-    }
+fn read_columns(candidate: Candidate, signals: usize) -> impl Iterator<Item = usize> {
+    let reads = candidate.kind != Kind::Mean;
+    columns(candidate.features, signals).filter(move |_| reads)
 }
 
 /// Rows none of whose signals is further than so many standard deviations from its mean over these rows.
