@@ -2,19 +2,21 @@
 
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
-.PHONY: help run build build-all check test prove audit pictures \
-	test-cargo test-program format clippy house test-unit test-rust verify test-conformance test-attacks test-exports test-python test-browser test-web \
+.PHONY: help run build build-tested build-all check test generate prove audit pictures \
+	test-cargo test-program format clippy house test-unit test-rust verify test-conformance test-attacks test-exports test-schemas test-python test-browser test-web \
 	setup-build setup-rust setup-npm setup-browser setup-python setup-test
 
 TARGET := $(or $(CARGO_TARGET_DIR),target)
 STRAINSITE := $(TARGET)/release/strainsite
-export STRAINSITE_BIN := $(abspath $(STRAINSITE))
+# What tests are compiled with, and the program that they drive: half the time of the one that ships.
+TESTED := $(TARGET)/ci/strainsite
+export STRAINSITE_BIN := $(abspath $(TESTED))
 # Cargo has both cores for itself: it doesn't share the jobs of this file.
 CARGO := MAKEFLAGS= cargo
 # What all that Cargo does agrees on, so that nothing is compiled twice.
-ALL := --release --workspace --locked
+ALL := --profile ci --workspace --locked
 # What a suite that drives the program needs. `make test` has built it before: asking Cargo again would wait for what Cargo is doing.
-PROGRAM := $(if $(BUILT),,build)
+PROGRAM := $(if $(BUILT),,build-tested)
 # nextest where it is installed: it runs the tests of several crates at a time. It doesn't know those of documentation.
 ifneq ($(shell cargo nextest --version 2>/dev/null),)
     UNIT_TESTS := $(CARGO) nextest run $(ALL) --lib --no-tests=pass --status-level=fail
@@ -26,7 +28,8 @@ help:
 	@echo "make run     build, run the paper's study on the default database, serve the dashboard"
 	@echo "make build   the program alone, $(STRAINSITE)"
 	@echo "make check   format, lints, rules of the house and unit tests: what one runs every few minutes"
-	@echo "make test    every check and test; a suite alone: test-rust test-web test-browser test-conformance test-attacks test-exports test-python verify"
+	@echo "make test    every check and test; a suite alone: test-rust test-web test-browser test-conformance test-attacks test-exports test-schemas test-python verify"
+	@echo "make generate   what follows from the program: description of the service, types of its clients, dashboard, schemas, pages"
 	@echo "make pictures   the pictures of the README, drawn anew; VIEWS=--all for every view, into web/screenshots/"
 	@echo "make prove   what takes hours: advisories, 200 kills, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs, values, recording or model)"
 
@@ -36,6 +39,10 @@ run: build
 
 build: setup-build
 	$(CARGO) build --release --locked --bin strainsite
+
+# With the features that tests have, so that nothing is compiled for the program alone.
+build-tested: setup-build
+	$(CARGO) build $(ALL) --bins
 
 # The program with the Rust tests, whose compilation fills the core that the program's crates, one waiting for the other, leave idle.
 build-all: setup-rust
@@ -60,16 +67,20 @@ test:
 
 test-cargo: format house test-rust
 
-test-program: test-conformance test-attacks test-exports test-python test-browser test-web verify
+test-program: test-conformance test-attacks test-exports test-schemas test-python test-browser test-web verify
+
+# Examples in the description are recorded: lab/examples.py, when an answer has a new field.
+generate: build-tested setup-npm setup-python
+	lab/generate $(TESTED)
 
 # The rigs of lab print the tables of docs/.
-RIGS := $(filter-out random_scenes,$(basename $(notdir $(wildcard lab/examples/*.rs))))
+RIGS := $(filter-out random_scenes figure,$(basename $(notdir $(wildcard lab/examples/*.rs lab/examples/*/*.rs))))
 
 prove: setup-rust audit
 	STRAINSITE_KILLS=200 $(CARGO) test $(ALL) --test slow kill
 	$(CARGO) build $(ALL) --examples
-	$(TARGET)/release/examples/random_scenes 10000 1
-	for rig in $(RIGS); do echo "== $$rig"; $(TARGET)/release/examples/$$rig; done
+	$(TARGET)/ci/examples/random_scenes 10000 1
+	for rig in $(RIGS); do echo "== $$rig"; $(TARGET)/ci/examples/$$rig; done
 	tests/fuzz/run --seconds 600 $(or $(READER),scene)
 
 # Published advisories about what we depend on; what can't be asked is said.
@@ -79,13 +90,14 @@ audit:
 format: setup-build
 	cargo fmt --all --check
 
-# In release mode like the tests, so that macros and build scripts are built once.
+# In the profile of the tests, so that macros and build scripts are built once.
 clippy: setup-build
 	$(CARGO) clippy $(ALL) --all-targets -- -D warnings
 
 house:
 	python3 lab/house.py --self-test
 	python3 lab/house.py
+	python3 lab/fields.py --check
 
 test-unit: setup-build
 	$(UNIT_TESTS)
@@ -96,7 +108,7 @@ test-rust: setup-rust
 
 # Every case whose answer is known; the Rust tests ran the extremes.
 verify: $(PROGRAM)
-	$(STRAINSITE) verify
+	$(TESTED) verify
 
 # The running service against its own description, for a minute.
 test-conformance: $(PROGRAM) setup-python
@@ -109,6 +121,10 @@ test-attacks: $(PROGRAM)
 # Exported files, read by pandas, pyarrow and meshio.
 test-exports: $(PROGRAM) setup-python
 	tests/exports/run
+
+# Schemas of documents against their readers, and what ships against taplo.
+test-schemas: $(PROGRAM) setup-python
+	tests/schemas/run
 
 # The Python client against the running service.
 test-python: $(PROGRAM) setup-python

@@ -1,9 +1,14 @@
-"""The rules of the house: no import circle between files, no crowded folder, no file name twice, a short map."""
+"""The rules of the house: no import circle between files or rooms, no crowded folder, no file name twice, a short map, pages that name what is there, comments
+that begin with a noun."""
 
+import re
 import subprocess
 from pathlib import Path
 
+import comments
 from imports import circles, python, rust, web
+from pages import links, names
+from pages.places import Places
 
 MOST_ENTRIES = 15
 CROWDED = {
@@ -20,7 +25,16 @@ MOST_LINES = {"ARCHITECTURE.md": 120}
 
 def check(root):
     files = tracked(root)
-    return [*import_circles(root, files), *crowded_folders(files), *names_twice(files), *long_pages(root, files)]
+    of_rust = rust.edges(root, files)
+    return [
+        *import_circles(root, files, of_rust),
+        *room_circles(root, of_rust),
+        *crowded_folders(files),
+        *names_twice(files),
+        *long_pages(root, files),
+        *pages_astray(root, files),
+        *comments.breaches(root, files),
+    ]
 
 
 def tracked(root):
@@ -30,12 +44,42 @@ def tracked(root):
     return {Path(name) for name in listed.split("\0") if name and (root / name).is_file()}
 
 
-def import_circles(root, files):
-    edges = [edge for language in (rust, web, python) for edge in language.edges(root, files)]
+def import_circles(root, files, of_rust):
+    edges = [*of_rust, *web.edges(root, files), *python.edges(root, files)]
     for circle in circles.circles(edges):
         members = sorted({file for file, _, _ in circle})
         imports = "".join(f"\n  {file}:{line}: imports {other}" for file, line, other in circle)
         yield f"{members[0]}: {len(members)} files import one another in a circle{imports}"
+
+
+def room_circles(root, of_rust):
+    """Circles between the folders right below a crate's `src`, and files there. Tests may look anywhere."""
+    edges = set()
+    for file, line, other in of_rust:
+        here, there = room(file), room(other)
+        if here and there and here != there and here.parent == there.parent and line < first_test_line((root / file).read_text()):
+            edges.add((str(here), f"{file}:{line}", str(there)))
+    for circle in circles.circles(edges):
+        members = sorted({here for here, _, _ in circle})
+        if not any((root / member).is_dir() for member in members):
+            continue  # files, which are told as such
+        imports = "".join(f"\n  {place}: imports {there}" for _, place, there in circle)
+        yield f"{members[0]}: {len(members)} rooms import one another in a circle{imports}"
+
+
+def room(file):
+    """What a file is in below its crate's `src`; None of a crate's roots, of tests and of what lies elsewhere."""
+    parts = Path(file).with_suffix("").parts
+    if "src" not in parts[:-1] or parts[-1] == "tests" or parts[-1].endswith("_tests"):
+        return None
+    below = parts.index("src") + 1
+    return None if parts[below] in ("lib", "main") else Path(*parts[: below + 1])
+
+
+def first_test_line(text):
+    """The line from which a file holds nothing but its tests."""
+    found = re.search(r"(?m)^#\[cfg\(test\)\]\n(?:#.*\n)*(?:pub(?:\(crate\))? )?mod \w+ \{", text)
+    return text[: found.start()].count("\n") + 1 if found else len(text)
 
 
 def crowded_folders(files):
@@ -66,3 +110,9 @@ def long_pages(root, files):
             lines = len((root / page).read_text().splitlines())
             if lines > most:
                 yield f"{page}: {lines} lines, more than {most}"
+
+
+def pages_astray(root, files):
+    """Links, and names of files, that lead nowhere."""
+    places = Places(root, files)
+    return [*links.breaches(places), *names.breaches(places), *names.breaches_of_sources(places)]

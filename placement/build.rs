@@ -4,7 +4,15 @@
 mod sources;
 
 /// Folders whose sources make a result of responses.
-const SOURCES: [&str; 3] = ["src", "../gsa/src", "../estimation/src"];
+const SOURCES: [&str; 7] = [
+    "src",
+    "documents/src",
+    "layouts/src",
+    "results/src",
+    "rig/src",
+    "../gsa/src",
+    "../estimation/src",
+];
 
 fn main() -> std::io::Result<()> {
     println!("cargo::rerun-if-changed=../fem-client/sources.rs");

@@ -1,24 +1,21 @@
-import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 
 /** The service that `npm run dev` talks to. */
-const service = process.env["STRAINSITE_URL"] ?? "http://127.0.0.1:8080";
+const service = process.env.STRAINSITE_URL ?? "http://127.0.0.1:8080";
 
-const MAIN = fileURLToPath(new URL("src/main.tsx", import.meta.url));
-
-/** Modules that the dashboard imports before it shows anything. */
-const first = new Set<string>();
-
-/** The file of a module that several others share. */
-function sharedFile(id: string, graph: { getModuleInfo(id: string): { importedIds: readonly string[] } | null }): string {
-  const open = first.size === 0 ? [MAIN] : [];
-  for (let next = open.pop(); next !== undefined; next = open.pop()) {
-    if (first.has(next)) continue;
-    first.add(next);
-    open.push(...(graph.getModuleInfo(next)?.importedIds ?? []));
-  }
-  return first.has(id) ? "common" : "views";
+interface Graph {
+  getModuleInfo(id: string): { importedIds: readonly string[] } | null;
 }
+
+/** Whether a module needs d3, which draws charts and maps. */
+function drawn(id: string, graph: Graph): boolean {
+  const found = new Set([id]);
+  for (const next of found) for (const imported of graph.getModuleInfo(next)?.importedIds ?? []) found.add(imported);
+  return [...found].some((module) => module.includes("/node_modules/d3-"));
+}
+
+/** Sources that several pages share. */
+const SHARED = { minShareCount: 2, test: /\.(ts|tsx|js|mjs)$/ };
 
 export default defineConfig({
   build: {
@@ -33,8 +30,18 @@ export default defineConfig({
     // The dashboard, and the page of the operations.
     rolldownOptions: {
       input: ["index.html", "docs.html"],
-      // What several views share is one file, not a dozen small ones; what every view needs is another, so that the answer doesn't wait for the tire's code.
-      output: { chunkFileNames: "assets/views/[name]-[hash].js", codeSplitting: { groups: [{ debugName: "shared", name: sharedFile, minShareCount: 2, test: /\.(ts|tsx|js|mjs)$/ }] } },
+      // What several pages share is a few files, not a dozen small ones: what is needed before anything is shown, what other views share, and what draws their
+      // charts and maps, for which neither the answer nor the form of a new study waits.
+      output: {
+        chunkFileNames: ({ isDynamicEntry }) => (isDynamicEntry ? "assets/views/[name]-[hash].js" : "assets/[name]-[hash].js"),
+        codeSplitting: {
+          groups: [
+            { ...SHARED, name: "common", tags: ["$initial"] },
+            { ...SHARED, debugName: "views", name: (id, graph) => (drawn(id, graph) ? null : "views") },
+            { ...SHARED, name: "charts" },
+          ],
+        },
+      },
     },
   },
   // The service answers only to its own name and lets only its own page write.

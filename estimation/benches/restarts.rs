@@ -1,5 +1,5 @@
-//! How long the hyperparameters of 1500 rows with 15 features take, with 50 starts, and whether they are those that scikit-learn found with 50 full starts
-//! (`lab/peers/force/exact_figures.py --large`, which took it 1231 s of one core).
+//! Time that the hyperparameters of 1500 rows with 15 features take, with 50 starts, and whether they are those that scikit-learn found with 50 full
+//! starts (`lab/peers/force/exact_figures.py --large`, which took it 1231 s of one core).
 //!
 //! Run it with `cargo bench -p estimation --bench restarts`, on one thread.
 

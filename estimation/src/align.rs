@@ -9,14 +9,14 @@ use ndarray::{Array2, ArrayView1};
 
 use crate::recording::Recording;
 
-/// One row on the clock.
+/// A row on the clock.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tick {
     /// s
     pub time_s: f64,
-    /// That of the last row before it.
+    /// Cycle of the last row before it.
     pub cycle: Option<usize>,
-    /// One value a signal.
+    /// Values, one a signal.
     pub signals: Vec<f64>,
 }
 
@@ -25,7 +25,7 @@ pub struct Tick {
 pub struct Clock {
     rate_hz: f64,
     pause_s: f64,
-    /// When the clock began, and ticks since then.
+    /// Time at which the clock began, s, and ticks since then.
     begun: Option<(f64, u64)>,
     last_s: f64,
     /// Measured values of each signal from the last one before the next tick on.

@@ -1,4 +1,4 @@
-//! What was chosen and learnt from all rows, as data: the model file.
+//! Estimator: what was chosen and learnt from all rows, as data, the model file.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,12 +12,12 @@ use crate::validation::{Judged, LearntModel};
 
 /// Version of the model file. One of another version is refused.
 pub const VERSION: u32 = 2;
-/// What a model file says it is.
+/// Name of the format, which a model file says it has.
 pub const FORMAT: &str = "strainsite-estimator";
 /// A signal may leave the range that was learnt by this share of it before a row is flagged.
 const MARGIN: f64 = 0.05;
-/// On public recordings of a soft sensor a process's error on another run was 1.4 and 1.6 times that on left-out parts of its own
-/// (sensors of eFlesh, normal presses: 0.98 % of the range against 1.35 and 1.55 %).
+/// Ratio of a process's error on another run to that on left-out parts of its own: on public recordings of a soft sensor 1.4 and 1.6 (sensors of
+/// eFlesh, normal presses: 0.98 % of the range against 1.35 and 1.55 %).
 const ANOTHER_RUN: f64 = 1.5;
 
 /// Forces from signals.
@@ -30,21 +30,21 @@ pub struct Estimator {
     pub version: u32,
     /// The columns' names.
     pub columns: NamedColumns,
-    /// What is done with rows before models read them.
+    /// Treatment of rows before models read them.
     pub stream: Stream,
     /// Typical intervals between the rows of the runs that were learnt from, s: least and greatest.
     pub interval_s: (f64, f64),
     /// Least and greatest value of each signal that was learnt from, as models are given it.
     pub ranges: Vec<(f64, f64)>,
-    /// What intervals promise to hold: rows of another run, or of other cycles.
+    /// Split whose left-out rows the intervals promise to hold: rows of another run, or of other cycles.
     pub promise: SplitKind,
-    /// One model a force, in the order of the columns.
+    /// Models, one a force, in the order of the columns.
     pub forces: Vec<ForceModel>,
-    /// What was asked for.
+    /// Recipe that was asked for.
     pub recipe: Recipe,
 }
 
-/// What is done with rows, as numbers.
+/// Treatment of rows, as numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Stream {
@@ -62,7 +62,7 @@ pub struct Stream {
     pub pause_s: f64,
 }
 
-/// One force's model.
+/// Model of one force.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ForceModel {
@@ -79,7 +79,7 @@ pub struct Estimate {
     pub force: f64,
     /// The interval that promises 95 %: its low end.
     pub low: f64,
-    /// Its high end.
+    /// High end of the interval.
     pub high: f64,
 }
 
@@ -88,7 +88,7 @@ const MOST_ROWS: usize = 100_000;
 const MOST_MEMBERS: usize = 12;
 
 impl Stream {
-    /// As the recipe has it, with the first reading taken off or not.
+    /// Makes the treatment that the recipe asks for, with the first reading taken off or not.
     pub fn new(runs: &Runs, recipe: &Recipe, subtract_start: bool) -> Self {
         Self {
             subtract_start,
@@ -100,7 +100,7 @@ impl Stream {
         }
     }
 
-    /// For the stream of features.
+    /// Returns the settings for the stream of features.
     pub fn settings(&self) -> StreamSettings {
         StreamSettings {
             subtract_start: self.subtract_start,
@@ -161,8 +161,8 @@ impl ForceModel {
     }
 }
 
-/// From the rows that were left out. Where these are of the runs that were learnt from, it is widened by what another run brings, but never beyond the training
-/// mean's error: a model that hardly knows more than the mean loses no more on another run than that.
+/// Returns the interval's factor, learnt from the rows that were left out. Where these are of the runs that were learnt from, it is widened by what another run
+/// brings, but never beyond the training mean's error: a model that hardly knows more than the mean loses no more on another run than that.
 fn interval_factor(judged: &Judged, by: SplitKind) -> f64 {
     let widened = match by {
         SplitKind::Run => 1.0,

@@ -1,4 +1,4 @@
-//! What models are given of the signals, row by row, from this row and earlier ones alone.
+//! Features that models are given of the signals, row by row, from this row and earlier ones alone.
 //!
 //! | feature | formula (the paper's section 4.2) |
 //! |---|---|
@@ -17,7 +17,7 @@ use ndarray::Array2;
 use crate::recipe::FeatureSet;
 use crate::recording::Recording;
 
-/// What the stream does with each row.
+/// Treatment of each row in the stream.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StreamSettings {
     /// Whether the run's first reading is taken off.
@@ -28,7 +28,7 @@ pub struct StreamSettings {
     pub smooth_rows: usize,
     /// Rows of rolling mean and variance.
     pub window_rows: usize,
-    /// Nothing is carried over a longer time between rows, s.
+    /// Longest time between rows over which something is carried, s.
     pub pause_s: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What the validation found: the answer of a fit, for people and programs.
+//! Report of a fit: what the validation found, for people and programs.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,29 +15,29 @@ const AS_GOOD: f64 = 1.05;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Report {
-    /// What was learnt from.
+    /// Recordings that were learnt from.
     pub recordings: Vec<RecordingFigures>,
-    /// What was found of each force.
+    /// Findings for each force.
     pub forces: Vec<ForceReport>,
-    /// What the intervals promise, a sentence.
+    /// Promise of the intervals, a sentence.
     pub promise: String,
-    /// What a reader should know before believing it, a sentence each.
+    /// Notes that a reader should know before believing it, a sentence each.
     pub notes: Vec<String>,
-    /// What it took.
+    /// Cost of the fit.
     pub cost: FitCost,
 }
 
-/// One recording.
+/// Figures of a recording.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct RecordingFigures {
-    /// Its file.
+    /// File of the recording.
     pub file: String,
-    /// Its rows.
+    /// Count of its rows.
     pub rows: usize,
     /// Rows with at least one force.
     pub labelled: usize,
-    /// Its cycles.
+    /// Count of its cycles.
     pub cycles: usize,
     /// Rows a second, pauses apart.
     pub rate_hz: Option<f64>,
@@ -45,11 +45,11 @@ pub struct RecordingFigures {
     pub sha256: String,
 }
 
-/// What was found of a force.
+/// Findings for a force.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ForceReport {
-    /// Its column.
+    /// Column of the force.
     pub force: String,
     /// The model that estimates it; `mean` where nothing is better.
     pub chosen: Kind,
@@ -61,7 +61,7 @@ pub struct ForceReport {
     pub models: Vec<ModelReport>,
 }
 
-/// One candidate.
+/// Report of a candidate.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ModelReport {
@@ -72,9 +72,9 @@ pub struct ModelReport {
     /// The models whose median a blend is; left out of others.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub members: Vec<MemberReport>,
-    /// On the split that chooses.
+    /// Figures on the split that chooses.
     pub validation: SplitReport,
-    /// On every split; null where there is none, the reason in the notes.
+    /// Figures on every split; null where there is none, the reason in the notes.
     pub splits: SplitReports,
     /// RMSE on the strictest split over that on the random one: how far a random split would have misled.
     pub leak_factor: Option<f64>,
@@ -120,7 +120,7 @@ pub struct SplitReport {
     pub rmse_interval_n: Option<(f64, f64)>,
     /// RMSE over the range of the tested forces, %.
     pub nrmse_percent: Option<f64>,
-    /// That of the training mean.
+    /// NRMSE of the training mean, %.
     pub mean_nrmse_percent: Option<f64>,
     /// Coefficient of determination.
     pub r2: Option<f64>,
@@ -130,7 +130,7 @@ pub struct SplitReport {
     pub width_n: Option<f64>,
 }
 
-/// What a fit took.
+/// Cost of a fit.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct FitCost {
@@ -179,7 +179,7 @@ impl Ranking {
         self.judged.first()
     }
 
-    /// As it is told.
+    /// Returns the ranking as it is told.
     pub fn report(&self, force: &str, rolled_r2: Option<f64>) -> Option<ForceReport> {
         let chosen = self.chosen()?.candidate;
         Some(ForceReport {
@@ -195,7 +195,7 @@ impl Ranking {
         })
     }
 
-    /// What a reader should know of this force, a sentence each.
+    /// Returns what a reader should know of this force, a sentence each.
     pub fn notes(&self, force: &str) -> Vec<String> {
         let Some(figures) = self.chosen().and_then(|chosen| chosen.on(self.by)) else {
             return Vec::new();
@@ -281,7 +281,7 @@ fn split_report(by: SplitKind, figures: &SplitFigures) -> SplitReport {
     }
 }
 
-/// What intervals promise, by the split that chose.
+/// Returns what intervals promise, by the split that chose.
 pub fn promise(by: SplitKind) -> String {
     match by {
         SplitKind::Run => "95 % of the rows of another run like these lie within their intervals: the widths are those of runs that were left out",

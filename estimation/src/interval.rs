@@ -1,4 +1,4 @@
-//! How wide intervals must be to hold what they promise, learnt from what models said of rows they hadn't seen.
+//! Widths that intervals must have to hold what they promise, learnt from what models said of rows they hadn't seen.
 //!
 //! A model's deviation is right in shape at best: new runs differ by more than rows of one run do. A left-out row's residual over its deviation
 //! tells by how much. Rows of one cycle or run aren't independent, so the factor is taken group by group (conformal prediction
@@ -7,15 +7,16 @@
 
 use std::collections::BTreeMap;
 
-use crate::error_metrics::{PROMISE, interval_score, quantile};
+use crate::error_metrics::order_statistics::covering_quantile;
+use crate::error_metrics::{PROMISE, interval_score};
 use crate::recipe::SplitKind;
 
-/// What a model said of a row that it hadn't learnt from.
+/// Prediction of a row that the model hadn't learnt from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LeftOut {
     /// The row's number among all labelled rows.
     pub row: usize,
-    /// What was left out with it: the number of its run or cycle.
+    /// Group that was left out with it: the number of its run or cycle.
     pub group: usize,
     /// The measured force, N.
     pub truth: f64,
@@ -52,7 +53,7 @@ pub fn factor(left_out: &[LeftOut]) -> Option<f64> {
     factors.sort_by(f64::total_cmp);
     let of_groups = match STUDENT.get(factors.len().checked_sub(1)?) {
         Some(student) => expected(&factors, *student),
-        None => quantile(&factors, GROUP_SHARE),
+        None => covering_quantile(&factors, GROUP_SHARE),
     };
     // Groups of few rows have small factors by chance; all rows together don't.
     let found = of_groups.max(factor_of_rows(left_out)?);
@@ -71,7 +72,7 @@ fn ratio(row: &LeftOut) -> f64 {
 
 fn of_ratios(mut ratios: Vec<f64>) -> f64 {
     ratios.sort_by(f64::total_cmp);
-    quantile(&ratios, PROMISE)
+    covering_quantile(&ratios, PROMISE)
 }
 
 /// The factor of another group, where the logarithms of factors are normal: mean + t s root(1 + 1/k) of k factors. Their variance is s0^2 before any is seen,
@@ -91,7 +92,7 @@ fn expected(factors: &[f64], student: f64) -> f64 {
     (mean + student * (variance * (1.0 + 1.0 / count)).sqrt()).exp()
 }
 
-/// How intervals fared on groups whose residuals their factor wasn't learnt from.
+/// Figures of intervals on groups whose residuals their factor wasn't learnt from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fared {
     /// Share of the rows within their intervals.

@@ -4,7 +4,7 @@ use crate::align::Clock;
 use crate::estimator::{Estimate, Estimator};
 use crate::features::FeatureStream;
 
-/// One run's rows, one after another.
+/// Rows of one run, one after another.
 #[derive(Debug)]
 pub struct Live<'e> {
     estimator: &'e Estimator,
@@ -12,12 +12,12 @@ pub struct Live<'e> {
     stream: FeatureStream,
 }
 
-/// What is known at a time.
+/// Estimates at a time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimated {
     /// s
     pub time_s: f64,
-    /// One a force.
+    /// Forces, one a column.
     pub forces: Vec<Estimate>,
     /// Whether the signals are beyond what was learnt from.
     pub outside: bool,
@@ -36,7 +36,7 @@ impl Estimated {
 }
 
 impl<'e> Live<'e> {
-    /// Before a run's first row.
+    /// Begins before a run's first row.
     pub fn new(estimator: &'e Estimator) -> Self {
         let signals = estimator.columns.signals.len();
         let stream = &estimator.stream;
@@ -49,7 +49,7 @@ impl<'e> Live<'e> {
         }
     }
 
-    /// What a row of signals tells: one estimate, or with a clock one for each of its ticks that the row completes.
+    /// Estimates from a row of signals: once, or with a clock once for each of its ticks that the row completes.
     pub fn push(&mut self, time_s: f64, cycle: Option<usize>, signals: &[f64]) -> Vec<Estimated> {
         match &mut self.clock {
             Some(clock) => {

@@ -4,10 +4,11 @@ use ndarray::{Array2, ArrayView1, Axis, concatenate};
 
 use crate::align::aligned;
 use crate::cycles::cycles;
+use crate::error_metrics::order_statistics::upper_median;
 use crate::features::{StreamSettings, features};
 use crate::recipe::{Kind, Loss, Recipe, SplitKind, StartValue};
 use crate::recording::named_columns::NamedColumns;
-use crate::recording::{PAUSE_INTERVALS, Recording, median};
+use crate::recording::{PAUSE_INTERVALS, Recording};
 use crate::split::Place;
 
 /// Fewer cycles than this in all runs tell nothing of what a new one would bring.
@@ -18,16 +19,16 @@ pub const FEWEST_ROWS: usize = 20;
 pub const RATE_FACTOR: f64 = 1.5;
 /// A run whose first force is a smaller share of its range begins unloaded.
 const UNLOADED: f64 = 0.05;
-/// Without a force, signals may be this share of their own deviation away from a run's first reading where that is their zero. Beyond, taking it off
-/// moves signals of another run by more than their offsets are likely to differ: an offset as large would be half of what they say.
+/// Share of their own deviation by which signals without a force may be away from a run's first reading where that is their zero. Beyond, taking it
+/// off moves signals of another run by more than their offsets are likely to differ: an offset as large would be half of what they say.
 const ZERO_SHARE: f64 = 0.5;
 
-/// What recordings can't be used for as the recipe asks.
+/// Refusal of recordings that can't be used as the recipe asks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Refusal {
     /// JSON pointer into the recipe; empty where the recordings are meant.
     pub pointer: String,
-    /// What is wrong and what would be right, one sentence.
+    /// Sentence that says what is wrong and what would be right.
     pub detail: String,
 }
 
@@ -42,18 +43,18 @@ pub struct Runs {
     pub interval_s: (f64, f64),
     /// A longer time between rows is a pause, s.
     pub pause_s: f64,
-    /// Where each row of all runs is.
+    /// Place of each row of all runs.
     places: Vec<Place>,
 }
 
 /// Rows with one force.
 #[derive(Debug, Clone)]
 pub struct LabelledRows {
-    /// Their features: rows x (4 groups of signals).
+    /// Features of these rows: rows x (4 groups of signals).
     pub features: Array2<f64>,
     /// N
     pub forces: Vec<f64>,
-    /// Where they are.
+    /// Places of these rows.
     pub places: Vec<Place>,
 }
 
@@ -73,7 +74,7 @@ impl Runs {
             .collect();
         let least = intervals.iter().copied().fold(f64::INFINITY, f64::min);
         let greatest = intervals.iter().copied().fold(0.0, f64::max);
-        let usual = PAUSE_INTERVALS * median(intervals.iter().copied()).unwrap_or(1.0);
+        let usual = PAUSE_INTERVALS * upper_median(intervals.iter().copied()).unwrap_or(1.0);
         let pause_s = recipe.preprocess.pause_s.unwrap_or(usual);
         let runs: Vec<Recording> = match recipe.preprocess.rate_hz {
             Some(rate_hz) => recordings
@@ -172,12 +173,12 @@ impl Runs {
         refusals
     }
 
-    /// Where each row of all runs is.
+    /// Returns the place of each row of all runs.
     pub fn places(&self) -> &[Place] {
         &self.places
     }
 
-    /// How many cycles a run has.
+    /// Counts the cycles of a run.
     pub fn cycles_of(&self, run: usize) -> usize {
         let numbers = self
             .places
@@ -187,7 +188,7 @@ impl Runs {
         numbers.collect::<std::collections::BTreeSet<_>>().len()
     }
 
-    /// What the stream of features does, with the first reading taken off or not.
+    /// Returns the settings of the stream of features, with the first reading taken off or not.
     pub fn stream_settings(&self, recipe: &Recipe, subtract_start: bool) -> StreamSettings {
         StreamSettings {
             subtract_start,
@@ -309,7 +310,7 @@ fn comes_back(run: &Recording) -> bool {
         Some(away / signal.std(0.0)).filter(|share| share.is_finite())
     };
     let shares = run.signals.columns().into_iter().filter_map(share);
-    median(shares).is_none_or(|share| share <= ZERO_SHARE)
+    upper_median(shares).is_none_or(|share| share <= ZERO_SHARE)
 }
 
 fn places(runs: &[Recording], recipe: &Recipe) -> Vec<Place> {

@@ -1,4 +1,4 @@
-//! Which rows are learnt from, and which are tested.
+//! Splits into rows that are learnt from and rows that are tested.
 //!
 //! Rows are those of all runs in a row, as [`Place`]s. Each split is a list of folds; together they test what they can, each row at most once.
 
@@ -8,12 +8,12 @@ use rand_chacha::rand_core::SeedableRng;
 
 use crate::recipe::SplitKind;
 
-/// Where a row is.
+/// Place of a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
     /// Number of its run.
     pub run: usize,
-    /// Its row in the run.
+    /// Number of the row in the run.
     pub row: usize,
     /// Number of its cycle, no two runs sharing one.
     pub cycle: usize,
@@ -26,11 +26,11 @@ pub struct Place {
 pub struct Fold {
     /// Learnt from.
     pub train: Vec<usize>,
-    /// Tested.
+    /// Rows that are tested.
     pub test: Vec<usize>,
 }
 
-/// What lies between rows that are learnt from and rows that are tested.
+/// Gap between rows that are learnt from and rows that are tested.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gap {
     /// Rows of a run on either side of a left-out cycle that aren't learnt from: those whose windows reach across.

@@ -4,14 +4,12 @@
 //! the strains of the inner surface off it. The modules, in reading order:
 //!
 //! - [`hexadecimal`]: hashes as text
-//! - [`document`]: TOML or JSON text as one kind of value, its fields, and every fault of them
 //! - [`film`]: what a piezoelectric film and its amplifier make of a tension
 //! - [`scene`]: the scene document, its defaults, its reader, and changes of single fields
 //! - [`solver`]: the one trait between the product and any solver, with its request and response
 //! - [`closed_form`]: the stand-in solver for tests of what stands above
 
 pub mod closed_form;
-pub mod document;
 pub mod film;
 pub mod hexadecimal;
 pub mod scene;

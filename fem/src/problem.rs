@@ -9,7 +9,7 @@ use crate::surface::membrane::Membrane;
 use crate::surface::sheet::Sheet;
 use crate::tensor::Vector;
 
-/// What is solved: a body, how it is held, and where it can be loaded.
+/// Problem: a body, how it is held, and where it can be loaded.
 #[derive(Debug)]
 pub struct Problem {
     /// The solid's mesh.
@@ -81,7 +81,7 @@ impl Loads {
 }
 
 impl Loads {
-    /// These loads with other depths (mm) of the ground, where there is one.
+    /// Returns these loads with other depths (mm) of the ground, where there is one.
     pub fn with_depths(&self, depths: &[f64]) -> Self {
         let ground = self.ground.as_ref().map(|ground| HeightField {
             depths: depths.to_vec(),
@@ -93,7 +93,7 @@ impl Loads {
         }
     }
 
-    /// These loads with the ground, where there is one, dragged by other ways along x and y, mm.
+    /// Returns these loads with the ground, where there is one, dragged by other ways along x and y, mm.
     pub fn with_shift(&self, shift: [f64; 2]) -> Self {
         let ground = self.ground.as_ref().map(|ground| HeightField {
             shift,
@@ -124,7 +124,7 @@ pub struct State {
     pub pressure: Vec<f64>,
     /// Anchors of friction, in coordinates of the ground, mm: contact face, point; none before a path with friction begins.
     pub anchors: Vec<[f64; 2]>,
-    /// How far the ground stands above its own height, mm: an unknown where it presses with a force, else 0.
+    /// Height of the ground above its own, mm: an unknown where it presses with a force, else 0.
     pub rise: f64,
 }
 

@@ -1,5 +1,5 @@
-//! How long M-DRM with its errors takes for many outputs at once, and how that grows with outputs and runs; beside it the least
-//! arithmetic there is, variances of the sections and nothing else, in a plain loop.
+//! Time of M-DRM with its errors for many outputs at once, and how it grows with outputs and runs; beside it the least arithmetic there is, variances
+//! of the sections and nothing else, in a plain loop.
 //!
 //! Run it with `cargo bench -p gsa --bench analysis`, on one thread. Where the throughput, in values a second, stays what it is, time is
 //! linear. It is so in the outputs, and better in the runs of the same inputs; check points in proportion to the inputs make these
@@ -15,7 +15,7 @@ use ndarray::Array2;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-/// As many check points as inputs: n N + 1 runs for odd N.
+/// Size of an analysis with as many check points as inputs: n N + 1 runs for odd N.
 #[derive(Debug, Clone, Copy)]
 struct Size {
     inputs: usize,

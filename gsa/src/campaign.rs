@@ -127,7 +127,7 @@ impl Campaign {
         Ok(analyses)
     }
 
-    /// What follows from the values at all points, without asking for more.
+    /// Returns what follows from the values at all points, without asking for more.
     ///
     /// # Errors
     /// Polynomials of a law that do not exist.
@@ -139,9 +139,9 @@ impl Campaign {
         self.procedure.analyse(values)
     }
 
-    /// As [`Campaign::analyse`], for outputs by the thousand that the campaign wasn't asked to serve. The adaptive method then gives
-    /// the best form on its lines, in milliseconds: its check points show that form's error, and aren't used to correct it. Polynomial
-    /// chaos fits the same few terms to all of them.
+    /// Analyses as [`Campaign::analyse`] does, for outputs by the thousand that the campaign wasn't asked to serve. The adaptive method then gives
+    /// the best form on its lines, in milliseconds: its check points show that form's error, and aren't used to correct it. Polynomial chaos fits the
+    /// same few terms to all of them.
     ///
     /// # Errors
     /// As [`Campaign::analyse`].

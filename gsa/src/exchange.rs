@@ -1,6 +1,6 @@
 //! Numbers of inputs that are exchanged, and means that don't depend on the order of the two.
 
-/// What belongs to the inputs, once input i has what input `inputs[i]` had.
+/// Returns what belongs to the inputs, once input i has what input `inputs[i]` had.
 pub(crate) fn exchanged<T: Clone>(of_inputs: &[T], inputs: &[usize]) -> Vec<T> {
     let taken = inputs.iter().map(|&input| of_inputs[input].clone());
     taken.collect()
@@ -11,7 +11,7 @@ pub(crate) fn mean(a: f64, b: f64) -> f64 {
     if a == b { a } else { 0.5 * a + 0.5 * b }
 }
 
-/// Of each two.
+/// Returns the mean of each two.
 pub(crate) fn means(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(&a, &b)| mean(a, b)).collect()
 }

@@ -34,15 +34,15 @@ use crate::exchange::mean;
 use crate::method::analysis::Analysis;
 use crate::method::procedure::{Procedure, Runs};
 
-/// What a campaign's runs tell of a model with a symmetry.
+/// Campaign's runs of a model with a symmetry.
 #[derive(Debug, Clone)]
 pub struct Symmetric {
     inputs: Vec<usize>,
-    /// With the mirror images among its points.
+    /// Procedure with the mirror images among its points.
     procedure: Box<dyn Procedure>,
-    /// By point, which one is its mirror image, where there is one.
+    /// Number of each point's mirror image, where there is one.
     images: Vec<Option<usize>>,
-    /// How many of the points are run.
+    /// Number of points that are run.
     to_run: usize,
 }
 
@@ -79,7 +79,7 @@ impl Symmetric {
         pairs.filter(|(point, image)| point <= image && *image < self.to_run)
     }
 
-    /// As [`Campaign::analyse`]; output j and output `outputs[j]` are each other's mirror image.
+    /// Analyses as [`Campaign::analyse`] does; output j and output `outputs[j]` are each other's mirror image.
     ///
     /// # Errors
     /// As [`Campaign::analyse`].
@@ -95,7 +95,7 @@ impl Symmetric {
         Ok(self.shared(&self.procedure.analyse(&whole.view())?, outputs))
     }
 
-    /// As [`Campaign::survey`], likewise.
+    /// Surveys as [`Campaign::survey`] does, likewise.
     ///
     /// # Errors
     /// As [`Campaign::analyse`].

@@ -1,19 +1,16 @@
-//! How long an hour of twelve films at 200 Hz takes, from the table of the shipped study of forces on its draft mesh, which is solved first.
+//! Time of an hour of twelve films at 200 Hz, from the table of the shipped study of forces on its draft mesh, which is solved first.
 //!
 //!   cargo bench -p lab --bench rig_hour
 
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use fem_client::document::Format;
+use documents::rig::gait_settings::RunLength;
+use documents::study::plan::PlannedStudy;
 use fem_client::scene::Level;
+use lab::study_runs::{study_on, undisturbed};
+use placement::points::memory::MemoryArchive;
 use placement::response_table::study_table::StudyTable;
-use placement::rig::gait::gait_settings::RunLength;
-use placement::rig::rig_run::RigRun;
-use placement::run::RunContext;
-use placement::run::memory::MemoryArchive;
-use placement::study::plan::PlannedStudy;
-use placement::study::presets;
+use rig::rig_run::RigRun;
 use tire::embedded::EmbeddedSolver;
 
 const HOUR_S: f64 = 3600.0;
@@ -22,30 +19,12 @@ const ROUNDS: usize = 5;
 const FILMS: usize = 12;
 
 fn main() {
-    let no_files = |path: &str| Err(path.to_owned());
-    let (_, text) = presets()
-        .into_iter()
-        .find(|(name, _)| *name == "forces")
-        .expect("it ships");
-    let mut study =
-        placement::study::Study::from_document(text, Format::Toml, &no_files).expect("a study");
-    study.level = Level::Draft;
-    study.scene.model.level = Level::Draft;
-    let planned = PlannedStudy::new(study).expect("a plan");
-    let mut rig = planned.study.rig.clone().expect("a rig");
-    let table = StudyTable::of(&planned.study, &rig, &planned.plan).expect("loads");
-    let context = RunContext {
-        solver: &EmbeddedSolver::default(),
-        archive: &MemoryArchive::default(),
-        threads: std::thread::available_parallelism().map_or(1, usize::from),
-        stop: &AtomicBool::new(false),
-        pause: None,
-        observer: &|_| {},
-    };
-    let tested = table
-        .solved(&planned.plan, context)
-        .expect("solves")
-        .expect("a table");
+    let PlannedStudy { study, plan } = study_on("forces", Level::Draft);
+    let mut rig = study.rig.clone().expect("a rig");
+    let table = StudyTable::of(&study, &rig, &plan).expect("loads");
+    let (solver, archive) = (EmbeddedSolver::default(), MemoryArchive::default());
+    let solved = table.solved(&plan, undisturbed(&solver, &archive));
+    let tested = solved.expect("solves").expect("a table");
     let layout = table
         .layouts
         .iter()

@@ -1,4 +1,4 @@
-//! How fast each method converges to exact indices: the error of the first-order indices against the number of runs.
+//! Convergence of each method to exact indices: the error of the first-order indices against the number of runs.
 //!
 //! Run it with `cargo run --release -p lab --example convergence_of_indices`. The order is that of error ~ runs^-order between the rows.
 

@@ -1,5 +1,5 @@
 //! Does it pay to start a design's cut point from the equilibrium of a neighbouring design instead of from nothing? Iterations, factorisations and
-//! times of both, medians of five. The table of `docs/sweeps.md`.
+//! times of both, medians of five. The table of `docs/develop/decisions/placement/designs.md`.
 //!
 //! `cargo run --release -p lab --example design_starts`, a minute on one core.
 

@@ -1,22 +1,23 @@
 //! Do the claimed errors of differences between designs cover the true ones, and how much less are they than those of the indices? Six designs
 //! on the coarse and the standard mesh against the same on the reference mesh, by the same method, so that what differs is the mesh; and on the coarse
-//! mesh against all 3125 combinations of the nodes on that mesh, so that what differs is the method. The tables of `docs/sweeps.md`.
+//! mesh against all 3125 combinations of the nodes on that mesh, so that what differs is the method. The tables of `docs/proof/claims.md`.
 //!
 //! `cargo run --release -p lab --example differences`, three minutes on two cores; with `-- method`, ten.
 
 use std::sync::atomic::AtomicBool;
 
-use fem_client::document::{Format, parse};
+use document::{Format, parse};
+use documents::study::plan::Plan;
+use documents::study::{Study, presets};
+use documents::sweep::{Design, Sweep};
+use estimation::error_metrics::order_statistics::upper_median;
 use fem_client::solver::direction::PerDirection;
 use placement::compare::{ComparedIndex, ComparedLocation, Comparison, Entry, Verdict, compare};
 use placement::ladder::climb::answer;
-use placement::result::StudyResult;
-use placement::run::RunContext;
-use placement::run::memory::MemoryArchive;
-use placement::score::location_scores::{Figure, LocationScores};
-use placement::study::plan::Plan;
-use placement::study::{Study, presets};
-use placement::sweep::{Design, Sweep};
+use placement::points::RunContext;
+use placement::points::memory::MemoryArchive;
+use results::StudyResult;
+use results::location_scores::{Figure, LocationScores};
 use serde_json::{Value, json};
 use tire::embedded::EmbeddedSolver;
 
@@ -59,7 +60,7 @@ fn own_method(seed: u64) -> Value {
     json!({"kind": "mdrm", "nodes": 5, "check_points": 5, "seed": seed})
 }
 
-/// As if the mesh were exact.
+/// Leaves the mesh's error out, as if the mesh were exact.
 fn leave_mesh_out(result: &mut StudyResult) {
     let centre = result.outputs.len() / 4 * 2;
     let outputs = result.outputs[centre..]
@@ -181,12 +182,7 @@ fn row(own: &Comparison, truth: &Comparison) -> String {
         "{} | {:.2} | {held} | {:.2} | {:.2} | {real} | {wrong}",
         errors.len(),
         errors.iter().copied().fold(0.0, f64::max),
-        median(&mut claims),
-        median(&mut apart),
+        upper_median(claims).unwrap_or(f64::NAN),
+        upper_median(apart).unwrap_or(f64::NAN),
     )
-}
-
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }

@@ -1,5 +1,5 @@
-//! What is a study's estimate worth: before it begins, and after a tenth of its solves? Twelve studies of all sorts, each in a process of its own
-//! on a machine of which nothing is known. The table of `docs/speed.md`.
+//! Worth of a study's estimate: before it begins, and after a tenth of its solves. Twelve studies of all sorts, each in a process of its own on a
+//! machine of which nothing is known. The table of `docs/proof/speed.md`.
 //!
 //! `cargo run --release -p lab --example estimates [-- NAME]`, ten minutes on two cores.
 
@@ -9,14 +9,15 @@ use std::sync::Mutex;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
+use documents::study::plan::PlannedStudy;
 use fem_client::solver::{Cost, StartState};
 use placement::estimate::{Machine, Pace, Workload};
 use placement::ladder::climb;
-use placement::run::archive::{Archive, ArchiveError, Outcome, PointRecord};
-use placement::run::memory::MemoryArchive;
-use placement::run::usage::peak_memory_bytes;
-use placement::run::{Event, RunContext};
-use placement::study::plan::PlannedStudy;
+use placement::points::Event;
+use placement::points::RunContext;
+use placement::points::archive::{Archive, ArchiveError, Outcome, PointRecord};
+use placement::points::memory::MemoryArchive;
+use placement::points::usage::peak_memory_bytes;
 use serde_json::{Value, json};
 use tire::embedded::EmbeddedSolver;
 
@@ -124,7 +125,7 @@ fn studies() -> [(&'static str, Value); 12] {
     ]
 }
 
-/// One row.
+/// Prints a row.
 fn measured(name: &str, document: Value) -> Result<(), Box<dyn std::error::Error>> {
     let planned = PlannedStudy::from_value(&document, &|path| Err(path.to_owned()));
     let planned = planned.map_err(|faults| format!("{name}: {faults:?}"))?;

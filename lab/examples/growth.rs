@@ -21,7 +21,7 @@ const LONGEST_S: f64 = 20.0;
 /// Unknowns from which on the exponent is fitted: below, fixed costs count.
 const ASYMPTOTIC: usize = 2000;
 
-/// One cold solve.
+/// A cold solve.
 #[derive(Debug, Clone, Copy)]
 struct Run {
     unknowns: usize,

@@ -1,18 +1,20 @@
 //! Do the claimed errors of the mesh cover the true ones? First-order indices on every level against those of a mesh with twice
-//! the cells of the finest level. The table of `docs/trade.md`.
+//! the cells of the finest level. The table of `docs/proof/claims.md`.
 //!
 //! `cargo run --release -p lab --example mesh_claims`, ten minutes on two cores.
 
 use std::sync::atomic::AtomicBool;
 
-use fem_client::document::Format;
+use document::Format;
+use documents::study::Study;
+use documents::study::plan::Plan;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
-use placement::result::StudyResult;
-use placement::run::memory::MemoryArchive;
-use placement::run::{RunContext, RunError, run};
-use placement::study::Study;
-use placement::study::plan::Plan;
+use placement::points::RunContext;
+use placement::points::RunError;
+use placement::points::memory::MemoryArchive;
+use placement::run::run;
+use results::StudyResult;
 use serde_json::{Value, json};
 use tire::embedded::EmbeddedSolver;
 use tire::mesh::tire_grid::MeshPlan;

@@ -1,22 +1,23 @@
 //! Are tolerances and budgets kept? Three studies, asked for errors of 0.1, 0.03 and 0.01 and for 2, 10 and 60 s, against the
-//! finest mesh with the interactions of all pairs. The table of `docs/trade.md`.
+//! finest mesh with the interactions of all pairs. The table of `docs/proof/claims.md`.
 //!
 //! `cargo run --release -p lab --example promises [-- NAME]`, half an hour on two cores.
 
 use std::sync::atomic::AtomicBool;
 
-use fem_client::document::Format;
+use document::Format;
+use documents::study::Study;
+use documents::study::plan::Plan;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use gsa::method::Kind;
 use placement::ladder::climb;
 use placement::ladder::fidelity::Fidelity;
 use placement::ladder::trade;
-use placement::result::StudyResult;
-use placement::run::memory::MemoryArchive;
-use placement::run::{RunContext, RunError};
-use placement::study::Study;
-use placement::study::plan::Plan;
+use placement::points::RunContext;
+use placement::points::RunError;
+use placement::points::memory::MemoryArchive;
+use results::StudyResult;
 use serde_json::{Value, json};
 use tire::embedded::EmbeddedSolver;
 
@@ -137,7 +138,7 @@ fn threads() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// What was asked for is of every index of every strain, and so are these errors.
+/// Prints a row: what was asked for is of every index of every strain, and so are these errors.
 fn row(result: &StudyResult, truth: &StudyResult) -> String {
     let rungs = result.climb.iter().flat_map(|climb| &climb.rungs);
     let last = rungs.clone().last().map_or("", |rung| &rung.label);

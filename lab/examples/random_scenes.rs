@@ -14,14 +14,14 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::sync::atomic::AtomicBool;
-use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::thread;
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use fem_client::scene::Scene;
 use fem_client::solver::{Readout, SolveError, SolveRequest, Solved};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use rayon::iter::{ParallelBridge, ParallelIterator};
 use serde_json::{Value, json};
 use tire::embedded::EmbeddedSolver;
 use tire::mesh::tire_grid::MeshPlan;
@@ -34,34 +34,23 @@ fn main() -> ExitCode {
     let mut arguments = std::env::args().skip(1).map(|text| text.parse::<u64>());
     let count = arguments.next().and_then(Result::ok).unwrap_or(1000);
     let seed = arguments.next().and_then(Result::ok).unwrap_or(1);
-    let draws = Mutex::new(Draws::new(count, seed));
+    let mut draws = Draws::new(count, seed);
     let summary = Mutex::new(Summary::default());
-    // Apart from the loop, which would hold the lock for as long as a scene is solved.
-    let next = || locked(&draws).next();
-    let work = || {
-        while let Some((index, document, scene)) = next() {
-            let begin = Instant::now();
-            let ending = ending(&scene);
-            locked(&summary).add(index, &ending, begin.elapsed(), &document);
-        }
+    let solved = |(index, document, scene)| {
+        let begin = Instant::now();
+        let ending = ending(&scene);
+        let mut summary = summary.lock().unwrap_or_else(PoisonError::into_inner);
+        summary.add(index, &ending, begin.elapsed(), &document);
     };
-    thread::scope(|scope| {
-        for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
-            scope.spawn(work);
-        }
-    });
-    let summary = locked(&summary);
+    draws.by_ref().par_bridge().for_each(solved);
+    let summary = summary.into_inner().unwrap_or_else(PoisonError::into_inner);
     summary.print();
-    println!("{} draws refused before", locked(&draws).refused);
+    println!("{} draws refused before", draws.refused);
     if summary.faults == 0 {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
     }
-}
-
-fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The scenes of a seed, in order.
@@ -81,8 +70,12 @@ impl Draws {
             refused: 0,
         }
     }
+}
 
-    fn next(&mut self) -> Option<(u64, Value, Scene)> {
+impl Iterator for Draws {
+    type Item = (u64, Value, Scene);
+
+    fn next(&mut self) -> Option<Self::Item> {
         while self.next < self.count {
             let document = document(&mut self.random);
             // Draws that break a rule between fields, a bead beyond the axle for one, are no scenes.

@@ -23,7 +23,7 @@ const TIGHT: f64 = 1e-12;
 /// Tolerance of the product.
 const USUAL: f64 = 1e-8;
 
-/// How the points are solved.
+/// Settings with which the points are solved.
 struct Variant {
     name: &'static str,
     settings: NewtonSettings,
@@ -34,7 +34,7 @@ struct Variant {
     is_mirrored: bool,
 }
 
-/// What the points took, and their answers.
+/// Cost of the points, and their answers.
 struct Outcome {
     iterations: usize,
     factorisations: usize,

@@ -10,12 +10,12 @@ const FITTED: usize = 4;
 const ORDERS: (f64, f64) = (0.5, 6.0);
 const ORDER_STEP: f64 = 0.01;
 
-/// Where a value goes.
+/// Limit of a value.
 #[derive(Debug, Clone, Copy)]
 pub struct Limit {
     /// The value there.
     pub value: f64,
-    /// Its error, absolute.
+    /// Error of the limit, absolute.
     pub error: f64,
     /// Observed order; `None` when no power law fits.
     pub order: Option<f64>,

@@ -1,4 +1,4 @@
-"""The examples run as they are, one after another in one folder, and say what they should."""
+"""The examples, one after another in one folder, and the first scripts of pages: they run, and say what they should."""
 
 from __future__ import annotations
 
@@ -85,3 +85,26 @@ def test_every_example_is_run_and_listed() -> None:
     assert shipped == tested
     listed = set(re.findall(r"\]\(([^)]+\.(?:py|ipynb))\)", (EXAMPLES / "README.md").read_text()))
     assert listed == shipped
+
+
+def first_script(readme: str) -> str:
+    return str(re.findall(r"^```python\n(.*?)^```", (ROOT / readme).read_text(), re.MULTILINE | re.DOTALL)[0])
+
+
+@pytest.mark.parametrize(
+    ("readme", "said", "written"),
+    [
+        ("docs/use/sweeps.md", r"wall_mm = 2\.5 +P3 +1 .* (noise|unknown|real)\n", {"comparison.png", "map.png"}),
+        ("python/README.md", r"1 +P3 ", {"ranking.png", "map.png", "points.csv"}),
+    ],
+)
+def test_the_first_script_runs(readme: str, said: str, written: set[str], tmp_path: Path) -> None:
+    script = first_script(readme)
+    assert len(script.splitlines()) <= 12
+    # What differs: where program and study are, and mesh and layouts, so that it takes a second.
+    script = script.replace("target/release/strainsite", str(BINARY)).replace("studies/", f"{ROOT}/studies/")
+    script, changed = re.subn('"(coarse|standard)"', '"draft", "layouts.spacings_deg": []', script)
+    assert changed == 1
+    printed = said_by(["-c", script], tmp_path, 60, MPLBACKEND="Agg")
+    assert re.search(said, printed), printed
+    assert written <= {path.name for path in tmp_path.iterdir()}

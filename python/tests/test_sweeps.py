@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
-    from strainsite.answers.comparison import ComparisonTable
+    from strainsite.answers._generated import ComparisonTable
 
 
 @pytest.fixture(autouse=True)

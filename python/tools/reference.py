@@ -10,6 +10,9 @@ import textwrap
 
 import strainsite
 
+# A list that type checkers don't see.
+PUBLIC: list[str] = vars(strainsite)["__all__"]
+
 GROUPS = {
     "The way to a service": ["Client", "local"],
     "Studies": ["Study", "StudySummary", "Estimate", "Preview"],
@@ -41,17 +44,17 @@ GROUPS = {
     ],
     "Errors": [
         name
-        for name in strainsite.__all__
+        for name in PUBLIC
         if inspect.isclass(getattr(strainsite, name)) and issubclass(getattr(strainsite, name), Exception)
     ],
 }
-GROUPS["Parts of these"] = [name for name in strainsite.__all__ if not any(name in names for names in GROUPS.values())]
+GROUPS["Parts of these"] = [name for name in PUBLIC if not any(name in names for names in GROUPS.values())]
 
 
 def main() -> None:
     """Prints the whole page."""
     print("# Reference of the Python client\n")
-    print("Written by `tools/reference.py` from the docstrings; a test compares. Units are in the names; strains are")
+    print("Written by `python/generate` from the docstrings; a test compares. Units are in the names; strains are")
     print("plain numbers. The [README](../README.md) has the tour.")
     for title, names in GROUPS.items():
         print(f"\n## {title}")
@@ -68,7 +71,7 @@ def describe(name: str, thing: object) -> None:
     print(f"\n### `{head if hidden else name + signature(thing)}`\n\n{body(thing)}")
     if not inspect.isclass(thing):
         return
-    lines = [f"- `{field}`: `{kind}`{said and '. ' + said}" for field, kind, said in fields(thing)]
+    lines = [f"- `{field}`: `{kind}`{said and '. ' + ' '.join(said.split())}" for field, kind, said in fields(thing)]
     for member, value in vars(thing).items():
         if member.startswith("_") or is_error:
             continue
@@ -83,18 +86,19 @@ def describe(name: str, thing: object) -> None:
 
 
 def fields(kind: type) -> list[tuple[str, str, str]]:
-    """Fields of a dataclass: name, type, and the text below it."""
-    if not dataclasses.is_dataclass(kind):
-        return []
-    source = ast.parse(textwrap.dedent(inspect.getsource(kind))).body[0]
-    assert isinstance(source, ast.ClassDef)  # noqa: S101 - a class's source is a class
-    found: list[tuple[str, str, str]] = []
-    for statement in source.body:
-        if isinstance(statement, ast.AnnAssign) and isinstance(statement.target, ast.Name):
-            found.append((statement.target.id, ast.unparse(statement.annotation), ""))
-        elif found and isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant):
-            found[-1] = (*found[-1][:2], str(statement.value.value))
-    return found
+    """Fields of a dataclass and of its bases: name, type, and the text below it."""
+    found: dict[str, tuple[str, str]] = {}
+    for base in filter(dataclasses.is_dataclass, reversed(kind.__mro__)):
+        source = ast.parse(textwrap.dedent(inspect.getsource(base))).body[0]
+        assert isinstance(source, ast.ClassDef)  # noqa: S101 - a class's source is a class
+        name = ""
+        for statement in source.body:
+            if isinstance(statement, ast.AnnAssign) and isinstance(statement.target, ast.Name):
+                name = statement.target.id
+                found[name] = (ast.unparse(statement.annotation), found.get(name, ("", ""))[1])
+            elif name and isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant):
+                found[name] = (found[name][0], str(statement.value.value))
+    return [(name, *words) for name, words in found.items()]
 
 
 def signature(function: object) -> str:

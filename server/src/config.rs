@@ -6,10 +6,10 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use placement::run::usage::machine_memory_bytes;
+use placement::points::usage::machine_memory_bytes;
 use store::{Store, StoreError};
 
-/// Where studies are kept, and how many solves run at once.
+/// Configuration: where studies are kept, and how many solves run at once.
 #[derive(Debug, Clone, Args)]
 pub struct Config {
     /// Database file; created when it isn't there

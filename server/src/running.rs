@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use fem_client::solver::Solver;
-use placement::run::usage::machine_memory_bytes;
+use placement::points::usage::machine_memory_bytes;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
 
@@ -30,36 +30,36 @@ use store::{Store, StoreError};
 /// A solver that does not heed its stop flag is not waited for longer.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// What a service is made of.
+/// Parts of a service.
 pub struct ServiceParts {
-    /// Where it listens; port 0 takes a free one.
+    /// Address where it listens; port 0 takes a free one.
     pub address: SocketAddr,
     /// The database file.
     pub database: PathBuf,
-    /// Who solves.
+    /// Solver of studies.
     pub solver: Arc<dyn Solver>,
-    /// Who solves previews: another one, so that a running study keeps what its solves share.
+    /// Solver of previews: another one, so that a running study keeps what its solves share.
     pub previewer: Arc<dyn Solver>,
     /// Solves that run at once.
     pub threads: usize,
-    /// How long a study runs before another one that waits has its turn.
+    /// Time that a study runs before another one that waits has its turn.
     pub turn: Duration,
-    /// Whom it answers.
+    /// Clients that it answers.
     pub outside: Outside,
 }
 
-/// Whom a service answers.
+/// Clients that a service answers.
 #[derive(Debug, Default)]
 pub struct Outside {
-    /// What a client has to know; without it every program on this machine is let in, and none elsewhere.
+    /// Token that a client has to know; without it every program on this machine is let in, and none elsewhere.
     pub token: Option<Token>,
     /// Names under which others reach the service.
     pub hosts: Vec<HostName>,
-    /// How much it takes on.
+    /// Limits on what it takes on.
     pub limits: Limits,
 }
 
-/// What clients may make grow, and how far.
+/// Limits on what clients may make grow.
 #[derive(Debug, Clone, Copy)]
 pub struct Limits {
     /// Studies that wait in the queue.
@@ -104,7 +104,7 @@ impl Outside {
      ssh -L 8080:localhost:8080"
 )]
 pub struct Exposed {
-    /// Where it would listen.
+    /// Address where it would listen.
     pub address: SocketAddr,
 }
 
@@ -119,7 +119,7 @@ pub struct Service {
     learner: JoinHandle<()>,
 }
 
-/// Why a service did not start.
+/// Reason why a service did not start.
 #[derive(Debug, thiserror::Error)]
 pub enum StartError {
     /// The address is taken or not ours.
@@ -127,7 +127,7 @@ pub enum StartError {
     Listen {
         /// The address.
         address: SocketAddr,
-        /// What the system said.
+        /// Cause in the words of the system.
         cause: std::io::Error,
     },
     /// The database can't be used.
@@ -136,7 +136,7 @@ pub enum StartError {
     /// Other machines could reach it, and there is no token.
     #[error(transparent)]
     Exposed(#[from] Exposed),
-    /// There is no secret for a browser.
+    /// A missing secret for a browser.
     #[error(transparent)]
     Token(#[from] TokenError),
 }
@@ -211,7 +211,7 @@ impl Service {
         })
     }
 
-    /// Where it listens.
+    /// Returns the address where it listens.
     pub fn address(&self) -> SocketAddr {
         self.address
     }

@@ -9,16 +9,16 @@ use tracing_subscriber::EnvFilter;
 use tracing_subscriber::filter::ParseError;
 use tracing_subscriber::fmt::MakeWriter;
 
-/// How the log is written.
+/// Format of the log.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum LogFormat {
-    /// For people.
+    /// Text for people.
     Text,
-    /// One JSON object a line.
+    /// JSON, an object a line.
     Json,
 }
 
-/// What is logged: a level, or levels of parts of the program, as in `info,server::queue=debug`.
+/// Filter of the log: a level, or levels of parts of the program, as in `info,server::queue=debug`.
 #[derive(Debug, Clone)]
 pub struct LogFilter(String);
 

@@ -82,10 +82,10 @@ impl fmt::Debug for Token {
     }
 }
 
-/// Why there is no token. None of them says anything of what stood in its place.
+/// Reason why there is no token. None of them says anything of what stood in its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum TokenError {
-    /// Not a token.
+    /// Text that isn't a token.
     #[error(
         "a token has {SHORTEST} to {LONGEST} visible ASCII characters and no space, as `openssl rand -hex 32` makes one"
     )]

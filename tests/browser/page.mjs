@@ -74,7 +74,13 @@ export function readCanvas(page) {
 export async function violations(page) {
   await page.evaluate(AXE);
   const found = await page.evaluate(async () => (await globalThis.axe.run(document)).violations);
-  return found.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map(({ target, any }) => `${target} ${any[0]?.message ?? ""}`).join("; ")}`);
+  return found.map(
+    ({ id, nodes }) =>
+      `${id}: ${nodes
+        .slice(0, 3)
+        .map(({ target, any }) => `${target} ${any[0]?.message ?? ""}`)
+        .join("; ")}`,
+  );
 }
 
 /** How the page is set, in pixels as seen: texts below 11, rows above a height, and how much wider than its window it is. */
@@ -105,7 +111,12 @@ export function overlaps(page) {
       range.selectNodeContents(node);
       const whole = clipOf(parent);
       for (const box of range.getClientRects()) {
-        const seen = { left: Math.max(box.left, whole.left), right: Math.min(box.right, whole.right), top: Math.max(box.top, whole.top), bottom: Math.min(box.bottom, whole.bottom) };
+        const seen = {
+          left: Math.max(box.left, whole.left),
+          right: Math.min(box.right, whole.right),
+          top: Math.max(box.top, whole.top),
+          bottom: Math.min(box.bottom, whole.bottom),
+        };
         // Lines stand closer than the boxes of their letters: a sixth of the height at either end is empty.
         const empty = (box.bottom - box.top) / 6;
         seen.top += empty;

@@ -9,7 +9,10 @@ import { startService } from "./service.mjs";
 const DOCUMENT = fileURLToPath(new URL("../../studies/foot-tire.toml", import.meta.url));
 const PICTURES = fileURLToPath(new URL("../../docs/pictures/", import.meta.url));
 const SCREENSHOTS = fileURLToPath(new URL("../../web/screenshots/", import.meta.url));
-const WINDOWS = [{ width: 1440, height: 900 }, { width: 390, height: 844 }];
+const WINDOWS = [
+  { width: 1440, height: 900 },
+  { width: 390, height: 844 },
+];
 const SECTIONS = ["answer", "tire", "layouts", "indices", "trade", "run"];
 /** Bytes of a PNG before its first chunk, and the length of that one, which says how large the picture is. */
 const [SIGNATURE, HEADER] = [8, 25];
@@ -60,7 +63,14 @@ async function drawAll(browser, views, spec_sha256) {
   for (const viewport of WINDOWS) {
     for (const colorScheme of ["light", "dark"]) {
       for (const [name, address] of views) {
-        await draw(browser, address, `${SCREENSHOTS}${name}-${viewport.width}-${colorScheme}.png`, { viewport, colorScheme }, spec_sha256, name !== "operations");
+        await draw(
+          browser,
+          address,
+          `${SCREENSHOTS}${name}-${viewport.width}-${colorScheme}.png`,
+          { viewport, colorScheme },
+          spec_sha256,
+          name !== "operations",
+        );
       }
     }
   }

@@ -4,7 +4,10 @@ import { after, before, test } from "node:test";
 import { openBrowser, openPage, overlaps, setting, violations } from "./page.mjs";
 import { startService } from "./service.mjs";
 
-const WINDOWS = [{ width: 1440, height: 900 }, { width: 390, height: 844 }];
+const WINDOWS = [
+  { width: 1440, height: 900 },
+  { width: 390, height: 844 },
+];
 const STUDY_MS = Number(process.env.STRAINSITE_STUDY_MS ?? 600_000);
 /** Tabs from the start of the page to the map, the skip link among them. */
 const TABS = 8;

@@ -67,16 +67,23 @@ test("a wrong document is refused with every fault at its place", async () => {
   const faults = page.locator(".fault-list li");
   await faults.first().waitFor();
   const texts = await faults.allTextContents();
-  assert.ok(texts.some((text) => text.includes("/inputs/1/distribution")), texts.join(" | "));
-  assert.ok(texts.some((text) => text.includes("/method")), texts.join(" | "));
+  assert.ok(
+    texts.some((text) => text.includes("/inputs/1/distribution")),
+    texts.join(" | "),
+  );
+  assert.ok(
+    texts.some((text) => text.includes("/method")),
+    texts.join(" | "),
+  );
   const place = page.locator(".place").filter({ hasText: "/inputs/1/distribution" }).first();
   await place.click();
-  const selected = await page.getByLabel("Study document (JSON)").evaluate((area) =>
-    area.value.slice(area.selectionStart, area.selectionEnd),
-  );
+  const selected = await page.getByLabel("Study document (JSON)").evaluate((area) => area.value.slice(area.selectionStart, area.selectionEnd));
   assert.ok(selected.length > 0 && JSON.stringify(document, null, 2).includes(selected));
   await page.screenshot({ path: `${SCREENSHOTS}faults.png`, fullPage: true });
-  assert.ok(requests.every((url) => new URL(url).origin === service.url), requests.join(" "));
+  assert.ok(
+    requests.every((url) => new URL(url).origin === service.url),
+    requests.join(" "),
+  );
   // The browser itself writes refusals to its console, of the study and of what is asked while it is written; nothing else may stand there.
   const others = complaints.filter((text) => !/status of 4(00|22) .*\/v1\/studies(:estimate|:preview)?$/.test(text));
   assert.deepEqual(others, []);
@@ -128,7 +135,11 @@ test("a study runs from the preset to the ranking and its map", { timeout: STUDY
   assert.match(compared, /Wall time.* s.*Peak memory.*[MG]B/s, "what was expected stands beside what it took");
 
   const links = await page.$$eval("p.provenance a", (anchors) => anchors.map((anchor) => anchor.href));
-  for (const part of ["format=csv", "format=parquet", "format=vtu"]) assert.ok(links.some((link) => link.includes(part)), links.join(" "));
+  for (const part of ["format=csv", "format=parquet", "format=vtu"])
+    assert.ok(
+      links.some((link) => link.includes(part)),
+      links.join(" "),
+    );
   const lengths = await page.evaluate(
     (addresses) =>
       Promise.all(
@@ -139,7 +150,10 @@ test("a study runs from the preset to the ranking and its map", { timeout: STUDY
       ),
     links,
   );
-  assert.ok(lengths.every((length) => length > 0), `every link gives a file: ${lengths.join(" ")}`);
+  assert.ok(
+    lengths.every((length) => length > 0),
+    `every link gives a file: ${lengths.join(" ")}`,
+  );
 
   await page.getByRole("link", { name: "Tire", exact: true }).click();
   await page.locator(".map canvas").waitFor();
@@ -173,7 +187,10 @@ test("a study runs from the preset to the ranking and its map", { timeout: STUDY
   assert.ok(overflow <= 0, `the narrow page is ${overflow} px too wide`);
   await page.screenshot({ path: `${SCREENSHOTS}study-narrow.png`, fullPage: true });
 
-  assert.ok(requests.every((url) => new URL(url).origin === service.url), requests.join(" "));
+  assert.ok(
+    requests.every((url) => new URL(url).origin === service.url),
+    requests.join(" "),
+  );
   assert.deepEqual(complaints, []);
   await page.context().close();
 });
@@ -203,7 +220,10 @@ test("a study is removed from the list, once that is confirmed", { timeout: STUD
   const entries = page.locator(".study-list li");
   await entries.first().waitFor();
   const before = await entries.count();
-  await entries.first().getByRole("button", { name: /^More for/ }).click();
+  await entries
+    .first()
+    .getByRole("button", { name: /^More for/ })
+    .click();
   page.once("dialog", (dialog) => void dialog.dismiss());
   await entries.first().locator(".entry-remove").click();
   await page.waitForTimeout(200);
@@ -219,8 +239,9 @@ test("a browser is let in by the printed address, once, and follows a study by i
   const locked = await startService("--token");
   t.after(() => locked.stop());
   const { page, complaints } = await openPage(browser, { viewport: { width: 1280, height: 900 } });
-  let link;
-  while ((link = /in a browser, once: (\S+)/.exec(locked.printed())?.[1]) === undefined) await page.waitForTimeout(20);
+  const printed = () => /in a browser, once: (\S+)/.exec(locked.printed())?.[1];
+  while (printed() === undefined) await page.waitForTimeout(20);
+  const link = printed();
   await page.goto(link);
   assert.equal(page.url(), `${locked.url}/`, "the address that worked once is left behind");
   await page.locator('.preset input[value="foot-tire"]').check();

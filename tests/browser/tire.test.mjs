@@ -16,12 +16,15 @@ let browser;
 let root;
 let study;
 
-before(async () => {
-  if (process.env.STRAINSITE_PAGE === undefined) service = await startService();
-  root = process.env.STRAINSITE_PAGE ?? service.url;
-  browser = await openBrowser(SOFTWARE_WEBGL);
-  study = await solvedStudy();
-}, { timeout: STUDY_MS });
+before(
+  async () => {
+    if (process.env.STRAINSITE_PAGE === undefined) service = await startService();
+    root = process.env.STRAINSITE_PAGE ?? service.url;
+    browser = await openBrowser(SOFTWARE_WEBGL);
+    study = await solvedStudy();
+  },
+  { timeout: STUDY_MS },
+);
 
 after(async () => {
   await browser?.close();
@@ -36,7 +39,9 @@ async function solvedStudy() {
   const candidates = { points: "P1-P5", grid: { circumferential: 31, meridional: 11 } };
   const asked = { ...document, name: "the tire's test", accuracy: { preset: "draft" }, layouts, candidates };
   const sent = await fetch(`${root}/v1/studies`, {
-    method: "POST", body: JSON.stringify(asked), headers: { "Content-Type": "application/json" },
+    method: "POST",
+    body: JSON.stringify(asked),
+    headers: { "Content-Type": "application/json" },
   });
   assert.equal(sent.status, 202, await sent.clone().text());
   const { id } = await sent.json();
@@ -87,16 +92,25 @@ test("the tire is drawn, in few bytes, and saved as a picture by name", async (t
   assert.equal(saved.name, "the-tire-s-test-start.png");
   assert.ok(saved.colours > 200, `the picture has ${saved.colours} colours`);
   const sizes = await page.evaluate(() =>
-    performance.getEntriesByType("resource").filter(({ name }) => /wheel-scene|\/surface$/.test(name)).map(({ name, transferSize }) => [name, transferSize]),
+    performance
+      .getEntriesByType("resource")
+      .filter(({ name }) => /wheel-scene|\/surface$/.test(name))
+      .map(({ name, transferSize }) => [name, transferSize]),
   );
   const bytes = sizes.reduce((sum, [, size]) => sum + size, 0);
   t.diagnostic(`three dimensions took ${bytes} bytes: ${JSON.stringify(sizes)}`);
   assert.equal(sizes.length, 2, JSON.stringify(sizes));
   // A page under development is sent as it is written.
   if (service !== undefined) assert.ok(bytes > 50_000 && bytes < MOST_BYTES, `${bytes} bytes`);
-  assert.ok(requests.every((url) => new URL(url.replace(/^blob:/, "")).origin === new URL(root).origin), requests.join(" "));
+  assert.ok(
+    requests.every((url) => new URL(url.replace(/^blob:/, "")).origin === new URL(root).origin),
+    requests.join(" "),
+  );
   // Software WebGL says that reading its picture took time.
-  assert.deepEqual(complaints.filter((text) => !text.includes("GPU stall due to ReadPixels")), []);
+  assert.deepEqual(
+    complaints.filter((text) => !text.includes("GPU stall due to ReadPixels")),
+    [],
+  );
   await page.context().close();
 });
 
@@ -159,12 +173,17 @@ function generator(seed) {
 }
 
 function readTable(page) {
-  return page.evaluate(() => new Promise((resolve) => setTimeout(() => {
-    const place = document.querySelector(".readout strong");
-    if (place === null) return resolve(null);
-    const cells = [...document.querySelectorAll(".point-table tbody tr")].map((row) => [...row.querySelectorAll("td")].map((cell) => cell.textContent));
-    resolve({ theta_deg: Number(place.dataset.theta), phi_deg: Number(place.dataset.phi), cells });
-  })));
+  return page.evaluate(
+    () =>
+      new Promise((resolve) =>
+        setTimeout(() => {
+          const place = document.querySelector(".readout strong");
+          if (place === null) return resolve(null);
+          const cells = [...document.querySelectorAll(".point-table tbody tr")].map((row) => [...row.querySelectorAll("td")].map((cell) => cell.textContent));
+          resolve({ theta_deg: Number(place.dataset.theta), phi_deg: Number(place.dataset.phi), cells });
+        }),
+      ),
+  );
 }
 
 /** The text's number is the value within the rounding of its last digit. */
@@ -178,7 +197,12 @@ function near(text, value, half, what, { theta_deg, phi_deg }) {
 function bilinear({ theta_deg, phi_deg }, values, at) {
   const [column, row] = [below(theta_deg, at.theta_deg), below(phi_deg, at.phi_deg)];
   const [s, t] = [share(theta_deg, column, at.theta_deg), share(phi_deg, row, at.phi_deg)];
-  const corners = [[0, 0, (1 - s) * (1 - t)], [1, 0, s * (1 - t)], [0, 1, (1 - s) * t], [1, 1, s * t]]
+  const corners = [
+    [0, 0, (1 - s) * (1 - t)],
+    [1, 0, s * (1 - t)],
+    [0, 1, (1 - s) * t],
+    [1, 1, s * t],
+  ]
     .map(([right, up, weight]) => ({ value: values[(row + up) * theta_deg.length + column + right], weight }))
     .filter(({ weight }) => weight > 0);
   if (corners.some(({ value }) => value === null)) return corners.toSorted((a, b) => b.weight - a.weight)[0].value;
@@ -186,7 +210,13 @@ function bilinear({ theta_deg, phi_deg }, values, at) {
 }
 
 function below(axis, value) {
-  return Math.max(0, Math.min(axis.length - 2, axis.findLastIndex((each) => each <= value)));
+  return Math.max(
+    0,
+    Math.min(
+      axis.length - 2,
+      axis.findLastIndex((each) => each <= value),
+    ),
+  );
 }
 
 function share(axis, at, value) {
@@ -201,9 +231,19 @@ test("a layout's films lie at its angles, in their true size, and arrows lead to
   await page.locator(".film-marks polygon").first().waitFor();
   const drawn = await page.evaluate(() => {
     const boxes = [...document.querySelectorAll(".film-marks > polygon")].map((film) => film.getBBox());
-    const [centre] = [...document.querySelectorAll(".point-mark g")].filter((mark) => mark.textContent === "P3").map((mark) => mark.querySelector("circle").getBBox());
-    const ticks = [...document.querySelectorAll(".map .axis > g:first-child > g")].map((tick) => [Number(tick.textContent.replace("−", "-")), tick.querySelector("line").x1.baseVal.value]);
-    return { boxes: boxes.map(({ x, y, width, height }) => ({ x, y, width, height })), centre: centre.x + centre.width / 2, ticks, arrows: document.querySelectorAll(".film-marks > g polygon").length };
+    const [centre] = [...document.querySelectorAll(".point-mark g")]
+      .filter((mark) => mark.textContent === "P3")
+      .map((mark) => mark.querySelector("circle").getBBox());
+    const ticks = [...document.querySelector(".map .axis").querySelectorAll("g")].map((tick) => [
+      Number(tick.textContent.replace("−", "-")),
+      tick.querySelector("line").x1.baseVal.value,
+    ]);
+    return {
+      boxes: boxes.map(({ x, y, width, height }) => ({ x, y, width, height })),
+      centre: centre.x + centre.width / 2,
+      ticks,
+      arrows: document.querySelectorAll(".film-marks > g polygon").length,
+    };
   });
   assert.equal(drawn.boxes.length, 2, "of six units one is on the map, with a film of x and one of y");
   assert.equal(drawn.arrows, 2);
@@ -257,7 +297,11 @@ test("keys turn, cut and reset, nothing is drawn while still, and a turn takes a
   await page.locator(".wheel").evaluate((wheel) => Object.assign(wheel.style, { width: "900px", height: "600px" }));
   await page.locator(".wheel").focus();
   await page.waitForTimeout(300);
-  const label = () => page.locator(".wheel-label").first().evaluate((each) => each.style.left);
+  const label = () =>
+    page
+      .locator(".wheel-label")
+      .first()
+      .evaluate((each) => each.style.left);
   const start = await label();
   await page.keyboard.press("ArrowRight");
   assert.notEqual(await label(), start, "the picture turns");
@@ -270,7 +314,10 @@ test("keys turn, cut and reset, nothing is drawn while still, and a turn takes a
   const drawn = await page.evaluate(async () => {
     const ask = window.requestAnimationFrame;
     let asked = 0;
-    window.requestAnimationFrame = (step) => ((asked += 1), ask.call(window, step));
+    window.requestAnimationFrame = (step) => {
+      asked += 1;
+      return ask.call(window, step);
+    };
     await new Promise((resolve) => setTimeout(resolve, 1000));
     window.requestAnimationFrame = ask;
     return asked;
@@ -352,6 +399,9 @@ test("without WebGL there is the map alone, with a sentence", async (t) => {
   assert.ok(!requests.some((url) => url.includes("wheel-scene")), "what can't be used isn't loaded");
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   assert.ok(overflow <= 0, `the narrow page is ${overflow} px too wide`);
-  assert.deepEqual(complaints.filter((text) => !/WebGL/.test(text)), []);
+  assert.deepEqual(
+    complaints.filter((text) => !/WebGL/.test(text)),
+    [],
+  );
   await page.context().close();
 });

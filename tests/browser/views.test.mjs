@@ -9,7 +9,10 @@ import { startService } from "./service.mjs";
 
 const SCREENSHOTS = fileURLToPath(new URL("screenshots/", import.meta.url));
 const SECTIONS = ["answer", "tire", "layouts", "indices", "trade", "run"];
-const WINDOWS = [{ width: 1440, height: 900 }, { width: 390, height: 844 }];
+const WINDOWS = [
+  { width: 1440, height: 900 },
+  { width: 390, height: 844 },
+];
 /** Highest row of a table in a narrow window, px. */
 const ROW = 120;
 /** What the answer may take on the wire. */
@@ -125,7 +128,12 @@ for (const viewport of WINDOWS) {
 test("the answer takes few bytes", { timeout: 60_000 }, async (t) => {
   const { page } = await openSection("answer", { viewport: WINDOWS[0] });
   await page.waitForLoadState("networkidle");
-  const sizes = await page.evaluate(() => performance.getEntries().filter(({ transferSize }) => transferSize > 0).map(({ name, transferSize }) => [name.split("/").at(-1), transferSize]));
+  const sizes = await page.evaluate(() =>
+    performance
+      .getEntries()
+      .filter(({ transferSize }) => transferSize > 0)
+      .map(({ name, transferSize }) => [name.split("/").at(-1), transferSize]),
+  );
   const bytes = sizes.reduce((sum, [, size]) => sum + size, 0);
   t.diagnostic(`${bytes} bytes: ${JSON.stringify(sizes)}`);
   assert.ok(sizes.some(([name]) => name === "result?map=false") && bytes < ANSWER_BYTES, `${bytes} bytes`);
@@ -151,7 +159,10 @@ test("a film is dragged, its bounds follow, and undo takes it back", { timeout: 
   const moved = await films.allInnerTexts();
   const changed = before.filter((text, k) => text !== moved[k]);
   assert.deepEqual(changed.length, 1, `${before} became ${moved}`);
-  assert.ok(moved.some((text) => text.includes(" 17°")), moved.join(", "));
+  assert.ok(
+    moved.some((text) => text.includes(" 17°")),
+    moved.join(", "),
+  );
   await page.waitForURL(/films=/);
   await page.getByText("the layout it came from").first().waitFor();
   for (const viewport of WINDOWS) {

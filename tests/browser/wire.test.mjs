@@ -6,7 +6,7 @@ import { isDeepStrictEqual } from "node:util";
 import { startService } from "./service.mjs";
 
 const COMMITTED = new URL("../../web/openapi.json", import.meta.url);
-const RENEWAL = 'start "strainsite serve", run "npm run wire" in web/, and commit web/openapi.json and web/src/wire.ts';
+const RENEWAL = "run make generate, and commit what it made";
 
 /** Paths, schemas and what else a description has, by name. */
 const partsOf = ({ paths, components, ...rest }) => ({ ...rest, ...paths, ...components.schemas, components: { ...components, schemas: null } });

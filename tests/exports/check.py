@@ -120,6 +120,11 @@ def at(values, index):
     return None if values is None else values[index]
 
 
+def in_unit(unit, strain, volts, value):
+    """A reading under the name of its unit."""
+    return {strain: value if unit == "strain" else None, volts: value if unit == "V" else None}
+
+
 def rows_of(table, result, evaluations):
     """The rows of a table as the REST documents have them, in the order of the columns."""
     if table == "indices":
@@ -137,6 +142,7 @@ def rows_of(table, result, evaluations):
     elif table == "locations":
         yield from result["locations"]
     elif table == "layouts":
+        unit = result["layout_findings"]["unit"]
         for layout in result["layouts"]:
             score = layout["score"]
             error = score.get("error") or {}
@@ -144,9 +150,9 @@ def rows_of(table, result, evaluations):
             forces = shear.get("worst_force_error_n") or [None] * 3
             yield {
                 **{name: layout[name] for name in ["rank", "spacing_deg", "units", "position"]},
-                "films": "+".join(layout["films"]), "weakest_signal_strain": score["weakest_signal"],
+                "films": "+".join(layout["films"]), **in_unit(unit, "weakest_signal_strain", "weakest_signal_v", score["weakest_signal"]),
                 **{name: score[name] for name in ["worst_angle_error_deg", "rms_angle_error_deg", "worst_depth_error_mm"]},
-                "noise_strain": score["noise_strain"], "reason": score.get("reason"),
+                "noise_strain": score["noise_strain"], "noise_v": score.get("noise_v"), "reason": score.get("reason"),
                 "rank_certain": layout["rank_certain"], "name": layout.get("name"), "staggered": layout.get("staggered", False),
                 "film_count": layout.get("film_count"),
                 **{name: score.get(name) for name in SIMULATED},
@@ -158,7 +164,8 @@ def rows_of(table, result, evaluations):
             }
     elif table == "candidates":
         for film in result["layout_findings"]["candidates"]:
-            yield {"angle_information_error": None, "length_mm": None, "width_mm": None, **film}
+            signal = in_unit(result["layout_findings"]["unit"], "signal", "signal_v", film["signal"])
+            yield {"angle_information_error": None, "length_mm": None, "width_mm": None, **film, **signal}
     elif table == "signals":
         for row in result["signals"]["rows"]:
             error = row["error"] or {}
@@ -477,9 +484,12 @@ def main():
         scene={"preset": "foot-tire", "contact": {"friction": 0.5}},
         layouts={**LAYOUTS, "spacings_deg": [15, 60], "positions": ["crown", "shoulder"], "shear": True},
     ))
+    glued = service.run(study("volts", accuracy={"preset": "draft"}, layouts={**LAYOUTS, "film": "transfer"}))
+    assert service.part(glued, "layouts")["findings"]["unit"] == "V"
     check_packed(service, with_map)
     values = sum(check_tables(service, ident, program, folder) for ident in (with_map, idle))
     values += check_tables(service, without, program, folder, ["layouts"])
+    values += check_tables(service, glued, program, folder, ["layouts", "candidates"])
     print(f"tables: {values} values by pandas and pyarrow, as in the REST result")
     print(f"comparison: {check_comparison(service, program, folder)} values by pandas and pyarrow")
     for ident in (with_map, idle):

@@ -1,21 +1,21 @@
-//! What must hold for every text that a reader is given, whatever is in it: no panic, no number that isn't finite, and faults that say where.
+//! Checks for every text that a reader is given, whatever is in it: no panic, no number that isn't finite, and faults that say where.
 //!
 //! The fuzzer calls these with texts of its own making, `placement/tests/quick/fuzzed.rs` with those that it kept.
 
 use std::sync::OnceLock;
 
-use fem_client::document::fault::{Fault, MAX_FAULTS};
-use fem_client::document::{Format, parse};
+use document::fault::{Fault, MAX_FAULTS};
+use document::{Format, parse};
+use documents::own_model::inputs_document::Inputs;
+use documents::own_model::value_table::ValueTable;
+use documents::study::plan::Plan;
+use documents::study::{Study, presets};
+use documents::sweep::{Design, MOST_DESIGNS, Sweep, designs_of, sweep_of, typed_grid};
 use fem_client::scene::Scene;
 use gsa::campaign::Campaign;
 use gsa::law::distribution::Distribution;
 use gsa::method::analysis::Analysis;
 use gsa::method::{Kind, Method};
-use placement::own_model::inputs_document::Inputs;
-use placement::own_model::value_table::ValueTable;
-use placement::study::plan::Plan;
-use placement::study::{Study, presets};
-use placement::sweep::{Design, MOST_DESIGNS, Sweep, designs_of, sweep_of, typed_grid};
 use serde_json::{Value, json};
 
 const OF_SCENE: [&str; 8] = [
@@ -112,7 +112,7 @@ fn typed(text: &str) {
 }
 
 /// The study that further designs and typed grids are of.
-fn base() -> &'static Study {
+pub fn base() -> &'static Study {
     static BASE: OnceLock<Study> = OnceLock::new();
     BASE.get_or_init(|| {
         Study::from_document(presets()[0].1, Format::Toml, &shipped).expect("the study ships")
@@ -150,7 +150,7 @@ fn hold(base: &Study, designs: &[Design]) {
 /// Designs of which more is asked than that they are there.
 const MOST_HELD: usize = 8;
 
-/// As of any other document, but that it may lack both grid and designs, or have both.
+/// Checks places as of any other document, but that a sweep may lack both grid and designs, or have both.
 fn say_where_of_sweep(faults: &[Fault], text: &str) {
     let either =
         |fault: &Fault| fault.pointer.is_empty() && fault.detail.contains("exactly one of grid");
@@ -219,7 +219,7 @@ pub fn values(text: &str) {
 }
 
 /// JSON begins with a brace; TOML can't.
-fn format_of(text: &str) -> Format {
+pub fn format_of(text: &str) -> Format {
     if text.trim_start().starts_with('{') {
         Format::Json
     } else {
@@ -228,7 +228,7 @@ fn format_of(text: &str) -> Format {
 }
 
 /// The one scene file that there is.
-fn shipped(path: &str) -> Result<String, String> {
+pub fn shipped(path: &str) -> Result<String, String> {
     match path {
         "scenes/foot-tire.toml" => Ok(include_str!("../../scenes/foot-tire.toml").to_owned()),
         _ => Err(format!("there is no file {path:?}")),

@@ -1,4 +1,4 @@
-//! What must hold for every recording and every model file that a reader is given, whatever is in it: no panic, and faults that say where.
+//! Checks for every recording and every model file that a reader is given, whatever is in it: no panic, and faults that say where.
 //!
 //! The fuzzer calls these with texts of its own making, `estimation/tests/quick/fuzzed.rs` with those that it kept.
 

@@ -5,7 +5,30 @@ import type { Description } from "./lib/shell/reference/description.ts";
 import type { RecordingFile } from "./lib/forces/recording-files.ts";
 import { EVENT_KINDS, type StudyEvent } from "./lib/study/stream-events.ts";
 import type {
-  Comparison, EntryChange, Estimate, EstimatorDetail, EstimatorPage, EstimatorSummary, FilmFields, FilmPlace, LeftOutRows, Presets, Preview, ProblemDocument, Report, ScoredLayouts, Sections, StudyDetail, StudyPage, StudyResult, StudySummary, SweepDetail, SweepEstimate, SweepPage, SweepSummary, Trade,
+  Comparison,
+  EntryChange,
+  Estimate,
+  EstimatorDetail,
+  EstimatorPage,
+  EstimatorSummary,
+  FilmFields,
+  FilmPlace,
+  LeftOutRows,
+  Presets,
+  Preview,
+  ProblemDocument,
+  Report,
+  ScoredLayouts,
+  Sections,
+  StudyDetail,
+  StudyPage,
+  StudyResult,
+  StudySummary,
+  SweepDetail,
+  SweepEstimate,
+  SweepPage,
+  SweepSummary,
+  Trade,
 } from "./wire.ts";
 
 const ROOT = "/v1";
@@ -16,7 +39,7 @@ const SWEEPS_OF_A_PAGE = 10;
 export type Problem = Pick<ProblemDocument, "title" | "status"> & Partial<ProblemDocument>;
 
 /** An answer that is not the one asked for, or no answer at all. */
-export class ApiError extends Error {
+class ApiError extends Error {
   readonly problem: Problem;
 
   constructor(problem: Problem) {
@@ -32,7 +55,7 @@ export function problemOf(error: unknown): Problem {
 }
 
 /** What the stream of one study calls. */
-export interface StreamListener {
+interface StreamListener {
   event(event: StudyEvent): void;
   /** The stream is open. */
   open(): void;

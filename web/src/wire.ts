@@ -4,21 +4,6 @@ export type paths = Record<string, never>;
 export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
-        /** @description What is asked of the answer: one of the three. */
-        AccuracyDocument: {
-            /** @description Level of the mesh: draft, coarse, standard or reference. */
-            preset?: string;
-            /**
-             * Format: double
-             * @description Largest error of any first-order index, absolute.
-             */
-            tolerance?: number;
-            /**
-             * Format: double
-             * @description Wall-clock time, s.
-             */
-            budget_s?: number;
-        };
         /** @description Two contacts that readings can hardly tell apart. */
         AlikeContacts: {
             /**
@@ -42,27 +27,27 @@ export interface components {
              */
             sigmas: number;
         };
-        /** @description Where the films go, how sure that is, and what could overturn it. */
+        /** @description Answer of a study: where the films go, how sure that is, and what could overturn it. */
         Answer: {
             /** @description The answer: the best layout and what it knows, or the best place where no layouts are asked for. */
             sentence: string;
             /** @description The weaker of the verdicts on place and layout. */
             verdict: components["schemas"]["Certainty"];
-            /** @description Why it isn't surer, or why it is certain, with the figures that decide; whole sentences. */
+            /** @description Reason why it isn't surer, or why it is certain, with the figures that decide; whole sentences. */
             reason: string;
             place?: components["schemas"]["PlaceAnswer"] | null;
             layout?: components["schemas"]["LayoutAnswer"] | null;
             left_out?: components["schemas"]["LeftOut"] | null;
             surer?: components["schemas"]["Surer"] | null;
         };
-        /** @description With films askew. */
+        /** @description Error with films askew. */
         AskewError: {
             /**
              * Format: double
              * @description Standard deviation of the films' places around the wheel, degrees.
              */
             std_deg: number;
-            /** @description What estimates are worth then. */
+            /** @description Error of the estimates then. */
             error: components["schemas"]["TrialError"];
         };
         /** @description A kind of film: where in the section, along which direction, how large. */
@@ -76,12 +61,12 @@ export interface components {
             direction: string;
             /**
              * Format: double
-             * @description Its length, mm; null of a point.
+             * @description Length of the film, mm; null of a point.
              */
             length_mm?: number | null;
             /**
              * Format: double
-             * @description Its width, mm; null of a point.
+             * @description Width of the film, mm; null of a point.
              */
             width_mm?: number | null;
             /**
@@ -101,18 +86,6 @@ export interface components {
             depth_information: number;
             /**
              * Format: double
-             * @description Effective independence: its share in what all candidates together tell apart, 0 to 1.
-             */
-            effective_independence: number;
-            /** @description Its place among those that pivoting picks, 1 first; null of those that add nothing. */
-            pivot_rank?: number | null;
-            /**
-             * Format: double
-             * @description Standard deviation of the signal at the contact's centre over the depths of the study: what the paper ranks by.
-             */
-            centre_std: number;
-            /**
-             * Format: double
              * @description Error of the information on the angle by the coarser mesh.
              */
             angle_information_error?: number | null;
@@ -121,24 +94,13 @@ export interface components {
         Candidates: {
             /** @description Every section angle and direction. */
             candidates: components["schemas"]["CandidateFilm"][];
-            /** @description How far each two criteria order them alike. */
-            agreement: components["schemas"]["OrderAgreement"][];
-        };
-        /** @description Where films may go. */
-        CandidatesDocument: {
-            /** @description `P1-P5` */
-            points?: string;
-            /** @description `["x"]`, `["y"]` or both. */
-            directions?: string[];
-            /** @description `circumferential` and `meridional` numbers of points of the dense map, and `half_width_deg`. */
-            grid: Record<string, unknown>;
         };
         /**
-         * @description How sure a first rank is, by what the order goes by; surest first. Mirror images tie by symmetry: that isn't uncertainty.
+         * @description Certainty of a first rank, by what the order goes by; surest first. Mirror images tie by symmetry: that isn't uncertainty.
          * @enum {string}
          */
         Certainty: "certain" | "likely" | "tied" | "unknown";
-        /** @description One modelling choice with its reason. */
+        /** @description A modelling choice with its reason. */
         Choice: {
             /** @description The part. */
             what: string;
@@ -146,13 +108,13 @@ export interface components {
             why: string;
             /**
              * Format: double
-             * @description What leaving it out does: the largest change of a strain at P1, P2, ... at the means when it is modelled, over the largest strain
-             *     of that direction there. 0 where leaving it out is exact; absent where the part is modelled, or the effect isn't known.
+             * @description Effect of leaving it out: the largest change of a strain at P1, P2, ... at the means when it is modelled, over the largest strain of that
+             *     direction there.
              */
             effect?: number | null;
         };
         /**
-         * @description What is claimed of films' voltages.
+         * @description Claim about films' voltages.
          * @enum {string}
          */
         Claim: "voltage rises with load" | "voltage falls with pressure" | "linear over the contact angle";
@@ -160,17 +122,17 @@ export interface components {
         ClaimRow: {
             /** @description Name of the tire. */
             tire: string;
-            /** @description How the film is modelled. */
+            /** @description Model of the film. */
             film: components["schemas"]["FilmModel"];
-            /** @description Where it lies in the section. */
+            /** @description Position of the film in the section. */
             position: string;
             /** @description Direction of its length. */
             direction: string;
-            /** @description What is claimed. */
+            /** @description Claim about the curve. */
             claim: components["schemas"]["Claim"];
             /** @description Whether it holds. */
             holds: components["schemas"]["Holds"];
-            /** @description What the curve does. */
+            /** @description Course of the curve, in words. */
             detail: string;
         };
         /** @description The way from a draft to the accuracy asked for. */
@@ -187,12 +149,12 @@ export interface components {
             budget_s?: number | null;
             /** @description Whether the claimed error is within the tolerance, or the budget gave an answer. */
             met: boolean;
-            /** @description What was tried, in order; the answer is the last one's. */
+            /** @description Rungs that were tried, in order; the answer is the last one's. */
             rungs: components["schemas"]["ClimbRung"][];
         };
-        /** @description One step of the way. */
+        /** @description A step of the way. */
         ClimbRung: {
-            /** @description In a few words. */
+            /** @description Label in a few words. */
             label: string;
             /** @description Mesh and method. */
             fidelity: components["schemas"]["FidelityReport"];
@@ -215,7 +177,7 @@ export interface components {
             first_order: number[];
             /**
              * Format: double
-             * @description What the finer mesh may be off, over its difference from the coarser one.
+             * @description Error of the finer mesh over its difference from the coarser one.
              */
             factor: number;
         };
@@ -228,7 +190,7 @@ export interface components {
             gsi_percent?: number | null;
             /**
              * Format: double
-             * @description Its error, percentage points.
+             * @description Error of the index, percentage points.
              */
             error_percent?: number | null;
             /**
@@ -265,17 +227,17 @@ export interface components {
             /** @description First-order index of the location's own depth for the y strain at the contact centre. */
             y: components["schemas"]["ComparedIndex"];
         };
-        /** @description One of the studies. */
+        /** @description A study of those compared. */
         ComparedStudy: {
-            /** @description Its identifier. */
+            /** @description Identifier of the study. */
             id: string;
-            /** @description Its name, or that of the design. */
+            /** @description Name of the study, or that of the design. */
             name: string;
-            /** @description What the design sets, by path; null for a study that belongs to no sweep. */
+            /** @description Settings of the design, by path; null for a study that belongs to no sweep. */
             set?: Record<string, unknown> | null;
             /** @description `queued`, `running`, `done`, `failed` or `cancelled`. */
             state: string;
-            /** @description Why there is no result. */
+            /** @description Reason why there is no result. */
             reason?: string | null;
             /** @description SHA-256 of its document. */
             spec_sha256?: string | null;
@@ -307,7 +269,7 @@ export interface components {
              * @description Angle between the units of the best layout, degrees.
              */
             layout_spacing_deg?: number | null;
-            /** @description Where they lie. */
+            /** @description Position of the best layout's units. */
             layout_position?: string | null;
             cost?: components["schemas"]["StudyCost"] | null;
         };
@@ -319,38 +281,26 @@ export interface components {
             studies: components["schemas"]["ComparedStudy"][];
             /** @description Every location of every study that has a result, best first. */
             rows: components["schemas"]["ComparedLocation"][];
-            /** @description What the reader must know before believing the differences, whole sentences. */
+            /** @description Notes that the reader must know before believing the differences, whole sentences. */
             notes: string[];
         };
         /**
-         * @description How a comparison is written.
+         * @description Format of a comparison's file.
          * @enum {string}
          */
         ComparisonFormat: "csv" | "json" | "parquet";
         /**
-         * @description What is wanted of a comparison.
+         * @description Table of a comparison.
          * @enum {string}
          */
         ComparisonTable: "locations" | "designs";
-        /** @description A figure that can't be true beside the others. */
-        Contradiction: {
-            /** @description Which figure: `r2`, `nrmse_percent`, or `both` where two cells contradict each other and none tells which is right. */
-            figure: string;
-            /**
-             * Format: double
-             * @description What the other cells and this one's RMSE imply; null where none tells.
-             */
-            implied?: number | null;
-            /** @description A sentence. */
-            detail: string;
-        };
         /** @description A number of solves with its range. */
         CountForecast: {
-            /** @description At least. */
+            /** @description Least count. */
             least: number;
-            /** @description As far as can be told. */
+            /** @description Likeliest count, as far as can be told. */
             expected: number;
-            /** @description At most. */
+            /** @description Greatest count. */
             most: number;
         };
         /** @description The response at the means. */
@@ -364,9 +314,9 @@ export interface components {
             reaction_n: number;
             /**
              * Format: double
-             * @description How far the ground at the contact centre stands above the inflated outer radius, mm; absent from results of earlier versions.
+             * @description Height of the ground at the contact centre above the inflated outer radius, mm.
              */
-            depth_mm?: number | null;
+            depth_mm: number;
             /**
              * Format: double
              * @description Outer radius after inflation, mm.
@@ -377,7 +327,7 @@ export interface components {
             /** @description Newton residuals of its load steps. */
             residual_history: number[][];
         };
-        /** @description What is left when a film dies. */
+        /** @description Score that is left when a film dies. */
         DeadFilm: {
             /** @description The film, counted from 0. */
             film: number;
@@ -392,11 +342,11 @@ export interface components {
              */
             bayes_angle_error_deg?: number | null;
         };
-        /** @description With a film dead. */
+        /** @description Error with a film dead. */
         DeadFilmError: {
             /** @description The film, counted from 0. */
             film: number;
-            /** @description What estimates are worth without it. */
+            /** @description Error of the estimates without it. */
             error: components["schemas"]["TrialError"];
         };
         /** @description Designs by where they stand. */
@@ -412,51 +362,44 @@ export interface components {
             /** @description Were cancelled. */
             cancelled: number;
         };
-        /** @description One design. */
-        DesignDocument: {
-            /** @description What it sets when left out, as `wall_mm = 2.5`. */
-            name?: string;
-            /** @description Values by path: `geometry.wall_mm` for the scene's fields, `method.nodes` for the study's own. */
-            set: Record<string, unknown>;
-        };
-        /** @description What a design would cost. */
+        /** @description Estimate of a design's cost. */
         DesignEstimate: {
-            /** @description What tells it from the others. */
+            /** @description Name that tells it from the others. */
             name: string;
-            /** @description Its estimate. */
+            /** @description Estimate of its study. */
             estimate: components["schemas"]["Estimate"];
         };
-        /** @description One of the designs. */
+        /** @description A design of the sweep. */
         DesignView: {
             /**
              * Format: int64
-             * @description Its place.
+             * @description Ordinal of the design in the sweep.
              */
             ordinal: number;
-            /** @description What tells it from the others. */
+            /** @description Name that tells it from the others. */
             name: string;
             /** @description Values by path. */
             set: Record<string, unknown>;
             /** @description The study that answers for it. */
             study: components["schemas"]["StudySummary"];
         };
-        /** @description On another tire. */
+        /** @description Error on another tire. */
         ElsewhereError: {
-            /** @description In what it differs from the study's. */
+            /** @description Difference from the study's tire, in words. */
             tire: string;
             /** @description Whether estimators learnt from runs on it, too. */
-            learnt?: boolean;
-            /** @description What estimates are worth there. */
+            learnt: boolean;
+            /** @description Error of the estimates there. */
             error: components["schemas"]["TrialError"];
         };
-        /** @description What lists say of a study or a sweep: `name`, `archived` or both. What is left out stays as it is. */
+        /** @description Change of what lists say of a study or a sweep: `name`, `archived` or both. What is left out stays as it is. */
         EntryChange: {
             /** @description Another name. The document, its hash and the result keep the one that was submitted. */
             name?: string;
             /** @description Whether lists leave it out. */
             archived?: boolean;
         };
-        /** @description What a study is expected to cost, and to be worth. */
+        /** @description Estimate of what a study will cost, and be worth. */
         Estimate: {
             /** @description Equilibria to solve. */
             solves: components["schemas"]["SolveForecast"];
@@ -466,13 +409,13 @@ export interface components {
              * @description Largest resident memory of the process, bytes.
              */
             peak_memory_bytes: number;
-            /** @description What the answer is expected to be worth. */
+            /** @description Accuracy that the answer is expected to have. */
             accuracy: components["schemas"]["ExpectedAccuracy"];
             /** @description Solves at once. */
             threads: number;
             /** @description Solves of this database by which the times were corrected for this machine; 0: the times are those of another machine. */
             measured_solves: number;
-            /** @description Why figures are ranges or null, whole sentences. */
+            /** @description Reasons why figures are ranges or null, whole sentences. */
             reasons: string[];
         };
         /** @description An estimator with its recipe. */
@@ -484,19 +427,16 @@ export interface components {
         EstimatorDocument: {
             /** @description Free text; the first recording's file where it is left out. */
             name?: string;
-            /**
-             * @description What is to be done, as in a recipe of `strainsite force fit`: the tables `columns`, `preprocess`, `features`, `models` and `validation`, every field with a
-             *     default.
-             */
-            recipe?: Record<string, unknown>;
-            /** @description One a run. */
+            /** @description Recipe, as in `strainsite force fit`: the tables `columns`, `preprocess`, `features`, `models` and `validation`, every field with a default. */
+            recipe?: components["schemas"]["RecipeDocument"];
+            /** @description Recordings, one a run. */
             recordings: components["schemas"]["RecordingDocument"][];
         };
-        /** @description One page of estimators, newest first. */
+        /** @description A page of estimators, newest first. */
         EstimatorPage: {
             /** @description The estimators. */
             estimators: components["schemas"]["EstimatorSummary"][];
-            /** @description Where the next page begins; null on the last one. */
+            /** @description Cursor of the next page; null on the last one. */
             next_cursor?: string | null;
         };
         /** @description An estimator in its queue, at work, or at its end. Times are RFC 3339, UTC. */
@@ -505,25 +445,25 @@ export interface components {
             id: string;
             /** @description Free text. */
             name: string;
-            /** @description Where it stands. */
+            /** @description State of the estimator. */
             state: components["schemas"]["State"];
-            /** @description Why it failed, a sentence. */
+            /** @description Reason why it failed, a sentence. */
             error?: string | null;
-            /** @description When it was submitted. */
+            /** @description Time at which it was submitted. */
             created: string;
-            /** @description When it was first started. */
+            /** @description Time at which it was first started. */
             started?: string | null;
-            /** @description When it ended. */
+            /** @description Time at which it ended. */
             finished?: string | null;
             /** @description The forces' columns, N. */
             forces: string[];
-            /** @description What it is learnt from. */
+            /** @description Recordings that it is learnt from. */
             recordings: components["schemas"]["RecordingFigures"][];
             progress?: components["schemas"]["FitProgress"] | null;
         };
-        /** @description One point that has an outcome. */
+        /** @description A point that has an outcome. */
         EvaluationView: {
-            /** @description Its place. */
+            /** @description Ordinal of the point in the plan. */
             ordinal: number;
             /** @description Hash of all that determines its outcome. */
             key: string;
@@ -538,7 +478,7 @@ export interface components {
             reaction_n?: number | null;
             /**
              * Format: double
-             * @description How far the ground at the contact centre stands above the inflated outer radius, mm; absent without an equilibrium.
+             * @description Height of the ground at the contact centre above the inflated outer radius, mm; absent without an equilibrium.
              */
             depth_mm?: number | null;
             /** @description Strains at P1, P2, ...; null without an equilibrium. */
@@ -550,16 +490,16 @@ export interface components {
              * @description Wall-clock time of the solve, s.
              */
             wall_s: number;
-            /** @description Why there is no equilibrium. */
+            /** @description Reason why there is no equilibrium. */
             reason?: string | null;
             reached?: components["schemas"]["Reached"] | null;
         };
         /** @description Solved points. */
         Evaluations: {
-            /** @description In the order of the plan; those after it are the same on a coarser mesh, or on the next rung of a climb. */
+            /** @description Points in the order of the plan; those after it are the same on a coarser mesh, or on the next rung of a climb. */
             evaluations: components["schemas"]["EvaluationView"][];
         };
-        /** @description What studies of this kind were worth where that was measured: the largest error of the ten indices that the paper's study ranks by, absolute. */
+        /** @description Accuracy that studies of this kind had where that was measured: the largest error of the ten indices that the paper's study ranks by, absolute. */
         ExpectedAccuracy: {
             /** @description Mesh and method of the answer, in a few words. */
             fidelity: string;
@@ -570,10 +510,10 @@ export interface components {
             error_true?: number | null;
             /**
              * Format: double
-             * @description What the answer claimed itself.
+             * @description Error that the answer claimed itself.
              */
             error_claimed?: number | null;
-            /** @description Why there are no figures. */
+            /** @description Reason why there are no figures. */
             reason?: string | null;
         };
         /** @description A node without an equilibrium. */
@@ -583,7 +523,7 @@ export interface components {
              * @description Value of the input.
              */
             value: number;
-            /** @description Why, a sentence. */
+            /** @description Reason, a sentence. */
             reason: string;
         };
         /** @description A point without a response. */
@@ -592,14 +532,14 @@ export interface components {
             ordinal: number;
             /** @description Input values. */
             values: number[];
-            /** @description What happened. */
+            /** @description Cause of the failure. */
             cause: string;
         };
-        /** @description One fault of a document: where it is, and what would be right. */
+        /** @description A fault of a document: where it is, and what would be right. */
         Fault: {
             /** @description JSON pointer (RFC 6901) to the faulty value; empty for the document itself. */
             pointer: string;
-            /** @description What is wrong and what would be right, one sentence. */
+            /** @description Sentence that says what is wrong and what would be right. */
             detail: string;
         };
         /**
@@ -618,11 +558,11 @@ export interface components {
             /** @description Points off the lines, at the start where the method adds some. */
             check_points: number;
         };
-        /** @description What films read at one load. */
+        /** @description Fields of films at one load. */
         FieldLoad: {
             /**
              * Format: double
-             * @description How far the ground stands above the inflated outer radius, mm.
+             * @description Height of the ground above the inflated outer radius, mm.
              */
             depth_mm: number;
             /**
@@ -632,16 +572,16 @@ export interface components {
             load_n?: number | null;
             /**
              * Format: double
-             * @description Its derivative by the depth, N/mm.
+             * @description Derivative of the force by the depth, N/mm.
              */
             force_slope_n_per_mm: number;
             /** @description Signal of each kind: a sample for each degree from the contact to the film, from -180 on. */
             signals: number[][];
-            /** @description Its derivative by the depth, per mm: as many samples. */
+            /** @description Derivative of the signals by the depth, per mm: as many samples. */
             slopes_per_mm: number[][];
         };
         /**
-         * @description How a file is written.
+         * @description Format of a file.
          * @enum {string}
          */
         FileFormat: "csv" | "json" | "parquet" | "vtu" | "glb";
@@ -673,7 +613,7 @@ export interface components {
         };
         /** @description Signals of every kind of film at every load of a study's layouts. */
         FilmFields: {
-            /** @description What signals are in: `strain`, or `V` of glued films. */
+            /** @description Unit of the signals: `strain`, or `V` of glued films. */
             unit: string;
             /** @description Length and width of every film, mm; null: points. */
             size_mm?: number[] | null;
@@ -684,7 +624,7 @@ export interface components {
             /** @description Loads that were reached. */
             loads: components["schemas"]["FieldLoad"][];
         };
-        /** @description Where in the section a film lies, and how it is turned. */
+        /** @description Place of a film in the section, and how it is turned. */
         FilmKindPlace: {
             /**
              * Format: double
@@ -698,7 +638,7 @@ export interface components {
             angle_deg: number;
         };
         /**
-         * @description How a film is modelled.
+         * @description Model of a film.
          * @enum {string}
          */
         FilmModel: "bare" | "transfer" | "coupled";
@@ -724,7 +664,7 @@ export interface components {
         FilmPair: {
             /** @description Name of the tire. */
             tire: string;
-            /** @description How the films are modelled. */
+            /** @description Model of the films. */
             film: components["schemas"]["FilmModel"];
             /** @description Direction of their length. */
             direction: string;
@@ -757,7 +697,7 @@ export interface components {
              */
             angle_deg: number;
         };
-        /** @description What a fit took. */
+        /** @description Cost of a fit. */
         FitCost: {
             /** @description Candidates that were judged, of all forces. */
             candidates: number;
@@ -767,14 +707,14 @@ export interface components {
              */
             wall_s: number;
         };
-        /** @description How far a fit is. */
+        /** @description Progress of a fit. */
         FitProgress: {
             /** @description Models judged. */
             done: number;
-            /** @description Of how many; 0 until that is known. */
+            /** @description Models to judge; 0 until that is known. */
             of: number;
         };
-        /** @description How well a layout's films tell one force, by an estimator that is learnt from runs of a virtual rig. */
+        /** @description Error of one force by a layout's films, with an estimator that is learnt from runs of a virtual rig. */
         ForceError: {
             /** @description `fx`: along the wheel, `fy`: across it, `fz`: vertical. */
             axis: string;
@@ -792,39 +732,38 @@ export interface components {
              *     Null of the training mean.
              */
             leak?: number | null;
-            /** @description On runs that nobody learnt from: films have other gains there. */
+            /** @description Error on runs that nobody learnt from: films have other gains there. */
             fresh: components["schemas"]["TrialError"];
             dead?: components["schemas"]["DeadFilmError"] | null;
-            /** @description The same with films that lie elsewhere than those that were learnt from. */
+            /** @description Error there with films that lie elsewhere than those that were learnt from. */
             askew: components["schemas"]["AskewError"];
-            /** @description The same films on other tires. */
+            /** @description Errors of these films on other tires. */
             elsewhere?: components["schemas"]["ElsewhereError"][];
             worst_contact?: components["schemas"]["WorstContact"] | null;
             /**
              * Format: double
-             * @description About the least root of the mean squared error that one instant's readings allow, N: the bound of Cramer and Rao with what is known of the gait before, for films
-             *     that hold their charge.
+             * @description Estimate of the least root of the mean squared error that one instant's readings allow, N: the bound of Cramer and Rao with what is known of the gait
+             *     before, for films that hold their charge.
              */
             floor_n?: number | null;
-            /** @description Why numbers are null. */
+            /** @description Reason why numbers are null. */
             reason?: string | null;
         };
-        /** @description What a virtual rig shows. */
+        /** @description Findings of a virtual rig. */
         ForceFindings: {
             table?: components["schemas"]["TableReport"] | null;
-            /** @description What a force's error costs: for each force the layouts by which it is known better than by any with as many films or fewer. */
+            /** @description Prices of a force's error: for each force the layouts by which it is known better than by any with as many films or fewer. */
             price?: components["schemas"]["ForcePrice"][];
-            published?: components["schemas"]["PublishedTables"] | null;
-            /** @description What is assumed of the rig and stated by no source, whole sentences; empty where nothing was learnt. */
+            /** @description Assumptions on the rig that no source states, whole sentences; empty where nothing was learnt. */
             assumed?: string[];
-            /** @description Why something is missing, whole sentences. */
+            /** @description Reasons why something is missing, whole sentences. */
             reasons?: string[];
         };
         /** @description A layout that knows a force better than all that have as many films or fewer. */
         ForcePrice: {
             /** @description `fx`: along the wheel, `fy`: across it, `fz`: vertical. */
             axis: string;
-            /** @description How many films the layout has. */
+            /** @description Count of the layout's films. */
             films: number;
             /**
              * Format: double
@@ -834,9 +773,9 @@ export interface components {
             /** @description The layout's rank. */
             layout_rank: number;
         };
-        /** @description What was found of a force. */
+        /** @description Findings for a force. */
         ForceReport: {
-            /** @description Its column. */
+            /** @description Column of the force. */
             force: string;
             /** @description The model that estimates it; `mean` where nothing is better. */
             chosen: components["schemas"]["Kind"];
@@ -854,91 +793,69 @@ export interface components {
         Forecast: {
             /**
              * Format: double
-             * @description At least.
+             * @description Least value.
              */
             least: number;
             /**
              * Format: double
-             * @description As far as can be told.
+             * @description Likeliest value, as far as can be told.
              */
             expected: number;
             /**
              * Format: double
-             * @description At most.
+             * @description Greatest value.
              */
             most: number;
         };
-        /** @description What a form misses at the check points: the witness of the method's error, and of how much of it two studies share. */
+        /** @description Misses of a form at the check points: the witness of the method's error, and of how much of it two studies share. */
         FormMisses: {
-            /** @description Which node of its input's rule each coordinate of each check point is, point after point. */
+            /** @description Number of the node of its input's rule at each coordinate of each check point, point after point. */
             nodes: number[];
             /** @description Strain minus the form's at each check point, over the standard deviation. */
             residuals: number[];
-            /** @description What each of them adds to the error of a first-order index, input after input. */
+            /** @description Contributions of each of them to the error of a first-order index, input after input. */
             contributions: number[];
             /**
              * Format: double
              * @description Probability of the interactions, which the residuals stand for.
              */
             weight: number;
-            /** @description How many numbers of the form were fitted to the check points. */
+            /** @description Count of the form's numbers that were fitted to the check points. */
             fitted: number;
-            /**
-             * @description Of each check point, which one is its mirror image, whose strains are its own from the other end; absent where contact or inputs aren't
-             *     symmetric.
-             */
+            /** @description Number of each check point's mirror image, whose strains are its own from the other end; absent where contact or inputs aren't symmetric. */
             images?: number[];
         };
         /** @description A layout that no other beats with as few films. */
         FrontLayout: {
-            /** @description Its films. */
+            /** @description Count of its films. */
             film_count: number;
             /**
              * Format: double
              * @description Simulated 95th percentile of the angle's error at its worst load, degrees.
              */
             simulated_p95_angle_error_deg: number;
-            /** @description Where it stands in the list of layouts, from 0. */
+            /** @description Index in the list of layouts, from 0. */
             index: number;
         };
         /** @description Further designs of a sweep: `grid` or `designs`. */
-        FurtherDesigns: {
-            /** @description Lists of values by path. */
-            grid: Record<string, unknown>;
-            /** @description The designs one by one. */
+        FurtherDesignsDocument: {
+            /** @description Lists of values by path, as `geometry.wall_mm`: every combination is a design, the last path varying fastest. */
+            grid?: {
+                [key: string]: unknown[];
+            };
+            /** @description Designs, one by one. */
             designs?: components["schemas"]["DesignDocument"][];
-        };
-        /** @description A tire beside the study's own. */
-        FurtherTireDocument: {
-            /** @description Like no other's, and not `own`. */
-            name: string;
-            /** @description As a study's scene. */
-            scene: Record<string, unknown>;
-            /** @description Its own loads, where they differ from the signals', N. */
-            loads_n?: number[];
-            /** @description Its own pressures, MPa. */
-            pressures_mpa?: number[];
-            /**
-             * Format: double
-             * @description Its own load of the pressures, N.
-             */
-            at_load_n?: number;
-            /**
-             * Format: double
-             * @description Its own load of the contact angles, N.
-             */
-            contact_load_n?: number;
-        };
+        } & unknown;
         /**
-         * @description What a note does to the answer; gravest first.
+         * @description Effect of a note on the answer; gravest first.
          * @enum {string}
          */
         Grade: "changes-answer" | "bears-on-figure" | "for-the-record";
         /** @description A note with its grade. */
         GradedNote: {
-            /** @description What it does to the answer. */
+            /** @description Effect on the answer. */
             grade: components["schemas"]["Grade"];
-            /** @description What it is about. */
+            /** @description Topic of the note. */
             about: components["schemas"]["Topic"];
             /** @description Whole sentences. */
             text: string;
@@ -963,9 +880,9 @@ export interface components {
         };
         /** @description A layout film by film. */
         HandLayout: {
-            /** @description Its name, of at most 60 characters; its number when left out. */
+            /** @description Name of the layout, of at most 60 characters; its number when left out. */
             name?: string | null;
-            /** @description Its films, each at a place of its own. */
+            /** @description Films of the layout, each at a place of its own. */
             films: components["schemas"]["HandFilm"][];
         };
         /** @description Layouts to be scored. */
@@ -987,32 +904,32 @@ export interface components {
          * @enum {string}
          */
         Holds: "yes" | "no" | "uncertain";
-        /** @description What one location is ranked by. */
+        /** @description Index by which a location is ranked. */
         Index: {
             /** @description Name of the location. */
             location: string;
-            /** @description Its rank. */
+            /** @description Rank of the location. */
             rank: number;
             /** @description First-order indices for the x and the y strain, percent. */
             gsi_percent: (number | null)[];
-            /** @description Their claimed errors, percentage points. */
+            /** @description Claimed errors of the indices, percentage points. */
             error_percent: (number | null)[];
         };
         /** @description Parts of the error of an index, absolute. */
         IndexError: {
             /**
              * Format: double
-             * @description From the mesh.
+             * @description Error of the mesh.
              */
             mesh?: number | null;
             /**
              * Format: double
-             * @description From the quadrature rule.
+             * @description Error of the quadrature rule.
              */
             quadrature?: number | null;
             /**
              * Format: double
-             * @description From the decomposition.
+             * @description Error of the decomposition.
              */
             decomposition?: number | null;
             /**
@@ -1020,7 +937,7 @@ export interface components {
              * @description Sum of the parts, the largest over the inputs; null where the mesh's part isn't known.
              */
             total?: number | null;
-            /** @description Why a part is null. */
+            /** @description Reason why a part is null. */
             reason?: string | null;
         };
         /** @description First-order indices over the dense grid. */
@@ -1029,29 +946,18 @@ export interface components {
             theta_deg: number[];
             /** @description Angles of the rows from the crown, degrees. */
             phi_deg: number[];
-            /** @description One layer per direction. */
+            /** @description Layers, one per direction. */
             layers: components["schemas"]["MapLayer"][];
-            shape?: components["schemas"]["MapShape"] | null;
+            /** @description Places of the points at the means. */
+            shape: components["schemas"]["MapShape"];
         };
-        /** @description One uncertain field of the scene. */
-        InputDocument: {
-            /** @description Unique. */
-            name: string;
-            /** @description Path of a number of the scene, as `ground.depths_mm[0]`. */
-            vary: string;
-            /**
-             * @description `kind` is uniform, normal, lognormal, exponential, gamma, weibull, beta, gumbel or triangular, beside it its parameters; any takes
-             *     `truncate: [low, high]`.
-             */
-            distribution: Record<string, unknown>;
-        };
-        /** @description One input as it was understood. */
+        /** @description An input as it was understood. */
         InputReport: {
-            /** @description Its name. */
+            /** @description Name of the input. */
             name: string;
             /** @description Path of the scene's field. */
             vary: string;
-            /** @description Its distribution as in the document. */
+            /** @description Distribution as in the document. */
             distribution: Record<string, unknown>;
         };
         /**
@@ -1059,10 +965,7 @@ export interface components {
          * @enum {string}
          */
         Kind: "mean" | "ridge" | "gpr" | "ann" | "blend";
-        /**
-         * @description From how many units on more of them bring no more than their number: the worst bound of the angle times the root of the number of units stays within
-         *     twice that of a dense ring.
-         */
+        /** @description Knee: the number of units from which on more of them bring no more than their number. */
         Knee: {
             /**
              * Format: double
@@ -1080,17 +983,17 @@ export interface components {
             dense_deg: number;
             /**
              * Format: double
-             * @description The same of units every 60 degrees, over that of a dense ring; null where they are blind.
+             * @description Ratio of the worst bound times the root of the number of units every 60 degrees to that of a dense ring; null where they are blind.
              */
             of_60_deg?: number | null;
         };
         /** @description The layout that ranks first. */
         LayoutAnswer: {
-            /** @description Its rank in `layouts`. */
+            /** @description Rank in `layouts`. */
             rank: number;
-            /** @description What it is, as in `12 units of x and y at the crown, every 30 degrees`. */
+            /** @description Description of the layout, as in `12 units of x and y at the crown, every 30 degrees`. */
             words: string;
-            /** @description Its units; of a layout without units its films. */
+            /** @description Count of its units; of a layout without units of its films. */
             units: number;
             /** @description All its films. */
             film_count: number;
@@ -1106,45 +1009,45 @@ export interface components {
             error_deg?: number | null;
             /** @description Ranks of layouts that the errors can't tell from it. */
             tied_with: number[];
-            /** @description How sure the first rank is, by what layouts are ranked by: that error times the root of the number of films. */
+            /** @description Certainty of the first rank, by what layouts are ranked by: that error times the root of the number of films. */
             verdict: components["schemas"]["Certainty"];
-            /** @description Why, with the figures that decide; where forces along and across are unknown, too, also what tells them from the angle. */
+            /** @description Reason for the verdict, with the figures that decide; where forces along and across are unknown, too, also what tells them from the angle. */
             reason: string;
         };
         /** @description Claimed errors of a layout's scores, each in the unit of its score. */
         LayoutError: {
             /**
              * Format: double
-             * @description Of the bound of the angle, worst angle, degrees.
+             * @description Error of the bound of the angle, worst angle, degrees.
              */
             worst_angle_error_deg?: number | null;
             /**
              * Format: double
-             * @description Of the bound of the angle, root mean square, degrees.
+             * @description Error of the bound of the angle, root mean square, degrees.
              */
             rms_angle_error_deg?: number | null;
             /**
              * Format: double
-             * @description Of the bound of the depth, mm.
+             * @description Error of the bound of the depth, mm.
              */
             worst_depth_error_mm?: number | null;
             /**
              * Format: double
-             * @description Of the simulated root mean square, degrees.
+             * @description Error of the simulated root mean square, degrees.
              */
             simulated_rms_angle_error_deg?: number | null;
             /**
              * Format: double
-             * @description Of the simulated 95th percentile, degrees.
+             * @description Error of the simulated 95th percentile, degrees.
              */
             simulated_p95_angle_error_deg?: number | null;
         };
-        /** @description What a study's layouts show together: loads, knees, fronts, second opinions. */
+        /** @description Findings of a study's layouts together: loads, knees, fronts, kinds of film. */
         LayoutFindings: {
             /** @description Mesh level of the fields, which is fine to 60 degrees from the contact. */
             level: string;
             /** @description Unit of films' signals: `strain`, or `V` of glued ones. Noise, weakest signals, candidates' signals and rings are in it. */
-            unit?: string;
+            unit: string;
             /** @description Length and width of the layouts' films, mm; absent of points. */
             size_mm?: number[] | null;
             /** @description Coarser level that shows their errors. */
@@ -1158,22 +1061,20 @@ export interface components {
              * @description Kendall's tau between the order by simulated errors and that by the bound's worst error times the root of the number of films.
              */
             tau_of_bound?: number | null;
-            /** @description What the search looked at. */
+            /** @description Searches, and what they looked at. */
             searches?: components["schemas"]["LayoutSearch"][];
             /** @description Kinds of film, ranked by several criteria. */
             candidates: components["schemas"]["CandidateFilm"][];
-            /** @description Kendall's tau between each two of these criteria. */
-            agreement: components["schemas"]["OrderAgreement"][];
             /** @description Films' signals around the wheel. */
             rings: components["schemas"]["StrainRing"][];
-            /** @description Why something is missing, whole sentences. */
+            /** @description Reasons why something is missing, whole sentences. */
             reasons?: string[];
         };
         /** @description A load at which layouts are scored. */
         LayoutLoad: {
             /**
              * Format: double
-             * @description How far the ground stands above the inflated outer radius, mm.
+             * @description Height of the ground above the inflated outer radius, mm.
              */
             depth_mm?: number | null;
             /**
@@ -1187,12 +1088,12 @@ export interface components {
              */
             force_slope_n_per_mm?: number | null;
             shear?: components["schemas"]["LoadShear"] | null;
-            /** @description From how many units on each section angle and set of films is dense enough. */
+            /** @description Knees: the number of units from which on each section angle and set of films is dense enough. */
             knees: components["schemas"]["Knee"][];
-            /** @description Why there are no scores. */
+            /** @description Reason why there are no scores. */
             reason?: string | null;
         };
-        /** @description How well a layout sees the contact, over all angles at which it can touch down. */
+        /** @description Scores of a layout: how well it sees the contact, over all angles at which it can touch down. */
         LayoutScore: {
             /**
              * Format: double
@@ -1226,7 +1127,7 @@ export interface components {
             simulated_rms_angle_error_deg?: number | null;
             /**
              * Format: double
-             * @description Its standard error by the number of simulated contacts, degrees.
+             * @description Standard error of the root mean square by the number of simulated contacts, degrees.
              */
             simulated_rms_angle_error_deg_se?: number | null;
             /**
@@ -1236,7 +1137,7 @@ export interface components {
             simulated_p95_angle_error_deg?: number | null;
             /**
              * Format: double
-             * @description Its standard error by the number of simulated contacts, degrees.
+             * @description Standard error of the 95th percentile by the number of simulated contacts, degrees.
              */
             simulated_p95_angle_error_deg_se?: number | null;
             /**
@@ -1251,7 +1152,7 @@ export interface components {
             simulated_rms_depth_error_mm?: number | null;
             /**
              * Format: double
-             * @description The same as a vertical force, N: by the slope of force over depth.
+             * @description Error of the depth as a vertical force, N: by the slope of force over depth.
              */
             force_error_n?: number | null;
             alike?: components["schemas"]["AlikeContacts"] | null;
@@ -1259,14 +1160,19 @@ export interface components {
             shear?: components["schemas"]["ShearScore"] | null;
             /**
              * Format: double
-             * @description Noise of each film assumed for the bounds, in the unit of the signal: strain, or volts of glued films.
+             * @description Noise of each film assumed for the bounds, strain; null of glued films.
              */
-            noise_strain: number;
+            noise_strain?: number | null;
+            /**
+             * Format: double
+             * @description Noise of each glued film assumed for the bounds, V; absent of bare ones.
+             */
+            noise_v?: number | null;
             error?: components["schemas"]["LayoutError"] | null;
-            /** @description Why numbers are null. */
+            /** @description Reason why numbers are null. */
             reason?: string | null;
         };
-        /** @description What a search looked at. */
+        /** @description Search for layouts, and what it looked at. */
         LayoutSearch: {
             /** @description Films of the layouts. */
             films: number;
@@ -1274,8 +1180,8 @@ export interface components {
             places: number;
             /** @description `exhaustive`, or `greedy and exchange`. */
             method: string;
-            /** @description What it went by: `bound`, or `interval errors`, which count contacts that are mistaken for others, too. */
-            criterion?: string;
+            /** @description Criterion of the search: `bound`, or `interval errors`, which count contacts that are mistaken for others, too. */
+            criterion: string;
             /** @description Layouts whose criterion was computed. */
             looked_at: number;
             /**
@@ -1283,7 +1189,7 @@ export interface components {
              * @description Bound of the angle with a flat prior of the best one, root mean square over angles and loads, degrees.
              */
             bayes_angle_error_deg: number;
-            /** @description Its films. */
+            /** @description Films of the best layout. */
             best: components["schemas"]["FilmPlace"][];
         };
         /** @description Ranked layouts. */
@@ -1292,83 +1198,23 @@ export interface components {
             layouts: components["schemas"]["RankedLayout"][];
             findings?: components["schemas"]["LayoutFindings"] | null;
         };
-        /** @description Layouts to score. */
-        LayoutsDocument: {
-            /** @description Angles between neighbouring units, degrees; each divides 360. */
-            spacings_deg?: number[];
-            /** @description Numbers of units, beside those of the spacings. */
-            units?: number[];
-            /** @description crown, shoulder, sidewall */
-            positions?: string[];
-            /** @description Section angles beside the positions', degrees from the crown. */
-            section_deg?: number[];
-            /** @description Sets of directions of a unit's films: `"x"`, `"y"`, or an angle in degrees. */
-            directions: unknown[][];
-            /** @description Whether units of several films are also scored with their films spread between the units. */
-            staggered?: boolean;
-            /** @description Layouts film by film: `name`, and `films` with `theta_deg`, `phi_deg` and `angle_deg`. */
-            free: Record<string, unknown>[];
-            /** @description How films are modelled: `bare` when left out, or `transfer`: glued on with their stiffness, by the transfer of two coupled solves, and read in volts. */
-            film?: string;
-            /** @description Length and width of all films, mm; points when left out, the glued film's with `transfer`. */
-            size_mm?: number[];
-            /** @description Further lengths and widths that the candidates have, mm. */
-            candidate_sizes_mm?: number[][];
-            /** @description Depths at which layouts are scored, mm; the mean one when left out. */
-            depths_mm?: number[];
-            /** @description Forces in their place, N. */
-            loads_n?: number[];
-            /**
-             * Format: double
-             * @description Noise of a film over the crown's largest signal; 0.02 when left out.
-             */
-            noise_share?: number;
-            /**
-             * Format: double
-             * @description Noise of a bare film, strain.
-             */
-            noise_strain?: number;
-            /**
-             * Format: double
-             * @description Noise of a glued film, V.
-             */
-            noise_v?: number;
-            /**
-             * Format: double
-             * @description Standard deviation of a film's gain, relative.
-             */
-            gain_std?: number;
-            /**
-             * Format: double
-             * @description Standard deviation of a film's place around the wheel, degrees.
-             */
-            place_std_deg?: number;
-            /** @description Whether every layout is also scored without the film whose loss costs most. */
-            dead?: boolean;
-            /** @description Whether forces along the wheel and across it are unknown, too: takes ground with friction, and a solve of the whole tire for every load and mesh. */
-            shear?: boolean;
-            /** @description Mesh level of the layouts' own solves; the study's, the standard at most, when left out. */
-            level?: string;
-            /** @description Layouts to search for: numbers of `films` among `slots`, `section_deg` and `directions`. */
-            search: Record<string, unknown>;
-        };
-        /** @description What the model leaves out. */
+        /** @description Part that the model leaves out. */
         LeftOut: {
-            /** @description As in `model.left_out`. */
+            /** @description Name of the part, as in `model.left_out`. */
             what: string;
-            /** @description As in `model.left_out`. */
+            /** @description Reason for leaving it out, as in `model.left_out`. */
             why: string;
             /**
              * Format: double
              * @description Largest change of a strain at P1, P2, ... over the largest strain of its direction.
              */
             effect: number;
-            /** @description What it would do, in a sentence. */
+            /** @description Sentence that says what it would do. */
             sentence: string;
         };
         /** @description Rows that weren't learnt from. */
         LeftOutForces: {
-            /** @description One list a force. */
+            /** @description Rows that were left out, one list a force. */
             forces: components["schemas"]["LeftOutRows"][];
         };
         /** @description Rows that the chosen model of a force hadn't learnt from: truth, estimate and interval. */
@@ -1379,16 +1225,16 @@ export interface components {
             run: number[];
             /** @description Each row's time, s. */
             time_s: number[];
-            /** @description What was measured, N. */
+            /** @description Measured force, N. */
             truth_n: number[];
-            /** @description What was estimated, N. */
+            /** @description Estimated force, N. */
             estimate_n: number[];
             /** @description The interval's low end, N. */
             low_n: number[];
             /** @description The interval's high end, N. */
             high_n: number[];
         };
-        /** @description How far one of the solves under way is. */
+        /** @description A solve under way. */
         LiveSolve: components["schemas"]["SolveProgress"] & {
             /** @description Ordinal of its point in the plan. */
             ordinal: number;
@@ -1397,7 +1243,7 @@ export interface components {
         LoadScore: {
             /**
              * Format: double
-             * @description How far the ground stands above the inflated outer radius, mm.
+             * @description Height of the ground above the inflated outer radius, mm.
              */
             depth_mm?: number | null;
             /**
@@ -1408,7 +1254,7 @@ export interface components {
             /** @description The scores. */
             score: components["schemas"]["LayoutScore"];
         };
-        /** @description What dragging the ground a little shows at a load. */
+        /** @description Findings by dragging the ground a little at a load. */
         LoadShear: {
             /** @description Forces along the wheel and across it by the shifts that way, N/mm. */
             slopes_n_per_mm: number[];
@@ -1422,17 +1268,17 @@ export interface components {
         LocationError: {
             /**
              * Format: double
-             * @description Of the circumferential strain.
+             * @description Error of the circumferential strain.
              */
             strain_x: number;
             /**
              * Format: double
-             * @description Of the meridional strain.
+             * @description Error of the meridional strain.
              */
             strain_y: number;
             /**
              * Format: double
-             * @description Of the von Mises stress, MPa.
+             * @description Error of the von Mises stress, MPa.
              */
             von_mises_mpa: number;
         };
@@ -1469,10 +1315,10 @@ export interface components {
         };
         /** @description An address that lets a browser in. */
         LoginLink: {
-            /** @description To be opened once, after the service's own address. */
+            /** @description Path to be opened once, after the service's own address. */
             path: string;
         };
-        /** @description One direction of the map; all lists are rows x columns. */
+        /** @description A direction of the map; all lists are rows x columns. */
         MapLayer: {
             /** @description `x` or `y`. */
             direction: string;
@@ -1484,24 +1330,21 @@ export interface components {
             first_order: (number | null)[][];
             /** @description Estimated error of the first-order indices, the largest over the inputs, rows x columns. */
             error: (number | null)[];
-            /**
-             * @description Estimated error of the first-order index per input, in the order of the inputs, each rows x columns; empty in documents of earlier
-             *     versions.
-             */
-            first_order_error?: (number | null)[][];
-            /** @description Total index per input, in the order of the inputs, each rows x columns: without errors of their own. Empty in documents of earlier versions. */
-            total?: (number | null)[][];
+            /** @description Estimated error of the first-order index per input, in the order of the inputs, each rows x columns. */
+            first_order_error: (number | null)[][];
+            /** @description Total index per input, in the order of the inputs, each rows x columns: without errors of their own. */
+            total: (number | null)[][];
             /** @description `ok`, `constant`, `product-form-broken` or `unusable`, rows x columns. */
             status: string[];
         };
-        /** @description Where the points of a map lie: x in the rolling direction, y along the axle, z upward, from the wheel's centre. */
+        /** @description Places of the points of a map: x in the rolling direction, y along the axle, z upward, from the wheel's centre. */
         MapShape: {
             /** @description Positions in the inflated state before contact, mm, rows x columns. */
             inflated_mm: number[][];
             /** @description Displacements from there to the equilibrium, mm, rows x columns. */
             displacement_mm: number[][];
         };
-        /** @description One layer of the map; lists are rows x columns, all angles of the first row first. */
+        /** @description A layer of the map; lists are rows x columns, all angles of the first row first. */
         MapView: {
             /** @description x circumferential, y meridional. */
             direction: string;
@@ -1513,7 +1356,7 @@ export interface components {
             phi_deg: number[];
             /** @description First-order index of the input. */
             first_order?: (number | null)[] | null;
-            /** @description Total index of the input, without an error of its own; null unless it is asked for (`index=total`), and of results of earlier versions. */
+            /** @description Total index of the input, without an error of its own; null unless it is asked for (`index=total`). */
             total?: (number | null)[] | null;
             /** @description Standard deviation of the strain. */
             std: (number | null)[];
@@ -1531,42 +1374,7 @@ export interface components {
             /** @description The features it reads. */
             features: components["schemas"]["FeatureSet"];
         };
-        /** @description How indices are computed. */
-        MethodDocument: {
-            /** @description mdrm, bivariate, tensor, pce, saltelli or auto. */
-            kind?: string;
-            /**
-             * Format: int32
-             * @description Gauss nodes of each input.
-             */
-            nodes?: number;
-            /**
-             * Format: int32
-             * @description Points off the lines, for the error.
-             */
-            check_points?: number;
-            /**
-             * Format: int32
-             * @description Points of pce, base points of saltelli.
-             */
-            samples?: number;
-            /**
-             * Format: int64
-             * @description Of what is random.
-             */
-            seed?: number;
-            /**
-             * Format: double
-             * @description Largest error of an index at which auto stops.
-             */
-            tolerance?: number;
-            /**
-             * Format: int32
-             * @description Most runs of auto.
-             */
-            most_runs?: number;
-        };
-        /** @description One candidate. */
+        /** @description Report of a candidate. */
         ModelReport: {
             /** @description The model. */
             model: components["schemas"]["Kind"];
@@ -1574,9 +1382,9 @@ export interface components {
             features: components["schemas"]["FeatureSet"];
             /** @description The models whose median a blend is; left out of others. */
             members?: components["schemas"]["MemberReport"][];
-            /** @description On the split that chooses. */
+            /** @description Figures on the split that chooses. */
             validation: components["schemas"]["SplitReport"];
-            /** @description On every split; null where there is none, the reason in the notes. */
+            /** @description Figures on every split; null where there is none, the reason in the notes. */
             splits: components["schemas"]["SplitReports"];
             /**
              * Format: double
@@ -1586,7 +1394,7 @@ export interface components {
             /** @description Whether its error is at most 95 % of the training mean's on the split that chooses. */
             better_than_mean: boolean;
         };
-        /** @description What was modelled and what was left out. */
+        /** @description Summary of a model: what was modelled and what was left out. */
         ModelSummary: {
             /** @description `3d`, `3d-half` or `3d-quarter`. */
             dimension: string;
@@ -1600,18 +1408,6 @@ export interface components {
             modelled: components["schemas"]["Choice"][];
             /** @description Parts of the scene left out. */
             left_out: components["schemas"]["Choice"][];
-        };
-        /** @description How far two criteria order the candidates alike. */
-        OrderAgreement: {
-            /** @description One criterion. */
-            first: string;
-            /** @description The other. */
-            second: string;
-            /**
-             * Format: double
-             * @description Kendall's tau-b: 1 the same order, -1 the reverse.
-             */
-            tau?: number | null;
         };
         /** @description Indices of one strain. */
         Output: {
@@ -1637,9 +1433,9 @@ export interface components {
             method: string;
             /** @description `ok`, `constant`, `product-form-broken` or `unusable`. */
             status: string;
-            /** @description Why the status is not `ok`. */
+            /** @description Reason why the status isn't `ok`. */
             reason?: string | null;
-            /** @description What M-DRM said, when its product form is broken. */
+            /** @description Indices that M-DRM gave, when its product form is broken. */
             mdrm_first_order?: number[] | null;
             /** @description Error of the first-order indices, absolute. */
             error: components["schemas"]["IndexError"];
@@ -1659,25 +1455,25 @@ export interface components {
             index: number;
             /**
              * Format: double
-             * @description Its claimed error; null where it isn't known.
+             * @description Claimed error of the score; null where it isn't known.
              */
             error?: number | null;
-            /** @description How sure the first rank is, by what locations are ranked by. */
+            /** @description Certainty of the first rank, by what locations are ranked by. */
             verdict: components["schemas"]["Certainty"];
-            /** @description Why, with the figures that decide. */
+            /** @description Reason for the verdict, with the figures that decide. */
             reason: string;
             /** @description The place in a sentence. */
             sentence: string;
         };
         /** @description A document to start from. */
         Preset: {
-            /** @description What `scene = { preset = ... }` calls it. */
+            /** @description Name in `scene = { preset = ... }`. */
             name: string;
-            /** @description Its title. */
+            /** @description Title of the scene. */
             title: string;
             /** @description The document. */
             document: Record<string, unknown>;
-            /** @description What it is for. */
+            /** @description Purpose of the scene. */
             comment: string;
         };
         /** @description The documents that ship. */
@@ -1689,7 +1485,7 @@ export interface components {
         };
         /** @description A study's places on the draft mesh. It claims nothing: no error is known. */
         Preview: {
-            /** @description `none`. */
+            /** @description Claim of the preview: `none`. */
             claim: string;
             /** @description Mesh level: `draft`. */
             level: string;
@@ -1700,45 +1496,21 @@ export interface components {
             wall_s: number;
             /** @description Points that were solved. */
             solves: number;
-            /** @description What the study would have beside, whole sentences. */
+            /** @description Parts that the study would have beside, whole sentences. */
             left_out: string[];
-            /** @description What varied. */
+            /** @description Inputs that varied. */
             inputs: components["schemas"]["InputReport"][];
             /** @description Ranked locations. */
             locations: components["schemas"]["RankedLocation"][];
             /** @description The response at the means. */
             cut_point: components["schemas"]["CutPoint"];
             map?: components["schemas"]["IndexMap"] | null;
-            /** @description What the user must know before believing the numbers, whole sentences. */
+            /** @description Notes that the user must know before believing the numbers, whole sentences. */
             notes: string[];
         };
-        /** @description Figures as the published study prints them. */
-        PrintedFigures: {
-            /**
-             * Format: double
-             * @description RMSE over the range of the tested forces, %.
-             */
-            nrmse_percent: number;
-            /**
-             * Format: double
-             * @description Root of the mean squared error, N.
-             */
-            rmse_n?: number | null;
-            /**
-             * Format: double
-             * @description Coefficient of determination.
-             */
-            r2?: number | null;
-            /**
-             * Format: double
-             * @description What the mean of the tested forces would have reached, by what the three figures imply, %.
-             */
-            mean_nrmse_percent?: number | null;
-            contradiction?: components["schemas"]["Contradiction"] | null;
-        };
-        /** @description What a client is told when a request can't be answered: RFC 9457. */
+        /** @description Problem that a client is told when a request can't be answered: RFC 9457. */
         ProblemDocument: {
-            /** @description `about:blank`: the status says what kind of problem it is. */
+            /** @description Kind of problem: `about:blank`, the status says it. */
             type: string;
             /** @description The status in words. */
             title: string;
@@ -1754,46 +1526,11 @@ export interface components {
             /** @description The request's identifier, as in the header `x-request-id` and in the log. */
             request_id?: string | null;
         };
-        /** @description One figure of the published study beside the rig's. */
-        PublishedRow: {
-            /**
-             * Format: int32
-             * @description Number of the published table.
-             */
-            table: number;
-            /** @description The gait: `randomised`, `1 Hz`, `low frequency` or the like. */
-            gait: string;
-            /** @description The model. */
-            model: components["schemas"]["Kind"];
-            /** @description The features it reads. */
-            features: components["schemas"]["FeatureSet"];
-            /** @description `fx`: along the wheel, `fy`: across it, `fz`: vertical. */
-            axis: string;
-            /** @description What the rig's model is tested by: `random` readings, later `time`, or another `run`, whose films have other gains. */
-            by: components["schemas"]["SplitKind"];
-            /** @description As it was printed. */
-            printed: components["schemas"]["PrintedFigures"];
-            rig?: components["schemas"]["RigFigures"] | null;
-            fresh?: components["schemas"]["RigFigures"] | null;
-            /** @description Why numbers are null. */
-            reason?: string | null;
-        };
-        /** @description Tables 4, 5, 6, 8 and 9 of the published study and the rig's figures for the same rows, with one layout: six units every 60 degrees at the crown. */
-        PublishedTables: {
-            /** @description Rank of the layout. */
-            layout_rank: number;
-            /** @description All rows, in the order of the tables. */
-            rows: components["schemas"]["PublishedRow"][];
-            /** @description The same layout's forces with other time constants of its circuit. The published study states none. */
-            time_constants: components["schemas"]["TimeConstantRow"][];
-            /** @description What was done where the published study doesn't say what it did, whole sentences. */
-            assumed: string[];
-        };
-        /** @description One layout in the ranking. */
+        /** @description A layout in the ranking. */
         RankedLayout: {
             /** @description 1 is best. Layouts of equal score share the rank of the first of them. */
             rank: number;
-            /** @description Whether the errors leave no doubt about its place; absent from results of earlier versions. */
+            /** @description Whether the errors leave no doubt about its place; absent of one that wasn't ranked. */
             rank_certain?: boolean | null;
             /** @description Name of a layout that was listed film by film, or found by the search; absent of a regular one. */
             name?: string | null;
@@ -1811,16 +1548,16 @@ export interface components {
             /** @description Whether the films of a unit are spread evenly between two units. */
             staggered?: boolean;
             /** @description All films of the wheel. */
-            film_count?: number | null;
+            film_count: number;
             /** @description The films of a layout without units, one by one. */
             places?: components["schemas"]["FilmPlace"][];
-            /** @description Which figures may be off by more than a fifth. */
+            /** @description Figures that may be off by more than a fifth, in words. */
             doubt?: string | null;
-            /** @description Its scores at the load where its error is largest. */
+            /** @description Scores at the load where its error is largest. */
             score: components["schemas"]["LayoutScore"];
-            /** @description Its scores at every load; absent from results of earlier versions. */
-            loads?: components["schemas"]["LoadScore"][];
-            /** @description How well it tells the forces along, across and vertical on a virtual rig; absent where the study has none, and of layouts that a search found. */
+            /** @description Scores at every load. */
+            loads: components["schemas"]["LoadScore"][];
+            /** @description Errors of the forces along, across and vertical on a virtual rig; absent where the study has none, and of layouts that a search found. */
             force_error?: components["schemas"]["ForceError"][] | null;
         };
         /** @description One candidate location in the ranking. */
@@ -1828,67 +1565,67 @@ export interface components {
             /** @description P1, P2, ... */
             name: string;
             /** @description The input that is this location's own: the depth of the station below it. */
-            input?: string | null;
+            input: string | null;
             /** @description 1 is best. Equal locations, as mirror images are, share the rank of the first of them, and follow each other in the order of their names. */
             rank: number;
             /**
              * Format: double
              * @description 100 times the first-order index of this location's own depth for the x strain at the centre.
              */
-            gsi_x_percent?: number | null;
+            gsi_x_percent: number | null;
             /**
              * Format: double
              * @description 100 times the first-order index of this location's own depth for the y strain at the centre.
              */
-            gsi_y_percent?: number | null;
+            gsi_y_percent: number | null;
             /**
              * Format: double
              * @description Error of `gsi_x_percent`, percentage points.
              */
-            gsi_x_error_percent?: number | null;
+            gsi_x_error_percent: number | null;
             /**
              * Format: double
              * @description Error of `gsi_y_percent`, percentage points.
              */
-            gsi_y_error_percent?: number | null;
+            gsi_y_error_percent: number | null;
             /**
              * Format: double
              * @description Mean over the x strains at all locations.
              */
-            mean_gsi_x_percent?: number | null;
+            mean_gsi_x_percent: number | null;
             /**
              * Format: double
              * @description Mean over the y strains at all locations.
              */
-            mean_gsi_y_percent?: number | null;
+            mean_gsi_y_percent: number | null;
             /**
              * Format: double
              * @description For the x strain at this location itself.
              */
-            own_gsi_x_percent?: number | null;
+            own_gsi_x_percent: number | null;
             /**
              * Format: double
              * @description For the y strain at this location itself.
              */
-            own_gsi_y_percent?: number | null;
+            own_gsi_y_percent: number | null;
             /**
              * Format: double
-             * @description What M-DRM said for `gsi_x_percent`, valid or not: the paper's Table 2 as the paper computed it.
+             * @description Index by M-DRM for `gsi_x_percent`, valid or not: the paper's Table 2 as the paper computed it.
              */
-            mdrm_gsi_x_percent?: number | null;
+            mdrm_gsi_x_percent: number | null;
             /**
              * Format: double
-             * @description What M-DRM said for `gsi_y_percent`, valid or not: the paper's Table 2 as the paper computed it.
+             * @description Index by M-DRM for `gsi_y_percent`, valid or not: the paper's Table 2 as the paper computed it.
              */
-            mdrm_gsi_y_percent?: number | null;
+            mdrm_gsi_y_percent: number | null;
             /** @description Rank by the x strain alone, which equal locations share. */
-            rank_x?: number | null;
+            rank_x: number | null;
             /** @description Rank by the y strain alone, which equal locations share. */
-            rank_y?: number | null;
+            rank_y: number | null;
             /** @description Whether the errors leave no doubt about this rank, which equal locations share. */
             rank_certain: boolean;
         };
-        /** @description How far a failed solve got. */
+        /** @description Loads that a failed solve got to. */
         Reached: {
             /**
              * Format: double
@@ -1908,22 +1645,92 @@ export interface components {
             /** @description `ready` */
             status: string;
         };
+        /** @description The whole recipe. */
+        RecipeDocument: {
+            /**
+             * @description Columns that are meant.
+             * @default {}
+             */
+            columns: components["schemas"]["ColumnsDocument"];
+            /**
+             * @description Treatment of signals before anything is learnt.
+             * @default {
+             *       "start_value": "auto",
+             *       "turn_sign": false,
+             *       "smooth_rows": 1,
+             *       "scale": "standardise"
+             *     }
+             */
+            preprocess: components["schemas"]["PreprocessDocument"];
+            /**
+             * @description Features that models are given of the signals.
+             * @default {
+             *       "sets": [
+             *         "raw",
+             *         "slopes",
+             *         "rolling",
+             *         "all"
+             *       ],
+             *       "window_rows": 10
+             *     }
+             */
+            features: components["schemas"]["FeaturesDocument"];
+            /**
+             * @description Models that are tried, and how.
+             * @default {
+             *       "kinds": [
+             *         "ridge",
+             *         "gpr",
+             *         "ann",
+             *         "blend"
+             *       ],
+             *       "gpr": {
+             *         "lengths": "shared",
+             *         "line": true,
+             *         "restarts": 50,
+             *         "search_rows": 600,
+             *         "most_rows": 3000
+             *       },
+             *       "ann": {
+             *         "layers": [
+             *           24,
+             *           12
+             *         ],
+             *         "activation": "tanh",
+             *         "output": "linear",
+             *         "loss": "mse",
+             *         "decay": 0.001,
+             *         "iterations": 300,
+             *         "networks": 3
+             *       },
+             *       "seed": 1
+             *     }
+             */
+            models: components["schemas"]["ModelsDocument"];
+            /**
+             * @description Validation that judges them.
+             * @default {
+             *       "time_constant_s": 0
+             *     }
+             */
+            validation: components["schemas"]["ValidationDocument"];
+        };
         /** @description A recording as text. */
         RecordingDocument: {
-            /** @description What faults, reports and plots call it. */
+            /** @description Name that faults, reports and plots give it. */
             file: string;
             /** @description CSV: a header, then a row a line: seconds, signals, and forces where they were measured. */
             text: string;
         };
-        /** @description One recording. */
+        /** @description Figures of a recording. */
         RecordingFigures: {
-            /** @description Its file. */
+            /** @description File of the recording. */
             file: string;
-            /** @description Its rows. */
+            /** @description Count of its rows. */
             rows: number;
             /** @description Rows with at least one force. */
             labelled: number;
-            /** @description Its cycles. */
+            /** @description Count of its cycles. */
             cycles: number;
             /**
              * Format: double
@@ -1935,79 +1742,22 @@ export interface components {
         };
         /** @description The report of a fit. */
         Report: {
-            /** @description What was learnt from. */
+            /** @description Recordings that were learnt from. */
             recordings: components["schemas"]["RecordingFigures"][];
-            /** @description What was found of each force. */
+            /** @description Findings for each force. */
             forces: components["schemas"]["ForceReport"][];
-            /** @description What the intervals promise, a sentence. */
+            /** @description Promise of the intervals, a sentence. */
             promise: string;
-            /** @description What a reader should know before believing it, a sentence each. */
+            /** @description Notes that a reader should know before believing it, a sentence each. */
             notes: string[];
-            /** @description What it took. */
+            /** @description Cost of the fit. */
             cost: components["schemas"]["FitCost"];
-        };
-        /** @description How a virtual rig steps, and what its films are wired to. */
-        RigDocument: {
-            /** @description `frequency` (`kind`: fixed, randomised or transition), `stances` or `run_s`, `contact_deg` and `load_n` (each least and greatest), `duty`, `shear_share`. */
-            gait: Record<string, unknown>;
-            /** @description `kind` and the fields of a film's amplifier; `time_constant_s`, `bits`, `range_v`. */
-            electronics: Record<string, unknown>;
-            /** @description `white_share`, `thermal_k`, `drift_share`, `drift_time_s`, `warming_k_per_min`, `gain_std`. */
-            noise: Record<string, unknown>;
-            /** @description `rate_hz`, `offset_s`, `ppm`, `noise_n`. */
-            force_sensor: Record<string, unknown>;
-            /** @description Prony branches of the rubber: `share` and `time_s` of each. */
-            relaxation: Record<string, unknown>[];
-            /** @description Whether films relax as the force does. */
-            films_follow_force?: boolean;
-            /**
-             * Format: double
-             * @description Readings of each film a second, Hz.
-             */
-            film_rate_hz?: number;
-            /**
-             * Format: int64
-             * @description Runs, each with gains of its own.
-             */
-            runs?: number;
-            /**
-             * Format: int64
-             * @description Of all that is drawn.
-             */
-            seed?: number;
-            /** @description Whether the published study's tables are made, too; it needs its layout among the study's. */
-            paper_tables?: boolean;
-            /** @description Tires that estimators are tried on, too: `level`, `wall_factor`, `pressure_factor`, `friction_factor`, and whether they are `learnt` from. */
-            other_tires: Record<string, unknown>[];
-        };
-        /** @description Figures of a virtual rig. */
-        RigFigures: {
-            /**
-             * Format: double
-             * @description Root of the mean squared error, N.
-             */
-            rmse_n: number;
-            /**
-             * Format: double
-             * @description RMSE over the range of the tested forces, %.
-             */
-            nrmse_percent?: number | null;
-            /**
-             * Format: double
-             * @description What the mean of the learnt forces would have reached, %.
-             */
-            mean_nrmse_percent?: number | null;
-            /**
-             * Format: double
-             * @description Coefficient of determination.
-             */
-            r2?: number | null;
         };
         /** @description A load of layouts. */
         RingLoad: {
             /**
              * Format: double
-             * @description How far the ground stands above the inflated outer radius, mm.
+             * @description Height of the ground above the inflated outer radius, mm.
              */
             depth_mm: number;
             /**
@@ -2016,16 +1766,16 @@ export interface components {
              */
             load_n?: number | null;
         };
-        /** @description What is known around the whole wheel. */
+        /** @description Rings around the whole wheel. */
         Rings: {
-            /** @description What the lists named `strain` and, by the depth, `slope` are in: `strain`, or `V` where layouts are of glued films. */
+            /** @description Unit of the lists named `strain` and, by the depth, `slope`: `strain`, or `V` where layouts are of glued films. */
             unit: string;
             /** @description A ring for each section angle that layouts have; none where the study asks for no layouts. */
             rings: components["schemas"]["WheelRing"][];
         };
-        /** @description One way to answer the study, and what it gave. */
+        /** @description A way to answer the study, and what it gave. */
         Rung: {
-            /** @description In a few words. */
+            /** @description Label in a few words. */
             label: string;
             /** @description Mesh and method. */
             fidelity: components["schemas"]["FidelityReport"];
@@ -2065,10 +1815,10 @@ export interface components {
         };
         /** @description Layouts with their scores. */
         ScoredLayouts: {
-            /** @description In the order of the request. */
+            /** @description Layouts in the order of the request. */
             layouts: components["schemas"]["RankedLayout"][];
         };
-        /** @description One solved node. */
+        /** @description A solved node. */
         SectionNode: {
             /**
              * Format: double
@@ -2088,11 +1838,8 @@ export interface components {
             strain_x: number[];
             /** @description Meridional strain, rows x columns. */
             strain_y: number[];
-            /**
-             * @description From `inflated_mm` to the node's equilibrium, mm, rows x columns: also where the input changes the inflated state. Null where the study was solved by a version
-             *     that didn't keep it.
-             */
-            displacement_mm?: number[][] | null;
+            /** @description Displacements from `inflated_mm` to the node's equilibrium, mm, rows x columns: also where the input changes the inflated state. */
+            displacement_mm: number[][];
         };
         /** @description Strains and displacements over the map along the line of one input; all others are at their means. */
         Sections: {
@@ -2104,8 +1851,8 @@ export interface components {
             theta_deg: number[];
             /** @description Angles of the rows from the crown, degrees. */
             phi_deg: number[];
-            /** @description Where the map's points lie in the inflated state at the means, mm, rows x columns; null where the study was solved by a version that didn't keep it. */
-            inflated_mm?: number[][] | null;
+            /** @description Places of the map's points in the inflated state at the means, mm, rows x columns. */
+            inflated_mm: number[][];
             /** @description The solved nodes, by value. A design of scattered points has the means alone. */
             nodes: components["schemas"]["SectionNode"][];
             /** @description Nodes that have no equilibrium, by value. */
@@ -2115,10 +1862,10 @@ export interface components {
         ShearError: {
             /**
              * Format: double
-             * @description Of the bound of the angle, degrees.
+             * @description Error of the bound of the angle, degrees.
              */
             worst_angle_error_deg?: number | null;
-            /** @description Of the bounds of the forces, N. */
+            /** @description Errors of the bounds of the forces, N. */
             worst_force_error_n?: (number | null)[] | null;
         };
         /**
@@ -2128,17 +1875,17 @@ export interface components {
         ShearScore: {
             /**
              * Format: double
-             * @description Of the contact angle, worst angle, degrees.
+             * @description Bound of the contact angle, worst angle, degrees.
              */
             worst_angle_error_deg?: number | null;
-            /** @description Of the ground's forces on the tire along the wheel, across it (null where no film feels it) and up, worst angle, N. */
+            /** @description Bounds of the ground's forces on the tire along the wheel, across it (null where no film feels it) and up, worst angle, N. */
             worst_force_error_n?: (number | null)[] | null;
             error?: components["schemas"]["ShearError"] | null;
-            /** @description What can't be told. */
+            /** @description Quantity that can't be told, in words. */
             reason?: string | null;
         };
         /**
-         * @description What changes along a curve.
+         * @description Quantity that changes along a curve.
          * @enum {string}
          */
         SignalAxis: "load" | "pressure" | "contact";
@@ -2146,13 +1893,13 @@ export interface components {
         SignalCurve: {
             /** @description Name of the tire. */
             tire: string;
-            /** @description How the film is modelled. */
+            /** @description Model of the film. */
             film: components["schemas"]["FilmModel"];
-            /** @description Where it lies in the section. */
+            /** @description Position of the film in the section. */
             position: string;
             /** @description Direction of its length. */
             direction: string;
-            /** @description What changes along it. */
+            /** @description Quantity that changes along it. */
             over: components["schemas"]["SignalAxis"];
             /**
              * Format: double
@@ -2172,36 +1919,36 @@ export interface components {
         SignalError: {
             /**
              * Format: double
-             * @description Of the strain.
+             * @description Error of the strain.
              */
             strain: number;
             /**
              * Format: double
-             * @description Of the charge, nC.
+             * @description Error of the charge, nC.
              */
             charge_nc: number;
             /**
              * Format: double
-             * @description Of the open circuit's voltage, V.
+             * @description Error of the open circuit's voltage, V.
              */
             open_circuit_v: number;
             /**
              * Format: double
-             * @description Of the amplifier's, V.
+             * @description Error of the amplifier's voltage, V.
              */
             output_v: number;
         };
-        /** @description What one film reads of one pressing. */
+        /** @description Reading of one film at one pressing. */
         SignalRow: {
             /** @description Name of the tire; the study's own is `own`. */
             tire: string;
-            /** @description How the film is modelled. */
+            /** @description Model of the film. */
             film: components["schemas"]["FilmModel"];
-            /** @description Where it lies in the section. */
+            /** @description Position of the film in the section. */
             position: string;
             /** @description Direction of its length: x circumferential, y meridional. */
             direction: string;
-            /** @description Which curve it is a point of. */
+            /** @description Curve that it is a point of. */
             over: components["schemas"]["SignalAxis"];
             /**
              * Format: double
@@ -2220,7 +1967,7 @@ export interface components {
             contact_deg: number;
             /**
              * Format: double
-             * @description How far the ground stands above the inflated outer radius, mm.
+             * @description Height of the ground above the inflated outer radius, mm.
              */
             depth_mm?: number | null;
             /**
@@ -2256,73 +2003,44 @@ export interface components {
             /** @description Whether the film bears that: `ok`, `beyond-yield` or `wrinkled`; null where that isn't known. */
             state?: string | null;
             error?: components["schemas"]["SignalError"] | null;
-            /** @description Why numbers are null. */
+            /** @description Reason why numbers are null. */
             reason?: string | null;
         };
         /** @description Films' signals over load, pressure and contact angle. */
         Signals: {
-            /** @description What each film reads of each pressing. */
+            /** @description Readings of each film at each pressing. */
             rows: components["schemas"]["SignalRow"][];
             /** @description The rows as curves of the open circuit's voltage. */
             curves: components["schemas"]["SignalCurve"][];
             /** @description Two films around the wheel, read against each other. */
             pairs: components["schemas"]["FilmPair"][];
-            /** @description How wide the contact is felt around the wheel. */
+            /** @description Widths around the wheel over which the contact is felt. */
             widths: components["schemas"]["StressWidth"][];
-            /** @description What holds of what is claimed of such films. */
+            /** @description Claims about such films, and what holds of them. */
             claims: components["schemas"]["ClaimRow"][];
-        };
-        /** @description Over which loads, pressures and contact angles films are read, and which films. */
-        SignalsDocument: {
-            /** @description Loads at the tire's own pressure, N. */
-            loads_n?: number[];
-            /** @description Internal pressures, MPa. */
-            pressures_mpa?: number[];
-            /**
-             * Format: double
-             * @description Load of the pressures, N.
-             */
-            at_load_n?: number;
-            /**
-             * Format: double
-             * @description Load of the contact angles, N.
-             */
-            contact_load_n?: number;
-            /** @description Wheel angles from a film to the contact, degrees. */
-            contact_deg?: number[];
-            /** @description crown, shoulder, sidewall */
-            positions?: string[];
-            /** @description `["x"]`, `["y"]` or both. */
-            directions?: string[];
-            /** @description bare, transfer, coupled */
-            films?: string[];
-            /** @description A scene's `film` without its place: `theta_deg`, `phi_deg` and `angle_deg`. */
-            film: Record<string, unknown>;
-            /** @description Tires beside the study's own. */
-            tires?: components["schemas"]["FurtherTireDocument"][];
         };
         /** @description Equilibria that are expected to be solved. */
         SolveForecast: {
             /** @description Points on the meshes of the answer and of the rungs before it. */
             own: number;
-            /** @description The same points on coarser meshes, for the error of the mesh. */
+            /** @description Points solved once more on coarser meshes, for the error of the mesh. */
             coarser: number;
             /** @description Solves that show what the model leaves out. */
             effects: number;
             /** @description Solves of films' signals, on both meshes. */
-            signals?: number;
+            signals: number;
             /** @description Solves of layouts' loads, on both meshes. */
-            layouts?: number;
+            layouts: number;
             /** @description Solves of a rig's table of responses. */
-            tables?: number;
-            /** @description How many of these the database has already: they cost nothing. */
+            tables: number;
+            /** @description Solves among these that the database has already: they cost nothing. */
             known: number;
-            /** @description How many are left to solve. */
+            /** @description Solves that are left. */
             left: components["schemas"]["CountForecast"];
         };
-        /** @description How far a solve is. */
+        /** @description Progress of a solve. */
         SolveProgress: {
-            /** @description What is done to the tire. */
+            /** @description Stage of the loads. */
             stage: components["schemas"]["Stage"];
             /**
              * Format: double
@@ -2358,7 +2076,7 @@ export interface components {
             nrmse_percent?: number | null;
             /**
              * Format: double
-             * @description That of the training mean.
+             * @description NRMSE of the training mean, %.
              */
             mean_nrmse_percent?: number | null;
             /**
@@ -2376,11 +2094,11 @@ export interface components {
              * @description Mean width of these intervals, N.
              */
             width_n?: number | null;
-            /** @description Why numbers are null. */
+            /** @description Reason why numbers are null. */
             reason?: string | null;
         };
         /**
-         * @description How rows are divided into those that are learnt from and those that are tested.
+         * @description Split of the rows into those that are learnt from and those that are tested.
          * @enum {string}
          */
         SplitKind: "random" | "cycle" | "run" | "time" | "frequency";
@@ -2405,7 +2123,7 @@ export interface components {
             nrmse_percent?: number | null;
             /**
              * Format: double
-             * @description That of the training mean.
+             * @description NRMSE of the training mean, %.
              */
             mean_nrmse_percent?: number | null;
             /**
@@ -2433,12 +2151,12 @@ export interface components {
             frequency?: components["schemas"]["SplitReport"] | null;
         };
         /**
-         * @description What is done to the tire.
+         * @description Stage of the loads on a tire.
          * @enum {string}
          */
         Stage: "inflating" | "pressing";
         /**
-         * @description Where a study stands.
+         * @description State of a study.
          * @enum {string}
          */
         State: "queued" | "running" | "done" | "failed" | "cancelled";
@@ -2456,7 +2174,7 @@ export interface components {
              * @description Depth of the load, mm.
              */
             depth_mm: number;
-            /** @description From -180 to 179 degrees from the contact. */
+            /** @description Strains from -180 to 179 degrees from the contact. */
             strain: number[];
             /** @description Derivative by the depth, 1/mm. */
             by_depth: number[];
@@ -2471,11 +2189,11 @@ export interface components {
              */
             by_depth_error?: number | null;
         };
-        /** @description One of the events that a stream consists of. */
+        /** @description An event of a stream. */
         StreamEvent: {
-            /** @description Its number, for `Last-Event-ID`; `solving` has none. */
+            /** @description Number of the event, for `Last-Event-ID`; `solving` has none. */
             id: string;
-            /** @description What happened. */
+            /** @description Kind of event. */
             event: string;
             /** @description A JSON object with `kind`, `time` and what else belongs to it. */
             data: string;
@@ -2491,7 +2209,7 @@ export interface components {
             load_n: number;
             /**
              * Format: double
-             * @description How far the ground stands above the inflated outer radius, mm.
+             * @description Height of the ground above the inflated outer radius, mm.
              */
             depth_mm?: number | null;
             /**
@@ -2514,23 +2232,23 @@ export interface components {
              * @description Share of the variance within 60 degrees of the contact that the Gaussian explains.
              */
             r2?: number | null;
-            /** @description Why numbers are null. */
+            /** @description Reason why numbers are null. */
             reason?: string | null;
         };
-        /** @description What a study took. */
+        /** @description Cost of a study. */
         StudyCost: {
             /** @description Points of the plan. */
             solves: number;
             /** @description Points of the plan solved once more on a coarser mesh, for the error of the mesh. */
-            coarser_solves?: number;
+            coarser_solves: number;
             /** @description Solves that show what the model leaves out. */
-            effect_solves?: number;
+            effect_solves: number;
             /** @description Solves of films' signals, on both meshes. */
-            signal_solves?: number;
+            signal_solves: number;
             /** @description Solves of layouts' loads, on both meshes. */
-            layout_solves?: number;
+            layout_solves: number;
             /** @description Solves of a rig's table of responses. */
-            table_solves?: number;
+            table_solves: number;
             /** @description Wall-clock time of each rung of the climb, s. */
             rungs_wall_s?: number[];
             /** @description Points taken from the archive instead of being solved. */
@@ -2538,7 +2256,7 @@ export interface components {
             /** @description Newton iterations of all solves. */
             newton_iterations: number;
             /** @description Factorisations of all solves, without the tangent that the solves from one equilibrium share. */
-            factorisations?: number;
+            factorisations: number;
             /**
              * Format: double
              * @description Wall-clock time of this run, s.
@@ -2563,7 +2281,7 @@ export interface components {
              * Format: double
              * @description Share in substitutions with the factor, and in the contact solved between them.
              */
-            substitution_share?: number;
+            substitution_share: number;
             /**
              * Format: double
              * @description Share in assembly.
@@ -2587,28 +2305,28 @@ export interface components {
             /** @description Identifier of the sweep that it is a design of; null for any other study. */
             sweep?: string | null;
         };
-        /** @description What varies, and what is asked. Ranges and defaults of single fields are in the faults of a refused document, which names every one of them. */
+        /** @description Study: what varies, and what is asked. */
         StudyDocument: {
-            /** @description Free text, not empty. */
+            /** @description Free text. */
             name: string;
-            /** @description The scene's tables inline, or a preset's name with whatever differs from it: `{"preset": "foot-tire", ...}`. */
-            scene: Record<string, unknown>;
-            /** @description What varies. */
+            /** @description Scene: tables, a preset's name with whatever differs from it, or a path. */
+            scene: components["schemas"]["ChangedSceneDocument"] | string;
+            /** @description Inputs that vary. */
             inputs: components["schemas"]["InputDocument"][];
-            /** @description Where films may go. */
+            /** @description Candidate places for films. */
             candidates?: components["schemas"]["CandidatesDocument"];
-            /** @description Layouts to score. */
+            /** @description Layouts to score; none when left out. */
             layouts?: components["schemas"]["LayoutsDocument"];
-            /** @description How indices are computed. */
+            /** @description Method that computes the indices. */
             method?: components["schemas"]["MethodDocument"];
-            /** @description Exactly one of `preset`, `tolerance` and `budget_s`. */
+            /** @description Accuracy that is asked of the answer: exactly one of the three. */
             accuracy?: components["schemas"]["AccuracyDocument"];
-            /** @description Films' signals over loads, pressures and contact angles; none where it is left out. */
+            /** @description Films' signals over loads, pressures and contact angles; none when left out. */
             signals?: components["schemas"]["SignalsDocument"];
-            /** @description A virtual rig that steps on the tire; none where it is left out. */
+            /** @description A virtual rig that steps on the tire; none when left out. */
             rig?: components["schemas"]["RigDocument"];
         };
-        /** @description Which study, which document, which program. */
+        /** @description Identity of a study: which document, which program. */
         StudyIdentity: {
             /** @description Identifier in the database. */
             id: string;
@@ -2619,21 +2337,21 @@ export interface components {
             /** @description Version of strainsite and its solver. */
             version: string;
         };
-        /** @description One page of studies, newest first. */
+        /** @description A page of studies, newest first. */
         StudyPage: {
             /** @description The studies. */
             studies: components["schemas"]["StudySummary"][];
-            /** @description Where the next page begins; null on the last one. */
+            /** @description Cursor of the next page; null on the last one. */
             next_cursor?: string | null;
         };
         /** @description The whole answer. */
         StudyResult: {
-            /** @description Which study. */
+            /** @description Identity of the study. */
             study: components["schemas"]["StudyIdentity"];
             answer?: components["schemas"]["Answer"] | null;
-            /** @description What was modelled. */
+            /** @description Model that was solved. */
             model: components["schemas"]["ModelSummary"];
-            /** @description What varied. */
+            /** @description Inputs that varied. */
             inputs: components["schemas"]["InputReport"][];
             /** @description Every location and direction with its indices. */
             outputs: components["schemas"]["Output"][];
@@ -2645,16 +2363,16 @@ export interface components {
             map?: components["schemas"]["IndexMap"] | null;
             signals?: components["schemas"]["Signals"] | null;
             forces?: components["schemas"]["ForceFindings"] | null;
-            /** @description What the user must know before believing the numbers, whole sentences: the texts of `graded_notes`. */
+            /** @description Notes that the user must know before believing the numbers, whole sentences: the texts of `graded_notes`. */
             notes: string[];
-            /** @description The same with what each does to the answer; empty in results of earlier versions. */
-            graded_notes?: components["schemas"]["GradedNote"][];
+            /** @description Notes with what each does to the answer. */
+            graded_notes: components["schemas"]["GradedNote"][];
             /** @description Points that have no equilibrium, with their causes; the indices are taken from the others. */
             failed_points: components["schemas"]["FailedPoint"][];
             /** @description The cut point's own response in short: reaction and strains at the means. */
             cut_point: components["schemas"]["CutPoint"];
             climb?: components["schemas"]["Climb"] | null;
-            /** @description What it took. Not part of the result's hash. */
+            /** @description Cost of the study. Not part of the result's hash. */
             cost: components["schemas"]["StudyCost"];
             estimate?: components["schemas"]["Estimate"] | null;
         };
@@ -2664,7 +2382,7 @@ export interface components {
             id: string;
             /** @description Name in lists: the document's, unless it was changed since. */
             name: string;
-            /** @description Where it stands. */
+            /** @description State of the study. */
             state: components["schemas"]["State"];
             /** @description SHA-256 of the canonical document. */
             spec_sha256: string;
@@ -2678,31 +2396,31 @@ export interface components {
              * @description Points that have an outcome.
              */
             points_done: number;
-            /** @description Why it failed, a sentence. */
+            /** @description Reason why it failed, a sentence. */
             error?: string | null;
             /**
              * Format: int64
-             * @description Those of higher priority go first, those of the same in turns.
+             * @description Priority: studies of higher ones go first, those of the same in turns.
              */
             priority: number;
-            /** @description When it was submitted. */
+            /** @description Time at which it was submitted. */
             created: string;
-            /** @description When it was first started. */
+            /** @description Time at which it was first started. */
             started?: string | null;
-            /** @description When it ended. */
+            /** @description Time at which it ended. */
             finished?: string | null;
-            /** @description When it was archived; null unless it is. */
+            /** @description Time at which it was archived; null unless it is. */
             archived?: string | null;
         };
-        /** @description What a surer answer costs. */
+        /** @description Price of a surer answer. */
         Surer: {
-            /** @description What the next level would do, and how long it would take, in a sentence. */
+            /** @description Sentence that says what the next level would do, and how long it would take. */
             sentence: string;
             /** @description Mesh level to ask for. */
             level: string;
             /**
              * Format: double
-             * @description Its work over that of this study with nothing solved before, by the law of solve times; null of solvers without one.
+             * @description Work over that of this study with nothing solved before, by the law of solve times; null of solvers without one.
              */
             times?: number | null;
             /**
@@ -2724,12 +2442,14 @@ export interface components {
             name?: string;
             /** @description The study without changes. */
             study: components["schemas"]["StudyDocument"];
-            /** @description Lists of values by path, as `{"geometry.wall_mm": [2.5, 3]}`: every combination is a design, the last path varying fastest. */
-            grid: Record<string, unknown>;
-            /** @description The designs one by one. */
+            /** @description Lists of values by path, as `geometry.wall_mm`: every combination is a design, the last path varying fastest. */
+            grid?: {
+                [key: string]: unknown[];
+            };
+            /** @description Designs, one by one. */
             designs?: components["schemas"]["DesignDocument"][];
-        };
-        /** @description What a sweep would cost. */
+        } & unknown;
+        /** @description Estimate of a sweep's cost. */
         SweepEstimate: {
             /** @description Each design; what an earlier one solves is known to it. */
             designs: components["schemas"]["DesignEstimate"][];
@@ -2742,11 +2462,11 @@ export interface components {
              */
             peak_memory_bytes: number;
         };
-        /** @description One page of sweeps, newest first. */
+        /** @description A page of sweeps, newest first. */
         SweepPage: {
             /** @description The sweeps. */
             sweeps: components["schemas"]["SweepSummary"][];
-            /** @description Where the next page begins; null on the last one. */
+            /** @description Cursor of the next page; null on the last one. */
             next_cursor?: string | null;
         };
         /** @description A sweep as far as it is. Times are RFC 3339, UTC. */
@@ -2774,18 +2494,18 @@ export interface components {
              * @description Priority of its studies.
              */
             priority: number;
-            /** @description When it was submitted. */
+            /** @description Time at which it was submitted. */
             created: string;
-            /** @description When its last design ended. */
+            /** @description Time at which its last design ended. */
             finished?: string | null;
-            /** @description When it was archived; null unless it is. */
+            /** @description Time at which it was archived; null unless it is. */
             archived?: string | null;
         };
         /**
-         * @description What is wanted of a study.
+         * @description Table of a study.
          * @enum {string}
          */
-        Table: "indices" | "locations" | "layouts" | "points" | "signals" | "candidates" | "forces" | "published";
+        Table: "indices" | "locations" | "layouts" | "points" | "signals" | "candidates" | "forces";
         /** @description Errors of a table over all kinds of film, wheel angles and tested solves, relative. */
         TableError: {
             /** @description Solves that it was tested by. */
@@ -2845,20 +2565,6 @@ export interface components {
             error?: components["schemas"]["TableError"] | null;
             films?: components["schemas"]["FilmAnglesReport"] | null;
         };
-        /** @description A layout's force on runs with other gains, with another time constant. */
-        TimeConstantRow: {
-            /**
-             * Format: double
-             * @description s
-             */
-            time_constant_s: number;
-            /** @description `fx`, `fy` or `fz`. */
-            axis: string;
-            /** @description The model that was chosen. */
-            chosen: components["schemas"]["Kind"];
-            /** @description Its error. */
-            error: components["schemas"]["TrialError"];
-        };
         /**
          * @description The part of a result that a note is about.
          * @enum {string}
@@ -2870,13 +2576,13 @@ export interface components {
             study: string;
             /** @description SHA-256 of its canonical document. */
             spec_sha256: string;
-            /** @description What the rungs are compared with. */
+            /** @description Rung with which the others are compared. */
             reference: components["schemas"]["Rung"];
             /** @description The rungs, in the order of the ladder. */
             rungs: components["schemas"]["Rung"][];
         };
         /**
-         * @description Which way a curve goes.
+         * @description Trend of a curve.
          * @enum {string}
          */
         Trend: "up" | "down" | "no";
@@ -2909,7 +2615,7 @@ export interface components {
             outside?: number | null;
         };
         /**
-         * @description What a difference is worth.
+         * @description Verdict on a difference.
          * @enum {string}
          */
         Verdict: "real" | "noise" | "unknown";
@@ -2945,6 +2651,1610 @@ export interface components {
              */
             rmse_n: number;
         };
+        /** @description Scene: what is pressed on which ground, by how much, and how finely it is modelled. */
+        ChangedSceneDocument: {
+            /**
+             * @description A shipped scene, over which the tables beside it are laid.
+             * @enum {string}
+             */
+            preset?: "foot-tire" | "foot-tire-soft";
+            /**
+             * @description Shape of the tire.
+             * @default {
+             *       "kind": "tire",
+             *       "outer_radius_mm": 50,
+             *       "section_radius_mm": 12.5,
+             *       "wall_mm": 3,
+             *       "bead_angle_deg": 120
+             *     }
+             */
+            geometry: components["schemas"]["GeometryDocument"];
+            /**
+             * @description Rubber.
+             * @default {
+             *       "model": "mooney-rivlin",
+             *       "c10_mpa": 0.144,
+             *       "c01_mpa": 0.036,
+             *       "d1_per_mpa": 0
+             *     }
+             */
+            material: components["schemas"]["MaterialDocument"];
+            /** @description Textile layer; absent when the scene has none. */
+            carcass?: components["schemas"]["CarcassDocument"] | null;
+            /** @description Sensor film glued to the inner surface; absent when it isn't modelled. */
+            film?: components["schemas"]["FilmDocument"] | null;
+            /**
+             * @description Internal pressure.
+             * @default {
+             *       "internal_mpa": 0.2
+             *     }
+             */
+            pressure: components["schemas"]["PressureDocument"];
+            /**
+             * @description Rigid ground.
+             * @default {
+             *       "stations": 5,
+             *       "station_spacing_mm": 5.5,
+             *       "station_functions": "bspline",
+             *       "depths_mm": [
+             *         1,
+             *         1,
+             *         1,
+             *         1,
+             *         1
+             *       ]
+             *     }
+             */
+            ground: components["schemas"]["GroundDocument"];
+            /**
+             * @description Contact of tire and ground.
+             * @default {
+             *       "friction": 0
+             *     }
+             */
+            contact: components["schemas"]["ContactDocument"];
+            /**
+             * @description Fineness of the model.
+             * @default {
+             *       "level": "standard"
+             *     }
+             */
+            model: components["schemas"]["ModelDocument"];
+        };
+        /** @description A toroidal tire whose wall is an arc of a ring section, clamped at the beads. */
+        GeometryDocument: {
+            /**
+             * @description Kind of body; only the tire is modelled so far. `tire`: Pneumatic tire.
+             * @default tire
+             * @enum {string}
+             */
+            kind: "tire";
+            /**
+             * @description Radius of the uninflated tire at the crown, mm.
+             * @default 50
+             */
+            outer_radius_mm: number;
+            /**
+             * @description Outer radius of the toroidal section, mm.
+             * @default 12.5
+             */
+            section_radius_mm: number;
+            /**
+             * @description Wall thickness, mm.
+             * @default 3
+             */
+            wall_mm: number;
+            /**
+             * @description Angle from the crown at which the wall ends and is clamped, degrees.
+             * @default 120
+             */
+            bead_angle_deg: number;
+        };
+        /** @description Rubber: an isochoric law and its compressibility. */
+        MaterialDocument: {
+            /**
+             * @description W = c10 (I1 - 3) + c01 (I2 - 3).
+             * @default mooney-rivlin
+             * @constant
+             */
+            model: "mooney-rivlin";
+            /**
+             * @description First constant, MPa.
+             * @default 0.144
+             */
+            c10_mpa: number;
+            /**
+             * @description Second constant, MPa.
+             * @default 0.036
+             */
+            c01_mpa: number;
+            /**
+             * @description Compressibility, 1/MPa: the bulk modulus is 2/d1; 0 is exactly incompressible.
+             * @default 0
+             */
+            d1_per_mpa: number;
+        } | {
+            /**
+             * @description W = c10 (I1 - 3).
+             * @constant
+             */
+            model: "neo-hookean";
+            /**
+             * @description Half of the shear modulus, MPa.
+             * @default 0.18
+             */
+            c10_mpa: number;
+            /**
+             * @description Compressibility, 1/MPa: the bulk modulus is 2/d1; 0 is exactly incompressible.
+             * @default 0
+             */
+            d1_per_mpa: number;
+        } | {
+            /**
+             * @description W = c10 (I1 - 3) + c20 (I1 - 3)^2 + c30 (I1 - 3)^3.
+             * @constant
+             */
+            model: "yeoh";
+            /**
+             * @description Half of the initial shear modulus, MPa.
+             * @default 0.18
+             */
+            c10_mpa: number;
+            /**
+             * @description Weight of the square, MPa.
+             * @default 0
+             */
+            c20_mpa: number;
+            /**
+             * @description Weight of the cube, MPa.
+             * @default 0
+             */
+            c30_mpa: number;
+            /**
+             * @description Compressibility, 1/MPa: the bulk modulus is 2/d1; 0 is exactly incompressible.
+             * @default 0
+             */
+            d1_per_mpa: number;
+        } | {
+            /**
+             * @description W = sum of (2 mu / alpha^2) (l1^alpha + l2^alpha + l3^alpha - 3).
+             * @constant
+             */
+            model: "ogden";
+            /**
+             * @description Terms; their mu add up to the initial shear modulus.
+             * @default [
+             *       {
+             *         "mu_mpa": 0.288,
+             *         "alpha": 2
+             *       },
+             *       {
+             *         "mu_mpa": 0.072,
+             *         "alpha": -2
+             *       }
+             *     ]
+             */
+            terms: components["schemas"]["OgdenTermDocument"][];
+            /**
+             * @description Compressibility, 1/MPa: the bulk modulus is 2/d1; 0 is exactly incompressible.
+             * @default 0
+             */
+            d1_per_mpa: number;
+        };
+        /** @description A term of Ogden's law. */
+        OgdenTermDocument: {
+            /** @description Share of the initial shear modulus, MPa. */
+            mu_mpa: number;
+            /** @description Exponent. */
+            alpha: number;
+        };
+        /** @description Textile layer: two fibre families at +-angle to the circumference, a membrane within the wall. */
+        CarcassDocument: {
+            /**
+             * @description Angle of both families to the circumferential direction, degrees.
+             * @default 55
+             */
+            angle_deg: number;
+            /**
+             * @description Stiffness of each family in tension, N/mm.
+             * @default 100
+             */
+            stiffness_n_per_mm: number;
+            /**
+             * @description Position through the wall: 0 inner surface, 1 outer surface.
+             * @default 0.5
+             */
+            position: number;
+            /**
+             * @description Stiffness in compression over that in tension.
+             * @default 0.01
+             */
+            compression_ratio: number;
+        };
+        /** @description A rectangular film glued to the inner surface of the uninflated tire, its centre at a wheel and a section angle. */
+        FilmDocument: {
+            /**
+             * @description Young's modulus, MPa.
+             * @default 2500
+             */
+            modulus_mpa: number;
+            /**
+             * @description Poisson's ratio.
+             * @default 0.34
+             */
+            poisson_ratio: number;
+            /**
+             * @description Thickness, mm.
+             * @default 0.05
+             */
+            thickness_mm: number;
+            /** @description Layers from the wall inwards, in place of the fields of one. */
+            layers?: components["schemas"]["FilmLayerDocument"][];
+            /**
+             * @description Extent along its first axis, mm.
+             * @default 5
+             */
+            length_mm: number;
+            /**
+             * @description Extent across, mm.
+             * @default 5
+             */
+            width_mm: number;
+            /**
+             * @description Wheel angle of its centre from the contact centre, degrees, positive in the rolling direction.
+             * @default 0
+             */
+            theta_deg: number;
+            /**
+             * @description Section angle of its centre from the crown, degrees.
+             * @default 0
+             */
+            phi_deg: number;
+            /**
+             * @description Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.
+             * @default 0
+             */
+            angle_deg: number;
+            /** @description Glue that holds the film; absent: it can't slide on the wall. */
+            glue?: components["schemas"]["GlueDocument"] | null;
+            /**
+             * @description Constants of the piezoelectric layer, which makes charge of its stress.
+             * @default {
+             *       "d31_pc_per_n": 23,
+             *       "d32_pc_per_n": 3,
+             *       "d33_pc_per_n": -33,
+             *       "permittivity_pf_per_m": 110,
+             *       "pyro_uc_per_m2_k": 30,
+             *       "yield_mpa": 45
+             *     }
+             */
+            piezo: components["schemas"]["PiezoDocument"];
+            /**
+             * @description Circuit that the film is wired to.
+             * @default {
+             *       "kind": "open-circuit",
+             *       "press_hz": 1,
+             *       "noise_mv": 0,
+             *       "gain_std": 0.05,
+             *       "temperature_k": 0
+             *     }
+             */
+            amplifier: components["schemas"]["AmplifierDocument"];
+        } & (unknown & unknown & unknown);
+        /** @description A layer of a film. The usual one is of PVDF, as piezoelectric films are made of. */
+        FilmLayerDocument: {
+            /**
+             * @description Young's modulus, MPa.
+             * @default 2500
+             */
+            modulus_mpa: number;
+            /**
+             * @description Poisson's ratio.
+             * @default 0.34
+             */
+            poisson_ratio: number;
+            /**
+             * @description Thickness, mm.
+             * @default 0.05
+             */
+            thickness_mm: number;
+            /**
+             * @description Whether this is the layer that makes charge.
+             * @default false
+             */
+            piezo: boolean;
+        };
+        /** @description A layer of glue between wall and film: it shears. The usual one is a soft transfer tape. */
+        GlueDocument: {
+            /**
+             * @description Shear modulus, MPa.
+             * @default 0.5
+             */
+            shear_modulus_mpa: number;
+            /**
+             * @description Thickness, mm.
+             * @default 0.05
+             */
+            thickness_mm: number;
+        };
+        /** @description Constants of a piezoelectric polymer. The usual ones are of poly(vinylidene fluoride), stretched in one direction. */
+        PiezoDocument: {
+            /**
+             * @description Charge by stress along the length, in which it was stretched, pC/N.
+             * @default 23
+             */
+            d31_pc_per_n: number;
+            /**
+             * @description Charge by stress across, pC/N.
+             * @default 3
+             */
+            d32_pc_per_n: number;
+            /**
+             * @description Charge by stress through the thickness, pC/N.
+             * @default -33
+             */
+            d33_pc_per_n: number;
+            /**
+             * @description Permittivity, pF/m.
+             * @default 110
+             */
+            permittivity_pf_per_m: number;
+            /**
+             * @description Charge by area and warming, uC/(m2 K).
+             * @default 30
+             */
+            pyro_uc_per_m2_k: number;
+            /**
+             * @description Stress at which it yields, MPa.
+             * @default 45
+             */
+            yield_mpa: number;
+        };
+        /** @description Circuit that a film is wired to, and how fast it is pressed. */
+        AmplifierDocument: {
+            /**
+             * @description Open circuit: nothing draws charge.
+             * @default open-circuit
+             * @constant
+             */
+            kind: "open-circuit";
+            /**
+             * @description Presses per second, Hz.
+             * @default 1
+             */
+            press_hz: number;
+            /**
+             * @description Standard deviation of what it shows without a film, mV.
+             * @default 0
+             */
+            noise_mv: number;
+            /**
+             * @description Standard deviation of film and amplifier's gain from one to the next, as a share.
+             * @default 0.05
+             */
+            gain_std: number;
+            /**
+             * @description Standard deviation of the film's temperature within a press, K.
+             * @default 0
+             */
+            temperature_k: number;
+        } | {
+            /**
+             * @description A voltage amplifier; the usual one is as a multimeter or an oscilloscope's probe.
+             * @constant
+             */
+            kind: "voltage";
+            /**
+             * @description Input resistance, megohm.
+             * @default 10
+             */
+            input_mohm: number;
+            /**
+             * @description Capacitance of the cable to it, pF.
+             * @default 0
+             */
+            cable_pf: number;
+            /**
+             * @description Presses per second, Hz.
+             * @default 1
+             */
+            press_hz: number;
+            /**
+             * @description Standard deviation of what it shows without a film, mV.
+             * @default 0
+             */
+            noise_mv: number;
+            /**
+             * @description Standard deviation of film and amplifier's gain from one to the next, as a share.
+             * @default 0.05
+             */
+            gain_std: number;
+            /**
+             * @description Standard deviation of the film's temperature within a press, K.
+             * @default 0
+             */
+            temperature_k: number;
+        } | {
+            /**
+             * @description A charge amplifier; the usual one has a time constant of ten seconds.
+             * @constant
+             */
+            kind: "charge";
+            /**
+             * @description Feedback capacitance, nF.
+             * @default 10
+             */
+            feedback_nf: number;
+            /**
+             * @description Feedback resistance, megohm.
+             * @default 1000
+             */
+            feedback_mohm: number;
+            /**
+             * @description Presses per second, Hz.
+             * @default 1
+             */
+            press_hz: number;
+            /**
+             * @description Standard deviation of what it shows without a film, mV.
+             * @default 0
+             */
+            noise_mv: number;
+            /**
+             * @description Standard deviation of film and amplifier's gain from one to the next, as a share.
+             * @default 0.05
+             */
+            gain_std: number;
+            /**
+             * @description Standard deviation of the film's temperature within a press, K.
+             * @default 0
+             */
+            temperature_k: number;
+        };
+        /** @description Loads of the cavity. */
+        PressureDocument: {
+            /**
+             * @description Internal pressure, positive when it inflates, MPa.
+             * @default 0.2
+             */
+            internal_mpa: number;
+        };
+        /** @description Rigid height field over stations along the circumference, each pressed in by its own depth. */
+        GroundDocument: {
+            /**
+             * @description Number of stations, odd; the length of `depths_mm` where there is one.
+             * @default 5
+             */
+            stations: number;
+            /**
+             * @description Horizontal distance of neighbouring stations, mm.
+             * @default 5.5
+             */
+            station_spacing_mm: number;
+            /**
+             * @description Shape functions of the height field. `bspline`: Uniform cubic B-splines. `hat`: Piecewise linear.
+             * @default bspline
+             * @enum {string}
+             */
+            station_functions: "bspline" | "hat";
+            /**
+             * @description Depth of each station below the inflated outer radius, mm; none where a load is given.
+             * @default [
+             *       1,
+             *       1,
+             *       1,
+             *       1,
+             *       1
+             *     ]
+             */
+            depths_mm: number[];
+            /** @description Vertical force with which a flat ground presses on the whole tire, N, in place of depths. */
+            load_n?: number;
+            /**
+             * @description Ways by which the ground is dragged once it presses, mm: along the wheel (x, rolling direction) and across it (y, along the axle).
+             * @default [
+             *       0,
+             *       0
+             *     ]
+             */
+            shift_mm: number[];
+        };
+        /** @description Contact of tire and ground. */
+        ContactDocument: {
+            /**
+             * @description Coulomb friction coefficient.
+             * @default 0
+             */
+            friction: number;
+            /** @description Contact stiffness, N/mm^3; absent: scaled from the rubber's stiffness and the wall. */
+            penalty_n_per_mm3?: number;
+        };
+        /** @description Fineness of the model. */
+        ModelDocument: {
+            /**
+             * @description Mesh level. `draft`: Mesh for a first look. `coarse`: Mesh for a look with an error; it shows the error of the standard level. `standard`: Mesh for placement decisions. `reference`: Mesh for judging the others.
+             * @default standard
+             * @enum {string}
+             */
+            level: "draft" | "coarse" | "standard" | "reference";
+        };
+        /** @description An uncertain field of the scene. */
+        InputDocument: {
+            /** @description Name, like no other's. */
+            name: string;
+            /**
+             * @description Path of a number of the scene.
+             * @example ground.depths_mm[0]
+             */
+            vary: string;
+            /** @description Distribution of its values. */
+            distribution: components["schemas"]["DistributionDocument"];
+        };
+        /** @description A law of an input. */
+        DistributionDocument: {
+            /** @constant */
+            kind: "uniform";
+            min: number;
+            max: number;
+            /** @description Lower and upper bound. */
+            truncate?: number[];
+        } | {
+            /** @constant */
+            kind: "normal";
+            mean: number;
+            std: number;
+            /** @description Lower and upper bound. */
+            truncate?: number[];
+        } | {
+            /** @constant */
+            kind: "lognormal";
+            mu: number;
+            sigma: number;
+            /** @description Lower and upper bound. */
+            truncate?: number[];
+        } | {
+            /** @constant */
+            kind: "exponential";
+            rate: number;
+            /** @description Lower and upper bound. */
+            truncate?: number[];
+        } | {
+            /** @constant */
+            kind: "gamma";
+            shape: number;
+            scale: number;
+            /** @description Lower and upper bound. */
+            truncate?: number[];
+        } | {
+            /** @constant */
+            kind: "weibull";
+            shape: number;
+            scale: number;
+            /** @description Lower and upper bound. */
+            truncate?: number[];
+        } | {
+            /** @constant */
+            kind: "beta";
+            alpha: number;
+            beta: number;
+            /** @default 0 */
+            min: number;
+            /** @default 1 */
+            max: number;
+            /** @description Lower and upper bound. */
+            truncate?: number[];
+        } | {
+            /** @constant */
+            kind: "gumbel";
+            location: number;
+            scale: number;
+            /** @description Lower and upper bound. */
+            truncate?: number[];
+        } | {
+            /** @constant */
+            kind: "triangular";
+            min: number;
+            mode: number;
+            max: number;
+            /** @description Lower and upper bound. */
+            truncate?: number[];
+        };
+        /** @description Candidate places for films. */
+        CandidatesDocument: {
+            /**
+             * @description Places that are ranked. `P1-P5`: Five places of the inner surface above the stations.
+             * @default P1-P5
+             * @enum {string}
+             */
+            points: "P1-P5";
+            /**
+             * @description Strains that are asked for.
+             * @default [
+             *       "x",
+             *       "y"
+             *     ]
+             */
+            directions: ("x" | "y")[];
+            /** @description Dense map of candidates; without it the ranked places alone. */
+            grid?: components["schemas"]["GridDocument"];
+        };
+        /** @description A regular grid on the inner surface, centred on the contact, both ends included. */
+        GridDocument: {
+            /** @description Points along the circumference, odd. */
+            circumferential: number;
+            /** @description Points from bead to bead, odd. */
+            meridional: number;
+            /**
+             * @description Half of the circumferential extent, degrees.
+             * @default 45
+             */
+            half_width_deg: number;
+        };
+        /** @description Layouts to score. */
+        LayoutsDocument: {
+            /**
+             * @description Angles between neighbouring units, degrees; each divides 360.
+             * @default [
+             *       30,
+             *       45,
+             *       60,
+             *       72,
+             *       90,
+             *       120,
+             *       180
+             *     ]
+             */
+            spacings_deg: number[];
+            /** @description Numbers of units, beside those of the spacings. */
+            units?: number[];
+            /**
+             * @description Places of the units in the section.
+             * @default [
+             *       "crown",
+             *       "shoulder",
+             *       "sidewall"
+             *     ]
+             */
+            positions: ("crown" | "shoulder" | "sidewall")[];
+            /** @description Section angles beside the positions', degrees from the crown. */
+            section_deg?: number[];
+            /** @description Sets of directions of a unit's films; those that the study asks for when left out. */
+            directions?: (("x" | "y") | number)[][];
+            /**
+             * @description Whether units of several films are also scored with their films spread between the units.
+             * @default false
+             */
+            staggered: boolean;
+            /** @description Layouts film by film. */
+            free?: components["schemas"]["FreeLayoutDocument"][];
+            /** @description Layouts to search for. */
+            search?: components["schemas"]["LayoutSearchDocument"];
+            /**
+             * @description Model of the films: `bare`, or `transfer`: glued on with their stiffness, by the transfer of two coupled solves, and read in volts.
+             * @default bare
+             * @enum {string}
+             */
+            film: "bare" | "transfer";
+            /** @description Length and width of all films, mm; points when left out, the glued film's with `transfer`. */
+            size_mm?: number[];
+            /** @description Further lengths and widths that the candidates have, mm. */
+            candidate_sizes_mm?: number[][];
+            /** @description Depths at which layouts are scored, mm; the mean one when left out. */
+            depths_mm?: number[];
+            /** @description Forces in place of depths, N. */
+            loads_n?: number[];
+            /**
+             * @description Noise of a film over the crown's largest signal.
+             * @default 0.02
+             */
+            noise_share: number;
+            /** @description Noise of a bare film, strain. */
+            noise_strain?: number;
+            /** @description Noise of a glued film, V. */
+            noise_v?: number;
+            /**
+             * @description Standard deviation of a film's gain, relative.
+             * @default 0
+             */
+            gain_std: number;
+            /**
+             * @description Standard deviation of a film's place around the wheel, degrees.
+             * @default 0
+             */
+            place_std_deg: number;
+            /**
+             * @description Whether every layout is also scored without the film whose loss costs most.
+             * @default false
+             */
+            dead: boolean;
+            /**
+             * @description Whether forces along the wheel and across it are unknown, too: takes ground with friction, and a solve of the whole tire for every load and mesh.
+             * @default false
+             */
+            shear: boolean;
+            /**
+             * @description Mesh level of the layouts' own solves; the study's, the standard at most, when left out. `draft`: Mesh for a first look. `coarse`: Mesh for a look with an error; it shows the error of the standard level. `standard`: Mesh for placement decisions. `reference`: Mesh for judging the others.
+             * @enum {string}
+             */
+            level?: "draft" | "coarse" | "standard" | "reference";
+        } & (unknown & unknown & unknown);
+        /** @description Place of a film. */
+        FilmPlaceDocument: {
+            /**
+             * @description Wheel angle, degrees.
+             * @default 0
+             */
+            theta_deg: number;
+            /**
+             * @description Section angle from the crown, degrees.
+             * @default 0
+             */
+            phi_deg: number;
+            /**
+             * @description Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.
+             * @default 0
+             */
+            angle_deg: number;
+        };
+        /** @description A layout film by film. */
+        FreeLayoutDocument: {
+            /** @description Name of the layout. */
+            name: string;
+            /** @description Films, one by one. */
+            films: components["schemas"]["FilmPlaceDocument"][];
+        };
+        /** @description The best of all layouts of so many films. */
+        LayoutSearchDocument: {
+            /** @description Numbers of films. */
+            films: number[];
+            /**
+             * @description Places around the wheel.
+             * @default 24
+             */
+            slots: number;
+            /**
+             * @description Section angles, degrees from the crown.
+             * @default [
+             *       0
+             *     ]
+             */
+            section_deg: number[];
+            /**
+             * @description Directions of the films.
+             * @default [
+             *       "x",
+             *       "y"
+             *     ]
+             */
+            directions: (("x" | "y") | number)[];
+        };
+        /** @description Method that computes the indices. */
+        MethodDocument: {
+            /**
+             * @description Kind of method.
+             * @default mdrm
+             * @enum {string}
+             */
+            kind: "mdrm" | "bivariate" | "tensor" | "pce" | "saltelli" | "auto";
+            /**
+             * @description Gauss nodes of each input.
+             * @default 5
+             */
+            nodes: number;
+            /**
+             * @description Points off the lines, for the error.
+             * @default 5
+             */
+            check_points: number;
+            /**
+             * @description Points of pce, base points of saltelli.
+             * @default 200
+             */
+            samples: number;
+            /**
+             * @description Most runs of auto.
+             * @default 1000
+             */
+            most_runs: number;
+            /**
+             * @description Seed of what is random.
+             * @default 1
+             */
+            seed: number;
+            /**
+             * @description Largest error of an index at which auto stops.
+             * @default 0.02
+             */
+            tolerance: number;
+        };
+        /** @description Accuracy that is asked of the answer. */
+        AccuracyDocument: {
+            /**
+             * @description Level of the mesh; the scene's when no accuracy is asked for. `draft`: Mesh for a first look. `coarse`: Mesh for a look with an error; it shows the error of the standard level. `standard`: Mesh for placement decisions. `reference`: Mesh for judging the others.
+             * @enum {string}
+             */
+            preset?: "draft" | "coarse" | "standard" | "reference";
+            /** @description Largest error of any first-order index, absolute. */
+            tolerance?: number;
+            /** @description Wall-clock time, s. */
+            budget_s?: number;
+        };
+        /** @description Films' signals over loads, pressures and contact angles. */
+        SignalsDocument: {
+            /**
+             * @description Loads at the tire's own pressure, N.
+             * @default [
+             *       1,
+             *       2,
+             *       5,
+             *       10,
+             *       15,
+             *       20,
+             *       30
+             *     ]
+             */
+            loads_n: number[];
+            /**
+             * @description Internal pressures, MPa.
+             * @default [
+             *       0.1,
+             *       0.2,
+             *       0.3
+             *     ]
+             */
+            pressures_mpa: number[];
+            /**
+             * @description Load of the pressures, N.
+             * @default 10
+             */
+            at_load_n: number;
+            /**
+             * @description Load of the contact angles, N.
+             * @default 20
+             */
+            contact_load_n: number;
+            /**
+             * @description Wheel angles from a film to the contact, degrees.
+             * @default [
+             *       0,
+             *       5,
+             *       10,
+             *       15,
+             *       20,
+             *       25,
+             *       30
+             *     ]
+             */
+            contact_deg: number[];
+            /**
+             * @description Places of the films in the section.
+             * @default [
+             *       "crown",
+             *       "shoulder",
+             *       "sidewall"
+             *     ]
+             */
+            positions: ("crown" | "shoulder" | "sidewall")[];
+            /**
+             * @description Directions along which the films' length lies.
+             * @default [
+             *       "x",
+             *       "y"
+             *     ]
+             */
+            directions: ("x" | "y")[];
+            /**
+             * @description Models of the films.
+             * @default [
+             *       "bare",
+             *       "transfer",
+             *       "coupled"
+             *     ]
+             */
+            films: ("bare" | "transfer" | "coupled")[];
+            /** @description The film, as a scene's; the scene's own, or a thin one, when left out. */
+            film?: components["schemas"]["UnplacedFilmDocument"];
+            /** @description Further tires beside the study's own. */
+            tires?: components["schemas"]["FurtherTireDocument"][];
+        };
+        /** @description A film without its place, which the signals say. */
+        UnplacedFilmDocument: {
+            /**
+             * @description Young's modulus, MPa.
+             * @default 2500
+             */
+            modulus_mpa: number;
+            /**
+             * @description Poisson's ratio.
+             * @default 0.34
+             */
+            poisson_ratio: number;
+            /**
+             * @description Thickness, mm.
+             * @default 0.05
+             */
+            thickness_mm: number;
+            /** @description Layers from the wall inwards, in place of the fields of one. */
+            layers?: components["schemas"]["FilmLayerDocument"][];
+            /**
+             * @description Extent along its first axis, mm.
+             * @default 5
+             */
+            length_mm: number;
+            /**
+             * @description Extent across, mm.
+             * @default 5
+             */
+            width_mm: number;
+            /** @description Glue that holds the film; absent: it can't slide on the wall. */
+            glue?: components["schemas"]["GlueDocument"] | null;
+            /**
+             * @description Constants of the piezoelectric layer, which makes charge of its stress.
+             * @default {
+             *       "d31_pc_per_n": 23,
+             *       "d32_pc_per_n": 3,
+             *       "d33_pc_per_n": -33,
+             *       "permittivity_pf_per_m": 110,
+             *       "pyro_uc_per_m2_k": 30,
+             *       "yield_mpa": 45
+             *     }
+             */
+            piezo: components["schemas"]["PiezoDocument"];
+            /**
+             * @description Circuit that the film is wired to.
+             * @default {
+             *       "kind": "open-circuit",
+             *       "press_hz": 1,
+             *       "noise_mv": 0,
+             *       "gain_std": 0.05,
+             *       "temperature_k": 0
+             *     }
+             */
+            amplifier: components["schemas"]["AmplifierDocument"];
+        };
+        /** @description A tire beside the study's own, with loads and pressures where it bears others. */
+        FurtherTireDocument: {
+            /** @description Name, like no other's. */
+            name: string;
+            /** @description The tire. */
+            scene: components["schemas"]["ChangedSceneDocument"] | string;
+            /** @description Loads at the tire's own pressure, N. */
+            loads_n?: number[];
+            /** @description Internal pressures, MPa. */
+            pressures_mpa?: number[];
+            /** @description Load of the pressures, N. */
+            at_load_n?: number;
+            /** @description Load of the contact angles, N. */
+            contact_load_n?: number;
+        };
+        /** @description A virtual rig. */
+        RigDocument: {
+            /**
+             * @description Gait of the foot.
+             * @default {
+             *       "frequency": {
+             *         "kind": "randomised",
+             *         "min_hz": 1,
+             *         "max_hz": 5
+             *       },
+             *       "contact_deg": [
+             *         0,
+             *         30
+             *       ],
+             *       "load_n": [
+             *         0,
+             *         30
+             *       ],
+             *       "duty": 0.5,
+             *       "shear_share": 0.6,
+             *       "run_s": 60
+             *     }
+             */
+            gait: components["schemas"]["GaitDocument"];
+            /**
+             * @description Circuit and converter that films are wired to.
+             * @default {
+             *       "kind": "charge",
+             *       "feedback_nf": 10,
+             *       "feedback_mohm": 1000,
+             *       "bits": 12
+             *     }
+             */
+            electronics: components["schemas"]["ElectronicsDocument"];
+            /**
+             * @description Noise beside the films' own signals.
+             * @default {
+             *       "white_share": 0.01,
+             *       "thermal_k": 293,
+             *       "drift_share": 0.005,
+             *       "drift_time_s": 60,
+             *       "warming_k_per_min": 0.1,
+             *       "gain_std": 0.05
+             *     }
+             */
+            noise: components["schemas"]["NoiseDocument"];
+            /**
+             * @description Sensor that measures the forces.
+             * @default {
+             *       "rate_hz": 200,
+             *       "offset_s": 0.0017,
+             *       "ppm": 20,
+             *       "noise_n": 0.05
+             *     }
+             */
+            force_sensor: components["schemas"]["ForceSensorDocument"];
+            /**
+             * @description Relaxation of the rubber; empty where it doesn't relax.
+             * @default [
+             *       {
+             *         "share": 0.1,
+             *         "time_s": 0.3
+             *       }
+             *     ]
+             */
+            relaxation: components["schemas"]["BranchDocument"][];
+            /**
+             * @description Whether the films' charges relax as the force does: those of stiff glued films do, which the force stretches; those of soft ones follow the depth.
+             * @default true
+             */
+            films_follow_force: boolean;
+            /**
+             * @description Readings of each film a second, Hz.
+             * @default 200
+             */
+            film_rate_hz: number;
+            /**
+             * @description Runs, each with gains of its own: sessions.
+             * @default 4
+             */
+            runs: number;
+            /**
+             * @description Seed of all that is drawn at random.
+             * @default 1
+             */
+            seed: number;
+            /**
+             * @description Tires that estimators are tried on, too.
+             * @default []
+             */
+            other_tires: components["schemas"]["OtherTireDocument"][];
+        };
+        /** @description Gait of a foot. */
+        GaitDocument: {
+            /**
+             * @description Turns of the crank a second.
+             * @default {
+             *       "kind": "randomised",
+             *       "min_hz": 1,
+             *       "max_hz": 5
+             *     }
+             */
+            frequency: components["schemas"]["FrequencyDocument"];
+            /**
+             * @description Least and greatest wheel angle of the contact, degrees.
+             * @default [
+             *       0,
+             *       30
+             *     ]
+             */
+            contact_deg: number[];
+            /**
+             * @description Least and greatest load at the deepest point of a stance, N.
+             * @default [
+             *       0,
+             *       30
+             *     ]
+             */
+            load_n: number[];
+            /**
+             * @description Share of a turn in which the ground is touched.
+             * @default 0.5
+             */
+            duty: number;
+            /**
+             * @description Share of the shift at which the contact slides that a stance may use.
+             * @default 0.6
+             */
+            shear_share: number;
+            /** @description Number of stances of a run, in place of its length. */
+            stances?: number;
+            /** @description Length of a run, s; 60 when left out. */
+            run_s?: number;
+        } & unknown;
+        /** @description Turns of the crank a second. A turn has one speed from its begin to its end. */
+        FrequencyDocument: {
+            /**
+             * @description All the same.
+             * @constant
+             */
+            kind: "fixed";
+            /**
+             * @description Turns a second, Hz.
+             * @default 2
+             */
+            hz: number;
+        } | {
+            /**
+             * @description Frequency drawn evenly between two for each turn.
+             * @default randomised
+             * @constant
+             */
+            kind: "randomised";
+            /**
+             * @description Slowest turn, Hz.
+             * @default 1
+             */
+            min_hz: number;
+            /**
+             * @description Fastest turn, Hz.
+             * @default 5
+             */
+            max_hz: number;
+        } | {
+            /**
+             * @description Frequency that goes from the one to the other in equal parts over a run.
+             * @constant
+             */
+            kind: "transition";
+            /**
+             * @description Frequency at the run's begin, Hz.
+             * @default 1
+             */
+            from_hz: number;
+            /**
+             * @description Frequency at its end, Hz.
+             * @default 5
+             */
+            to_hz: number;
+        };
+        /** @description Circuit and converter that films are wired to. */
+        ElectronicsDocument: {
+            /**
+             * @description Open circuit: nothing draws charge.
+             * @constant
+             */
+            kind: "open-circuit";
+            /**
+             * @description Bits of the converter; 0 for one that doesn't round.
+             * @default 12
+             */
+            bits: number;
+            /** @description A time constant in place of the circuit's own, s; the volts of a held charge stay. */
+            time_constant_s?: number;
+            /** @description Largest reading, V: it reads from minus this to this; twice each film's full scale where none is set. */
+            range_v?: number;
+        } | {
+            /**
+             * @description A voltage amplifier; the usual one is as a multimeter or an oscilloscope's probe.
+             * @constant
+             */
+            kind: "voltage";
+            /**
+             * @description Input resistance, megohm.
+             * @default 10
+             */
+            input_mohm: number;
+            /**
+             * @description Capacitance of the cable to it, pF.
+             * @default 0
+             */
+            cable_pf: number;
+            /**
+             * @description Bits of the converter; 0 for one that doesn't round.
+             * @default 12
+             */
+            bits: number;
+            /** @description A time constant in place of the circuit's own, s; the volts of a held charge stay. */
+            time_constant_s?: number;
+            /** @description Largest reading, V: it reads from minus this to this; twice each film's full scale where none is set. */
+            range_v?: number;
+        } | {
+            /**
+             * @description A charge amplifier; the usual one has a time constant of ten seconds.
+             * @default charge
+             * @constant
+             */
+            kind: "charge";
+            /**
+             * @description Feedback capacitance, nF.
+             * @default 10
+             */
+            feedback_nf: number;
+            /**
+             * @description Feedback resistance, megohm.
+             * @default 1000
+             */
+            feedback_mohm: number;
+            /**
+             * @description Bits of the converter; 0 for one that doesn't round.
+             * @default 12
+             */
+            bits: number;
+            /** @description A time constant in place of the circuit's own, s; the volts of a held charge stay. */
+            time_constant_s?: number;
+            /** @description Largest reading, V: it reads from minus this to this; twice each film's full scale where none is set. */
+            range_v?: number;
+        };
+        /** @description Noise beside the films' own signals. */
+        NoiseDocument: {
+            /**
+             * @description Standard deviation of white noise, as a share of a film's full scale in held volts.
+             * @default 0.01
+             */
+            white_share: number;
+            /**
+             * @description Temperature of the circuit's resistance, K; 0 for none of its noise.
+             * @default 293
+             */
+            thermal_k: number;
+            /**
+             * @description Standard deviation that the drift comes to, as a share of full scale.
+             * @default 0.005
+             */
+            drift_share: number;
+            /**
+             * @description Time constant of the drift, s.
+             * @default 60
+             */
+            drift_time_s: number;
+            /**
+             * @description Warming of all films, K a minute.
+             * @default 0.1
+             */
+            warming_k_per_min: number;
+            /**
+             * @description Standard deviation of the films' gains, drawn once a run.
+             * @default 0.05
+             */
+            gain_std: number;
+        };
+        /** @description Sensor that measures the forces. */
+        ForceSensorDocument: {
+            /**
+             * @description Readings a second by its own clock, Hz.
+             * @default 200
+             */
+            rate_hz: number;
+            /**
+             * @description Time of its first reading after the films' first one, s.
+             * @default 0.0017
+             */
+            offset_s: number;
+            /**
+             * @description Excess of its intervals over what they should be, parts in a million.
+             * @default 20
+             */
+            ppm: number;
+            /**
+             * @description Standard deviation of its white noise, N.
+             * @default 0.05
+             */
+            noise_n: number;
+        };
+        /** @description A Prony branch of the rubber. */
+        BranchDocument: {
+            /**
+             * @description Force that it bears at first, as a share of the slow force.
+             * @default 0.1
+             */
+            share: number;
+            /**
+             * @description Time constant, s.
+             * @default 0.3
+             */
+            time_s: number;
+        };
+        /** @description A tire that differs from the study's. */
+        OtherTireDocument: {
+            /**
+             * @description Thickness of its wall over that of the study's.
+             * @default 1
+             */
+            wall_factor: number;
+            /**
+             * @description Pressure over that of the study's.
+             * @default 1
+             */
+            pressure_factor: number;
+            /**
+             * @description Coefficient of friction of the ground over that of the study's.
+             * @default 1
+             */
+            friction_factor: number;
+            /**
+             * @description Whether estimators learn from it, too: runs are shared out by turns, the study's own tire first.
+             * @default false
+             */
+            learnt: boolean;
+            /**
+             * @description Mesh level, where it has another one. `draft`: Mesh for a first look. `coarse`: Mesh for a look with an error; it shows the error of the standard level. `standard`: Mesh for placement decisions. `reference`: Mesh for judging the others.
+             * @enum {string}
+             */
+            level?: "draft" | "coarse" | "standard" | "reference";
+        };
+        /** @description Scene: what is pressed on which ground, by how much, and how finely it is modelled. */
+        SceneDocument: {
+            /**
+             * @description Shape of the tire.
+             * @default {
+             *       "kind": "tire",
+             *       "outer_radius_mm": 50,
+             *       "section_radius_mm": 12.5,
+             *       "wall_mm": 3,
+             *       "bead_angle_deg": 120
+             *     }
+             */
+            geometry: components["schemas"]["GeometryDocument"];
+            /**
+             * @description Rubber.
+             * @default {
+             *       "model": "mooney-rivlin",
+             *       "c10_mpa": 0.144,
+             *       "c01_mpa": 0.036,
+             *       "d1_per_mpa": 0
+             *     }
+             */
+            material: components["schemas"]["MaterialDocument"];
+            /** @description Textile layer; absent when the scene has none. */
+            carcass?: components["schemas"]["CarcassDocument"] | null;
+            /** @description Sensor film glued to the inner surface; absent when it isn't modelled. */
+            film?: components["schemas"]["FilmDocument"] | null;
+            /**
+             * @description Internal pressure.
+             * @default {
+             *       "internal_mpa": 0.2
+             *     }
+             */
+            pressure: components["schemas"]["PressureDocument"];
+            /**
+             * @description Rigid ground.
+             * @default {
+             *       "stations": 5,
+             *       "station_spacing_mm": 5.5,
+             *       "station_functions": "bspline",
+             *       "depths_mm": [
+             *         1,
+             *         1,
+             *         1,
+             *         1,
+             *         1
+             *       ]
+             *     }
+             */
+            ground: components["schemas"]["GroundDocument"];
+            /**
+             * @description Contact of tire and ground.
+             * @default {
+             *       "friction": 0
+             *     }
+             */
+            contact: components["schemas"]["ContactDocument"];
+            /**
+             * @description Fineness of the model.
+             * @default {
+             *       "level": "standard"
+             *     }
+             */
+            model: components["schemas"]["ModelDocument"];
+        };
+        /** @description A design. */
+        DesignDocument: {
+            /** @description Name of the design; what it sets when left out, as `wall_mm = 2.5`. */
+            name?: string;
+            /** @description Values by path: `geometry.wall_mm` for the scene's fields, `method.nodes` for the study's own. */
+            set: Record<string, unknown>;
+        };
+        /** @description Columns that are meant; patterns have `*` and `?`. */
+        ColumnsDocument: {
+            /** @description Seconds; `time_s` or else the first column where none is named. */
+            time?: string;
+            /** @description Signals; all other columns where none are named. */
+            signals?: string | string[];
+            /** @description Forces, N; `fx_n`, `fy_n`, `fz_n` or the like where none are named. */
+            forces?: string | string[];
+            /** @description Cycles are rows with the same entry of this column, one after another. */
+            cycle?: string;
+            /** @description Cycles are rows between pauses longer than this, s. */
+            pause_s?: number;
+            /** @description A cycle goes from one rise of the total force above this threshold to the next, N. */
+            threshold_n?: number;
+            /** @description Cycles are pieces of this length, s. */
+            block_s?: number;
+        } & (unknown & unknown & unknown & unknown & unknown & unknown);
+        /** @description Treatment of signals, in this order. */
+        PreprocessDocument: {
+            /**
+             * @description Whether each run's first reading is taken off. `auto`: Whichever knows left-out runs better; with one run, whether it begins unloaded. `subtract`: First readings taken off: runs begin unloaded. `keep`: First readings kept.
+             * @default auto
+             * @enum {string}
+             */
+            start_value: "auto" | "subtract" | "keep";
+            /**
+             * @description Whether the sign of signals is turned.
+             * @default false
+             */
+            turn_sign: boolean;
+            /** @description The clock that signals and forces are interpolated to, Hz; none leaves rows as they are. */
+            rate_hz?: number;
+            /**
+             * @description Rows of the moving average; 1 for none.
+             * @default 1
+             */
+            smooth_rows: number;
+            /** @description Rows with a signal further than so many standard deviations from its mean aren't learnt from; none keeps all. */
+            outlier_z?: number;
+            /**
+             * @description Method that brings features to one scale. `standardise`: Mean 0, standard deviation 1. `normalise`: Range from 0 to 1. `off`: Features as they are.
+             * @default standardise
+             * @enum {string}
+             */
+            scale: "standardise" | "normalise" | "off";
+            /** @description A longer time between rows is a pause, s; none for ten typical intervals. Nothing is carried over a pause. */
+            pause_s?: number;
+        };
+        /** @description Features that models are given of the signals. */
+        FeaturesDocument: {
+            /**
+             * @description The sets that are tried.
+             * @default [
+             *       "raw",
+             *       "slopes",
+             *       "rolling",
+             *       "all"
+             *     ]
+             */
+            sets: ("raw" | "slopes" | "rolling" | "all")[];
+            /**
+             * @description Rows of the rolling mean and variance.
+             * @default 10
+             */
+            window_rows: number;
+        };
+        /** @description Models that are tried, and how each is learnt. */
+        ModelsDocument: {
+            /**
+             * @description The kinds that are tried, beside the training mean, which always is.
+             * @default [
+             *       "ridge",
+             *       "gpr",
+             *       "ann",
+             *       "blend"
+             *     ]
+             */
+            kinds: ("mean" | "ridge" | "gpr" | "ann" | "blend")[];
+            /**
+             * @description Gaussian processes.
+             * @default {
+             *       "lengths": "shared",
+             *       "line": true,
+             *       "restarts": 50,
+             *       "search_rows": 600,
+             *       "most_rows": 3000
+             *     }
+             */
+            gpr: components["schemas"]["GprDocument"];
+            /**
+             * @description Neural networks.
+             * @default {
+             *       "layers": [
+             *         24,
+             *         12
+             *       ],
+             *       "activation": "tanh",
+             *       "output": "linear",
+             *       "loss": "mse",
+             *       "decay": 0.001,
+             *       "iterations": 300,
+             *       "networks": 3
+             *     }
+             */
+            ann: components["schemas"]["AnnDocument"];
+            /**
+             * @description Seed of all that is drawn at random.
+             * @default 1
+             */
+            seed: number;
+        };
+        /** @description Settings of Gaussian processes. */
+        GprDocument: {
+            /**
+             * @description Length scales: one, or one for each feature. `shared`: A length for all features. `each`: A length for each feature.
+             * @default shared
+             * @enum {string}
+             */
+            lengths: "shared" | "each";
+            /**
+             * @description Whether a line in the features is added, as heavy as the rows make it: beyond what was learnt from, it goes on where the squared exponential falls back to the mean.
+             * @default true
+             */
+            line: boolean;
+            /**
+             * @description Starts of the search for hyperparameters, drawn at random.
+             * @default 50
+             */
+            restarts: number;
+            /**
+             * @description Rows from which the hyperparameters are learnt, an even subset.
+             * @default 600
+             */
+            search_rows: number;
+            /**
+             * @description Rows that the process is conditioned on, an even subset.
+             * @default 3000
+             */
+            most_rows: number;
+        };
+        /** @description Settings of neural networks. */
+        AnnDocument: {
+            /**
+             * @description Nodes of each hidden layer.
+             * @default [
+             *       24,
+             *       12
+             *     ]
+             */
+            layers: number[];
+            /**
+             * @description Activation of hidden layers. `linear`: z `sigmoid`: 1 / (1 + exp(-z)) `tanh`: tanh z `relu`: max(z, 0) `elu`: z, or exp(z) - 1 below 0 `softmax`: exp(z_i) over the layer's sum
+             * @default tanh
+             * @enum {string}
+             */
+            activation: "linear" | "sigmoid" | "tanh" | "relu" | "elu" | "softmax";
+            /**
+             * @description Activation of the last layer.
+             * @default linear
+             * @enum {string}
+             */
+            output: "linear" | "sigmoid" | "tanh" | "relu" | "elu";
+            /**
+             * @description Loss that is made small. `mse`: Half the mean squared error. `poisson`: Poisson's negative log likelihood, exp(z) - y z: for forces that are never negative.
+             * @default mse
+             * @enum {string}
+             */
+            loss: "mse" | "poisson";
+            /**
+             * @description Weight of the squared weights in the loss.
+             * @default 0.001
+             */
+            decay: number;
+            /**
+             * @description Most iterations.
+             * @default 300
+             */
+            iterations: number;
+            /**
+             * @description Networks whose mean is the estimate, each from weights of its own.
+             * @default 3
+             */
+            networks: number;
+        };
+        /** @description Validation that judges models. */
+        ValidationDocument: {
+            /**
+             * @description The split that chooses model and features; the strictest there is where none is named: runs, or cycles of one run. `random`: A fifth of the rows, drawn at random: the paper's. Neighbours of what is tested are learnt from. `cycle`: Cycles left out. `run`: Runs left out. `time`: Later rows tested on earlier ones, a gap between. `frequency`: Slow, middling or fast cycles left out.
+             * @enum {string}
+             */
+            by?: "random" | "cycle" | "run" | "time" | "frequency";
+            /**
+             * @description Time constant of the signals, s: three of them and a window lie between what is learnt and what is tested by time.
+             * @default 0
+             */
+            time_constant_s: number;
+        };
+        /** @description Inputs of a model that others run, and the method that asks for points. */
+        InputsDocument: {
+            /** @description Inputs of the model. */
+            inputs: components["schemas"]["ModelInputDocument"][];
+            /** @description Method that computes the indices. */
+            method?: components["schemas"]["MethodDocument"];
+        };
+        /** @description An input of the model. */
+        ModelInputDocument: {
+            /** @description Name, like no other's. */
+            name: string;
+            /** @description Distribution of its values. */
+            distribution: components["schemas"]["DistributionDocument"];
+        };
     };
     responses: never;
     parameters: never;
@@ -2952,13 +4262,11 @@ export interface components {
     headers: never;
     pathItems: never;
 }
-export type AccuracyDocument = components['schemas']['AccuracyDocument'];
 export type AlikeContacts = components['schemas']['AlikeContacts'];
 export type Answer = components['schemas']['Answer'];
 export type AskewError = components['schemas']['AskewError'];
 export type CandidateFilm = components['schemas']['CandidateFilm'];
 export type Candidates = components['schemas']['Candidates'];
-export type CandidatesDocument = components['schemas']['CandidatesDocument'];
 export type Certainty = components['schemas']['Certainty'];
 export type Choice = components['schemas']['Choice'];
 export type Claim = components['schemas']['Claim'];
@@ -2972,13 +4280,11 @@ export type ComparedStudy = components['schemas']['ComparedStudy'];
 export type Comparison = components['schemas']['Comparison'];
 export type ComparisonFormat = components['schemas']['ComparisonFormat'];
 export type ComparisonTable = components['schemas']['ComparisonTable'];
-export type Contradiction = components['schemas']['Contradiction'];
 export type CountForecast = components['schemas']['CountForecast'];
 export type CutPoint = components['schemas']['CutPoint'];
 export type DeadFilm = components['schemas']['DeadFilm'];
 export type DeadFilmError = components['schemas']['DeadFilmError'];
 export type DesignCounts = components['schemas']['DesignCounts'];
-export type DesignDocument = components['schemas']['DesignDocument'];
 export type DesignEstimate = components['schemas']['DesignEstimate'];
 export type DesignView = components['schemas']['DesignView'];
 export type ElsewhereError = components['schemas']['ElsewhereError'];
@@ -3014,8 +4320,7 @@ export type ForceReport = components['schemas']['ForceReport'];
 export type Forecast = components['schemas']['Forecast'];
 export type FormMisses = components['schemas']['FormMisses'];
 export type FrontLayout = components['schemas']['FrontLayout'];
-export type FurtherDesigns = components['schemas']['FurtherDesigns'];
-export type FurtherTireDocument = components['schemas']['FurtherTireDocument'];
+export type FurtherDesignsDocument = components['schemas']['FurtherDesignsDocument'];
 export type Grade = components['schemas']['Grade'];
 export type GradedNote = components['schemas']['GradedNote'];
 export type HandFilm = components['schemas']['HandFilm'];
@@ -3026,7 +4331,6 @@ export type Holds = components['schemas']['Holds'];
 export type Index = components['schemas']['Index'];
 export type IndexError = components['schemas']['IndexError'];
 export type IndexMap = components['schemas']['IndexMap'];
-export type InputDocument = components['schemas']['InputDocument'];
 export type InputReport = components['schemas']['InputReport'];
 export type Kind = components['schemas']['Kind'];
 export type Knee = components['schemas']['Knee'];
@@ -3037,7 +4341,6 @@ export type LayoutLoad = components['schemas']['LayoutLoad'];
 export type LayoutScore = components['schemas']['LayoutScore'];
 export type LayoutSearch = components['schemas']['LayoutSearch'];
 export type Layouts = components['schemas']['Layouts'];
-export type LayoutsDocument = components['schemas']['LayoutsDocument'];
 export type LeftOut = components['schemas']['LeftOut'];
 export type LeftOutForces = components['schemas']['LeftOutForces'];
 export type LeftOutRows = components['schemas']['LeftOutRows'];
@@ -3052,28 +4355,22 @@ export type MapLayer = components['schemas']['MapLayer'];
 export type MapShape = components['schemas']['MapShape'];
 export type MapView = components['schemas']['MapView'];
 export type MemberReport = components['schemas']['MemberReport'];
-export type MethodDocument = components['schemas']['MethodDocument'];
 export type ModelReport = components['schemas']['ModelReport'];
 export type ModelSummary = components['schemas']['ModelSummary'];
-export type OrderAgreement = components['schemas']['OrderAgreement'];
 export type Output = components['schemas']['Output'];
 export type PlaceAnswer = components['schemas']['PlaceAnswer'];
 export type Preset = components['schemas']['Preset'];
 export type Presets = components['schemas']['Presets'];
 export type Preview = components['schemas']['Preview'];
-export type PrintedFigures = components['schemas']['PrintedFigures'];
 export type ProblemDocument = components['schemas']['ProblemDocument'];
-export type PublishedRow = components['schemas']['PublishedRow'];
-export type PublishedTables = components['schemas']['PublishedTables'];
 export type RankedLayout = components['schemas']['RankedLayout'];
 export type RankedLocation = components['schemas']['RankedLocation'];
 export type Reached = components['schemas']['Reached'];
 export type Readiness = components['schemas']['Readiness'];
+export type RecipeDocument = components['schemas']['RecipeDocument'];
 export type RecordingDocument = components['schemas']['RecordingDocument'];
 export type RecordingFigures = components['schemas']['RecordingFigures'];
 export type Report = components['schemas']['Report'];
-export type RigDocument = components['schemas']['RigDocument'];
-export type RigFigures = components['schemas']['RigFigures'];
 export type RingLoad = components['schemas']['RingLoad'];
 export type Rings = components['schemas']['Rings'];
 export type Rung = components['schemas']['Rung'];
@@ -3087,7 +4384,6 @@ export type SignalCurve = components['schemas']['SignalCurve'];
 export type SignalError = components['schemas']['SignalError'];
 export type SignalRow = components['schemas']['SignalRow'];
 export type Signals = components['schemas']['Signals'];
-export type SignalsDocument = components['schemas']['SignalsDocument'];
 export type SolveForecast = components['schemas']['SolveForecast'];
 export type SolveProgress = components['schemas']['SolveProgress'];
 export type SplitError = components['schemas']['SplitError'];
@@ -3115,7 +4411,6 @@ export type SweepSummary = components['schemas']['SweepSummary'];
 export type Table = components['schemas']['Table'];
 export type TableError = components['schemas']['TableError'];
 export type TableReport = components['schemas']['TableReport'];
-export type TimeConstantRow = components['schemas']['TimeConstantRow'];
 export type Topic = components['schemas']['Topic'];
 export type Trade = components['schemas']['Trade'];
 export type Trend = components['schemas']['Trend'];
@@ -3123,5 +4418,334 @@ export type TrialError = components['schemas']['TrialError'];
 export type Verdict = components['schemas']['Verdict'];
 export type WheelRing = components['schemas']['WheelRing'];
 export type WorstContact = components['schemas']['WorstContact'];
+export type ChangedSceneDocument = components['schemas']['ChangedSceneDocument'];
+export type GeometryDocument = components['schemas']['GeometryDocument'];
+export type MaterialDocument = components['schemas']['MaterialDocument'];
+export type OgdenTermDocument = components['schemas']['OgdenTermDocument'];
+export type CarcassDocument = components['schemas']['CarcassDocument'];
+export type FilmDocument = components['schemas']['FilmDocument'];
+export type FilmLayerDocument = components['schemas']['FilmLayerDocument'];
+export type GlueDocument = components['schemas']['GlueDocument'];
+export type PiezoDocument = components['schemas']['PiezoDocument'];
+export type AmplifierDocument = components['schemas']['AmplifierDocument'];
+export type PressureDocument = components['schemas']['PressureDocument'];
+export type GroundDocument = components['schemas']['GroundDocument'];
+export type ContactDocument = components['schemas']['ContactDocument'];
+export type ModelDocument = components['schemas']['ModelDocument'];
+export type InputDocument = components['schemas']['InputDocument'];
+export type DistributionDocument = components['schemas']['DistributionDocument'];
+export type CandidatesDocument = components['schemas']['CandidatesDocument'];
+export type GridDocument = components['schemas']['GridDocument'];
+export type LayoutsDocument = components['schemas']['LayoutsDocument'];
+export type FilmPlaceDocument = components['schemas']['FilmPlaceDocument'];
+export type FreeLayoutDocument = components['schemas']['FreeLayoutDocument'];
+export type LayoutSearchDocument = components['schemas']['LayoutSearchDocument'];
+export type MethodDocument = components['schemas']['MethodDocument'];
+export type AccuracyDocument = components['schemas']['AccuracyDocument'];
+export type SignalsDocument = components['schemas']['SignalsDocument'];
+export type UnplacedFilmDocument = components['schemas']['UnplacedFilmDocument'];
+export type FurtherTireDocument = components['schemas']['FurtherTireDocument'];
+export type RigDocument = components['schemas']['RigDocument'];
+export type GaitDocument = components['schemas']['GaitDocument'];
+export type FrequencyDocument = components['schemas']['FrequencyDocument'];
+export type ElectronicsDocument = components['schemas']['ElectronicsDocument'];
+export type NoiseDocument = components['schemas']['NoiseDocument'];
+export type ForceSensorDocument = components['schemas']['ForceSensorDocument'];
+export type BranchDocument = components['schemas']['BranchDocument'];
+export type OtherTireDocument = components['schemas']['OtherTireDocument'];
+export type SceneDocument = components['schemas']['SceneDocument'];
+export type DesignDocument = components['schemas']['DesignDocument'];
+export type ColumnsDocument = components['schemas']['ColumnsDocument'];
+export type PreprocessDocument = components['schemas']['PreprocessDocument'];
+export type FeaturesDocument = components['schemas']['FeaturesDocument'];
+export type ModelsDocument = components['schemas']['ModelsDocument'];
+export type GprDocument = components['schemas']['GprDocument'];
+export type AnnDocument = components['schemas']['AnnDocument'];
+export type ValidationDocument = components['schemas']['ValidationDocument'];
+export type InputsDocument = components['schemas']['InputsDocument'];
+export type ModelInputDocument = components['schemas']['ModelInputDocument'];
 export type $defs = Record<string, never>;
 export type operations = Record<string, never>;
+
+/** What the service takes for each number of a scene: lowest, highest. */
+export const RANGES = {
+  "geometry/outer_radius_mm": [0.001, 10000],
+  "geometry/section_radius_mm": [0.001, 10000],
+  "geometry/wall_mm": [0.001, 10000],
+  "geometry/bead_angle_deg": [60, 150],
+  "material/c10_mpa": [0.000001, 1000000],
+  "material/c01_mpa": [0, 1000000],
+  "material/d1_per_mpa": [0, 1000000],
+  "material/c20_mpa": [-1000000, 1000000],
+  "material/c30_mpa": [-1000000, 1000000],
+  "material/terms/*/mu_mpa": [-1000000, 1000000],
+  "material/terms/*/alpha": [-30, 30],
+  "carcass/angle_deg": [0, 90],
+  "carcass/stiffness_n_per_mm": [0, 1000000000],
+  "carcass/position": [0, 1],
+  "carcass/compression_ratio": [0, 1],
+  "film/modulus_mpa": [0.000001, 1000000],
+  "film/poisson_ratio": [0, 0.5],
+  "film/thickness_mm": [0.001, 10000],
+  "film/layers/*/modulus_mpa": [0.000001, 1000000],
+  "film/layers/*/poisson_ratio": [0, 0.5],
+  "film/layers/*/thickness_mm": [0.001, 10000],
+  "film/length_mm": [0.001, 10000],
+  "film/width_mm": [0.001, 10000],
+  "film/theta_deg": [-180, 180],
+  "film/phi_deg": [-180, 180],
+  "film/angle_deg": [-180, 180],
+  "film/glue/shear_modulus_mpa": [0.000001, 1000000],
+  "film/glue/thickness_mm": [0.001, 10000],
+  "film/piezo/d31_pc_per_n": [-10000, 10000],
+  "film/piezo/d32_pc_per_n": [-10000, 10000],
+  "film/piezo/d33_pc_per_n": [-10000, 10000],
+  "film/piezo/permittivity_pf_per_m": [1, 1000000],
+  "film/piezo/pyro_uc_per_m2_k": [-10000, 10000],
+  "film/piezo/yield_mpa": [0.000001, 1000000],
+  "film/amplifier/press_hz": [0.000001, 1000000],
+  "film/amplifier/noise_mv": [0, 1000000000],
+  "film/amplifier/gain_std": [0, 1],
+  "film/amplifier/temperature_k": [0, 1000],
+  "film/amplifier/input_mohm": [0.000001, 1000000000],
+  "film/amplifier/cable_pf": [0, 1000000],
+  "film/amplifier/feedback_nf": [0.000001, 1000000],
+  "film/amplifier/feedback_mohm": [0.000001, 1000000000],
+  "pressure/internal_mpa": [0, 10000],
+  "ground/stations": [1, 21],
+  "ground/station_spacing_mm": [0.001, 10000],
+  "ground/depths_mm/*": [0, 10000],
+  "ground/load_n": [0, 1000000000],
+  "ground/shift_mm/*": [-10000, 10000],
+  "contact/friction": [0, 10],
+  "contact/penalty_n_per_mm3": [0.000001, 1000000000],
+} as const;
+
+/** Columns of indices. */
+export const INDICES_COLUMNS = {
+  location: {"at":"/output/location","kind":"text","title":"location","digits":2,"description":"P1, P2, ..."},
+  direction: {"at":"/output/direction","kind":"text","title":"direction","digits":2,"description":"`x` circumferential, `y` meridional."},
+  input: {"at":"/input/name","kind":"text","title":"input","digits":2,"description":"Name of the input."},
+  first_order: {"at":"/own/first_order","kind":"float","unit":"1","title":"first order","digits":2,"description":"First-order index of each input."},
+  total: {"at":"/own/total","kind":"float","unit":"1","title":"total","digits":2,"description":"Total index of each input."},
+  error_mesh: {"at":"/output/error/mesh","kind":"float","unit":"1","title":"error mesh","digits":2,"description":"Error of the mesh."},
+  error_quadrature: {"at":"/output/error/quadrature","kind":"float","unit":"1","title":"error quadrature","digits":2,"description":"Error of the quadrature rule."},
+  error_decomposition: {"at":"/output/error/decomposition","kind":"float","unit":"1","title":"error decomposition","digits":2,"description":"Error of the decomposition."},
+  error_total: {"at":"/output/error/total","kind":"float","unit":"1","title":"error total","digits":2,"description":"Sum of the parts, the largest over the inputs; null where the mesh's part isn't known."},
+  mean_strain: {"at":"/output/mean","kind":"float","unit":"1","title":"mean strain","digits":2,"description":"Mean strain."},
+  std_strain: {"at":"/output/std","kind":"float","unit":"1","title":"std strain","digits":2,"description":"Standard deviation of the strain."},
+  method: {"at":"/output/method","kind":"text","title":"method","digits":2,"description":"Form that gave `first_order` and `total`: `mdrm`, `additive`, `shifted`, `corrected`, `bivariate`, `tensor`, `pce` or `saltelli`."},
+  status: {"at":"/output/status","kind":"text","title":"status","digits":2,"description":"`ok`, `constant`, `product-form-broken` or `unusable`."},
+  mdrm_first_order: {"at":"/own/mdrm_first_order","kind":"float","unit":"1","title":"mdrm first order","digits":2,"description":"Indices that M-DRM gave, when its product form is broken."},
+} as const;
+
+/** Columns of locations. */
+export const LOCATIONS_COLUMNS = {
+  rank: {"at":"/location/rank","kind":"integer","title":"rank","digits":2,"description":"1 is best. Equal locations, as mirror images are, share the rank of the first of them, and follow each other in the order of their names."},
+  name: {"at":"/location/name","kind":"text","title":"name","digits":2,"description":"P1, P2, ..."},
+  input: {"at":"/location/input","kind":"text","title":"input","digits":2,"description":"The input that is this location's own: the depth of the station below it."},
+  gsi_x_percent: {"at":"/location/gsi_x_percent","kind":"float","unit":"%","title":"gsi x percent","digits":2,"description":"100 times the first-order index of this location's own depth for the x strain at the centre."},
+  gsi_y_percent: {"at":"/location/gsi_y_percent","kind":"float","unit":"%","title":"gsi y percent","digits":2,"description":"100 times the first-order index of this location's own depth for the y strain at the centre."},
+  mean_gsi_x_percent: {"at":"/location/mean_gsi_x_percent","kind":"float","unit":"%","title":"mean gsi x percent","digits":2,"description":"Mean over the x strains at all locations."},
+  mean_gsi_y_percent: {"at":"/location/mean_gsi_y_percent","kind":"float","unit":"%","title":"mean gsi y percent","digits":2,"description":"Mean over the y strains at all locations."},
+  own_gsi_x_percent: {"at":"/location/own_gsi_x_percent","kind":"float","unit":"%","title":"own gsi x percent","digits":2,"description":"For the x strain at this location itself."},
+  own_gsi_y_percent: {"at":"/location/own_gsi_y_percent","kind":"float","unit":"%","title":"own gsi y percent","digits":2,"description":"For the y strain at this location itself."},
+  mdrm_gsi_x_percent: {"at":"/location/mdrm_gsi_x_percent","kind":"float","unit":"%","title":"mdrm gsi x percent","digits":2,"description":"Index by M-DRM for `gsi_x_percent`, valid or not: the paper's Table 2 as the paper computed it."},
+  mdrm_gsi_y_percent: {"at":"/location/mdrm_gsi_y_percent","kind":"float","unit":"%","title":"mdrm gsi y percent","digits":2,"description":"Index by M-DRM for `gsi_y_percent`, valid or not: the paper's Table 2 as the paper computed it."},
+  rank_x: {"at":"/location/rank_x","kind":"integer","title":"rank x","digits":2,"description":"Rank by the x strain alone, which equal locations share."},
+  rank_y: {"at":"/location/rank_y","kind":"integer","title":"rank y","digits":2,"description":"Rank by the y strain alone, which equal locations share."},
+  rank_certain: {"at":"/location/rank_certain","kind":"bool","title":"rank certain","digits":2,"description":"Whether the errors leave no doubt about this rank, which equal locations share."},
+  gsi_x_error_percent: {"at":"/location/gsi_x_error_percent","kind":"float","unit":"%","title":"gsi x error percent","digits":2,"description":"Error of `gsi_x_percent`, percentage points."},
+  gsi_y_error_percent: {"at":"/location/gsi_y_error_percent","kind":"float","unit":"%","title":"gsi y error percent","digits":2,"description":"Error of `gsi_y_percent`, percentage points."},
+} as const;
+
+/** Columns of layouts. */
+export const LAYOUTS_COLUMNS = {
+  rank: {"at":"/layout/rank","kind":"integer","title":"rank","digits":2,"description":"1 is best. Layouts of equal score share the rank of the first of them."},
+  spacing_deg: {"at":"/layout/spacing_deg","kind":"float","unit":"deg","title":"spacing","digits":1,"description":"Angle between neighbouring units, degrees; null of a layout without units."},
+  units: {"at":"/layout/units","kind":"integer","title":"units","digits":2,"description":"Number of units; of a layout without units its number of films."},
+  position: {"at":"/layout/position","kind":"text","title":"position","digits":2,"description":"Meridional position: a name, an angle such as `30 deg`, or `mixed`."},
+  films: {"at":"/layout/films","kind":"text","title":"films","digits":2,"description":"Directions of the films of each unit: `x`, `y`, or an angle such as `45`."},
+  weakest_signal_strain: {"at":"/layout/score/weakest_signal","kind":"float","unit":"1","of_unit":"strain","title":"weakest signal strain","digits":2,"description":"Signal of the film that sees most, strain or volts of a glued one, at the contact angle where that is least."},
+  weakest_signal_v: {"at":"/layout/score/weakest_signal","kind":"float","unit":"V","of_unit":"V","title":"weakest signal v","digits":2,"description":"Signal of the film that sees most, strain or volts of a glued one, at the contact angle where that is least."},
+  worst_angle_error_deg: {"at":"/layout/score/worst_angle_error_deg","kind":"float","unit":"deg","title":"angle bound","digits":2,"view":"ranked","description":"Cramer-Rao bound of the contact angle, worst angle, degrees."},
+  rms_angle_error_deg: {"at":"/layout/score/rms_angle_error_deg","kind":"float","unit":"deg","title":"rms angle error deg","digits":2,"description":"Cramer-Rao bound of the contact angle, root mean square over the angles, degrees."},
+  worst_depth_error_mm: {"at":"/layout/score/worst_depth_error_mm","kind":"float","unit":"mm","title":"worst depth error mm","digits":2,"description":"Cramer-Rao bound of a uniform depth, worst angle, mm."},
+  noise_strain: {"at":"/layout/score/noise_strain","kind":"float","unit":"1","title":"noise strain","digits":2,"description":"Noise of each film assumed for the bounds, strain; null of glued films."},
+  noise_v: {"at":"/layout/score/noise_v","kind":"float","unit":"V","title":"noise v","digits":2,"description":"Noise of each glued film assumed for the bounds, V; absent of bare ones."},
+  reason: {"at":"/layout/score/reason","kind":"text","title":"reason","digits":2,"description":"Reason why numbers are null."},
+  rank_certain: {"at":"/layout/rank_certain","kind":"bool","title":"certain","digits":0,"description":"Whether the errors leave no doubt about its place; absent of one that wasn't ranked."},
+  name: {"at":"/layout/name","kind":"text","title":"name","digits":2,"description":"Name of a layout that was listed film by film, or found by the search; absent of a regular one."},
+  staggered: {"at":"/layout/staggered","kind":"bool","title":"staggered","digits":2,"description":"Whether the films of a unit are spread evenly between two units."},
+  film_count: {"at":"/layout/film_count","kind":"integer","title":"films","digits":0,"view":"ranked","description":"All films of the wheel."},
+  bayes_angle_error_deg: {"at":"/layout/score/bayes_angle_error_deg","kind":"float","unit":"deg","title":"bayes angle error deg","digits":2,"description":"Bound of the contact angle's error with a flat prior, root mean square over the angles, degrees: finite where the others aren't."},
+  simulated_rms_angle_error_deg: {"at":"/layout/score/simulated_rms_angle_error_deg","kind":"float","unit":"deg","title":"simulated rms angle error deg","digits":2,"description":"Error of the contact angle as estimated from noisy readings, root mean square, degrees."},
+  simulated_p95_angle_error_deg: {"at":"/layout/score/simulated_p95_angle_error_deg","kind":"float","unit":"deg","title":"angle, 95 %","digits":2,"error_at":"/layout/score/error/simulated_p95_angle_error_deg","view":"ranked","description":"95 % of simulated contacts are estimated better than this, degrees."},
+  simulated_p95_error_deg: {"at":"/layout/score/error/simulated_p95_angle_error_deg","kind":"float","unit":"deg","title":"simulated p95 error deg","digits":2,"description":"Error of the simulated 95th percentile, degrees."},
+  lost_share: {"at":"/layout/score/lost_share","kind":"share","unit":"1","title":"lost","digits":1,"view":"ranked","description":"Share of simulated contacts that are off by more than 20 degrees."},
+  simulated_rms_depth_error_mm: {"at":"/layout/score/simulated_rms_depth_error_mm","kind":"float","unit":"mm","title":"simulated rms depth error mm","digits":2,"description":"Error of the depth as estimated, root mean square, mm."},
+  force_error_n: {"at":"/layout/score/force_error_n","kind":"float","unit":"N","title":"force, by depth","digits":2,"view":"ranked","description":"Error of the depth as a vertical force, N: by the slope of force over depth."},
+  alike_sigmas: {"at":"/layout/score/alike/sigmas","kind":"float","unit":"1","title":"most alike, sigmas","digits":1,"view":"alike","description":"Distance of their readings in standard deviations of the noise."},
+  worst_angle_mesh_error_deg: {"at":"/layout/score/error/worst_angle_error_deg","kind":"float","unit":"deg","title":"worst angle mesh error deg","digits":2,"description":"Error of the bound of the angle, worst angle, degrees."},
+  doubt: {"at":"/layout/doubt","kind":"text","title":"doubt","digits":2,"description":"Figures that may be off by more than a fifth, in words."},
+  shear_angle_error_deg: {"at":"/layout/score/shear/worst_angle_error_deg","kind":"float","unit":"deg","title":"angle","digits":2,"error_at":"/layout/score/shear/error/worst_angle_error_deg","view":"shear","description":"Bound of the contact angle, worst angle, degrees."},
+  shear_force_x_error_n: {"at":"/layout/score/shear/worst_force_error_n/0","kind":"float","unit":"N","title":"force along","digits":2,"error_at":"/layout/score/shear/error/worst_force_error_n/0","view":"shear","description":"Bounds of the ground's forces on the tire along the wheel, across it (null where no film feels it) and up, worst angle, N."},
+  shear_force_y_error_n: {"at":"/layout/score/shear/worst_force_error_n/1","kind":"float","unit":"N","title":"force across","digits":2,"error_at":"/layout/score/shear/error/worst_force_error_n/1","view":"shear","description":"Bounds of the ground's forces on the tire along the wheel, across it (null where no film feels it) and up, worst angle, N."},
+  shear_force_z_error_n: {"at":"/layout/score/shear/worst_force_error_n/2","kind":"float","unit":"N","title":"force up","digits":2,"error_at":"/layout/score/shear/error/worst_force_error_n/2","view":"shear","description":"Bounds of the ground's forces on the tire along the wheel, across it (null where no film feels it) and up, worst angle, N."},
+  shear_reason: {"at":"/layout/score/shear/reason","kind":"text","title":"shear reason","digits":2,"description":"Quantity that can't be told, in words."},
+  dead_p95_angle_error_deg: {"at":"/layout/score/dead/simulated_p95_angle_error_deg","kind":"float","unit":"deg","title":"angle, 95 %, one dead","digits":2,"view":"dead","description":"Simulated 95th percentile of the angle's error without it, degrees."},
+} as const;
+
+/** Columns of candidates. */
+export const CANDIDATES_COLUMNS = {
+  section_deg: {"at":"/film/section_deg","kind":"float","unit":"deg","title":"section angle","digits":1,"description":"Section angle from the crown, degrees."},
+  direction: {"at":"/film/direction","kind":"text","title":"direction","digits":2,"description":"Direction of its length."},
+  length_mm: {"at":"/film/length_mm","kind":"float","unit":"mm","title":"length","digits":1,"description":"Length of the film, mm; null of a point."},
+  width_mm: {"at":"/film/width_mm","kind":"float","unit":"mm","title":"width","digits":1,"description":"Width of the film, mm; null of a point."},
+  signal: {"at":"/film/signal","kind":"float","unit":"1","of_unit":"strain","title":"signal","digits":2,"description":"Largest signal around the wheel, over all loads."},
+  signal_v: {"at":"/film/signal","kind":"float","unit":"V","of_unit":"V","title":"signal v","digits":2,"description":"Largest signal around the wheel, over all loads."},
+  angle_information: {"at":"/film/angle_information","kind":"float","unit":"1/deg","title":"angle information","digits":2,"description":"Root of the mean information on the contact angle over the turn and the loads, 1/degree, at the noise of the layouts."},
+  angle_information_error: {"at":"/film/angle_information_error","kind":"float","unit":"1/deg","title":"angle information error","digits":2,"description":"Error of the information on the angle by the coarser mesh."},
+  depth_information: {"at":"/film/depth_information","kind":"float","unit":"1/mm","title":"depth information","digits":2,"description":"Root of the mean information on the depth, 1/mm."},
+} as const;
+
+/** Columns of signals. */
+export const SIGNALS_COLUMNS = {
+  tire: {"at":"/row/tire","kind":"text","title":"tire","digits":2,"description":"Name of the tire; the study's own is `own`."},
+  film: {"at":"/row/film","kind":"text","title":"film","digits":2,"description":"Model of the film."},
+  position: {"at":"/row/position","kind":"text","title":"position","digits":2,"description":"Position of the film in the section."},
+  direction: {"at":"/row/direction","kind":"text","title":"direction","digits":2,"description":"Direction of its length: x circumferential, y meridional."},
+  over: {"at":"/row/over","kind":"text","title":"over","digits":2,"description":"Curve that it is a point of."},
+  load_n: {"at":"/row/load_n","kind":"float","unit":"N","title":"load n","digits":2,"description":"Vertical force of the ground, N."},
+  pressure_mpa: {"at":"/row/pressure_mpa","kind":"float","unit":"MPa","title":"pressure mpa","digits":2,"description":"Internal pressure, MPa."},
+  contact_deg: {"at":"/row/contact_deg","kind":"float","unit":"deg","title":"contact deg","digits":2,"description":"Wheel angle from the film to the contact, degrees."},
+  depth_mm: {"at":"/row/depth_mm","kind":"float","unit":"mm","title":"depth mm","digits":2,"description":"Height of the ground above the inflated outer radius, mm."},
+  strain: {"at":"/row/strain","kind":"float","unit":"1","title":"strain","digits":2,"description":"Mean strain along the film since inflation."},
+  tension_1_n_per_mm: {"at":"/row/tension_1_n_per_mm","kind":"float","unit":"N/mm","title":"tension 1 n per mm","digits":2,"description":"Mean tension along the film since inflation, N/mm."},
+  charge_nc: {"at":"/row/charge_nc","kind":"float","unit":"nC","title":"charge nc","digits":2,"description":"Charge, nC."},
+  open_circuit_v: {"at":"/row/open_circuit_v","kind":"float","unit":"V","title":"open circuit v","digits":2,"description":"Voltage where nothing draws charge, V."},
+  output_v: {"at":"/row/output_v","kind":"float","unit":"V","title":"output v","digits":2,"description":"Amplitude at the amplifier, V."},
+  output_std_v: {"at":"/row/output_std_v","kind":"float","unit":"V","title":"output std v","digits":2,"description":"Standard deviation of that by noise, gain and temperature, V."},
+  state: {"at":"/row/state","kind":"text","title":"state","digits":2,"description":"Whether the film bears that: `ok`, `beyond-yield` or `wrinkled`; null where that isn't known."},
+  strain_error: {"at":"/row/error/strain","kind":"float","unit":"1","title":"strain error","digits":2,"description":"Error of the strain."},
+  charge_error_nc: {"at":"/row/error/charge_nc","kind":"float","unit":"nC","title":"charge error nc","digits":2,"description":"Error of the charge, nC."},
+  open_circuit_error_v: {"at":"/row/error/open_circuit_v","kind":"float","unit":"V","title":"open circuit error v","digits":2,"description":"Error of the open circuit's voltage, V."},
+  output_error_v: {"at":"/row/error/output_v","kind":"float","unit":"V","title":"output error v","digits":2,"description":"Error of the amplifier's voltage, V."},
+  reason: {"at":"/row/reason","kind":"text","title":"reason","digits":2,"description":"Reason why numbers are null."},
+} as const;
+
+/** Columns of forces. */
+export const FORCES_COLUMNS = {
+  layout_rank: {"at":"/layout/rank","kind":"integer","title":"rank","digits":0,"description":"1 is best. Layouts of equal score share the rank of the first of them."},
+  films: {"at":"/layout/film_count","kind":"integer","title":"films","digits":2,"description":"All films of the wheel."},
+  force: {"at":"/force/axis","kind":"text","title":"force","digits":2,"view":"known","description":"`fx`: along the wheel, `fy`: across it, `fz`: vertical."},
+  chosen: {"at":"/force/chosen","kind":"text","title":"chosen","digits":2,"description":"The model that is chosen by left-out runs; `mean` where none is better than the training mean."},
+  features: {"at":"/force/features","kind":"text","title":"features","digits":2,"description":"The features it reads."},
+  useful: {"at":"/force/useful","kind":"bool","title":"useful","digits":2,"description":"Whether its error on left-out runs is at most 95 % of the training mean's."},
+  leak: {"at":"/force/leak","kind":"float","unit":"1","title":"leak","digits":2,"view":"leak","description":"Error on left-out runs over that on random rows, both as shares of the training mean's error on the same rows: how far a random split would have misled.\nNull of the training mean."},
+  bound_n: {"at":"/force/floor_n","kind":"float","unit":"N","title":"bound","digits":2,"description":"Estimate of the least root of the mean squared error that one instant's readings allow, N: the bound of Cramer and Rao with what is known of the gait\nbefore, for films that hold their charge."},
+  fresh_rmse_n: {"at":"/force/fresh/rmse_n","kind":"float","unit":"N","title":"learnt, off by","digits":2,"view":"known","description":"Root of the mean squared error, N."},
+  fresh_nrmse_percent: {"at":"/force/fresh/nrmse_percent","kind":"float","unit":"%","title":"NRMSE","digits":1,"view":"known","description":"RMSE over the range of the true forces, %; null where these don't vary."},
+  fresh_r2: {"at":"/force/fresh/r2","kind":"float","unit":"1","title":"R2","digits":2,"view":"known","description":"Coefficient of determination; null where the true forces don't vary."},
+  fresh_coverage: {"at":"/force/fresh/coverage","kind":"float","unit":"1","title":"covered","digits":2,"view":"known","description":"Share of the true forces within their 95 % intervals."},
+  dead_rmse_n: {"at":"/force/dead/error/rmse_n","kind":"float","unit":"N","title":"one dead","digits":2,"view":"known","description":"Root of the mean squared error, N."},
+  dead_nrmse_percent: {"at":"/force/dead/error/nrmse_percent","kind":"float","unit":"%","title":"one dead NRMSE","digits":1,"description":"RMSE over the range of the true forces, %; null where these don't vary."},
+  dead_r2: {"at":"/force/dead/error/r2","kind":"float","unit":"1","title":"one dead R2","digits":2,"description":"Coefficient of determination; null where the true forces don't vary."},
+  dead_coverage: {"at":"/force/dead/error/coverage","kind":"float","unit":"1","title":"one dead covered","digits":2,"description":"Share of the true forces within their 95 % intervals."},
+  askew_rmse_n: {"at":"/force/askew/error/rmse_n","kind":"float","unit":"N","title":"films off","digits":2,"view":"known","description":"Root of the mean squared error, N."},
+  askew_nrmse_percent: {"at":"/force/askew/error/nrmse_percent","kind":"float","unit":"%","title":"films off NRMSE","digits":1,"description":"RMSE over the range of the true forces, %; null where these don't vary."},
+  askew_r2: {"at":"/force/askew/error/r2","kind":"float","unit":"1","title":"films off R2","digits":2,"description":"Coefficient of determination; null where the true forces don't vary."},
+  askew_coverage: {"at":"/force/askew/error/coverage","kind":"float","unit":"1","title":"films off covered","digits":2,"description":"Share of the true forces within their 95 % intervals."},
+  left_out_rmse_n: {"at":"/left_out/rmse_n","kind":"float","unit":"N","title":"left out rmse n","digits":2,"description":"Root of the mean squared error, N."},
+  left_out_nrmse_percent: {"at":"/left_out/nrmse_percent","kind":"float","unit":"%","title":"left out nrmse percent","digits":2,"description":"RMSE over the range of the tested forces, %."},
+  mean_nrmse_percent: {"at":"/left_out/mean_nrmse_percent","kind":"float","unit":"%","title":"mean nrmse percent","digits":2,"description":"NRMSE of the training mean, %."},
+  worst_contact_deg: {"at":"/force/worst_contact/deg","kind":"float","unit":"deg","title":"worst contact","digits":1,"view":"where","description":"Middle of five degrees of the wheel."},
+  worst_contact_rmse_n: {"at":"/force/worst_contact/rmse_n","kind":"float","unit":"N","title":"off by there","digits":2,"view":"where","description":"Root of the mean squared error of rows with a contact there, N."},
+  reason: {"at":"/force/reason","kind":"text","title":"reason","digits":2,"description":"Reason why numbers are null."},
+} as const;
+
+/** Columns of models. */
+export const MODELS_COLUMNS = {
+  force: {"at":"/force/force","kind":"text","title":"force","digits":2,"description":"Column of the force."},
+  model: {"at":"/model/model","kind":"text","title":"model","digits":2,"description":"The model."},
+  features: {"at":"/model/features","kind":"text","title":"features","digits":2,"description":"The features it reads."},
+  chosen: {"at":"/chosen","kind":"bool","title":"chosen","digits":2,"description":"Whether it estimates the force."},
+  by: {"at":"/model/validation/by","kind":"text","title":"by","digits":2,"description":"The split."},
+  rmse_n: {"at":"/model/validation/rmse_n","kind":"float","unit":"N","title":"RMSE","digits":3,"view":"judged","description":"Root of the mean squared error, N."},
+  nrmse_percent: {"at":"/model/validation/nrmse_percent","kind":"float","unit":"%","title":"NRMSE","digits":2,"view":"judged","description":"RMSE over the range of the tested forces, %."},
+  mean_nrmse_percent: {"at":"/model/validation/mean_nrmse_percent","kind":"float","unit":"%","title":"mean's NRMSE","digits":2,"view":"judged","description":"NRMSE of the training mean, %."},
+  r2: {"at":"/model/validation/r2","kind":"float","unit":"1","title":"R2","digits":3,"view":"judged","description":"Coefficient of determination."},
+  coverage: {"at":"/model/validation/coverage","kind":"float","unit":"1","title":"covered","digits":2,"view":"judged","description":"Share of tested rows within their 95 % intervals, whose width was learnt from other groups."},
+  width_n: {"at":"/model/validation/width_n","kind":"float","unit":"N","title":"width","digits":3,"view":"judged","description":"Mean width of these intervals, N."},
+  rmse_low_n: {"at":"/model/validation/rmse_interval_n/0","kind":"float","unit":"N","title":"rmse low n","digits":2,"description":"95 % of the bootstrap's samples of whole cycles, N."},
+  rmse_high_n: {"at":"/model/validation/rmse_interval_n/1","kind":"float","unit":"N","title":"rmse high n","digits":2,"description":"95 % of the bootstrap's samples of whole cycles, N."},
+  random_rmse_n: {"at":"/model/splits/random/rmse_n","kind":"float","unit":"N","title":"random rows","digits":3,"view":"splits","description":"Root of the mean squared error, N."},
+  cycle_rmse_n: {"at":"/model/splits/cycle/rmse_n","kind":"float","unit":"N","title":"cycles","digits":3,"view":"splits","description":"Root of the mean squared error, N."},
+  run_rmse_n: {"at":"/model/splits/run/rmse_n","kind":"float","unit":"N","title":"runs","digits":3,"view":"splits","description":"Root of the mean squared error, N."},
+  time_rmse_n: {"at":"/model/splits/time/rmse_n","kind":"float","unit":"N","title":"later rows","digits":3,"view":"splits","description":"Root of the mean squared error, N."},
+  frequency_rmse_n: {"at":"/model/splits/frequency/rmse_n","kind":"float","unit":"N","title":"frequencies","digits":3,"view":"splits","description":"Root of the mean squared error, N."},
+  leak_factor: {"at":"/model/leak_factor","kind":"float","unit":"1","title":"leak","digits":2,"view":"leak","description":"RMSE on the strictest split over that on the random one: how far a random split would have misled."},
+  better_than_mean: {"at":"/model/better_than_mean","kind":"bool","title":"better than mean","digits":2,"description":"Whether its error is at most 95 % of the training mean's on the split that chooses."},
+} as const;
+
+/** Columns of compared locations. */
+export const COMPARED_LOCATIONS_COLUMNS = {
+  location: {"at":"/row/location","kind":"text","title":"location","digits":2,"description":"P1, P2, ..."},
+  rank: {"at":"/row/rank","kind":"integer","title":"rank","digits":2,"description":"1 is best."},
+  rank_certain: {"at":"/row/rank_certain","kind":"bool","title":"rank certain","digits":2,"description":"Whether the errors leave no doubt about this rank."},
+  rank_change: {"at":"/row/rank_change","kind":"integer","title":"rank change","digits":2,"description":"Places lost since the baseline, negative when gained, where equal locations share the place of the first of them; null there, and where\nit hasn't the location."},
+  rank_verdict: {"at":"/row/rank_verdict","kind":"text","title":"rank verdict","digits":2,"description":"A location in one of the studies."},
+  gsi_percent_x: {"at":"/row/x/gsi_percent","kind":"float","unit":"%","title":"gsi percent x","digits":2,"description":"The index, percent."},
+  error_percent_x: {"at":"/row/x/error_percent","kind":"float","unit":"%","title":"error percent x","digits":2,"description":"Error of the index, percentage points."},
+  difference_percent_x: {"at":"/row/x/difference_percent","kind":"float","unit":"%","title":"difference percent x","digits":2,"description":"The index minus the baseline's, percentage points; null in the baseline."},
+  difference_error_percent_x: {"at":"/row/x/difference_error_percent","kind":"float","unit":"%","title":"difference error percent x","digits":2,"description":"Error of the difference, percentage points: less than both errors together, where both meshes err alike."},
+  verdict_x: {"at":"/row/x/verdict","kind":"text","title":"verdict x","digits":2,"description":"First-order index of the location's own depth for the x strain at the contact centre."},
+  gsi_percent_y: {"at":"/row/y/gsi_percent","kind":"float","unit":"%","title":"gsi percent y","digits":2,"description":"The index, percent."},
+  error_percent_y: {"at":"/row/y/error_percent","kind":"float","unit":"%","title":"error percent y","digits":2,"description":"Error of the index, percentage points."},
+  difference_percent_y: {"at":"/row/y/difference_percent","kind":"float","unit":"%","title":"difference percent y","digits":2,"description":"The index minus the baseline's, percentage points; null in the baseline."},
+  difference_error_percent_y: {"at":"/row/y/difference_error_percent","kind":"float","unit":"%","title":"difference error percent y","digits":2,"description":"Error of the difference, percentage points: less than both errors together, where both meshes err alike."},
+  verdict_y: {"at":"/row/y/verdict","kind":"text","title":"verdict y","digits":2,"description":"First-order index of the location's own depth for the y strain at the contact centre."},
+  spec_sha256: {"at":"/study/spec_sha256","kind":"text","title":"spec sha256","digits":2,"description":"SHA-256 of its document."},
+  version: {"at":"/study/version","kind":"text","title":"version","digits":2,"description":"Versions of the program and the solver."},
+  baseline: {"at":"/comparison/baseline","kind":"text","title":"baseline","digits":2,"description":"The study that differences are taken from; null when none of them has a result."},
+} as const;
+
+/** Columns of designs. */
+export const DESIGNS_COLUMNS = {
+  state: {"at":"/study/state","kind":"text","title":"state","digits":2,"description":"`queued`, `running`, `done`, `failed` or `cancelled`."},
+  reason: {"at":"/study/reason","kind":"text","title":"reason","digits":2,"description":"Reason why there is no result."},
+  level: {"at":"/study/level","kind":"text","title":"level","digits":2,"description":"Mesh level."},
+  reaction_n: {"at":"/study/reaction_n","kind":"float","unit":"N","title":"reaction n","digits":2,"description":"Vertical force at the means, N."},
+  std_strain_x: {"at":"/study/std_strain_x","kind":"float","unit":"1","title":"std strain x","digits":2,"description":"Standard deviation of the x strain at the contact centre: the signal of a film there."},
+  std_strain_y: {"at":"/study/std_strain_y","kind":"float","unit":"1","title":"std strain y","digits":2,"description":"Standard deviation of the y strain there."},
+  best: {"at":"/study/best","kind":"text","title":"best","digits":2,"description":"First of the ranking."},
+  best_certain: {"at":"/study/best_certain","kind":"bool","title":"best certain","digits":2,"description":"Whether its errors leave no doubt about that."},
+  layout_spacing_deg: {"at":"/study/layout_spacing_deg","kind":"float","unit":"deg","title":"layout spacing deg","digits":2,"description":"Angle between the units of the best layout, degrees."},
+  layout_position: {"at":"/study/layout_position","kind":"text","title":"layout position","digits":2,"description":"Position of the best layout's units."},
+  solves: {"at":"/study/cost/solves","kind":"integer","title":"solves","digits":2,"description":"Points of the plan."},
+  coarser_solves: {"at":"/study/cost/coarser_solves","kind":"integer","title":"coarser solves","digits":2,"description":"Points of the plan solved once more on a coarser mesh, for the error of the mesh."},
+  effect_solves: {"at":"/study/cost/effect_solves","kind":"integer","title":"effect solves","digits":2,"description":"Solves that show what the model leaves out."},
+  reused: {"at":"/study/cost/reused","kind":"integer","title":"reused","digits":2,"description":"Points taken from the archive instead of being solved."},
+  wall_s: {"at":"/study/cost/wall_s","kind":"float","unit":"s","title":"wall s","digits":2,"description":"Wall-clock time of this run, s."},
+  cpu_s: {"at":"/study/cost/cpu_s","kind":"float","unit":"s","title":"cpu s","digits":2,"description":"Processor time of this run's own threads, s; 0 where the system doesn't tell it."},
+  spec_sha256: {"at":"/study/spec_sha256","kind":"text","title":"spec sha256","digits":2,"description":"SHA-256 of its document."},
+  version: {"at":"/study/version","kind":"text","title":"version","digits":2,"description":"Versions of the program and the solver."},
+  baseline: {"at":"/comparison/baseline","kind":"text","title":"baseline","digits":2,"description":"The study that differences are taken from; null when none of them has a result."},
+} as const;
+
+/** Columns of rungs. */
+export const RUNGS_COLUMNS = {
+  label: {"at":"/rung/label","kind":"text","title":"label","digits":2,"description":"Label in a few words."},
+  level: {"at":"/rung/fidelity/level","kind":"text","title":"level","digits":2,"description":"Mesh level."},
+  method: {"at":"/rung/fidelity/method","kind":"text","title":"method","digits":2,"description":"Method."},
+  nodes: {"at":"/rung/fidelity/nodes","kind":"integer","title":"nodes","digits":2,"description":"Gauss nodes for each input, at the start where the method adds some."},
+  check_points: {"at":"/rung/fidelity/check_points","kind":"integer","title":"check points","digits":2,"description":"Points off the lines, at the start where the method adds some."},
+  wall_s: {"at":"/rung/wall_s","kind":"float","unit":"s","title":"wall","digits":2,"view":"rungs","description":"Wall-clock time, s."},
+  cpu_s: {"at":"/rung/cpu_s","kind":"float","unit":"s","title":"CPU","digits":2,"view":"rungs","description":"Processor time, s."},
+  solves: {"at":"/rung/solves","kind":"integer","title":"solves","digits":0,"view":"rungs","description":"Solves, those on the coarser mesh included."},
+  error_true: {"at":"/rung/error_true","kind":"float","unit":"1","title":"largest error","digits":4,"view":"rungs","description":"Largest error of an index that the ranking goes by, absolute; null where an index is missing."},
+  error_claimed: {"at":"/rung/error_claimed","kind":"float","unit":"1","title":"claimed error","digits":4,"view":"rungs","description":"The largest that the rung claims."},
+  covered: {"at":"/rung/covered","kind":"share","unit":"1","title":"claims that hold","digits":0,"view":"rungs","description":"Share of the indices whose claimed error covers the true one; null where nothing is claimed."},
+  ranking_agrees: {"at":"/rung/ranking_agrees","kind":"bool","title":"ranking agrees","digits":2,"description":"Whether the locations rank as by the reference, where that one's own errors leave no doubt which of two is better."},
+  pareto: {"at":"/rung/pareto","kind":"bool","title":"pareto","digits":2,"description":"Whether no other rung is both faster and nearer to the reference."},
+} as const;

@@ -14,7 +14,7 @@ const MEMORY: usize = 10;
 /// Free unknowns stay within so much of 0: beyond, the logistic function no longer tells them apart.
 const FARTHEST: f64 = 30.0;
 
-/// When to end.
+/// Limits at which a search ends.
 #[derive(Debug, Clone, Copy)]
 pub struct Patience {
     /// Most iterations.
@@ -27,7 +27,7 @@ pub struct Patience {
 
 /// A function's value and gradient; None where there is none, which ends the search.
 pub trait Smooth {
-    /// At a point within the bounds.
+    /// Returns value and gradient at a point within the bounds.
     fn at(&self, point: &[f64]) -> Option<(f64, Vec<f64>)>;
 }
 

@@ -1,8 +1,8 @@
-//! What models are given and what they say, the same for all of them.
+//! Contract of the models: what they are given and what they say.
 
 use ndarray::ArrayView2;
 
-/// What a model says of a row: the force, and how far off it may be as one standard deviation, N.
+/// Prediction of a row: the force, and how far off it may be as one standard deviation, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Prediction {
     /// N
@@ -12,7 +12,7 @@ pub struct Prediction {
 }
 
 impl Prediction {
-    /// What several say together: the median of their means, which one that goes astray can't move far, and the root of the squared distance from it that is
+    /// Joins what several say: the median of their means, which one that goes astray can't move far, and the root of the squared distance from it that is
     /// expected where each is as likely to be right as the others. What one says stays as it is.
     pub fn together(of: &[Self]) -> Self {
         if let [one] = of {
@@ -31,7 +31,7 @@ impl Prediction {
     }
 }
 
-/// What a model is learnt from.
+/// Rows from which a model is learnt.
 #[derive(Debug, Clone, Copy)]
 pub struct Training<'a> {
     /// Rows x features, on one scale.
@@ -42,16 +42,16 @@ pub struct Training<'a> {
     pub cycles: &'a [usize],
 }
 
-/// How much work is put into a model.
+/// Work that is put into a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Effort {
-    /// For one fold of a split: fewer rows, starts and networks.
+    /// Work for one fold of a split: fewer rows, starts and networks.
     Fold,
-    /// For the model that is kept.
+    /// Work for the model that is kept.
     Whole,
 }
 
-/// Why nothing was learnt.
+/// Reason why nothing was learnt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum FitError {
     /// A covariance or normal matrix has no Cholesky factor.

@@ -1,6 +1,6 @@
 //! Fewer rows, evenly taken.
 
-/// At most `most` of so many rows, at even distances, the first among them.
+/// Returns at most `most` of so many rows, at even distances, the first among them.
 pub fn even_subset(rows: usize, most: usize) -> Vec<usize> {
     if rows <= most {
         return (0..rows).collect();

@@ -16,7 +16,7 @@ pub struct FeatureScale {
 
 /// A feature that varies by less than this share of its size varies by rounding alone.
 const ROUNDING: f64 = 1e-12;
-/// Over smaller widths nothing stays finite.
+/// Least width: over smaller ones nothing stays finite.
 const LEAST_WIDTH: f64 = 1e-100;
 
 impl FeatureScale {

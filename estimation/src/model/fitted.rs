@@ -1,4 +1,4 @@
-//! One of the models, learnt.
+//! A learnt model of any kind.
 
 use serde::{Deserialize, Serialize};
 
@@ -48,7 +48,7 @@ pub fn fit(
 }
 
 impl Fitted {
-    /// What it says of a row's features.
+    /// Predicts the force from a row's features.
     pub fn predict(&self, features: &[f64]) -> Prediction {
         match self {
             Self::Mean(model) => model.predict(),

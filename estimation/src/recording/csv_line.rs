@@ -44,7 +44,7 @@ pub fn quoted(name: &str) -> Cow<'_, str> {
     }
 }
 
-/// Beyond, squares and slopes wouldn't be finite.
+/// Largest number: beyond, squares and slopes wouldn't be finite.
 const LARGEST: f64 = 1e100;
 
 /// The number of a cell; None where it is empty.

@@ -82,21 +82,21 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     numbered.filter(|(_, line)| !line.trim().is_empty())
 }
 
-/// Where the columns of a row are.
+/// Reader of rows: where their columns are.
 #[derive(Debug, Clone)]
 pub struct RowReader {
     names: NamedColumns,
     width: usize,
     time: usize,
     signals: Vec<usize>,
-    /// None where the file lacks the force.
+    /// Columns of the forces; None where the file lacks the force.
     forces: Vec<Option<usize>>,
     cycle: Option<usize>,
     /// Whether a signal may be empty: it is then interpolated.
     gaps: bool,
 }
 
-/// One row, as it stands in the file.
+/// A row, as it stands in the file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
     /// s
@@ -105,7 +105,7 @@ pub struct Row {
     pub signals: Vec<f64>,
     /// N; NaN where not measured.
     pub forces: Vec<f64>,
-    /// What the column of cycles says.
+    /// Entry in the column of cycles.
     pub cycle: Option<String>,
 }
 

@@ -12,10 +12,12 @@ pub mod recording_fault;
 
 use ndarray::Array2;
 
-/// One run: rows in the order of time.
+use crate::error_metrics::order_statistics::upper_median;
+
+/// A run: rows in the order of time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
-    /// Its file, for people.
+    /// File of the recording, for people.
     pub name: String,
     /// Times of the rows, s, rising.
     pub time_s: Vec<f64>,
@@ -28,7 +30,7 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// How many rows there are.
+    /// Counts the rows.
     pub fn rows(&self) -> usize {
         self.time_s.len()
     }
@@ -60,16 +62,9 @@ pub const PAUSE_INTERVALS: f64 = 10.0;
 /// The mean of intervals, pauses apart. A clock that jitters between two intervals has a median that is now the one, now the other; its mean stays. None of
 /// none.
 pub fn typical_interval(intervals: &[f64]) -> Option<f64> {
-    let longest = PAUSE_INTERVALS * median(intervals.iter().copied())?;
+    let longest = PAUSE_INTERVALS * upper_median(intervals.iter().copied())?;
     let regular = || intervals.iter().filter(|interval| **interval <= longest);
     Some(regular().sum::<f64>() / regular().count() as f64)
-}
-
-/// The median of finite numbers, the upper of two in the middle; none of none.
-pub fn median(numbers: impl Iterator<Item = f64>) -> Option<f64> {
-    let mut sorted: Vec<f64> = numbers.collect();
-    sorted.sort_by(f64::total_cmp);
-    sorted.get(sorted.len() / 2).copied()
 }
 
 #[cfg(test)]
@@ -87,8 +82,8 @@ mod tests {
         assert!((first.expect("intervals") - 0.105).abs() < 0.001);
         assert!((second.expect("intervals") - 0.105).abs() < 0.002);
         // Their medians are 0.07 and 0.14.
-        assert_eq!(median(jitter.into_iter()), Some(0.07));
-        assert_eq!(median(with_pause.into_iter()), Some(0.14));
+        assert_eq!(upper_median(jitter), Some(0.07));
+        assert_eq!(upper_median(with_pause), Some(0.14));
         assert_eq!(typical_interval(&[]), None);
     }
 }

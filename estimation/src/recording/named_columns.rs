@@ -1,4 +1,4 @@
-//! Which columns of a file are meant: by name, by pattern, or by what is usual.
+//! Columns of a file that are meant: by name, by pattern, or by what is usual.
 
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -19,7 +19,7 @@ pub struct NamedColumns {
     pub signals: Vec<String>,
     /// Forces, N.
     pub forces: Vec<String>,
-    /// What tells cycles apart.
+    /// Column that tells cycles apart.
     pub cycle: Option<String>,
 }
 
@@ -91,7 +91,7 @@ impl NamedColumns {
         }
     }
 
-    /// Those of the columns that a header has, the time apart.
+    /// Returns those of the columns that a header has, the time apart.
     pub fn among(&self, header: &[String]) -> Self {
         let there = |names: &[String]| {
             names
@@ -134,7 +134,7 @@ fn nothing(what: &str, asked: &Option<Vec<String>>, header: &[String]) -> String
     )
 }
 
-/// At most so many names stand in one sentence.
+/// Most names that stand in one sentence.
 const MOST_NAMED: usize = 20;
 
 fn listed(names: &[String]) -> String {

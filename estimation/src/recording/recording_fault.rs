@@ -1,4 +1,4 @@
-//! What is wrong with a recording, and where.
+//! Faults of a recording, and where they are.
 
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -6,16 +6,16 @@
 /// Faults told of one file; the last one says that there are more.
 pub const MOST_FAULTS: usize = 50;
 
-/// One fault of a recording.
+/// A fault of a recording.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RecordingFault {
     /// The file.
     pub file: String,
-    /// Its line, from 1; none where the file as a whole is meant.
+    /// Line in the file, from 1; none where the file as a whole is meant.
     pub line: Option<usize>,
     /// The column's name.
     pub column: Option<String>,
-    /// What is wrong and what would be right, one sentence.
+    /// Sentence that says what is wrong and what would be right.
     pub detail: String,
 }
 

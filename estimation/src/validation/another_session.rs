@@ -1,4 +1,4 @@
-//! One run says nothing of how the next session's instruments read: its left-out rows are moved as they may be.
+//! Instruments of another session: one run says nothing of how they read, so its left-out rows are moved as they may be.
 
 use ndarray::ArrayView1;
 use rand::RngExt;
@@ -8,13 +8,13 @@ use rand_chacha::rand_core::SeedableRng;
 use crate::features::{GROUPS, MEANS, VALUES};
 use crate::rows::LabelledRows;
 
-/// Where one run was recorded, signals of left-out rows are moved by offsets with this standard deviation, as a share of their ranges: another session's
-/// instruments read so far off at the best of times, and a force that hangs on small differences of large signals must show it.
+/// Standard deviation of the offsets by which signals of left-out rows are moved where one run was recorded, as a share of their ranges: another
+/// session's instruments read so far off at the best of times, and a force that hangs on small differences of large signals must show it.
 pub const ANOTHER_SESSION: f64 = 0.005;
 
-/// What another session's instruments may add to signals.
+/// Session of other instruments: what they may add to signals.
 pub(super) struct Session {
-    /// Of each signal.
+    /// Range of each signal.
     ranges: Vec<f64>,
     seed: u64,
 }

@@ -1,8 +1,8 @@
 //! The median of the models that are nearly as good as the best.
 //!
 //! Left-out runs are few, and can't tell near equals apart: the next run may rank them otherwise. Errors that models don't share cancel, one that goes astray is outvoted, and where
-//! they disagree its interval is wider. Weights are equal: learnt from left-out rows they were no better (docs/decisions/estimation/blend.md), a known puzzle of
-//! combined forecasts (Claeskens et al. 2016).
+//! they disagree its interval is wider. Weights are equal: learnt from left-out rows they were no better
+//! (docs/develop/decisions/estimation/blend.md), a known puzzle of combined forecasts (Claeskens et al. 2016).
 
 use std::collections::BTreeMap;
 
@@ -42,7 +42,7 @@ pub fn blend(
     })
 }
 
-/// Those that take part, best first.
+/// Returns those that take part, best first.
 fn members(judged: &[Judged], by: SplitKind) -> Vec<&Judged> {
     let error = |judged: &Judged| judged.on(by).map_or(f64::INFINITY, |figures| figures.rmse);
     let mut models: Vec<&Judged> = judged
@@ -106,7 +106,7 @@ mod tests {
         }
     }
 
-    /// Off by as much in every row, with a deviation of 2.
+    /// Makes a candidate that is off by as much in every row, with a deviation of 2.
     fn off_by(error: f64, kind: Kind, features: FeatureSet) -> Judged {
         let rows = rows();
         let left_out = |row: usize| LeftOut {

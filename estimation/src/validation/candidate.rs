@@ -1,4 +1,4 @@
-//! What is tried: a model with a set of features.
+//! Candidates: a model with a set of features.
 
 use crate::recipe::{FeatureSet, Kind, Recipe};
 
@@ -7,7 +7,7 @@ use crate::recipe::{FeatureSet, Kind, Recipe};
 pub struct Candidate {
     /// The model.
     pub kind: Kind,
-    /// What it is given.
+    /// Features that it is given.
     pub features: FeatureSet,
 }
 

@@ -13,20 +13,20 @@ use crate::validation::tested_rows::{SplitFigures, Tested};
 /// A candidate on all splits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judged {
-    /// Which.
+    /// Candidate that was judged.
     pub candidate: Candidate,
     /// The candidates that are learnt for it: itself, or those whose median a blend is.
     pub members: Vec<Candidate>,
-    /// How it fared, or why it couldn't.
+    /// Outcome on each split, or why there is none.
     pub splits: BTreeMap<SplitKind, Result<Outcome, String>>,
 }
 
-/// How a candidate fared on a split.
+/// Outcome of a candidate on a split.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
-    /// Its errors.
+    /// Errors of the candidate.
     pub figures: SplitFigures,
-    /// What it said of each tested row.
+    /// Predictions of the tested rows.
     pub tested: Tested,
 }
 
@@ -36,7 +36,7 @@ impl Judged {
         Some(&self.outcome(split)?.figures)
     }
 
-    /// What it said of rows that it hadn't learnt from; nothing where the split wasn't made.
+    /// Returns what it said of rows that it hadn't learnt from; nothing where the split wasn't made.
     pub fn left_out(&self, split: SplitKind) -> &[LeftOut] {
         self.outcome(split)
             .map_or(&[], |outcome| &outcome.tested.left_out)
@@ -84,7 +84,7 @@ pub fn judge(
     }
 }
 
-/// What a candidate says on the split that chooses where each run's forces are rolled against its signals by half its length; none where it can't be learnt.
+/// Judges a candidate on the split that chooses where each run's forces are rolled against its signals by half its length; none where it can't be learnt.
 pub fn rolled(
     candidate: Candidate,
     rows: &LabelledRows,

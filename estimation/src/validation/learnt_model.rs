@@ -15,9 +15,9 @@ use crate::validation::candidate::Candidate;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LearntModel {
-    /// What it is given.
+    /// Features that it is given.
     pub features: FeatureSet,
-    /// On which scale.
+    /// Scale of the features.
     pub scale: FeatureScale,
     /// The model.
     pub model: Fitted,
@@ -74,7 +74,7 @@ impl LearntModel {
         Self::learn(candidate, rows, &all, recipe, Effort::Whole)
     }
 
-    /// What the model says of a row of all features.
+    /// Predicts the force from a row of all features.
     pub fn predict(&self, features: &[f64]) -> Prediction {
         let columns = read_columns(self.candidate(), features.len() / GROUPS);
         let read = columns.map(|column| features[column]);

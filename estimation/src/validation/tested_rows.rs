@@ -1,4 +1,4 @@
-//! What was said of rows that weren't learnt from, and how far off it was.
+//! Rows that weren't learnt from: what was said of them, and how far off it was.
 
 use crate::error_metrics::{nrmse_percent, r2, rmse, rmse_interval};
 use crate::interval::{Fared, LeftOut, factor_by, fared};
@@ -14,7 +14,7 @@ use crate::validation::learnt_model::LearntModel;
 /// Most rows that a split tests, evenly taken: neighbours tell nothing new of an error.
 pub const MOST_TESTED: usize = 10_000;
 
-/// How a candidate fared on one split.
+/// Figures of a candidate on one split.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SplitFigures {
     /// N
@@ -23,7 +23,7 @@ pub struct SplitFigures {
     pub rmse_interval: Option<(f64, f64)>,
     /// RMSE over the range of the tested forces, %.
     pub nrmse_percent: Option<f64>,
-    /// The same of the training mean.
+    /// NRMSE of the training mean, %.
     pub mean_nrmse_percent: Option<f64>,
     /// RMSE of the training mean, N.
     pub mean_rmse: f64,
@@ -33,10 +33,10 @@ pub struct SplitFigures {
     pub intervals: Option<Fared>,
 }
 
-/// What was said of all tested rows: the same rows in the same order, whoever says it.
+/// Predictions of all tested rows: the same rows in the same order, whoever makes them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tested {
-    /// What was said.
+    /// Predictions, row by row.
     pub left_out: Vec<LeftOut>,
     /// The training mean of each tested row's fold, N.
     pub means: Vec<f64>,
@@ -92,7 +92,7 @@ impl Tested {
         Ok(tested)
     }
 
-    /// What several say together; none of none.
+    /// Joins what several say; none of none.
     pub fn together(members: &[&Self]) -> Option<Self> {
         let mut found = (*members.first()?).clone();
         for (place, row) in found.left_out.iter_mut().enumerate() {

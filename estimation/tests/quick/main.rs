@@ -1,4 +1,4 @@
-//! What the crate's parts do together.
+//! Tests of what the crate's parts do together.
 
 mod fuzzed;
 mod process;

@@ -1,4 +1,4 @@
-//! From recordings to estimates of a run that nobody learnt from.
+//! Estimates of a run that nobody learnt from, from recordings on.
 
 use estimation::estimator::{Estimator, FORMAT, ForceModel, Stream, VERSION};
 use estimation::fit_report::Ranking;

@@ -22,7 +22,7 @@ const GROUND_REACH: f64 = 1.5;
 /// Way of the ground to the inflated tire, in walls: enough that nothing touches while the tire is inflated.
 const CLEARANCE: f64 = 0.1;
 
-/// One scene on its way through CalculiX.
+/// A scene on its way through CalculiX.
 pub struct Case<'s> {
     scene: &'s Scene,
     readout: &'s Readout,
@@ -68,7 +68,7 @@ impl<'s> Case<'s> {
         self.read(&files, field)
     }
 
-    /// One run: the tire inflated, and pressed where there is a ground.
+    /// Runs CalculiX once: the tire inflated, and pressed where there is a ground.
     fn run(&self, ground: Option<&RigidGround>) -> Result<Files, SolveError> {
         let deck = Deck {
             problem: &self.model.problem,

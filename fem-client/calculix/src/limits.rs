@@ -1,6 +1,6 @@
-//! What of a scene CalculiX can model, and what has to be changed or refused.
+//! Limits of CalculiX: what of a scene it can model, and what has to be changed or refused.
 
-use fem_client::document::fault::Fault;
+use document::fault::Fault;
 use fem_client::scene::{Law, Material, Scene};
 use fem_client::solver::{Choice, ModelSummary};
 
@@ -10,7 +10,7 @@ use super::deck::MAX_OGDEN_TERMS;
 /// elements there; at ten times as much they are 20 % off without a warning, and its other bricks lock or fail.
 pub const LARGEST_BULK_RATIO: f64 = 100.0;
 
-/// Everything in a scene that CalculiX can't be asked for.
+/// Returns all in a scene that CalculiX can't be asked for.
 pub fn faults(scene: &Scene) -> Vec<Fault> {
     let mut faults = Vec::new();
     if scene.carcass.is_some() {
@@ -55,7 +55,7 @@ fn least_d1(material: &Material) -> f64 {
     2.0 / (LARGEST_BULK_RATIO * material.law.shear_modulus_mpa())
 }
 
-/// What of the scene is modelled how, with what is left out on top of `summary`, the embedded solver's.
+/// Returns the summary of CalculiX's model: how each part of the scene is modelled, and what is left out on top of `summary`, the embedded solver's.
 pub fn summary(scene: &Scene, summary: ModelSummary, version: &str) -> ModelSummary {
     let choice = |what: &str, why: String| Choice {
         what: what.to_owned(),

@@ -13,7 +13,7 @@ const JOB: &str = "scene";
 const PATIENCE: Duration = Duration::from_millis(20);
 /// Lines of the log that an error quotes.
 const QUOTED_LINES: usize = 12;
-/// Printed when no increment, however small, converges.
+/// Words that are printed when no increment, however small, converges.
 const GAVE_UP: &str = "increment size smaller than minimum";
 
 /// The solver's program isn't there, or isn't CalculiX.
@@ -26,7 +26,7 @@ const GAVE_UP: &str = "increment size smaller than minimum";
 pub struct NotInstalled {
     /// The program that was tried.
     pub program: PathBuf,
-    /// What happened.
+    /// Cause, in words.
     pub cause: String,
 }
 
@@ -39,16 +39,16 @@ pub struct Program {
     pub time_limit: Duration,
 }
 
-/// What a run left behind.
+/// Files that a run left behind.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Files {
     /// Whether it found no increment that converges.
     pub gave_up: bool,
     /// Printed node values.
     pub dat: String,
-    /// One line per attempt of an increment.
+    /// Attempts of increments, a line each.
     pub sta: String,
-    /// One line per iteration.
+    /// Iterations, a line each.
     pub cvg: String,
     /// Last lines of what it said.
     pub log: String,
@@ -60,7 +60,7 @@ pub enum RunError {
     /// The caller asked to stop.
     #[error("stopped on request")]
     Stopped,
-    /// It took too long.
+    /// A run that took too long.
     #[error("CalculiX was ended after {seconds} s; its last lines:\n{log}")]
     TimedOut {
         /// The limit, s.
@@ -68,10 +68,10 @@ pub enum RunError {
         /// Last lines of its log.
         log: String,
     },
-    /// It failed for a reason other than the increment's size.
+    /// A run that failed for a reason other than the increment's size.
     #[error("CalculiX ended with {status}; its last lines:\n{log}")]
     Failed {
-        /// How it ended.
+        /// Exit status of the program.
         status: String,
         /// Last lines of its log.
         log: String,
@@ -79,9 +79,9 @@ pub enum RunError {
     /// A file or the program couldn't be used.
     #[error("{what}: {cause}")]
     System {
-        /// Which one.
+        /// The call that failed.
         what: String,
-        /// What the system said.
+        /// The system's words.
         cause: String,
     },
 }

@@ -10,7 +10,7 @@ pub enum BadOutput {
     /// A state is lacking.
     #[error("CalculiX printed no {what} at step time {time}")]
     Missing {
-        /// What was looked for.
+        /// Text that was looked for.
         what: &'static str,
         /// The step time.
         time: String,
@@ -151,7 +151,7 @@ fn bad(line: &str) -> BadOutput {
 mod tests {
     use super::*;
 
-    /// As version 2.20 prints it.
+    /// Printed values of version 2.20.
     const DAT: &str = "
  displacements (vx,vy,vz) for set TIRE and time  0.1000000E+01
 

@@ -46,7 +46,7 @@ impl RigidGround {
     }
 }
 
-/// Where facets meet: at the ends only when the ground is flat.
+/// Returns the lines where facets meet: at the ends only when the ground is flat.
 fn lines(field: &HeightField, half_width: f64) -> Vec<f64> {
     let flat = field.depths.iter().all(|depth| *depth == field.depths[0]);
     if flat {

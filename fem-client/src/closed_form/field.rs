@@ -36,7 +36,7 @@ pub(super) struct Field {
     spacing_deg: f64,
     radius_mm: f64,
     softness: f64,
-    /// One, up to the trace of the start.
+    /// Factor on the strains: one, up to the trace of the start.
     scale: f64,
 }
 
@@ -97,7 +97,7 @@ impl Field {
         Response {
             reaction_n: self.scale * 13.0 * mean_depth.powf(1.3) / self.softness,
             force_n: None,
-            depth_mm: Some(self.stations[self.stations.len() / 2].1),
+            depth_mm: self.stations[self.stations.len() / 2].1,
             locations: self.locations(),
             section: Section {
                 crown: self.strain(0.0, 0.0),
@@ -312,7 +312,7 @@ fn model(scene: &Scene) -> ModelSummary {
         }],
     }
 }
-/// Where the points of a shape have moved to.
+/// Returns the places to which the points of a shape have moved.
 fn moved(shape: &MapShape) -> Vec<f64> {
     let points = shape.inflated_mm.iter().zip(&shape.displacement_mm);
     points

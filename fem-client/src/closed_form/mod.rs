@@ -15,7 +15,7 @@ use crate::solver::{
     Cost, NoEquilibrium, Reached, SolveError, SolveRequest, Solved, Solver, by_depth_only,
 };
 
-/// How often a delayed solve looks at the caller's flag.
+/// Interval at which a delayed solve looks at the caller's flag.
 const SLICE: Duration = Duration::from_millis(2);
 
 /// Answers from closed formulas, at once or after a delay.
@@ -195,7 +195,7 @@ mod tests {
         assert_eq!(response.rings[1].strain.y[180], response.section.sidewall.y);
     }
 
-    /// As those of earlier versions were stored.
+    /// Solvers may leave forces out, as this one does.
     #[test]
     fn an_answer_without_forces_reads_back() {
         let solved = solve(&ClosedFormSolver::new(), &Scene::default(), None).unwrap();

@@ -1,60 +1,74 @@
-//! What an amplifier reads of a film's charge.
+//! Amplifier of a film's charge.
 //!
 //! A film of capacitance C with a resistance R across it obeys C dV/dt + V/R = dQ/dt: of a press once a second it keeps little, unless C R is long beside the
 //! press. For a charge that swings as a sine, the voltage's amplitude is that of the open circuit times w C R / sqrt(1 + (w C R)^2).
 
 use std::f64::consts::TAU;
 
-use serde::Serialize;
+use document::fields::Range;
+use document::{Table, Variants};
 
-/// What a film is wired to, and how fast it is pressed.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+const RESISTANCE: Range = Range::new(1e-6, 1e9, "megohm");
+const CABLE: Range = Range::new(0.0, 1e6, "pF");
+const CAPACITANCE: Range = Range::new(1e-6, 1e6, "nF");
+const FREQUENCY: Range = Range::new(1e-6, 1e6, "Hz");
+const NOISE: Range = Range::new(0.0, 1e9, "mV");
+const GAIN: Range = Range::new(0.0, 1.0, "");
+const FEEDBACK_NF: f64 = 10.0;
+const FEEDBACK_MOHM: f64 = 1000.0;
+const WARMING: Range = Range::new(0.0, 1e3, "K");
+
+/// Circuit that a film is wired to, and how fast it is pressed.
+#[derive(Debug, Clone, Copy, PartialEq, Table)]
 pub struct Amplifier {
     /// The circuit.
-    #[serde(flatten)]
+    #[field(default = Circuit::OpenCircuit, group)]
     pub circuit: Circuit,
     /// Presses per second, Hz.
+    #[field(default = 1.0, within = FREQUENCY)]
     pub press_hz: f64,
     /// Standard deviation of what it shows without a film, mV.
+    #[field(default = 0.0, within = NOISE)]
     pub noise_mv: f64,
     /// Standard deviation of film and amplifier's gain from one to the next, as a share.
+    #[field(default = 0.05, within = GAIN)]
     pub gain_std: f64,
     /// Standard deviation of the film's temperature within a press, K.
+    #[field(default = 0.0, within = WARMING)]
     pub temperature_k: f64,
 }
 
 /// Circuits that read a film.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(tag = "kind", rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Variants)]
+#[variants(tag = "kind")]
 pub enum Circuit {
-    /// Nothing draws charge.
+    /// Open circuit: nothing draws charge.
     OpenCircuit,
-    /// A voltage amplifier.
+    /// A voltage amplifier; the usual one is as a multimeter or an oscilloscope's probe.
     Voltage {
-        /// Its input resistance, megohm.
+        /// Input resistance, megohm.
+        #[field(default = 10.0, within = RESISTANCE)]
         input_mohm: f64,
         /// Capacitance of the cable to it, pF.
+        #[field(default = 0.0, within = CABLE)]
         cable_pf: f64,
     },
-    /// A charge amplifier.
+    /// A charge amplifier; the usual one has a time constant of ten seconds.
     Charge {
         /// Feedback capacitance, nF.
+        #[field(default = FEEDBACK_NF, within = CAPACITANCE)]
         feedback_nf: f64,
         /// Feedback resistance, megohm.
+        #[field(default = FEEDBACK_MOHM, within = RESISTANCE)]
         feedback_mohm: f64,
     },
 }
 
 impl Circuit {
-    /// A voltage amplifier as a multimeter or an oscilloscope's probe is one.
-    pub const VOLTAGE: Self = Self::Voltage {
-        input_mohm: 10.0,
-        cable_pf: 0.0,
-    };
-    /// A charge amplifier with a time constant of ten seconds.
+    /// The usual charge amplifier.
     pub const CHARGE: Self = Self::Charge {
-        feedback_nf: 10.0,
-        feedback_mohm: 1000.0,
+        feedback_nf: FEEDBACK_NF,
+        feedback_mohm: FEEDBACK_MOHM,
     };
 
     /// Voltage of a film's charge, nC, without any resistance, V, and the time constant with it, s; the film's capacitance in pF. Charge amplifiers are taken
@@ -83,19 +97,7 @@ impl Circuit {
     }
 }
 
-impl Default for Amplifier {
-    fn default() -> Self {
-        Self {
-            circuit: Circuit::OpenCircuit,
-            press_hz: 1.0,
-            noise_mv: 0.0,
-            gain_std: 0.05,
-            temperature_k: 0.0,
-        }
-    }
-}
-
-/// What is read of a film.
+/// Voltages that an amplifier reads of a film.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reading {
     /// Amplitude for presses that swing the charge as a sine, V.
@@ -105,7 +107,7 @@ pub struct Reading {
 }
 
 impl Amplifier {
-    /// What is read of a film with this charge, nC, and capacitance, pF.
+    /// Returns what is read of a film with this charge, nC, and capacitance, pF.
     pub fn reading(&self, charge_nc: f64, capacitance_pf: f64) -> Reading {
         let (held_v, time_constant_s) = self.circuit.held(charge_nc, capacitance_pf);
         let share = time_constant_s.map_or(1.0, |time| {
@@ -138,6 +140,11 @@ impl Amplifier {
 mod tests {
     use super::*;
 
+    const VOLTAGE: Circuit = Circuit::Voltage {
+        input_mohm: 10.0,
+        cable_pf: 0.0,
+    };
+
     fn amplifier(circuit: Circuit, press_hz: f64) -> Amplifier {
         Amplifier {
             circuit,
@@ -149,7 +156,7 @@ mod tests {
     #[test]
     fn little_is_left_of_a_slow_press_on_ten_megohm() {
         // 95 pF on 10 Mohm at 1 Hz: w C R = 5.97e-3.
-        let read = amplifier(Circuit::VOLTAGE, 1.0).reading(0.095, 95.0);
+        let read = amplifier(VOLTAGE, 1.0).reading(0.095, 95.0);
         let turns = TAU * 95e-12 * 10e6;
         assert!((read.output_v / (turns / (1.0 + turns * turns).sqrt()) - 1.0).abs() < 1e-10);
         assert!((read.output_v - 0.006).abs() < 1e-4);
@@ -160,7 +167,7 @@ mod tests {
     fn a_circuit_s_limits_are_the_charge_and_its_rate() {
         let open = amplifier(Circuit::OpenCircuit, 1.0).reading(2.0, 100.0);
         assert_eq!((open.output_v, open.time_constant_s), (20.0, None));
-        let fast = amplifier(Circuit::VOLTAGE, 1e9).reading(2.0, 100.0);
+        let fast = amplifier(VOLTAGE, 1e9).reading(2.0, 100.0);
         assert!((fast.output_v / 20.0 - 1.0).abs() < 1e-10);
         let cable = Circuit::Voltage {
             input_mohm: 10.0,
@@ -168,7 +175,7 @@ mod tests {
         };
         assert!((amplifier(cable, 1e9).reading(2.0, 100.0).output_v / 5.0 - 1.0).abs() < 1e-10);
         // Slow: R dQ/dt = 10 Mohm x 2 pi f Q.
-        let slow = amplifier(Circuit::VOLTAGE, 1e-6).reading(2.0, 100.0);
+        let slow = amplifier(VOLTAGE, 1e-6).reading(2.0, 100.0);
         assert!((slow.output_v / (10e6 * TAU * 1e-6 * 2e-9) - 1.0).abs() < 1e-10);
         let charge = amplifier(Circuit::CHARGE, 1e6).reading(2.0, 100.0);
         assert!((charge.output_v / 0.2 - 1.0).abs() < 1e-10);
@@ -190,7 +197,7 @@ mod tests {
     /// The ODE C dV/dt + V/R = dQ/dt, by Richardson's extrapolation of the implicit midpoint rule, whose error falls as the step squared.
     #[test]
     fn a_step_decays_as_the_circuit_s_equation_says() {
-        let amplifier = amplifier(Circuit::VOLTAGE, 1.0);
+        let amplifier = amplifier(VOLTAGE, 1.0);
         let (charge, capacitance) = (2.0, 100.0);
         let elapsed = 1.5e-3;
         let by_steps = |steps: i32| {

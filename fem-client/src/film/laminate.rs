@@ -6,7 +6,7 @@
 /// Forces or strains along, across and in shear; of strains the third is doubled.
 type InPlane = [f64; 3];
 
-/// One isotropic layer in plane stress.
+/// An isotropic layer in plane stress.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layer {
     /// Young's modulus, MPa.

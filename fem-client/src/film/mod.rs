@@ -1,4 +1,4 @@
-//! What a piezoelectric film and its amplifier make of the film's tension. Pure: numbers in, numbers out.
+//! Piezoelectric films and their amplifiers: what they make of the film's tension. Pure: numbers in, numbers out.
 //!
 //! - [`laminate`]: stiffness of a film of several layers
 //! - [`piezo`]: the film's charge and capacitance

@@ -4,37 +4,37 @@
 //! its length (IEEE Std 176-1987, the direct effect at zero field). Default constants: Measurement Specialties, Piezo Film Sensors Technical Manual, but for d32,
 //! which the manual lacks: 1 to 3 pC/N is reported for films stretched in one direction.
 
-use serde::Serialize;
+use document::Table;
+use document::fields::Range;
 
-/// Constants of a piezoelectric polymer.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+/// Poled films charge either way round.
+const CHARGE_PER_FORCE: Range = Range::new(-1e4, 1e4, "pC/N");
+const CHARGE_PER_WARMING: Range = Range::new(-1e4, 1e4, "uC/(m2 K)");
+const PERMITTIVITY: Range = Range::new(1.0, 1e6, "pF/m");
+const STRESS: Range = Range::new(1e-6, 1e6, "MPa");
+
+/// Constants of a piezoelectric polymer. The usual ones are of poly(vinylidene fluoride), stretched in one direction.
+#[derive(Debug, Clone, Copy, PartialEq, Table)]
+#[table(told = [d31_pc_per_n, d32_pc_per_n, d33_pc_per_n, pyro_uc_per_m2_k, permittivity_pf_per_m, yield_mpa])]
 pub struct Piezo {
     /// Charge by stress along the length, in which it was stretched, pC/N.
+    #[field(default = 23.0, within = CHARGE_PER_FORCE)]
     pub d31_pc_per_n: f64,
     /// Charge by stress across, pC/N.
+    #[field(default = 3.0, within = CHARGE_PER_FORCE)]
     pub d32_pc_per_n: f64,
     /// Charge by stress through the thickness, pC/N.
+    #[field(default = -33.0, within = CHARGE_PER_FORCE)]
     pub d33_pc_per_n: f64,
     /// Permittivity, pF/m.
+    #[field(default = 110.0, within = PERMITTIVITY)]
     pub permittivity_pf_per_m: f64,
     /// Charge by area and warming, uC/(m2 K).
+    #[field(default = 30.0, within = CHARGE_PER_WARMING)]
     pub pyro_uc_per_m2_k: f64,
     /// Stress at which it yields, MPa.
+    #[field(default = 45.0, within = STRESS)]
     pub yield_mpa: f64,
-}
-
-impl Default for Piezo {
-    /// Poly(vinylidene fluoride), stretched in one direction.
-    fn default() -> Self {
-        Self {
-            d31_pc_per_n: 23.0,
-            d32_pc_per_n: 3.0,
-            d33_pc_per_n: -33.0,
-            permittivity_pf_per_m: 110.0,
-            pyro_uc_per_m2_k: 30.0,
-            yield_mpa: 45.0,
-        }
-    }
 }
 
 impl Piezo {

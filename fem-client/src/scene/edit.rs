@@ -7,10 +7,11 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::document::fault::{Fault, entry, member};
-use crate::document::fields::shown;
-use crate::scene::reader::film_reader::OF_ONE_LAYER;
+use crate::scene::sensor_film::OF_ONE_LAYER;
 use crate::scene::{Law, Scene};
+use document::Variants;
+use document::fault::{Fault, entry, member};
+use document::fields::shown;
 
 impl Scene {
     /// Sets one field by its path.
@@ -52,8 +53,8 @@ impl Scene {
         Ok(())
     }
 
-    /// This scene with the fields of a partial document laid over it. Adds every fault, with pointers that start with
-    /// `pointer`, and returns None when there is one.
+    /// Returns this scene with the fields of a partial document laid over it. Adds every fault, with pointers that start with `pointer`, and returns
+    /// None when there is one.
     pub fn overlaid(
         &self,
         overrides: &Map<String, Value>,
@@ -150,7 +151,7 @@ pub fn number_in(document: &Value, path: &str) -> Option<f64> {
 
 const EXAMPLE: &str = "write it as in ground.depths_mm[0] or pressure.internal_mpa";
 
-/// One step of a path.
+/// A step of a path.
 #[derive(Debug, PartialEq)]
 enum Step<'p> {
     Name(&'p str),
@@ -185,7 +186,7 @@ fn parse_index(text: &str) -> Option<usize> {
     (index.to_string() == text).then_some(index)
 }
 
-/// One step down, or what exists instead.
+/// Goes one step down, or says what exists instead.
 fn descend<'v>(
     value: &'v mut Value,
     pointer: &mut String,
@@ -265,11 +266,11 @@ fn forget_layers(document: &mut Value, is_set: bool) {
 
 /// Parameters of one law say nothing about another.
 fn forget_parameters(document: &mut Value, law: &Law, model: &Value) {
-    if model.as_str() == Some(law.model()) {
+    if model.as_str() == Some(law.name()) {
         return;
     }
     if let Some(material) = document.get_mut("material").and_then(Value::as_object_mut) {
-        for name in law.fields() {
+        for name in law.own_names() {
             material.shift_remove(*name);
         }
     }
@@ -407,7 +408,7 @@ mod tests {
     fn another_law_starts_from_its_own_parameters() {
         let mut scene = Scene::default();
         scene.set("material.model", &json!("yeoh")).unwrap();
-        assert_eq!(scene.material.law, Law::yeoh());
+        assert_eq!(scene.material.law, Law::of_name("yeoh").expect("a law"));
         scene.set("material.c20_mpa", &json!(-0.01)).unwrap();
         assert_eq!(scene.number_at("material.c20_mpa"), Ok(-0.01));
         // The same law again keeps what was set.

@@ -2,36 +2,16 @@
 
 use std::ops::{Index, IndexMut};
 
+use document::Choice;
 use serde::{Deserialize, Serialize};
 
 /// A direction of the inner surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Choice)]
 pub enum Direction {
     /// Circumferential.
     X,
     /// Meridional.
     Y,
-}
-
-impl Direction {
-    /// Both, in their order in documents.
-    pub const ALL: [Self; 2] = [Self::X, Self::Y];
-
-    /// The name in documents.
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Self::X => "x",
-            Self::Y => "y",
-        }
-    }
-
-    /// The direction of this name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|direction| direction.as_str() == name)
-    }
 }
 
 impl std::fmt::Display for Direction {
@@ -52,7 +32,7 @@ pub struct PerDirection<T> {
 }
 
 impl<T> PerDirection<T> {
-    /// What a function says of each direction, x first.
+    /// Asks a function for each direction, x first.
     pub fn of(mut value: impl FnMut(Direction) -> T) -> Self {
         let [x, y] = Direction::ALL.map(&mut value);
         Self { x, y }
@@ -163,13 +143,13 @@ macro_rules! direction_fields {
 }
 
 direction_fields! {
-    /// Of strains and their errors.
+    /// Names of strains and their errors.
     StrainFields: "strain_x", "strain_y";
-    /// Of a film's stretches.
+    /// Names of a film's stretches.
     StretchFields: "stretch_x", "stretch_y";
-    /// Of the inflated crown's stretches.
+    /// Names of the inflated crown's stretches.
     CrownStretchFields: "crown_stretch_x", "crown_stretch_y";
-    /// Of a film's tensions.
+    /// Names of a film's tensions.
     TensionFields: "tension_x_n_per_mm", "tension_y_n_per_mm";
 }
 

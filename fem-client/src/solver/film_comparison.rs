@@ -1,4 +1,4 @@
-//! What a film's figures are compared with: the bare wall's, and those of a coarser mesh.
+//! Comparisons of a film's figures: with the bare wall's, and with those of a coarser mesh.
 
 use super::film_state::{FilmError, FilmSignal, FilmState};
 use super::{Readout, Response, SolveError, SolveRequest, Solved, Solver};
@@ -50,9 +50,8 @@ fn error(
     let mut scene = request.scene.clone();
     scene.model.level = coarser.level;
     let response = response(solver, &scene, &Readout::default(), request)?;
-    let coarse = response.and_then(|response| response.film?.signal);
-    let both = state.signal.zip(coarse);
-    Ok(both.map(|(fine, coarse)| FilmError::between(coarser.factor, &fine, &coarse)))
+    let coarse = response.and_then(|response| response.film);
+    Ok(coarse.map(|coarse| FilmError::between(coarser.factor, &state.signal, &coarse.signal)))
 }
 
 fn response(

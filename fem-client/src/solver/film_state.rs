@@ -1,4 +1,4 @@
-//! What a film gives at an equilibrium.
+//! Answers of a film at an equilibrium.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,10 +16,10 @@ pub struct FilmState {
     /// Tension (second Piola-Kirchhoff), N/mm.
     #[serde(flatten, with = "TensionFields")]
     pub tension_n_per_mm: PerDirection<Extremes>,
-    /// What the contact adds; absent from answers of earlier versions.
-    #[serde(flatten, skip_serializing_if = "Option::is_none", default)]
-    pub signal: Option<FilmSignal>,
-    /// What it would read without stiffness, following the bare wall; absent where nobody asked.
+    /// Signal that the contact adds.
+    #[serde(flatten)]
+    pub signal: FilmSignal,
+    /// Signal without the film's stiffness, following the bare wall; absent where nobody asked.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub bare: Option<FilmSignal>,
     /// Estimated discretisation errors; absent where nobody asked, or there is no coarser mesh.
@@ -30,23 +30,23 @@ pub struct FilmState {
 /// Estimated discretisation errors of a film, absolute: the change from the next coarser mesh, times Richardson's factor.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FilmError {
-    /// Of the mean strain along.
+    /// Error of the mean strain along.
     pub mean_strain_1: f64,
-    /// Of the mean strain across.
+    /// Error of the mean strain across.
     pub mean_strain_2: f64,
-    /// Of the mean tension along, N/mm.
+    /// Error of the mean tension along, N/mm.
     pub mean_tension_1_n_per_mm: f64,
-    /// Of the mean tension across, N/mm.
+    /// Error of the mean tension across, N/mm.
     pub mean_tension_2_n_per_mm: f64,
-    /// Of the charge, nC.
+    /// Error of the charge, nC.
     pub charge_nc: f64,
-    /// Of the open circuit's voltage, V.
+    /// Error of the open circuit's voltage, V.
     pub open_circuit_v: f64,
-    /// Of the amplifier's, V.
+    /// Error of the amplifier's voltage, V.
     pub output_v: f64,
 }
 
-/// What the contact adds to a film since inflation: means over its area, and what its amplifier reads of them. 1 is along its length, 2 across.
+/// Signal that the contact adds to a film since inflation: means over its area, and what its amplifier reads of them.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FilmSignal {
     /// Mean strain along: stretch relative to the inflated state minus one.
@@ -58,10 +58,8 @@ pub struct FilmSignal {
     /// Mean tension across, N/mm.
     pub mean_tension_2_n_per_mm: f64,
     /// Change of curvature along, 1/mm, positive where the surface becomes more hollow towards the cavity.
-    #[serde(default)]
     pub curvature_change_1_per_mm: f64,
     /// Change of curvature across, 1/mm.
-    #[serde(default)]
     pub curvature_change_2_per_mm: f64,
     /// Charge, nC.
     pub charge_nc: f64,
@@ -72,13 +70,10 @@ pub struct FilmSignal {
     /// Amplitude at the amplifier, for presses of its frequency, V.
     pub output_v: f64,
     /// Standard deviation of that by the amplifier's noise, the gain and the temperature, V.
-    #[serde(default)]
     pub output_std_v: f64,
-    /// What a rise of the cavity's pressure by 1 kPa adds to the charge, nC.
-    #[serde(default)]
+    /// Change of the charge by a rise of the cavity's pressure, nC per kPa.
     pub charge_by_pressure_nc_per_kpa: f64,
-    /// What warming by 1 K adds to the charge, nC.
-    #[serde(default)]
+    /// Change of the charge by warming, nC per K.
     pub charge_by_warming_nc_per_k: f64,
     /// Time in which the reading of a held press falls to 1/e, s; absent where it stays.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -91,9 +86,9 @@ pub struct FilmSignal {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FilmCondition {
-    /// It is elastic.
+    /// An elastic film.
     Ok,
-    /// Its mean stress is beyond yield: the signal isn't that of an elastic film.
+    /// Mean stress beyond yield: the signal isn't that of an elastic film.
     BeyondYield,
     /// Somewhere it is compressed beyond the strain at which a free film on this wall folds.
     Wrinkled,
@@ -126,7 +121,7 @@ pub struct FilmMeans {
     pub strain: [f64; 2],
     /// Green-Lagrange strain since inflation.
     pub added: [f64; 3],
-    /// The same since the film was glued on.
+    /// Green-Lagrange strain since the film was glued on.
     pub total: [f64; 3],
     /// Change of curvature since inflation, 1/mm.
     pub curvature: [f64; 3],
@@ -135,7 +130,7 @@ pub struct FilmMeans {
 }
 
 impl FilmError {
-    /// So many times the change from a coarser mesh.
+    /// Multiplies the change from a coarser mesh by a factor.
     pub fn between(factor: f64, fine: &FilmSignal, coarse: &FilmSignal) -> Self {
         let of = |figure: fn(&FilmSignal) -> f64| factor * (figure(fine) - figure(coarse)).abs();
         Self {
@@ -151,7 +146,43 @@ impl FilmError {
 }
 
 impl FilmSignal {
-    /// What this film gives with these means.
+    /// Whether every number is finite.
+    pub fn is_finite(&self) -> bool {
+        let Self {
+            mean_strain_1,
+            mean_strain_2,
+            mean_tension_1_n_per_mm,
+            mean_tension_2_n_per_mm,
+            curvature_change_1_per_mm,
+            curvature_change_2_per_mm,
+            charge_nc,
+            capacitance_pf,
+            open_circuit_v,
+            output_v,
+            output_std_v,
+            charge_by_pressure_nc_per_kpa,
+            charge_by_warming_nc_per_k,
+            time_constant_s,
+            state: _,
+        } = *self;
+        let strained = [mean_strain_1, mean_strain_2];
+        let pulled = [mean_tension_1_n_per_mm, mean_tension_2_n_per_mm];
+        let bent = [curvature_change_1_per_mm, curvature_change_2_per_mm];
+        let read = [
+            charge_nc,
+            capacitance_pf,
+            open_circuit_v,
+            output_v,
+            output_std_v,
+            charge_by_pressure_nc_per_kpa,
+            charge_by_warming_nc_per_k,
+        ];
+        let mechanical = strained.into_iter().chain(pulled).chain(bent);
+        let mut all = mechanical.chain(read).chain(time_constant_s);
+        all.all(f64::is_finite)
+    }
+
+    /// Returns what this film gives with these means.
     pub fn of(film: &Film, means: &FilmMeans) -> Self {
         let (laminate, piezo) = (film.laminate(), &film.piezo);
         let tension = product(&laminate.membrane, &means.added);
@@ -243,7 +274,7 @@ mod tests {
         }
     }
 
-    /// Without bending a single layer's charge is (d31 N1 + d32 N2) area / thickness.
+    /// A single layer's charge without bending is (d31 N1 + d32 N2) area / thickness.
     #[test]
     fn a_single_layer_is_read_by_its_tension() {
         let means = FilmMeans {

@@ -4,9 +4,9 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use crate::document::fault::{Fault, entry, member};
-use crate::document::fields::Range;
 use crate::scene::Scene;
+use document::fault::{Fault, entry, member};
+use document::fields::Range;
 
 /// A point of the inner surface and a direction there, as a strain gauge has it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -22,7 +22,7 @@ pub struct Gauge {
 /// Strain of a material line.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GaugeReading {
-    /// Where and in which direction.
+    /// Place and direction of the gauge.
     #[serde(flatten)]
     pub gauge: Gauge,
     /// The signal: stretch relative to the inflated state, minus one.
@@ -42,13 +42,13 @@ pub struct GaugeReading {
 /// point.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct GaugeError {
-    /// Of the strain since inflation.
+    /// Error of the strain since inflation.
     pub strain: f64,
-    /// Of the stretch.
+    /// Error of the stretch.
     pub stretch: f64,
-    /// Of the Green-Lagrange strain.
+    /// Error of the Green-Lagrange strain.
     pub green_lagrange: f64,
-    /// Of the von Mises stress, MPa.
+    /// Error of the von Mises stress, MPa.
     pub von_mises_mpa: f64,
 }
 

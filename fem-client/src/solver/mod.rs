@@ -15,7 +15,6 @@ pub mod value_range;
 
 use serde::{Deserialize, Serialize};
 
-use crate::document::fault::Fault;
 use crate::scene::{Level, Scene};
 pub use crate::solver::film_state::{FilmCondition, FilmError, FilmMeans, FilmSignal, FilmState};
 pub use crate::solver::readout::{Grid, Position, Readout, RingLine};
@@ -26,6 +25,7 @@ pub use crate::solver::response::{
 pub use crate::solver::solve_error::{NoEquilibrium, Reached, SolveError};
 pub use crate::solver::solve_watch::{SolveProgress, Stage, Watch};
 pub use crate::solver::value_range::Extremes;
+use document::fault::Fault;
 
 /// The fault of a scene that a solver which presses by depth alone can't solve.
 pub fn by_depth_only(scene: &Scene) -> Vec<Fault> {
@@ -46,7 +46,7 @@ pub trait Solver: Send + Sync {
         None
     }
 
-    /// What its model of the scene leaves out and could have.
+    /// Returns what the model of the scene leaves out and could have.
     fn omissions(&self, _scene: &Scene) -> Vec<Omission> {
         Vec::new()
     }
@@ -56,7 +56,7 @@ pub trait Solver: Send + Sync {
         scene.model.level.cells_of_reference_tire()
     }
 
-    /// The same of the mesh on which this is read of the scene.
+    /// Returns the number of cells of the mesh on which this is read of the scene.
     fn cells_read(&self, scene: &Scene, _readout: &Readout) -> usize {
         self.cells(scene)
     }
@@ -84,16 +84,16 @@ pub trait Solver: Send + Sync {
     }
 }
 
-/// What is asked of a solver.
+/// Request to a solver.
 #[derive(Clone, Copy)]
 pub struct SolveRequest<'a> {
-    /// What is pressed, and how.
+    /// Scene to solve.
     pub scene: &'a Scene,
-    /// Where the strain is read.
+    /// Places where the strain is read.
     pub readout: &'a Readout,
     /// A neighbouring equilibrium to start from, as an earlier solve returned it.
     pub start: Option<&'a StartState>,
-    /// Who may end the solve at the next Newton iteration, and hears how far it is.
+    /// Observer that may end the solve at the next Newton iteration, and hears how far it is.
     pub watch: &'a dyn Watch,
 }
 
@@ -102,7 +102,7 @@ pub struct SolveRequest<'a> {
 pub struct Coarser {
     /// The coarser level.
     pub level: Level,
-    /// What the finer level may be off, over its difference from the coarser one.
+    /// Error of the finer level over its difference from the coarser one.
     pub factor: f64,
 }
 
@@ -113,22 +113,22 @@ pub struct Omission {
     pub what: &'static str,
     /// The reason.
     pub why: String,
-    /// The same scene with that part in a typical size; `None` where no scene can have it, or where it doesn't fit this one.
+    /// Scene with that part in a typical size; `None` where no scene can have it, or where it doesn't fit this one.
     pub richer: Option<Scene>,
 }
 
-/// What a solve gives: the answer, its price, and the state from which a neighbour may start.
+/// Outcome of a solve: the answer, its price, and the state from which a neighbour may start.
 #[derive(Debug, Clone)]
 pub struct Solved {
     /// The answer; the same bits for the same request.
     pub response: Response,
-    /// What it took; varies from run to run.
+    /// Cost of the solve; varies from run to run.
     pub cost: Cost,
     /// The equilibrium itself.
     pub state: StartState,
 }
 
-/// What a solve took.
+/// Cost of a solve.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Cost {
     /// Wall-clock time, s.
@@ -136,14 +136,12 @@ pub struct Cost {
     /// Time in numeric factorisation, s.
     pub factorisation_s: f64,
     /// Time in substitutions with the factor, and in the contact solved between them, s.
-    #[serde(default)]
     pub substitution_s: f64,
     /// Time in assembly of residual and tangent, s.
     pub assembly_s: f64,
     /// Newton iterations.
     pub newton_iterations: usize,
     /// Numeric factorisations; the tangent shared by the solves of a study isn't counted.
-    #[serde(default)]
     pub factorisations: usize,
 }
 

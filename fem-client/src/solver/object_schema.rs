@@ -21,11 +21,12 @@ impl ObjectSchema {
         Self(self.0.property(name, field).required(name))
     }
 
-    /// A field that may be null, or missing in documents of earlier versions.
+    /// A field that is always there, and may be null.
     #[must_use]
-    pub fn optional(self, kind: Type, name: &str, description: &str) -> Self {
+    pub fn nullable(self, kind: Type, name: &str, description: &str) -> Self {
         let or_null = SchemaType::from_iter([kind.clone(), Type::Null]);
-        Self(self.0.property(name, of_kind(kind, or_null, description)))
+        let field = of_kind(kind, or_null, description);
+        Self(self.0.property(name, field).required(name))
     }
 
     /// A field that may be missing, an object with a schema of this name.

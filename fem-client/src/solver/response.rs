@@ -1,11 +1,10 @@
-//! What a solve answers: strains, forces and diagnostics of one equilibrium.
+//! Answer of a solve: strains, forces and diagnostics of one equilibrium.
 
 use serde::{Deserialize, Serialize};
 
 use crate::solver::direction::{CrownStretchFields, PerDirection, StrainFields};
 use crate::solver::film_state::{FilmSignal, FilmState};
 use crate::solver::gauge::GaugeReading;
-use crate::solver::readout::Position;
 use crate::solver::value_range::Extremes;
 
 /// Strains, forces and diagnostics of one equilibrium.
@@ -17,12 +16,11 @@ pub struct Response {
     /// Vertical force of the ground on the whole tire, N.
     pub reaction_n: f64,
     /// Force of the ground on the whole tire, N: along the wheel (x), along the axle (y) and upwards (z, the reaction). Friction pulls the way that the
-    /// ground is dragged. Absent from answers of earlier versions, and where the solver doesn't tell.
+    /// ground is dragged. Absent where the solver doesn't tell.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub force_n: Option<[f64; 3]>,
-    /// How far the ground at the contact centre stands above the inflated outer radius, mm; absent from answers of earlier versions.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub depth_mm: Option<f64>,
+    /// Height of the ground at the contact centre above the inflated outer radius, mm.
+    pub depth_mm: f64,
     /// P1, P2, ... in order.
     pub locations: Vec<LocationStrain>,
     /// Crown, shoulder and sidewall above the contact centre.
@@ -37,16 +35,16 @@ pub struct Response {
     pub newton_iterations: usize,
     /// Residual norms relative to the forces of the problem, one list per load step.
     pub residual_history: Vec<Vec<f64>>,
-    /// What was modelled.
+    /// Model that was solved.
     pub model: ModelSummary,
     /// The dense map, when asked for.
     pub map: Option<StrainMap>,
-    /// One ring per position asked for, in the order asked.
+    /// Rings, one per position asked for, in the order asked.
     pub rings: Vec<Ring>,
-    /// One reading per gauge asked for, in the order asked.
+    /// Readings, one per gauge asked for, in the order asked.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub gauges: Vec<GaugeReading>,
-    /// What one film without stiffness reads for each asked for, in the order asked.
+    /// Signals of the films without stiffness that were asked for, in the order asked.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub films: Vec<FilmSignal>,
     /// State of the textile layer; absent without one.
@@ -77,10 +75,10 @@ pub struct LocationStrain {
 /// Estimated discretisation errors at a location, absolute: see [`crate::solver::gauge::GaugeError`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct LocationError {
-    /// Of the strain.
+    /// Error of the strain.
     #[serde(flatten, with = "StrainFields")]
     pub strain: PerDirection<f64>,
-    /// Of the von Mises stress, MPa.
+    /// Error of the von Mises stress, MPa.
     pub von_mises_mpa: f64,
 }
 
@@ -127,7 +125,7 @@ pub struct ResponseError {
     pub strain: PerDirection<f64>,
 }
 
-/// What was modelled and what was left out.
+/// Summary of a model: what was modelled and what was left out.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ModelSummary {
@@ -145,7 +143,7 @@ pub struct ModelSummary {
     pub left_out: Vec<Choice>,
 }
 
-/// One modelling choice with its reason.
+/// A modelling choice with its reason.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Choice {
@@ -153,8 +151,8 @@ pub struct Choice {
     pub what: String,
     /// The reason.
     pub why: String,
-    /// What leaving it out does: the largest change of a strain at P1, P2, ... at the means when it is modelled, over the largest strain
-    /// of that direction there. 0 where leaving it out is exact; absent where the part is modelled, or the effect isn't known.
+    /// Effect of leaving it out: the largest change of a strain at P1, P2, ... at the means when it is modelled, over the largest strain of that
+    /// direction there.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub effect: Option<f64>,
 }
@@ -169,15 +167,15 @@ pub struct StrainMap {
     /// Strain, rows x columns.
     #[serde(flatten, with = "StrainFields")]
     pub strain: PerDirection<Vec<f64>>,
-    /// Where its points lie, when asked for.
+    /// Places of the map's points, when asked for.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub shape: Option<MapShape>,
-    /// Where its points lie in the equilibrium, mm, when asked for: x, y and z of one point after the other, axes as in [`MapShape`].
+    /// Places of the map's points in the equilibrium, mm, when asked for: x, y and z of one point after the other, axes as in [`MapShape`].
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub position_mm: Option<Vec<f64>>,
 }
 
-/// Where the points of a map lie: x in the rolling direction, y along the axle, z upward, from the wheel's centre.
+/// Places of the points of a map: x in the rolling direction, y along the axle, z upward, from the wheel's centre.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct MapShape {
@@ -190,8 +188,7 @@ pub struct MapShape {
 /// Strains around the whole wheel at one section angle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Ring {
-    /// Section angle from the crown, degrees; responses of earlier versions name a position.
-    #[serde(alias = "position", deserialize_with = "angle_or_position")]
+    /// Section angle from the crown, degrees.
     pub section_deg: f64,
     /// Angles from -180 (included) to 180 (excluded), one degree apart.
     pub theta_deg: Vec<f64>,
@@ -201,19 +198,6 @@ pub struct Ring {
     /// Strain in further directions, in the order asked.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub turned: Vec<Vec<f64>>,
-}
-
-fn angle_or_position<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
-    #[derive(Deserialize)]
-    #[serde(untagged)]
-    enum Section {
-        Angle(f64),
-        Position(Position),
-    }
-    Ok(match Section::deserialize(deserializer)? {
-        Section::Angle(angle) => angle,
-        Section::Position(position) => position.angle_deg(),
-    })
 }
 
 #[cfg(feature = "openapi")]
@@ -259,12 +243,16 @@ mod schemas {
         fn schema() -> RefOr<Schema> {
             let description = "Estimated discretisation errors at a location, absolute: see [`crate::gauge::GaugeError`].";
             ObjectSchema::new(description)
-                .required(Type::Number, "strain_x", "Of the circumferential strain.")
-                .required(Type::Number, "strain_y", "Of the meridional strain.")
+                .required(
+                    Type::Number,
+                    "strain_x",
+                    "Error of the circumferential strain.",
+                )
+                .required(Type::Number, "strain_y", "Error of the meridional strain.")
                 .required(
                     Type::Number,
                     "von_mises_mpa",
-                    "Of the von Mises stress, MPa.",
+                    "Error of the von Mises stress, MPa.",
                 )
                 .schema()
         }

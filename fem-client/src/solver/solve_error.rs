@@ -1,16 +1,16 @@
-//! Why a solve gave no answer.
+//! Causes of a solve without an answer.
 
 use serde::{Deserialize, Serialize};
 
-use crate::document::fault::Fault;
+use document::fault::Fault;
 
-/// Why a solve gave no answer.
+/// Cause of a solve without an answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SolveError {
     /// The scene asks for something that this solver doesn't do.
     #[error("the scene is refused")]
     Refused {
-        /// What is wrong, where.
+        /// Faults of the scene, each with its place.
         faults: Vec<Fault>,
     },
     /// The physics has no answer, or none was found.
@@ -18,7 +18,7 @@ pub enum SolveError {
     NoEquilibrium {
         /// The kind of failure.
         status: NoEquilibrium,
-        /// Which load, how far it got.
+        /// Load, and how far it got, in words.
         detail: String,
         /// Loads reached.
         reached: Reached,
@@ -29,13 +29,13 @@ pub enum SolveError {
     /// The solver itself failed; a retry may help.
     #[error("the solver failed: {detail}")]
     Broken {
-        /// What happened.
+        /// Course of the failure, in words.
         detail: String,
     },
     /// The process in which it was solved alone ended by its own fault. No solver says so, only who started that process.
     #[error("its process crashed: {detail}")]
     Crashed {
-        /// What ended it, and what it said last.
+        /// End of the process, and what it said last.
         detail: String,
     },
     /// No answer came within the time that a solve may take. No solver says so, only who watches it.
@@ -43,7 +43,7 @@ pub enum SolveError {
     OverTime {
         /// The time that a solve may take, s.
         limit_s: f64,
-        /// It didn't heed its stop flag either: its thread runs on until the program ends.
+        /// Whether it didn't heed its stop flag either: its thread runs on until the program ends.
         left_behind: bool,
     },
 }
@@ -57,7 +57,7 @@ fn over_time(limit_s: f64, left_behind: bool) -> String {
 }
 
 impl SolveError {
-    /// The same error of the mirrored ground, when asked to exchange left and right.
+    /// Returns the error of the mirrored ground, when asked to exchange left and right.
     pub fn mirrored(mut self, exchange: bool) -> Self {
         if let (true, Self::NoEquilibrium { reached, .. }) = (exchange, &mut self) {
             reached.depths_mm.reverse();
@@ -80,7 +80,7 @@ pub enum NoEquilibrium {
     Crushed,
     /// Newton's method didn't converge at the smallest step.
     NotConverged,
-    /// It isn't looked for any more: looking for it ended the program. No solver says so, only who keeps count.
+    /// Equilibrium that isn't looked for any more: looking for it ended the program. No solver says so, only who keeps count.
     Quarantined,
     /// The solver broke, or took too long: whether there is one isn't known. No solver says so, only who asked it.
     SolverFailed,
@@ -110,7 +110,7 @@ impl NoEquilibrium {
     }
 }
 
-/// How far a failed solve got.
+/// Loads that a failed solve got to.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Reached {

@@ -1,4 +1,4 @@
-//! Who watches a solve on its way, and what it hears.
+//! Observers of a solve on its way, and what they hear.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -13,11 +13,11 @@ pub trait Watch: Sync {
     fn tell(&self, _progress: SolveProgress) {}
 }
 
-/// How far a solve is.
+/// Progress of a solve.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct SolveProgress {
-    /// What is done to the tire.
+    /// Stage of the loads.
     pub stage: Stage,
     /// Share of the stage's loads at which it has been in equilibrium, 0 to 1.
     pub share: f64,
@@ -27,14 +27,14 @@ pub struct SolveProgress {
     pub residual: Option<f64>,
 }
 
-/// What is done to the tire.
+/// Stage of the loads on a tire.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Stage {
-    /// It is inflated.
+    /// Inflation.
     Inflating,
-    /// It is pressed on the ground, or dragged there.
+    /// Pressing on the ground, or dragging there.
     Pressing,
 }
 

@@ -23,7 +23,7 @@ pub enum StartStateError {
     /// The first bytes are those of something else.
     #[error("these bytes aren't a start state")]
     NotAStartState,
-    /// Written by another version of the format.
+    /// A state of another version of the format.
     #[error("start state of format version {found}; this program reads version {VERSION}")]
     OtherVersion {
         /// Version found.
@@ -32,7 +32,7 @@ pub enum StartStateError {
     /// Cut short, or changed.
     #[error("the start state is damaged: {what}")]
     Damaged {
-        /// What shows it.
+        /// Sign of the damage, in words.
         what: &'static str,
     },
 }

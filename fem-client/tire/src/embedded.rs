@@ -80,7 +80,7 @@ impl Solver for EmbeddedSolver {
 }
 
 impl EmbeddedSolver {
-    /// How the default solver finds equilibria.
+    /// Returns the settings with which the default solver finds equilibria.
     pub fn settings() -> NewtonSettings {
         NewtonSettings {
             tolerance: TOLERANCE,
@@ -144,7 +144,7 @@ fn broken(error: impl std::fmt::Display) -> SolveError {
     }
 }
 
-/// From a neighbouring equilibrium of the same inflated tire, with its tangent.
+/// Solves from a neighbouring equilibrium of the same inflated tire, with its tangent.
 fn solve_near(
     request: &SolveRequest<'_>,
     near: &Neighbourhood,
@@ -183,7 +183,7 @@ fn solve_near(
     Ok(session.answer(request, begin, found, &target))
 }
 
-/// One of two mirrored grounds is solved; whether it is the other one.
+/// Presses to the depths of one of two mirrored grounds; says whether it is the other one.
 fn press_to_depths(
     session: &mut Session<'_>,
     near: &Neighbourhood,
@@ -213,7 +213,7 @@ fn press_near(
     session.press(&near.inflated, target, Some(neighbour))
 }
 
-/// From nothing, or from the equilibrium of a similar tire on the same mesh.
+/// Solves from nothing, or from the equilibrium of a similar tire on the same mesh.
 fn solve_afresh(
     request: &SolveRequest<'_>,
     plan: &MeshPlan,
@@ -281,7 +281,7 @@ fn start_loads(start: &StartState, target: &Loads) -> Loads {
     }
 }
 
-/// What a solve found.
+/// States that a solve found.
 struct Found<'a> {
     inflated_key: String,
     inflated: State,

@@ -81,7 +81,7 @@ impl Session<'_> {
         }
     }
 
-    /// From an equilibrium near the pressure asked for to that pressure.
+    /// Goes from an equilibrium near the pressure asked for to that pressure.
     fn finish(&mut self, near: Inflated) -> Result<State, SolveError> {
         self.newton.settings.smallest_load_step = NewtonSettings::default().smallest_load_step;
         let target = self.inflation();
@@ -117,7 +117,7 @@ impl Session<'_> {
         ended(NoEquilibrium::LimitPoint, detail, below)
     }
 
-    /// At the largest volume: the pressure has levelled off, or the rubber stiffens and would be stretched too far.
+    /// Explains an end at the largest volume: the pressure has levelled off, or the rubber stiffens and would be stretched too far.
     fn outgrown(&mut self, last: &Inflated) -> SolveError {
         let (asked, pressure) = (self.scene.pressure.internal_mpa, last.pressure);
         let stretch = self.newton.stretch_range(&last.state).largest;

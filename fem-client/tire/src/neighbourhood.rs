@@ -1,4 +1,4 @@
-//! What solves that start from the same equilibrium share: the model, the fitted states and the factorised tangent there.
+//! Neighbourhood of an equilibrium, shared by the solves that start there: the model, the fitted states and the factorised tangent.
 //!
 //! The points of a study all start from its cut point, so this is made twice, for the symmetric and the full ground, and
 //! every other point is solved without a factorisation of its own. It is a function of scene, mesh and start, never of
@@ -27,7 +27,7 @@ const PRESSED: usize = 64;
 /// Rise of the ground that the border is ready for, as a share of the start's largest depth, and of the wall.
 const REACH: [f64; 2] = [0.5, 0.1];
 
-/// One equilibrium, ready to be left in any direction.
+/// An equilibrium, ready to be left in any direction.
 #[derive(Debug)]
 pub(crate) struct Neighbourhood {
     pub(crate) inflated_key: String,
@@ -51,12 +51,12 @@ pub(crate) struct Pressed {
     pub(crate) friction: [f64; 2],
 }
 
-/// Where the ground of some loads stands.
+/// Place of the ground of some loads.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct GroundPlace {
-    /// Of each station, mm.
+    /// Depth of each station, mm.
     pub(crate) depths: Vec<f64>,
-    /// How far it is dragged along x and y, mm.
+    /// Ways by which it is dragged along x and y, mm.
     pub(crate) shift: [f64; 2],
 }
 
@@ -69,7 +69,7 @@ impl GroundPlace {
         })
     }
 
-    /// With left and right exchanged.
+    /// Returns the place with left and right exchanged.
     fn mirrored(&self) -> Self {
         let [x, y] = self.shift;
         Self {
@@ -79,7 +79,7 @@ impl GroundPlace {
         }
     }
 
-    /// One order of all places.
+    /// Orders all places.
     fn cmp(&self, other: &Self) -> Ordering {
         let values = |place: &Self| [place.depths.as_slice(), &place.shift].concat();
         let (own, others) = (values(self), values(other));
@@ -91,7 +91,7 @@ impl GroundPlace {
 }
 
 impl Neighbourhood {
-    /// `None` when the state belongs to another mesh or inflation, or its tangent can't be had.
+    /// Makes the neighbourhood; `None` when the state belongs to another mesh or inflation, or its tangent can't be had.
     fn new(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> Option<Self> {
         let model = TireModel::new(scene, plan, extent);
         let inflated = model.fit(&start.inflated)?;

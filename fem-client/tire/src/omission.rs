@@ -1,4 +1,4 @@
-//! What the model of a scene leaves out, each with the scene that has it.
+//! Omissions of a scene's model, each with the scene that has it.
 //!
 //! How much that matters is measured, not guessed: the richer scene is solved beside the plain one (`placement::ladder::effects`).
 
@@ -12,7 +12,7 @@ const DRY_FRICTION: f64 = 0.5;
 /// 2/kappa of rubber with a bulk modulus of 1000 MPa, at the soft end of what vulcanisates have.
 const SOFT_RUBBER_D1_PER_MPA: f64 = 0.002;
 
-/// Everything that could be modelled, and isn't in this scene.
+/// Returns all that could be modelled, and isn't in this scene.
 pub fn omissions(scene: &Scene) -> Vec<Omission> {
     let omission = |what: &'static str, why: String, overrides: Value| Omission {
         what,

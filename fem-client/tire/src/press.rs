@@ -93,7 +93,7 @@ impl Session<'_> {
         self.unfolded(found, way)
     }
 
-    /// What was found at the end of a way, unless the tire touches itself there and on all of the way's branches.
+    /// Returns what was found at the end of a way, unless the tire touches itself there and on all of the way's branches.
     fn unfolded(
         &mut self,
         found: (State, PathReport),

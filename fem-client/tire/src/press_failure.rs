@@ -1,4 +1,4 @@
-//! Why a tire can't be pressed further, or dragged: the loss of stability on the ground, the depth of self-contact.
+//! Reasons why a tire can't be pressed further, or dragged: the loss of stability on the ground, the depth of self-contact.
 
 use fem::newton::iteration::Cause;
 use fem::newton::path::{PathFailure, PathReport, Stability};
@@ -23,8 +23,8 @@ const SELF_CONTACT_REACH: f64 = 4.0;
 /// Searches, each beyond the end of the one before.
 const SELF_CONTACT_ROUNDS: usize = 4;
 
-/// Why a way ended at this state, the last equilibrium; or the equilibrium at its target, if the end was another
-/// branch's, on which the tire touches itself.
+/// Explains why a way ended at this state, the last equilibrium; or returns the equilibrium at its target, if the end was another branch's, on which
+/// the tire touches itself.
 pub(crate) fn way_failure(
     session: &mut Session<'_>,
     way: &Way<'_>,
@@ -43,7 +43,7 @@ pub(crate) fn way_failure(
     Err(stopped_error(stopped, failure, reached, buckled, squeezed))
 }
 
-/// So far the search goes beyond a share of the way, at most to the target.
+/// Returns the share of a way to which the search goes beyond this one, at most the target.
 fn beyond(share: f64) -> f64 {
     (SELF_CONTACT_REACH * share).min(1.0)
 }
@@ -145,7 +145,7 @@ fn stopped_error(
     no_equilibrium(status, detail, reached, failure.cause)
 }
 
-/// How far the rubber is squeezed, where that is what a mesh can't follow any further.
+/// Says how far the rubber is squeezed, where that is what a mesh can't follow any further.
 pub(crate) fn crushed(smallest_stretch: f64) -> Option<String> {
     (smallest_stretch < CRUSHED).then(|| {
         format!(
@@ -155,7 +155,7 @@ pub(crate) fn crushed(smallest_stretch: f64) -> Option<String> {
     })
 }
 
-/// What ended the iterations, and what happened on the way.
+/// Says what ended the iterations, and what happened on the way.
 fn unconverged(failure: &PathFailure) -> String {
     let cause = cause_text(failure.cause);
     if failure.losses == 0 {

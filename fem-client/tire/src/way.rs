@@ -5,7 +5,7 @@ use fem_client::scene::Scene;
 
 use crate::model::{DRAG_STEPS, FRICTION_STEPS, load_step};
 
-/// What happens on a way.
+/// A part of a way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Leg {
     /// The ground rises.
@@ -40,7 +40,7 @@ impl Leg {
         }
     }
 
-    /// What is asked of the ground, in words.
+    /// Says what is asked of the ground, in words.
     pub(crate) fn asked(self, scene: &Scene) -> String {
         match (self, scene.ground.load_n) {
             (Self::Dragging, _) => format!("the shift {:?} mm", scene.ground.shift_mm),
@@ -49,7 +49,7 @@ impl Leg {
         }
     }
 
-    /// Where a way stopped, in words: after a share of it, at a load (N) where there is one.
+    /// Says where a way stopped, in words: after a share of it, at a load (N) where there is one.
     pub(crate) fn stopped(self, scene: &Scene, share: f64, load: Option<f64>) -> String {
         let (asked, percent) = (self.asked(scene), 100.0 * share);
         match (self, load) {
@@ -80,7 +80,7 @@ impl Leg {
         }
     }
 
-    /// What keeps the tire from touching itself, in words.
+    /// Says what keeps the tire from touching itself, in words.
     pub(crate) fn remedy(self) -> &'static str {
         match self {
             Self::Pressing => "press less, or inflate more",

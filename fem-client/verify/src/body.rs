@@ -21,7 +21,7 @@ pub(crate) const RUBBER: MooneyRivlin = MooneyRivlin {
     c01: 0.036,
 };
 
-/// Its shear modulus, MPa.
+/// Shear modulus of the rubber, MPa.
 pub(crate) const SHEAR_MODULUS: f64 = 2.0 * (RUBBER.c10 + RUBBER.c01);
 
 /// Rubber of a bulk compliance (1/MPa; 0 is incompressible).

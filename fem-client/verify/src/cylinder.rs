@@ -16,7 +16,7 @@ use crate::family::Unsolved;
 use crate::known_case::Case;
 use crate::mesh_refinement::Refinement;
 
-/// Where the pressures come from.
+/// Source of the pressures.
 pub(crate) const SOURCE: &str =
     "exact: mu (ln(B/b) - ln(A/a) + k (a^-2 - b^-2) / 2 with A, B for a, b), k = a^2 - A^2";
 /// Stretches of the inner radius.

@@ -8,7 +8,7 @@ use fem_client::solver::SolveError;
 
 use crate::known_case::Case;
 
-/// Why a case has no answer.
+/// Reason why a case has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Unsolved {
     /// The model can't be set up.
@@ -19,7 +19,7 @@ pub enum Unsolved {
     Load {
         /// Fraction of the load that was reached.
         reached: f64,
-        /// What ended the last attempt.
+        /// Cause of the last attempt's end.
         cause: Cause,
     },
     /// A volume has none.
@@ -27,13 +27,13 @@ pub enum Unsolved {
     Volume {
         /// Volume over that of the reference state.
         ratio: f64,
-        /// What ended the attempt.
+        /// Cause of the attempt's end.
         cause: Cause,
     },
     /// The way to the limit point can't be followed.
     #[error("no way to the limit point: {cause:?}")]
     LimitPoint {
-        /// What ended the last attempt.
+        /// Cause of the last attempt's end.
         cause: Cause,
     },
     /// The pressure rises all the way.
@@ -45,7 +45,7 @@ pub enum Unsolved {
     /// A scene has no equilibrium.
     #[error(transparent)]
     Scene(#[from] SolveError),
-    /// Something else, in words.
+    /// Another reason, in words.
     #[error("{0}")]
     Other(String),
 }
@@ -56,7 +56,7 @@ pub type Solve = fn(&AtomicBool) -> Result<Vec<Case>, Unsolved>;
 /// Cases that are solved together.
 #[derive(Debug, Clone, Copy)]
 pub struct Family {
-    /// Its name, by which it is chosen.
+    /// Name by which the family is chosen.
     pub name: &'static str,
     solve: Solve,
 }

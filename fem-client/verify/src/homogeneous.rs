@@ -87,7 +87,7 @@ struct Tension {
     name: &'static str,
     /// Smallest published stretch.
     from: f64,
-    /// Which stretches are prescribed at a stretch l.
+    /// Stretches that are prescribed at a stretch l.
     prescribed: fn(f64) -> [Option<f64>; 3],
     /// Nominal stress, MPa.
     exact: fn(f64) -> f64,

@@ -11,11 +11,11 @@ const SLOPE_MARGIN: f64 = 0.5;
 pub enum Verdict {
     /// The error is within the tolerance, and the convergence as fast as it should be.
     Pass,
-    /// It isn't, or there is no answer.
+    /// An error beyond the tolerance, or no answer.
     Fail,
 }
 
-/// How an error is measured.
+/// Measure of an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Measure {
@@ -29,34 +29,34 @@ pub enum Measure {
 /// limit, with the radius of the contact instead.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Slope {
-    /// From the errors on the two finest meshes, over the whole curve that the value belongs to.
+    /// Slope from the errors on the two finest meshes, over the whole curve that the value belongs to.
     pub observed: f64,
-    /// What theory promises at least.
+    /// Least slope that theory promises.
     pub theoretical: f64,
 }
 
 /// A number with what it should be.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Case {
-    /// What was computed, with its unit.
+    /// Quantity that was computed, with its unit.
     pub name: String,
     /// The computed value, in the unit that the name says; `None` when there is none.
     pub computed: Option<f64>,
-    /// What it should be, in that unit.
+    /// Value that it should have, in that unit.
     pub expected: f64,
     /// Error as measured; `None` when there is no value.
     pub error: Option<f64>,
     /// Largest error that passes.
     pub tolerance: f64,
-    /// How the error is measured.
+    /// Measure of the error.
     pub measure: Measure,
     /// Convergence under refinement, where more than one mesh was solved.
     pub slope: Option<Slope>,
-    /// Where the expected value comes from.
+    /// Source of the expected value.
     pub source: &'static str,
     /// Verdict.
     pub verdict: Verdict,
-    /// Why there is no value, or how the solve ended.
+    /// Reason why there is no value, or end of the solve.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub detail: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! What two meshes say about the error of the finer one.
+//! Error of a mesh, from its results and those of a coarser one.
 
 /// Safety on the estimate: the two meshes may not be asymptotic yet.
 const SAFETY: f64 = 2.0;

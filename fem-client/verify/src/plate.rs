@@ -18,8 +18,8 @@ const PENALTY: Penalty = Penalty {
     ramp: 1e-6,
 };
 
-/// Where a plate may be for the other code's contact, beyond where it is, mm: that contact is smoothed, over 0.004 mm in
-/// a problem whose settings are known, and seen to reach 0.0024 to 0.0043 mm here before the bound was set.
+/// Width within which the plate may be for the other code's contact, beyond where it is, mm: that contact is smoothed, over 0.004 mm in a problem
+/// whose settings are known, and seen to reach 0.0024 to 0.0043 mm here before the bound was set.
 pub(crate) const CONTACT_WIDTH: f64 = 0.005;
 
 /// Lets a surface of the problem, whose normals point outwards, touch the plate.
@@ -31,7 +31,7 @@ pub(crate) fn touch(problem: &mut Problem, surface: Surface) {
 pub(crate) struct Pressing<'p> {
     problem: &'p Problem,
     newton: Newton<'p>,
-    /// Its present equilibrium.
+    /// Present equilibrium.
     pub state: State,
     loads: Loads,
     lowest: f64,

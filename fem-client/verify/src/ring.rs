@@ -63,7 +63,7 @@ fn quarter() -> Problem {
     problem
 }
 
-/// What the ring answers. A plate touches both halves, so its force is twice the quarter's.
+/// Reads the ring's answers. A plate touches both halves, so its force is twice the quarter's.
 fn answer(problem: &Problem, pressing: &Pressing<'_>) -> PlateReading {
     let place = |x: [f64; 3]| {
         let node = problem.mesh.nodes.iter().position(|node| *node == x);

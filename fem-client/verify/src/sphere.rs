@@ -18,7 +18,7 @@ use crate::mesh_refinement::Refinement;
 
 const LIMIT_SOURCE: &str = "exact: maximum of the pressure below, found to 16 digits";
 const SOURCE: &str = "exact: integral of W'(l) / (l^3 - 1) from the outer to the inner stretch";
-/// Asked of limit pressures.
+/// Tolerance of limit pressures.
 const LIMIT_TOLERANCE: f64 = 1e-3;
 /// Stretch at a limit point: where the slope of the pressure vanishes, an error e of the pressure moves it by its root.
 const STRETCH_TOLERANCE: f64 = 0.03;

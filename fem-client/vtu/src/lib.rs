@@ -53,9 +53,9 @@ impl CellShape {
 /// A named array.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataArray {
-    /// Its name.
+    /// Name of the array.
     pub name: String,
-    /// Its unit; `1` for pure numbers, `None` for flags.
+    /// Unit of the values; `1` for pure numbers, `None` for flags.
     pub unit: Option<&'static str>,
     /// Numbers in a tuple.
     pub components: usize,
@@ -93,7 +93,7 @@ impl DataArray {
         Self::floats(name, unit, 3, values.as_flattened().to_vec())
     }
 
-    /// One flag in a tuple: 1 for yes.
+    /// Makes an array of flags, one a tuple: 1 for yes.
     pub fn flags(name: impl Into<String>, values: impl Iterator<Item = bool>) -> Self {
         Self {
             name: name.into(),
@@ -118,17 +118,17 @@ pub enum VtuError {
     Length {
         /// The array.
         array: String,
-        /// What it has.
+        /// Count of the numbers that it has.
         numbers: usize,
-        /// What it should have.
+        /// Count of the numbers that it should have.
         expected: usize,
     },
     /// A cell has a point that isn't there.
     #[error("a cell has the point {point} of {points}")]
     Point {
-        /// Its number.
+        /// Number of the point.
         point: u32,
-        /// How many there are.
+        /// Count of the points.
         points: usize,
     },
 }
@@ -215,18 +215,18 @@ fn finite(array: &str, values: &[f64]) -> Result<(), VtuError> {
         .ok_or_else(|| VtuError::NotFinite { array: array() })
 }
 
-/// What an array of the file holds, still as the grid has it: a map has megabytes, which are written once, into the file.
+/// Block of an array in the file, still as the grid has it: a map has megabytes, which are written once, into the file.
 enum Block<'g> {
     Floats(&'g [f64]),
     Bytes(&'g [u8]),
     /// Points of the cells.
     Points(&'g [u32]),
-    /// Where each cell's points end.
+    /// Ends of each cell's points.
     Offsets {
         count: usize,
         corners: usize,
     },
-    /// The same type for each cell.
+    /// Type of the cells, one for all.
     Types {
         kind: u8,
         count: usize,
@@ -321,7 +321,7 @@ impl<'g> Writer<'g> {
         self.line(&format!("</{element}>"));
     }
 
-    /// One array: its element here, its length and bytes behind all elements.
+    /// Writes an array: its element here, its length and bytes behind all elements.
     fn array(
         &mut self,
         kind: &str,

@@ -144,7 +144,7 @@ const READING: &str = "Points are those of the undeformed tire, x in the rolling
     warped by displacement they are those of the equilibrium, by displacement_inflated those of the inflated tire before contact. Stresses are means \
     over a brick's volume in the equilibrium, of the rubber without cords and film; cauchy_stress_mpa is xx, yy, zz, xy, yz, xz.";
 
-/// Where VTK's nodes of a brick stand among ours, which run along the first direction fastest.
+/// Returns the places of VTK's nodes of a brick among ours, which run along the first direction fastest.
 fn vtk_order(order: Order) -> Vec<usize> {
     // In halves of an edge: corners; edges below, above and between; faces; the middle.
     const PLACES: [[usize; 3]; 27] = [

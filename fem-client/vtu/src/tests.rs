@@ -21,7 +21,7 @@ fn square() -> VtuGrid {
     }
 }
 
-/// As any decoder does it.
+/// Decodes as any decoder does.
 fn decoded(text: &str) -> Vec<u8> {
     let value = |c: u8| match c {
         b'A'..=b'Z' => c - b'A',

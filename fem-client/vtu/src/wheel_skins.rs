@@ -32,7 +32,7 @@ pub struct WheelSkins {
     pub ground: Vec<[f64; 2]>,
 }
 
-/// One surface; x in the rolling direction, y along the axle, z upward, from the wheel's centre.
+/// A surface; x in the rolling direction, y along the axle, z upward, from the wheel's centre.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Skin {
     /// Positions in the inflated state before contact, mm.
@@ -87,7 +87,7 @@ impl WheelSkins {
     }
 }
 
-/// From one bead to the other.
+/// Returns the lines from one bead to the other.
 fn rows(grid: &TireGrid) -> Vec<Line> {
     let line = |index| Line {
         angle: grid.line(&grid.phi, index),
@@ -104,7 +104,7 @@ fn rows(grid: &TireGrid) -> Vec<Line> {
     }
 }
 
-/// Around the wheel, from its far side on.
+/// Returns the lines around the wheel, from its far side on.
 fn columns(grid: &TireGrid) -> Vec<Line> {
     let line = |index| Line {
         angle: grid.line(&grid.theta, index),

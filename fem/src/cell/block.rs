@@ -9,7 +9,7 @@ use crate::tensor::Vector;
 /// A mapped cube of `cells[0]` x `cells[1]` x `cells[2]` bricks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {
-    /// Its bricks, the first coordinate running fastest.
+    /// Bricks, the first coordinate running fastest.
     pub mesh: Mesh,
     /// Position of each brick in the block, in bricks.
     pub layout: Vec<[f64; 3]>,

@@ -154,14 +154,14 @@ pub fn brick_points(order: Order) -> Vec<([f64; 3], f64)> {
     quadrature::brick([n, order.nodes_across(), n])
 }
 
-/// One integration point of a reference face.
+/// An integration point of a reference face.
 #[derive(Debug, Clone)]
 pub struct FacePoint {
     /// Weight on the reference square.
     pub weight: f64,
     /// Shape functions.
     pub values: Vec<f64>,
-    /// Their derivatives with respect to the reference coordinates.
+    /// Derivatives of the shape functions with respect to the reference coordinates.
     pub gradients: Vec<[f64; 2]>,
     /// Constant part of the second tangent: [`Order::lateral_tangent`].
     lateral: Vector,

@@ -48,7 +48,7 @@ impl Surface {
         &self.faces[index * n..(index + 1) * n]
     }
 
-    /// These faces with opposite normals.
+    /// Returns these faces with opposite normals.
     pub fn flipped(&self) -> Self {
         let along = self.order.edge_nodes();
         let across = self.order.face_nodes() / along;

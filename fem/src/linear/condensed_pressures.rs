@@ -1,4 +1,4 @@
-//! What the elimination of the pressures on each brick adds to a Newton step: forces before it, pressures after it.
+//! Elimination of the pressures on each brick, as it changes a Newton step: forces before it, pressures after it.
 
 use crate::linear::assembly::Assembler;
 use crate::linear::face_buffers::gather;

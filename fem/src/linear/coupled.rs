@@ -1,4 +1,4 @@
-//! Which unknowns the elements couple: bricks, and what is glued on them.
+//! Unknowns that the elements couple: bricks, and what is glued on them.
 
 use crate::problem::Problem;
 
@@ -7,7 +7,7 @@ use crate::problem::Problem;
 pub(crate) struct Cell<'p> {
     /// The nodes.
     pub(crate) nodes: &'p [u32],
-    /// Where it lies in the chart of the bricks, in bricks.
+    /// Position in the chart of the bricks, in bricks.
     pub(crate) position: [f64; 3],
 }
 

@@ -11,7 +11,7 @@ use crate::tensor::Vector;
 pub(super) struct FaceBuffers {
     /// Nodal forces, N.
     pub(super) residual: Vec<f64>,
-    /// By rows, N/mm.
+    /// Stiffness by rows, N/mm.
     pub(super) stiffness: Vec<f64>,
     /// Current positions or displacements of the nodes, mm.
     pub(super) positions: Vec<Vector>,

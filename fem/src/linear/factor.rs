@@ -87,8 +87,8 @@ impl Factor {
             .map_err(|LdltError::ZeroPivot { index }| LinearError::ZeroPivot { index })
     }
 
-    /// This factor with its entries rounded to single precision, for solves that correct their own errors: half the
-    /// memory, and half of it to read in a substitution. A factor that single precision can't hold stays as it is.
+    /// Rounds the entries to single precision, for solves that correct their own errors: half the memory, and half of it to read in a substitution. A
+    /// factor that single precision can't hold stays as it is.
     #[must_use]
     pub fn rounded(mut self) -> Self {
         self.values = match self.values {
@@ -169,7 +169,7 @@ impl Workspace {
         })
     }
 
-    /// For substitutions alone.
+    /// Makes a workspace for substitutions alone.
     pub fn for_substitutions() -> Self {
         Self {
             memory: MemBuffer::new(StackReq::EMPTY),

@@ -1,5 +1,5 @@
-//! What assembly and factorisation need to know before any state: geometry, equation numbers, scatter lists, and the
-//! symbolic factorisation. Made once per mesh and contact border, shared by all solves.
+//! Geometry, equation numbers, scatter lists and symbolic factorisation: all that assembly and factorisation need before any state. Made once per
+//! mesh and contact border, shared by all solves.
 
 use std::sync::Arc;
 
@@ -33,12 +33,12 @@ pub struct Setup {
     pub(crate) geometry: Arc<SolidGeometry>,
     pub(crate) brick_scatter: Vec<u32>,
     pub(crate) membrane_scatter: Vec<Vec<u32>>,
-    /// Of each element of the sheet.
+    /// Scatter lists of the sheet's elements.
     pub(crate) sheet_scatter: Vec<Vec<u32>>,
     pub(crate) pressure_scatter: Vec<u32>,
     /// Shear modulus times volume^(2/3), and fibre stiffnesses times the root of their area, N.
     pub(crate) natural_force: f64,
-    /// Which contact faces the border serves.
+    /// Whether the border serves each contact face.
     pub(crate) border_faces: Vec<bool>,
 }
 
@@ -54,7 +54,7 @@ impl Setup {
         Self::with_border(problem, geometry, border_axes(problem, &faces), faces)
     }
 
-    /// This set-up with a border that serves these contact faces too; `None` when its own border does.
+    /// Returns this set-up with a border that serves these contact faces too; `None` when its own border does.
     ///
     /// # Errors
     /// As [`Setup::new`].

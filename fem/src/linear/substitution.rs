@@ -10,7 +10,7 @@ use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
 /// Columns that one pass over the rows serves.
 const BLOCK: usize = 4;
 
-/// One supernode: unit lower columns with D on their diagonal.
+/// A supernode: unit lower columns with D on their diagonal.
 struct Supernode<'a, T> {
     start: usize,
     /// Columns that belong to the interior.
@@ -200,7 +200,7 @@ pub(crate) fn negative_pivots<T: Copy + Into<f64>>(
         .count()
 }
 
-/// What the elimination of the interior leaves of the border: L_b D_b L_b^T.
+/// Returns L_b D_b L_b^T, which the elimination of the interior leaves of the border.
 pub(crate) fn schur_complement<T: Copy + Into<f64>>(
     factor: SupernodalLdltRef<'_, usize, T>,
     interior: usize,

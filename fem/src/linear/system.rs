@@ -32,8 +32,8 @@ pub struct Imbalance {
     pub force: f64,
     /// Norm of the volume residuals over the norm of the volumes.
     pub volume: f64,
-    /// What the ground's force lacks of the one it is to press with, relative to that, times a hundredth: an equilibrium to 1e-8 is pressed with its force to
-    /// 1e-6.
+    /// Difference between the ground's force and the one it is to press with, relative to that, times a hundredth: an equilibrium to 1e-8 is pressed with its
+    /// force to 1e-6.
     pub ground: f64,
 }
 
@@ -84,7 +84,7 @@ impl Residuals {
         }
     }
 
-    /// What the supports must bear: the internal forces at held displacements.
+    /// Returns the forces that the supports must bear: the internal forces at held displacements.
     pub(crate) fn held_forces(&self) -> Vec<Vector> {
         self.held.clone()
     }

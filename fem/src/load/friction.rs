@@ -56,7 +56,7 @@ impl Friction {
         }
     }
 
-    /// Where the anchor stands after a load step that ended at `position` with this slip and pressure.
+    /// Returns the anchor's place after a load step that ended at `position` with this slip and pressure.
     pub(crate) fn anchor(&self, position: [f64; 2], slip: [f64; 2], pressure: f64) -> [f64; 2] {
         let traction = self.traction(slip, pressure).value;
         [0, 1].map(|i| position[i] + traction[i] / self.stiffness)

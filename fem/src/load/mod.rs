@@ -1,4 +1,4 @@
-//! What loads a body from outside, in reading order:
+//! Loads of a body from outside, in reading order:
 //!
 //! - [`pressure`]: live pressure on a surface
 //! - [`traction`]: dead forces on a surface

@@ -48,7 +48,7 @@ pub struct HeightField {
     pub functions: StationFunctions,
     /// Depth of each station, mm. The functions of stations beyond the ends belong to the ends.
     pub depths: Vec<f64>,
-    /// How far the ground is dragged along x and y, mm; stations and friction's anchors go with it.
+    /// Ways by which the ground is dragged along x and y, mm; stations and friction's anchors go with it.
     pub shift: [f64; 2],
 }
 

@@ -12,7 +12,7 @@ use crate::tensor::{Vector, cross};
 /// A surface under pressure, oriented so that x,1 x x,2 points where the pressure pushes.
 #[derive(Debug)]
 pub struct PressureSurface {
-    /// Its faces.
+    /// Faces under the pressure.
     pub surface: Surface,
     rule: Vec<FacePoint>,
 }

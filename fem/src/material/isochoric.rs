@@ -1,4 +1,4 @@
-//! What every isochoric law answers.
+//! Contract of the isochoric laws.
 
 use crate::tensor::{Tensor, Tensor4};
 

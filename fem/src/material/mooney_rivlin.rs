@@ -58,7 +58,7 @@ impl Kinematics {
 struct Slopes {
     /// Factors C10 J^(-2/3) and C01 J^(-4/3).
     scale: [f64; 2],
-    /// Their derivatives by J.
+    /// Derivatives of the scales by J.
     scale_slope: [f64; 2],
     /// Derivatives of I1 and I2 by F.
     invariants: [Tensor; 2],

@@ -19,10 +19,10 @@
 use super::isochoric::{Isochoric, von_mises_of_principal};
 use crate::tensor::{Tensor, Tensor4, multiply, symmetric_eigen, transpose};
 
-/// One term.
+/// A term of Ogden's law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OgdenTerm {
-    /// Its share of the initial shear modulus, MPa.
+    /// Share of the initial shear modulus, MPa.
     pub mu: f64,
     /// Exponent, not zero.
     pub alpha: f64,
@@ -31,7 +31,7 @@ pub struct OgdenTerm {
 /// The terms.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ogden {
-    /// At least one.
+    /// Terms, at least one.
     pub terms: Vec<OgdenTerm>,
 }
 
@@ -159,8 +159,8 @@ impl Isochoric for Ogden {
         first_piola_kirchhoff(&self.beta(&spectrum.logarithms), &spectrum.squares, &dyads)
     }
 
-    /// With M_ab = (F N_a) x N_b and S the second Piola-Kirchhoff stress,
-    /// A = sum_ab D_ab M_aa x M_bb + sum_(a<b) T_ab (M_ab + M_ba) x (M_ab + M_ba) + 1 x S.
+    /// Returns S and A: with M_ab = (F N_a) x N_b and S the second Piola-Kirchhoff stress, A = sum_ab D_ab M_aa x M_bb + sum_(a<b) T_ab (M_ab + M_ba)
+    /// x (M_ab + M_ba) + 1 x S.
     fn stress_and_tangent(&self, deformation_gradient: &Tensor) -> (Tensor, Tensor4) {
         let spectrum = Spectrum::new(deformation_gradient);
         let Moduli { beta, gamma, shear } = self.moduli(&spectrum);

@@ -104,7 +104,7 @@ impl Acceleration {
     }
 }
 
-/// One change in the orthonormal basis of those before it.
+/// A change in the orthonormal basis of those before it.
 struct Row {
     index: usize,
     unit: Vec<f64>,

@@ -96,7 +96,7 @@ impl<'a> CondensedContact<'a> {
         self.solve_from(Col::zeros(rhs.nrows()), rhs, tolerance, watch)
     }
 
-    /// As [`Self::solve`], from other increments; where the body mustn't leave the ground, they touch it.
+    /// Solves as [`Self::solve`], from other increments; where the body mustn't leave the ground, they touch it.
     pub(super) fn solve_from(
         &self,
         mut x: Col<f64>,
@@ -165,7 +165,7 @@ impl<'a> CondensedContact<'a> {
         faer::Scale(self.line_search(rhs, x, &step, slope)) * step
     }
 
-    /// With friction the tangent isn't symmetric, and there is no energy.
+    /// Whether there is friction: the tangent isn't symmetric then, and there is no energy.
     fn has_friction(&self) -> bool {
         !self.anchors.is_empty()
     }

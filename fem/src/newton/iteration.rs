@@ -33,7 +33,7 @@ pub use report::{Cause, Converged, Effort, NewtonSettings, NotConverged};
 #[derive(Debug)]
 pub struct Newton<'p> {
     problem: &'p Problem,
-    /// When to stop.
+    /// Criteria to stop.
     pub settings: NewtonSettings,
     /// Time and iterations since the last reset by the caller.
     pub effort: Effort,

@@ -44,7 +44,7 @@ pub struct PathFailure {
     pub loads: Loads,
     /// Fraction of the path that the last attempt tried to add.
     pub step: f64,
-    /// What ended the last attempt.
+    /// Cause of the last attempt's end.
     pub cause: Cause,
     /// Residuals of the last attempt.
     pub history: Vec<Imbalance>,
@@ -155,7 +155,7 @@ impl Stability {
     }
 }
 
-/// Why a step is not taken: it found no equilibrium, or one that is unstable.
+/// Returns the reason why a step is not taken: it found no equilibrium, or one that is unstable.
 fn refused(attempt: Result<Converged, NotConverged>) -> NotConverged {
     attempt.map_or_else(
         |failure| failure,

@@ -48,7 +48,7 @@ impl CondensedContact<'_> {
         (relative + Scale(rise) * &lift, rise)
     }
 
-    /// One at the vertical unknowns.
+    /// Returns the vector with a one at each vertical unknown.
     fn lift(&self, unknowns: usize) -> Col<f64> {
         let mut lift = Col::zeros(unknowns);
         let vertical = self
@@ -61,7 +61,7 @@ impl CondensedContact<'_> {
         lift
     }
 
-    /// How far ground that touches nothing has to rise until it does, mm; 0 where it touches.
+    /// Returns the rise by which ground that touches nothing would touch, mm; 0 where it touches.
     fn gap(&self, unknowns: usize) -> f64 {
         let touches = |rise: f64| {
             let lowered = Scale(-rise) * self.lift(unknowns);

@@ -21,7 +21,7 @@ use crate::problem::{Problem, State};
 /// The ground that a step works against.
 pub(crate) struct Pressing<'a> {
     pub ground: &'a HeightField,
-    /// With which it presses, N; `None` where it stands still.
+    /// Force with which it presses, N; `None` where it stands still.
     pub force: Option<f64>,
     pub focus: &'a Focus,
     /// Residual up to which the contact is solved, N.
@@ -66,7 +66,7 @@ impl Tangent {
         Ok(())
     }
 
-    /// This tangent with its factor in single precision.
+    /// Returns this tangent with its factor in single precision.
     #[must_use]
     pub(crate) fn rounded(self) -> Self {
         Self {

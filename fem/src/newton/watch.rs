@@ -1,4 +1,4 @@
-//! Who watches a solve on its way.
+//! Observers of a solve on its way.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

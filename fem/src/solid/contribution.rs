@@ -5,7 +5,7 @@ use super::solid_model::SolidModel;
 use crate::cell::element::Order;
 use crate::tensor::{Tensor, cofactor, cofactor_derivative, determinant};
 
-/// What one brick contributes, in buffers that are reused from brick to brick.
+/// Contribution of a brick, in buffers that are reused from brick to brick.
 #[derive(Debug, Clone)]
 pub struct SolidContribution {
     /// Nodal forces r_u, N.

@@ -26,7 +26,7 @@ pub struct SolidGeometry {
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("brick {element} has a non-positive Jacobian {jacobian} in the reference state")]
 pub struct InvalidReference {
-    /// Which brick.
+    /// Number of the brick.
     pub element: usize,
     /// Determinant of the map from the reference cube, mm^3.
     pub jacobian: f64,

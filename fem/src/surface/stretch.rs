@@ -49,13 +49,13 @@ pub struct StretchRange {
 }
 
 impl StretchRange {
-    /// Of a body at rest.
+    /// Stretches of a body at rest.
     pub const UNDEFORMED: Self = Self {
         smallest: 1.0,
         largest: 1.0,
     };
 
-    /// Of a deformation gradient: roots of the extreme eigenvalues of F^T F.
+    /// Returns the stretches of a deformation gradient: roots of the extreme eigenvalues of F^T F.
     pub fn of(deformation_gradient: &Tensor) -> Self {
         let f = deformation_gradient;
         let (squares, _) = symmetric_eigen(&multiply(&transpose(f), f));

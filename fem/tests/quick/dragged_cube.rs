@@ -63,7 +63,7 @@ fn forces(newton: &mut Newton<'_>, state: &State, loads: &Loads) -> Forces {
     }
 }
 
-/// Pressed in 8 steps, then dragged in so many.
+/// Presses in 8 steps, then drags in so many.
 fn drag(problem: &Problem, pressed: &Loads, dragged: &Loads, steps: f64) -> (State, Forces) {
     let mut newton = Newton::new(problem).expect("a valid mesh");
     newton.settings.tolerance = TOLERANCE;
@@ -98,7 +98,7 @@ fn assert_balanced(forces: &Forces) {
     }
 }
 
-/// With a coefficient that is never reached the bottom goes with the ground: as one that is held and displaced, but for the springs' give.
+/// A bottom whose friction is never reached goes with the ground: as one that is held and displaced, but for the springs' give.
 #[test]
 fn sticking_ground_shears_the_cube_as_a_held_bottom_does() {
     let way = 0.02;
@@ -137,7 +137,7 @@ fn sticking_ground_shears_the_cube_as_a_held_bottom_does() {
     }
 }
 
-/// Dragged far enough every point slips, and the ground pulls the cube along with mu times the load, never more.
+/// Points of a cube that is dragged far enough all slip, and the ground pulls it along with mu times the load, never more.
 #[test]
 fn sliding_ground_pulls_with_mu_times_the_load_along_its_way() {
     let far = [0.5, 1.0, 2.0];
@@ -214,7 +214,7 @@ fn ground_that_presses_with_a_force_keeps_it_while_it_is_dragged() {
     assert!(state.rise > 0.0);
 }
 
-/// Dragged there and back over sticking ground the cube is where it was: nothing slipped.
+/// The cube dragged there and back over sticking ground is where it was: nothing slipped.
 #[test]
 fn sticking_ground_takes_the_cube_back() {
     let cube = pressed(Order::Quadratic, rough(1e6, STIFFNESS), Some(0.0));

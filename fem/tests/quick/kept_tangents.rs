@@ -120,7 +120,7 @@ fn a_kept_tangent_leads_to_the_same_equilibria() {
     }
 }
 
-/// What it's kept for: contact opens and closes on the border alone, where nothing is factorised.
+/// Contact opens and closes on the border alone, where nothing is factorised: what a tangent is kept for.
 #[test]
 fn near_its_state_a_kept_tangent_needs_no_other() {
     let problem = hung(Order::Quadratic, Friction::NONE);
@@ -131,7 +131,7 @@ fn near_its_state_a_kept_tangent_needs_no_other() {
     assert_eq!(factorisations, 0);
 }
 
-/// Without a ground the same tangent is solved free of contact.
+/// The kept tangent is solved free of contact where there is no ground.
 #[test]
 fn a_kept_tangent_lets_the_ground_be_taken_away() {
     let problem = hung(Order::Linear, Friction::NONE);

@@ -85,7 +85,7 @@ fn check_differences(material: &dyn Isochoric, f: &Tensor) -> [Option<f64>; 2] {
     })
 }
 
-/// What every law must satisfy at any deformation.
+/// Checks what every law must satisfy at any deformation.
 fn check_material(material: &dyn Isochoric, f: &Tensor) {
     let (stress, tangent) = material.stress_and_tangent(f);
     let size = stress_size(material, f);

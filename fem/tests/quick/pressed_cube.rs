@@ -133,8 +133,8 @@ fn the_contact_patch_test_is_passed() {
     }
 }
 
-/// Dragged far enough every point slips: the drag comes up to mu times the load, opposite to the motion, and never
-/// beyond. What is missing is the part of the slip across, which dies out as the cube slides.
+/// Points of a cube that is dragged far enough all slip: the drag comes up to mu times the load, opposite to the motion, and never beyond. What is
+/// missing is the part of the slip across, which dies out as the cube slides.
 #[test]
 fn a_sliding_cube_is_dragged_with_mu_times_its_load() {
     let friction = Friction {
@@ -156,7 +156,7 @@ fn a_sliding_cube_is_dragged_with_mu_times_its_load() {
     );
 }
 
-/// With a coefficient that is never reached the points stick: as if the bottom were held, but for the springs' give.
+/// Points whose friction is never reached stick as if the bottom were held, but for the springs' give.
 #[test]
 fn a_sticking_cube_is_a_held_one_in_the_limit_of_stiff_springs() {
     let slide = 0.02;

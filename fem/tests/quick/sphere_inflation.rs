@@ -16,7 +16,7 @@ use fem::tensor::{Vector, norm};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 const RATIO: f64 = 2.0;
-/// Of load steps: a failed one goes on with this share.
+/// Share of a load step with which a failed one goes on.
 const CUT_BACK: f64 = 0.25;
 
 /// An octant between the radii 1 and `RATIO`: three patches of a cube, n x n x radial bricks each.

@@ -37,7 +37,7 @@ fn on_symmetry_planes(order: Order) -> Problem {
     problem
 }
 
-/// The same with fibres along z on the face x = 1, its top moved to the stretch `1 + lift` at support factor 1.
+/// The cube with fibres along z on the face x = 1, its top moved to the stretch `1 + lift` at support factor 1.
 fn with_fibres(order: Order, lift: f64) -> Problem {
     let mut problem = on_symmetry_planes(order);
     for (support, x) in problem.supports.iter_mut().zip(&problem.mesh.nodes) {
@@ -66,8 +66,8 @@ fn with_fibres(order: Order, lift: f64) -> Problem {
     problem
 }
 
-/// The same without fibres, its top pulled at traction factor 1 by a uniform nominal stress (MPa): for linear bricks a quarter
-/// of each face's force goes to each of its corners.
+/// The cube without fibres, its top pulled at traction factor 1 by a uniform nominal stress (MPa): for linear bricks a quarter of each face's force
+/// goes to each of its corners.
 fn pulled(stress: f64) -> Problem {
     let mut problem = on_symmetry_planes(Order::Linear);
     let nodes = (0..).zip(&problem.mesh.nodes);

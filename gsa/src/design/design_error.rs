@@ -1,4 +1,4 @@
-//! What can be wrong with a design.
+//! Errors of designs.
 
 use thiserror::Error;
 
@@ -7,19 +7,19 @@ use crate::law::rule::RuleError;
 /// Most check points a design takes; far beyond what an error estimate gains from, and well within memory.
 pub const MAX_CHECK_POINTS: usize = 100_000;
 
-/// Why a design cannot be built. Fields count inputs from 0, messages from 1.
+/// Reason why a design cannot be built. Fields count inputs from 0, messages from 1.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DesignError {
-    /// There is nothing to vary.
+    /// A design without inputs.
     #[error("a design needs at least one input")]
     NoInputs,
     /// An input's Gauss rule does not exist.
     #[error("input {}: {source}", input + 1)]
     Rule {
-        /// which input
+        /// number of the input
         input: usize,
-        /// what is wrong with its rule
+        /// error of its rule
         source: RuleError,
     },
     /// The cut point has another number of coordinates than there are inputs.
@@ -33,9 +33,9 @@ pub enum DesignError {
     /// A coordinate of the cut point is NaN or infinite.
     #[error("coordinate {} of the cut point must be finite, not {value}", input + 1)]
     CutNotFinite {
-        /// which input
+        /// number of the input
         input: usize,
-        /// what was given
+        /// value that was given
         value: f64,
     },
     /// More check points than [`MAX_CHECK_POINTS`].

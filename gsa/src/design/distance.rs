@@ -1,4 +1,4 @@
-//! How far points are from the cut, in the coordinates of the rules: deviations of each law, of ln x for lognormal ones.
+//! Distance of points from the cut, in the coordinates of the rules: deviations of each law, of ln x for lognormal ones.
 
 use super::{CheckPoint, Design};
 use crate::design::node_grid::Grid;

@@ -31,7 +31,7 @@ impl Design {
         })
     }
 
-    /// How many of the points are to be run.
+    /// Returns the number of points that are to be run.
     pub(crate) fn to_run(&self) -> usize {
         self.to_run.unwrap_or(self.points.len())
     }

@@ -1,4 +1,4 @@
-//! One line of a design.
+//! A line of a design.
 
 use crate::law::polynomials::Polynomials;
 use crate::law::rule::GaussRule;
@@ -17,7 +17,7 @@ impl Line {
         &self.rule
     }
 
-    /// For each node of the rule, which point of the design it is.
+    /// Returns for each node of the rule its number among the points of the design.
     pub fn ordinals(&self) -> &[usize] {
         &self.ordinals
     }

@@ -42,13 +42,13 @@ pub use line::Line;
 pub struct Design {
     inputs: Vec<Distribution>,
     lines: Vec<Line>,
-    /// By input, the lines whose place a finer one has taken, in the order they were added.
+    /// Lines by input whose place a finer one has taken, in the order they were added.
     replaced: Vec<Vec<Line>>,
     checks: Vec<CheckPoint>,
     /// Points off all nodes, by ordinal.
     probes: Vec<usize>,
     points: Vec<Vec<f64>>,
-    /// How many of the points are to be run: those behind them are mirror images, whose values follow.
+    /// Number of points that are to be run: those behind them are mirror images, whose values follow.
     to_run: Option<usize>,
     on_demand: bool,
 }
@@ -69,7 +69,7 @@ impl Design {
         Self::with_cut(inputs, nodes, &means, check_points, rng)
     }
 
-    /// As [`Design::new`], through another cut point.
+    /// Makes a design as [`Design::new`] does, through another cut point.
     ///
     /// # Errors
     /// As [`Design::new`], and a cut point of the wrong length or not finite.
@@ -99,7 +99,7 @@ impl Design {
         Ok(design)
     }
 
-    /// What the cut point and the lines cost at most, saturating.
+    /// Returns the most that the cut point and the lines cost, saturating.
     pub(crate) fn most_line_points(inputs: usize, nodes: usize) -> usize {
         inputs.saturating_mul(nodes).saturating_add(1)
     }
@@ -205,7 +205,7 @@ impl Design {
         before > 0 && self.checks.iter().all(|check| check.nodes[input] < before)
     }
 
-    /// By input, how many coordinates the check points have, the cut's among them.
+    /// Counts by input the coordinates that the check points have, the cut's among them.
     pub(crate) fn checked_coordinates(&self) -> Vec<usize> {
         let of_input = |input: usize| {
             let bits = |check: &CheckPoint| self.points[check.ordinal][input].to_bits();
@@ -216,7 +216,7 @@ impl Design {
         (0..self.lines.len()).map(of_input).collect()
     }
 
-    /// For each input, which node of its present rule a check point's coordinate is; `None` if it is off that grid.
+    /// Returns for each input the node of its present rule that a check point's coordinate is; `None` if it is off that grid.
     pub(crate) fn on_grid(&self, check: &CheckPoint) -> Option<Vec<usize>> {
         let node = |(input, line): (usize, &Line)| {
             let x = self.points[check.ordinal][input];
@@ -225,12 +225,12 @@ impl Design {
         self.lines.iter().enumerate().map(node).collect()
     }
 
-    /// How many check points the grid of the present lines has in all.
+    /// Counts the check points that the grid of the present lines has in all.
     pub(crate) fn off_axis_len(&self) -> usize {
         self.grid(&self.rules()).off_axis_len()
     }
 
-    /// How many of them are not check points yet.
+    /// Counts those that are not check points yet.
     pub(crate) fn off_axis_left(&self) -> usize {
         let on_grid = self.checks.iter().filter_map(|check| self.on_grid(check));
         self.off_axis_len() - on_grid.count()

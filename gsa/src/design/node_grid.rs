@@ -15,7 +15,7 @@ use rand::Rng;
 
 use crate::law::rule::GaussRule;
 
-/// One point in so many is drawn by weight alone.
+/// Number of points of which one is drawn by weight alone.
 const BY_WEIGHT: usize = 3;
 /// Draws by weight before the grid is walked instead: rare points of a nearly used-up grid would take for ever.
 const DRAWS_BEFORE_WALK: usize = 256;
@@ -24,7 +24,7 @@ const DRAWS_BEFORE_WALK: usize = 256;
 pub(crate) struct Grid<'a> {
     rules: &'a [&'a GaussRule],
     centre: Vec<Option<usize>>,
-    /// by input and node, how often it is drawn among those off the cut
+    /// share by input and node of the draws among those off the cut
     shares: Vec<Vec<f64>>,
 }
 
@@ -179,7 +179,7 @@ mod tests {
         sizes.iter().map(|&n| law.gauss_rule(n).unwrap()).collect()
     }
 
-    /// From zero.
+    /// Returns the distances of the nodes from zero.
     fn distances(rules: &[&GaussRule]) -> Vec<Vec<f64>> {
         let of_rule = |rule: &&GaussRule| rule.nodes.iter().map(|x| x.abs()).collect();
         rules.iter().map(of_rule).collect()

@@ -19,7 +19,7 @@ impl Design {
         }
     }
 
-    /// Which points these are.
+    /// Returns the numbers of these points.
     pub(crate) fn probes(&self) -> &[usize] {
         &self.probes
     }

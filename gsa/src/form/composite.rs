@@ -48,11 +48,11 @@ pub(crate) struct Composite<'a> {
     corrections: BTreeMap<MultiIndex, f64>,
 }
 
-/// What the rules miss of each input's variance, as a share of it.
+/// Shares of each input's variance that the rules miss.
 #[derive(Debug, Clone)]
 pub(crate) struct Missing {
     pub(crate) all: Vec<f64>,
-    /// of these, what its interactions lack
+    /// part of these that the interactions lack
     pub(crate) of_interactions: Vec<f64>,
 }
 
@@ -121,7 +121,7 @@ impl<'a> Composite<'a> {
         (1..=self.modes[input].len()).map(coefficient).collect()
     }
 
-    /// At a point, given p_1, p_2, .. of each input there.
+    /// Predicts at a point, given p_1, p_2, .. of each input there.
     pub(crate) fn predict(&self, polynomials: &[Vec<f64>]) -> f64 {
         let section = |(input, p): (usize, &Vec<f64>)| {
             let terms = self.modes[input].iter().zip(p);
@@ -136,9 +136,9 @@ impl<'a> Composite<'a> {
         self.sections.centre + form + corrections.sum::<f64>()
     }
 
-    /// What the rules miss of each input's variance, as a share of it. The section's part is judged on its line, that of the
-    /// corrections' interactions by their own modes, of which `coordinates` points of an input tell one less apart.
-    /// `beyond`: what is missed off the nodes, over the part of the standard deviation that the input has.
+    /// Returns the shares of each input's variance that the rules miss. The section's part is judged on its line, that of the corrections'
+    /// interactions by their own modes, of which `coordinates` points of an input tell one less apart. `beyond`: what is missed off the nodes, over
+    /// the part of the standard deviation that the input has.
     pub(crate) fn missing(&self, coordinates: &[usize], beyond: Option<&[f64]>) -> Option<Missing> {
         let of_lines = self.sections.missing.as_ref()?;
         let mut energies: Vec<Vec<f64>> = self.modes.iter().map(|m| vec![0.0; m.len()]).collect();
@@ -172,7 +172,7 @@ impl<'a> Composite<'a> {
         })
     }
 
-    /// What a line's own modes and those beyond say; infinite if these are unknown.
+    /// Returns what a line's own modes and those beyond say; infinite if these are unknown.
     fn of_line(&self, input: usize, beyond: Option<f64>) -> f64 {
         if beyond.is_none() || !self.sections.lost.is_empty() {
             return f64::INFINITY;
@@ -181,7 +181,7 @@ impl<'a> Composite<'a> {
         tail_with(&energies, true, beyond).map_or(f64::INFINITY, |tail| tail.missing)
     }
 
-    /// `None` if the form overflows or nothing varies.
+    /// Decomposes the form; `None` if it overflows or nothing varies.
     pub(crate) fn decompose(&self) -> Option<Decomposed> {
         let n = self.means.len();
         let (t, v) = (self.t, &self.sections.variances);

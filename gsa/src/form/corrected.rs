@@ -31,7 +31,7 @@ const OFF_NODES: f64 = 0.25;
 /// Misfit of rounding size is not to be explained.
 const NOISE_IN_EPS: f64 = 16.0;
 
-/// What all outputs of a design share.
+/// Tables and settings that all outputs of a design share.
 #[derive(Debug, Clone)]
 pub(crate) struct Frame {
     pub(crate) tables: Tables,
@@ -39,13 +39,13 @@ pub(crate) struct Frame {
     pub(crate) pair_weight: f64,
     /// the grid of the lines, if check points fill it
     whole_grid: Option<WholeGrid>,
-    /// by input, how many coordinates the check points have
+    /// number by input of the coordinates that the check points have
     coordinates: Vec<usize>,
     /// points off the nodes: ordinal, and p_1, p_2, .. of each input there
     probes: Vec<(usize, Vec<Vec<f64>>)>,
 }
 
-/// What is missed off the nodes.
+/// Misses off the nodes.
 pub(crate) struct Beyond {
     /// mean square over the variance
     pub(crate) variance: f64,
@@ -71,7 +71,7 @@ pub(crate) struct Corrected {
 }
 
 impl Corrected {
-    /// Of all first-order indices, beside quadrature.
+    /// Returns the largest error of all first-order indices, beside quadrature.
     pub(crate) fn largest_error(&self) -> f64 {
         self.decomposition.iter().copied().fold(0.0, f64::max)
     }
@@ -94,7 +94,7 @@ impl Frame {
         }
     }
 
-    /// What a surrogate misses off the nodes; `None` if no point there has a value.
+    /// Returns what a surrogate misses off the nodes; `None` if no point there has a value.
     pub(crate) fn beyond(
         &self,
         composite: &Composite<'_>,

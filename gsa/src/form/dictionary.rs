@@ -10,7 +10,7 @@ use crate::form::factors::{Factor, Tables};
 use crate::form::regression::Candidates;
 use crate::form::section::Sections;
 
-/// What a fit of some hundred points still takes in milliseconds.
+/// Most candidates: a fit of some hundred points still takes milliseconds with them.
 const MOST_CANDIDATES: usize = 2500;
 /// Highest total degree of a pair.
 const HIGHEST_DEGREE: usize = 6;

@@ -1,4 +1,4 @@
-//! What the check points say: how far each form is from the model off the cut lines.
+//! Evidence of the check points: how far each form is from the model off the cut lines.
 //!
 //! No quantity taken from the lines alone can tell a product from anything else, so this is the only judge of the form.
 
@@ -21,8 +21,7 @@ const LEAST_FOR_SHIFT: usize = 3;
 /// all of a kink that shows at a single point and its mirror image.
 const SHIFT_GAIN: f64 = 10.0;
 
-/// How each form fares at the check points. Misfits are root mean squares in the units of the sections, infinite where a
-/// form overflows.
+/// Misfits of each form at the check points. Misfits are root mean squares in the units of the sections, infinite where a form overflows.
 #[derive(Debug, Clone)]
 pub(crate) struct Evidence<'a> {
     pub(crate) checks: Checks<'a>,
@@ -38,7 +37,7 @@ pub(crate) struct Evidence<'a> {
     rounding: f64,
 }
 
-/// By check point, which of them is its mirror image, itself where it has no other; nothing where none has.
+/// Returns by check point the number of its mirror image, itself where it has no other; nothing where none has.
 pub(crate) fn images(checks: &Checks<'_>) -> Vec<usize> {
     let is_other = |(check, _): &(&CheckPoint, f64)| {
         let image = check.image();
@@ -57,7 +56,7 @@ pub(crate) fn images(checks: &Checks<'_>) -> Vec<usize> {
     checks.iter().enumerate().map(place).collect()
 }
 
-/// How many check points were drawn: mirror images were drawn together.
+/// Counts the draws of check points: mirror images were drawn together.
 pub(crate) fn draws(checks: &Checks<'_>) -> usize {
     let images = images(checks);
     let second = images.iter().enumerate().filter(|(k, image)| *image < k);
@@ -65,7 +64,7 @@ pub(crate) fn draws(checks: &Checks<'_>) -> usize {
 }
 
 impl<'a> Evidence<'a> {
-    /// `None` if there is no check point with a finite value.
+    /// Judges the forms; `None` if there is no check point with a finite value.
     pub(crate) fn new(
         design: &'a Design,
         values: &[f64],

@@ -27,7 +27,7 @@ struct Table {
 #[derive(Debug, Clone)]
 pub(crate) struct Tables(Vec<Table>);
 
-/// One factor: its values at the nodes of all lines of its input, its mean, and its coefficients on p_1, p_2, ..
+/// A factor: its values at the nodes of all lines of its input, its mean, and its coefficients on p_1, p_2, ..
 #[derive(Debug, Clone)]
 pub(crate) struct Factor {
     pub(crate) values: Vec<f64>,

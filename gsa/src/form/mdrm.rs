@@ -44,12 +44,12 @@
 use crate::design::CheckPoint;
 use crate::form::section::Sections;
 
-/// Below sqrt(eps) of the largest value, more than half the digits of h0 are lost in the ratios h_i/h0.
+/// Least share of the largest value: below sqrt(eps) more than half the digits of h0 are lost in the ratios h_i/h0.
 const LEAST_REFERENCE: f64 = 1.0 / (1u32 << 26) as f64;
 /// exp(L) - 1 overflows at 709.8.
 const LARGEST_EXPONENT: f64 = 700.0;
 
-/// Why the product form does not exist for an output.
+/// Reason why the product form does not exist for an output.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Undefined {
     /// h0 is zero, to half the digits of a double.

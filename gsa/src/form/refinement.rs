@@ -1,4 +1,4 @@
-//! What a line still misses once it has been refined: the coarser lines' errors are then known, and how errors fall, too.
+//! Misses of a line that has been refined: the coarser lines' errors are then known, and how errors fall, too.
 //!
 //! A claim from the end of the modes alone (`spectrum`) must allow for whatever function ends so. Where an input's rule was refined
 //! from N_0 over N_1, .. to N nodes, with variances v_0, v_1, .., v and amplitudes s_0, s_1, .., s at the end of the modes, the error
@@ -18,12 +18,12 @@ use crate::form::spectrum::{MOST_MISSING, Tail};
 const OBSERVED: f64 = 4.0;
 /// Lines are refined until their error looks small enough, which favours those whose error looks smaller than it is.
 const STOPPING: f64 = 2.0;
-/// What claims of single lines are multiplied by.
+/// Returns the factor on claims of single lines.
 pub(crate) fn stopping(refined_on_demand: bool) -> f64 {
     if refined_on_demand { STOPPING } else { 1.0 }
 }
 
-/// What one of an input's lines shows.
+/// Error that one of an input's lines shows.
 pub(crate) struct Level {
     pub(crate) nodes: usize,
     pub(crate) tail: Tail,
@@ -50,14 +50,14 @@ impl Level {
         missing.min(MOST_MISSING)
     }
 
-    /// How much smaller the error is than a coarser line's: at least by 1/N, as at a step, and as much more as the amplitudes at
-    /// the end of the modes fall faster than the N^-2 of a kink.
+    /// Returns the ratio of the error to a coarser line's: at least by 1/N, as at a step, and as much more as the amplitudes at the end of the modes
+    /// fall faster than the N^-2 of a kink.
     fn fall(&self, coarser: &Self) -> f64 {
         let ratio = coarser.nodes as f64 / self.nodes as f64;
         (self.fall_of_amplitude(coarser) / (ratio * ratio)).min(ratio)
     }
 
-    /// One where the coarser line ends in nothing.
+    /// Returns the ratio of the amplitudes, 1 where the coarser line ends in nothing.
     fn fall_of_amplitude(&self, coarser: &Self) -> f64 {
         if coarser.tail.amplitude > 0.0 {
             self.tail.amplitude / coarser.tail.amplitude

@@ -1,4 +1,4 @@
-//! What one output shows on the cut lines: the mean and variance of each section, free of cancellation.
+//! Sections of an output on the cut lines: the mean and variance of each, free of cancellation.
 //!
 //! | symbol | meaning |
 //! |---|---|
@@ -34,18 +34,18 @@ pub(crate) struct Sections {
     pub(crate) shifts: Vec<f64>,
     /// v_i
     pub(crate) variances: Vec<f64>,
-    /// What the rule misses of v_i, as a share of it; `None` if a rule is too small to tell.
+    /// Share of v_i that the rule misses; `None` if a rule is too small to tell.
     pub(crate) missing: Option<Vec<f64>>,
     /// Points on the lines that gave no number, whose values were taken from their lines' other nodes.
     pub(crate) lost: Vec<usize>,
     /// d_i at the nodes of all lines of an input, in the order they were added
     differences: Vec<Vec<f64>>,
-    /// where those of the present line begin
+    /// places where those of the present line begin
     present: Vec<usize>,
 }
 
 impl Sections {
-    /// From the values of one output at the points of the design.
+    /// Computes the sections from the values of one output at the points of the design.
     ///
     /// # Errors
     /// The point without whose value there is no analysis: the cut point, or a node of a line that has lost too many.
@@ -111,7 +111,7 @@ impl Sections {
         });
     }
 
-    /// What each of an input's lines shows; `None` if one is too small to tell.
+    /// Returns what each of an input's lines shows; `None` if one is too small to tell.
     fn levels(
         &self,
         input: usize,
@@ -159,7 +159,7 @@ impl Sections {
         self.spread() > self.noise()
     }
 
-    /// What a model of a few operations may round by.
+    /// Returns the rounding that a model of a few operations may have.
     pub(crate) fn noise(&self) -> f64 {
         NOISE_IN_EPS * f64::EPSILON * self.largest
     }
@@ -193,7 +193,7 @@ impl Sections {
         self.differences[input][node]
     }
 
-    /// At how many nodes d_i is known.
+    /// Counts the nodes at which d_i is known.
     pub(crate) fn known(&self, input: usize) -> usize {
         self.differences[input].len()
     }

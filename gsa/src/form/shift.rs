@@ -1,4 +1,4 @@
-//! Which shifted product fits the check points best.
+//! Shifted product that fits the check points best.
 //!
 //! The family h0 + (prod_i (1 + t d_i) - 1)/t (equation (7) of `mdrm`) is smooth in t, from M-DRM at t = 1/h0 through the
 //! additive form at t = 0. t is fitted to the values at the check points by Gauss-Newton steps from both of these ends;

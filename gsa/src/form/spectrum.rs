@@ -1,4 +1,4 @@
-//! What a rule misses of a section's variance, judged by how fast the section's coefficients fall.
+//! Spectrum of a section: what a rule misses of its variance, judged by how fast its coefficients fall.
 //!
 //! A rule of N nodes resolves the modes k = 1 .. N-1, with coefficients c_k, and is wrong about the variance where the squared
 //! section has modes of degree 2N and more: by products c_j c_k with j + k >= 2N. Modes beyond N - 1 are guessed. Even and odd
@@ -26,8 +26,8 @@ const OF_KINKS_BY_FEW: f64 = 2.0;
 /// Sums of products of modes that go on falling were at least a third of the true error for nine in ten of a mix of analytic
 /// and rough sections.
 const OF_ANALYTIC: f64 = 3.0;
-/// Of two ratios the larger counts. Where there is one only, analytic sections are taken for kinks less often if it must
-/// be larger.
+/// Factor on a kink's ratio of modes where there is one ratio only; of two the larger counts. Where there is one only, analytic sections are taken
+/// for kinks less often if it must be larger.
 const LEAST_OF_ONE: f64 = 1.25;
 /// Largest b: less than any entire function's, since one of the ratios may be small by chance.
 const STEEPENING: f64 = 0.5;
@@ -52,7 +52,7 @@ const POWER_OF_LOST: i32 = 1;
 /// Modes from which each parity has a ratio.
 const ENOUGH: usize = 4;
 
-/// How the modes of a section end.
+/// End of a section's modes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Tail {
     /// the last two modes (of two or three the last) over the standard deviation
@@ -61,8 +61,7 @@ pub(crate) struct Tail {
     pub(crate) missing: f64,
 }
 
-/// From the squared coefficients of the modes k = 1, 2, .., `whole` if no node was lost; `None` for fewer than two modes, which
-/// cannot tell.
+/// Judges the end of the modes k = 1, 2, .. by their squared coefficients, `whole` if no node was lost; `None` for fewer than two modes, which cannot tell.
 pub(crate) fn tail(energies: &[f64], whole: bool) -> Option<Tail> {
     tail_with(energies, whole, None)
 }

@@ -11,14 +11,14 @@ use crate::form::factors::Tables;
 #[derive(Debug, Clone)]
 pub(crate) struct WholeGrid {
     pub(crate) sizes: Vec<usize>,
-    /// for the check points by ordinal, which nodes of the rules they are
+    /// numbers of the nodes that each check point is at, by its ordinal
     nodes: BTreeMap<usize, Vec<usize>>,
-    /// by input, rows over the rule's nodes: w_j, then w_j p_k(x_j)
+    /// rows over the rule's nodes by input: w_j, then w_j p_k(x_j)
     projection: Vec<Vec<Vec<f64>>>,
 }
 
 impl WholeGrid {
-    /// `None` if points of the grid have not been run.
+    /// Makes the grid; `None` if points of it have not been run.
     pub(crate) fn new(design: &Design, tables: &Tables) -> Option<Self> {
         if design.off_axis_left() > 0 {
             return None;

@@ -1,4 +1,4 @@
-//! How sure an order is, from the errors of what is ordered.
+//! Certainty of an order, from the errors of what is ordered.
 //!
 //! A claimed error covers the true one in some 95 % of cases, two standard deviations of a normal law. With independent
 //! errors e_a and e_b
@@ -45,7 +45,7 @@ impl Estimate {
     }
 }
 
-/// For each of some estimates, whether its place among all is certain.
+/// Returns for each of some estimates whether its place among all is certain.
 pub fn places_certain(estimates: &[Estimate], rounding: f64) -> Vec<bool> {
     let certain = |a: &Estimate| {
         estimates.iter().all(|b| {

@@ -1,4 +1,4 @@
-//! How far an index may be from the truth: the parts of the error that the runs themselves reveal.
+//! Errors of an index: the parts that the runs themselves reveal.
 //!
 //! Every part is an absolute error of a first-order index, the largest over the inputs, and at most 1, as an index is.
 //!
@@ -28,14 +28,13 @@ use crate::exchange::{exchanged, mean, means};
 /// Parts of the error of an output's first-order indices.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ErrorParts {
-    /// What the rules miss of the sections, from the decay of the modes they resolve; `None` for rules of one or two
-    /// nodes, which cannot tell.
+    /// Error by what the rules miss of the sections, from the decay of the modes they resolve; `None` for rules of one or two nodes, which cannot tell.
     pub quadrature: Option<f64>,
-    /// What the chosen form misses of the output, from its residuals at the check points; `None` without them.
+    /// Error by what the chosen form misses of the output, from its residuals at the check points; `None` without them.
     pub decomposition: Option<f64>,
     /// Half width of the 95 % confidence interval of indices taken from random points; `None` for other methods.
     pub sampling: Option<f64>,
-    /// What rounding leaves: eps max|h| over the standard deviation, and the rounding of the sums.
+    /// Error by rounding: eps max|h| over the standard deviation, and the rounding of the sums.
     pub floor: f64,
     /// The largest sum, over the inputs, of the parts that are known, and `None` if none but the floor is. Where one is
     /// `None` the total leaves it out, and says less than it seems to.
@@ -82,7 +81,7 @@ impl ErrorParts {
         }
     }
 
-    /// Of the output's mirror image; `inputs` are exchanged.
+    /// Returns the errors of the output's mirror image; `inputs` are exchanged.
     pub(crate) fn mirrored(&self, inputs: &[usize]) -> Self {
         let of_known = |parts: &[f64]| match parts.len() {
             0 => Vec::new(),
@@ -116,7 +115,7 @@ impl ErrorParts {
         }
     }
 
-    /// Of an output that has no indices.
+    /// Makes the errors of an output that has no indices.
     pub(crate) fn without_indices(floor: f64) -> Self {
         Self::new(ByInput::default(), floor)
     }

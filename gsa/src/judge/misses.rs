@@ -1,4 +1,4 @@
-//! What a form misses at the check points, and what that does to its indices: alone, and in the difference of two models.
+//! Misses of a form at the check points, and what they do to its indices: alone, and in the difference of two models.
 //!
 //! With r = h - form at the check points x_k, g_i the main effect of input i in the form and V its variance, the form's
 //! V_i = Var\[g_i\] is short of 2 E\[g_i r\] to first order in r, and V of E\[2 (form - mean) r + r^2\]. Both expectations are
@@ -40,7 +40,7 @@ const REMAINDER_OF_FIT: f64 = 1.0;
 pub struct Claim<'a> {
     /// The error, absolute.
     pub error: f64,
-    /// What a part of it comes from, where that is known.
+    /// Misses that a part of it comes from, where they are known.
     pub misses: Option<&'a Misses>,
 }
 
@@ -57,7 +57,7 @@ pub fn error_of_difference(input: usize, a: Claim<'_>, b: Claim<'_>) -> f64 {
     at_most_one(together.map_or(apart, |together| together.min(apart)))
 }
 
-/// What a form says of the output and of its main effects, in the units of the sections.
+/// Effects of a form: the output and its main effects, in the units of the sections.
 pub(crate) struct Effects<'a> {
     pub(crate) first_order: &'a [f64],
     pub(crate) mean: f64,
@@ -66,25 +66,25 @@ pub(crate) struct Effects<'a> {
     pub(crate) main: &'a dyn Fn(usize, usize) -> f64,
 }
 
-/// What a form misses at the check points.
+/// Misses of a form at the check points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Misses {
-    /// Which node each coordinate of each check point is, point after point: where the residuals of two models belong together.
+    /// Number of the node at each coordinate of each check point, point after point: where the residuals of two models belong together.
     pub nodes: Vec<usize>,
-    /// By check point, r over the standard deviation.
+    /// Residual r over the standard deviation, by check point.
     pub residuals: Vec<f64>,
     /// psi_ik at each check point, input after input.
     pub contributions: Vec<f64>,
     /// Probability of the interactions: the axes, where there is no residual, take their share of the means.
     pub weight: f64,
-    /// How many numbers of the form were fitted to the check points.
+    /// Count of the form's numbers that were fitted to the check points.
     pub fitted: usize,
-    /// By check point, which of them is its mirror image, itself perhaps; empty where the model has no symmetry.
+    /// Number of each check point's mirror image, itself perhaps; empty where the model has no symmetry.
     pub images: Vec<usize>,
 }
 
 impl Misses {
-    /// From the values at the check points and a form there, of which `fitted` numbers were fitted to them.
+    /// Computes the misses from the values at the check points and a form there, of which `fitted` numbers were fitted to them.
     pub(crate) fn new(
         (nodes, images): (Vec<usize>, Vec<usize>),
         (values, predictions): (&[f64], &[f64]),
@@ -123,7 +123,7 @@ impl Misses {
         }
     }
 
-    /// Of the output's mirror image; `inputs` are exchanged. A point whose own image is lost takes its place.
+    /// Returns the misses of the output's mirror image; `inputs` are exchanged. A point whose own image is lost takes its place.
     pub(crate) fn mirrored(&self, inputs: &[usize]) -> Self {
         let count = self.residuals.len();
         let image = |k: usize| self.images.get(k).copied().unwrap_or(k);
@@ -207,7 +207,7 @@ impl Misses {
         psi.iter().enumerate().filter_map(of_draw).collect()
     }
 
-    /// How many points were drawn.
+    /// Counts the draws of points.
     fn draws(&self) -> usize {
         let second = self
             .images
@@ -217,13 +217,13 @@ impl Misses {
         self.residuals.len() - second.count()
     }
 
-    /// Of a point in a mean.
+    /// Returns the weight of a point in a mean.
     fn share(&self) -> f64 {
         let free = self.residuals.len().saturating_sub(self.fitted).max(1);
         self.weight / free as f64
     }
 
-    /// Of a point in a mean's standard deviation.
+    /// Returns the weight of a point in a mean's standard deviation.
     fn chance_weight(&self) -> f64 {
         let count = self.residuals.len().max(1) as f64;
         (self.share() / count * self.weight).sqrt()
@@ -250,7 +250,7 @@ fn sum_of_squares(values: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    /// Of one input, at two points.
+    /// Makes misses of one input, at two points.
     fn misses(residuals: [f64; 2], contributions: [f64; 2]) -> Misses {
         Misses {
             nodes: vec![0, 1],

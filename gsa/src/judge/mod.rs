@@ -1,4 +1,4 @@
-//! How far an index may be off, and what follows from that:
+//! Errors of an index, and what follows from them:
 //!
 //! - [`index_error`]: the parts of an index's error
 //! - [`misses`]: what a form misses at check points, and the error of a difference

@@ -6,16 +6,16 @@ use crate::law::distribution::{Distribution, DistributionError};
 /// A parameter of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
-    /// its key in a document
+    /// key in a document
     pub name: &'static str,
     /// whether it must be greater than zero
     pub positive: bool,
-    /// its value where a document leaves it out, if it may
+    /// value where a document leaves it out, if it may
     pub default: Option<f64>,
 }
 
 impl Parameter {
-    /// What is wrong with a value by itself.
+    /// Returns what is wrong with a value by itself.
     pub fn fault(&self, value: f64) -> Option<DistributionError> {
         let check = if self.positive { positive } else { finite };
         check(self.name, value).err()
@@ -36,12 +36,12 @@ impl Kind {
         KINDS.iter().find(|kind| kind.name == name)
     }
 
-    /// As documents spell it.
+    /// Returns the name as documents spell it.
     pub fn name(&self) -> &'static str {
         self.name
     }
 
-    /// In the order of the constructor.
+    /// Returns the parameters in the order of the constructor.
     pub fn parameters(&self) -> &'static [Parameter] {
         self.parameters
     }

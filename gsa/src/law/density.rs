@@ -4,7 +4,7 @@
 //! the distance x - m instead of x, the ratio keeps its digits in the far tail of a law, on an interval of a few
 //! eps and at an end where the density is infinite.
 
-/// Where a density is asked for: a point by its distances, each accurate by itself.
+/// Place where a density is asked for: a point by its distances, each accurate by itself.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Place {
     /// x - m
@@ -40,7 +40,7 @@ impl Place {
         self.anchor - reference
     }
 
-    /// This point, with its distance from the start, from the end, or both, known better than x itself.
+    /// Returns this point, with its distance from the start, from the end, or both, known better than x itself.
     pub(crate) fn refined(
         mut self,
         from_start: Option<(f64, f64)>,

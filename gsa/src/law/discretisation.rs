@@ -38,7 +38,7 @@ struct Point {
 }
 
 impl Discretisation {
-    /// With step h, for polynomials up to this degree. `None` if a tail goes on beyond the range of doubles.
+    /// Discretises a law with step h, for polynomials up to this degree. `None` if a tail goes on beyond the range of doubles.
     fn new(law: Restricted<'_>, h: f64, degree: f64) -> Option<Self> {
         let panels = [-1.0, 1.0].map(|side| Panel::new(law, side, degree));
         let [lower, upper] = panels.map(|panel| panel.map_or(0.0, |panel| panel.length));
@@ -94,7 +94,7 @@ impl Discretisation {
     }
 }
 
-/// In which coordinate the polynomials of a law are computed.
+/// Coordinate in which the polynomials of a law are computed.
 #[derive(Debug, Clone, Copy)]
 enum Coordinate {
     Plain { shift: f64, std: f64 },

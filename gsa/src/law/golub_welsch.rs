@@ -67,7 +67,7 @@ fn block_end(d: &[f64], e: &[f64], first: usize) -> usize {
         .unwrap_or(d.len() - 1)
 }
 
-/// One implicit QL sweep on rows `first..=last`: a shift at the top, a bulge chased up from the bottom.
+/// Does an implicit QL sweep on rows `first..=last`: a shift at the top, a bulge chased up from the bottom.
 fn ql_sweep(d: &mut [f64], e: &mut [f64], first: usize, last: usize) {
     let half_gap = (d[first + 1] - d[first]) / (2.0 * e[first]);
     let shift = d[first] - e[first] / (half_gap + half_gap.hypot(1.0).copysign(half_gap));

@@ -14,12 +14,12 @@ use crate::law::density::{Density, Place};
 
 /// A part of the support below e^-60 = 1e-26 of its largest value is negligible beside rounding.
 const NEGLIGIBLE: f64 = 60.0;
-/// How far a tail is followed past the peak of density times polynomial; beyond it the true product falls faster than
-/// the estimate by which it is followed.
+/// Fall, as a logarithm, by which a tail is followed past the peak of density times polynomial; beyond it the true product falls faster than the
+/// estimate by which it is followed.
 const NEGLIGIBLE_TAIL: f64 = 40.0;
 /// Step of the search along a tail.
 const STRIDE: f64 = 1.25;
-/// At |t| = 20, exp(pi sinh t) is beyond any power that a law has; the search ends there at the latest.
+/// Farthest |t| of the search: exp(pi sinh t) is beyond any power that a law has there.
 const FARTHEST: f64 = 20.0;
 
 /// A law restricted to \[low, high\], with its anchor.
@@ -31,13 +31,13 @@ pub(crate) struct Restricted<'a> {
     pub(crate) anchor: f64,
 }
 
-/// One side of the anchor, cut where the tail is negligible.
+/// A side of the anchor, cut where the tail is negligible.
 #[derive(Clone, Copy)]
 pub(crate) struct Panel<'a> {
     law: Restricted<'a>,
     /// 1 above the anchor, -1 below
     side: f64,
-    /// from the anchor to the far end
+    /// distance from the anchor to the far end
     pub(crate) length: f64,
     /// distance within which the density falls by a factor e
     scale: f64,
@@ -97,7 +97,7 @@ impl<'a> Panel<'a> {
         whole
     }
 
-    /// Where density times (1 + d/scale)^degree has passed its peak and fallen by e^-40.
+    /// Finds where density times (1 + d/scale)^degree has passed its peak and fallen by e^-40.
     fn find_cut(&self, whole: f64, degree: f64) -> Option<f64> {
         let mut peak = f64::NEG_INFINITY;
         let mut distance = self.scale;

@@ -25,7 +25,7 @@ pub(crate) struct Polynomials {
 }
 
 impl Polynomials {
-    /// From the rule of a law; of as many polynomials as the rule has nodes.
+    /// Computes as many polynomials of a law as its rule has nodes.
     pub(crate) fn new(law: &Distribution, rule: &GaussRule) -> Self {
         let logarithmic = law.kind() == "lognormal";
         let plain = Self {

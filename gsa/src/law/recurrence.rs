@@ -38,7 +38,7 @@ impl Recurrence {
         Self::general(size, |_| 0.0, b)
     }
 
-    /// From a_k and b_k.
+    /// Computes the recurrence from a_k and b_k.
     pub(crate) fn general(size: usize, a: impl Fn(f64) -> f64, b: impl Fn(f64) -> f64) -> Self {
         Self {
             diagonal: (0..size).map(|k| a(k as f64)).collect(),
@@ -46,7 +46,7 @@ impl Recurrence {
         }
     }
 
-    /// From a_0 .. a_{N-1} and sqrt(b_1) .. sqrt(b_{N-1}).
+    /// Makes a recurrence of a_0 .. a_{N-1} and sqrt(b_1) .. sqrt(b_{N-1}).
     pub(crate) fn from_coefficients(diagonal: Vec<f64>, off_diagonal: Vec<f64>) -> Self {
         Self {
             diagonal,

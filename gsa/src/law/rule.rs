@@ -10,7 +10,7 @@ use crate::law::basis::Basis;
 /// Largest rule built: beyond it the outer Hermite nodes sit 15 standard deviations out and add nothing.
 pub const MAX_NODES: usize = 64;
 
-/// Why a rule cannot be built.
+/// Reason why a rule cannot be built.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RuleError {

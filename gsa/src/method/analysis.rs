@@ -1,4 +1,4 @@
-//! What a method finds out about one output: sensitivity indices, their errors, and what stands behind them.
+//! Analysis of one output: sensitivity indices, their errors, and what stands behind them.
 //!
 //! Numbers that do not exist are `None`, with the reason beside them; nothing here is ever NaN or infinite.
 
@@ -12,7 +12,7 @@ use crate::judge::index_error::{ByInput, ErrorParts};
 use crate::judge::misses::Misses;
 pub use crate::method::verdict::Form;
 
-/// How an output's analysis ended.
+/// End of an output's analysis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Status {
@@ -27,7 +27,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// All of them.
+    /// States, all of them.
     pub const ALL: [Self; 4] = [
         Self::Ok,
         Self::Constant,
@@ -62,10 +62,9 @@ pub struct Analysis {
     pub second_order: Option<Vec<f64>>,
     /// The form behind the numbers above; `Mdrm`, as asked for, where there are none.
     pub method: Form,
-    /// How the analysis ended.
+    /// End of the analysis.
     pub status: Status,
-    /// Why a number is missing or a form was given up, and what else a reader should know. Inputs are counted from 1,
-    /// points from 0 as in the design.
+    /// Reason why a number is missing or a form was given up, and what else a reader should know. Inputs are counted from 1, points from 0 as in the design.
     pub reason: Option<String>,
     /// S_i of the product form wherever it exists, chosen or not.
     pub mdrm_first_order: Option<Vec<f64>>,
@@ -73,8 +72,8 @@ pub struct Analysis {
     pub mdrm_total: Option<Vec<f64>>,
     /// Errors of `first_order`.
     pub error: ErrorParts,
-    /// What the form misses at the check points, by which two models' indices are compared; `None` without check points, and where
-    /// another form than M-DRM's, the sum or the shifted product gave the indices.
+    /// Misses of the form at the check points, by which two models' indices are compared; `None` without check points, and where another form than
+    /// M-DRM's, the sum or the shifted product gave the indices.
     pub misses: Option<Misses>,
 }
 
@@ -108,7 +107,7 @@ impl Analysis {
         }
     }
 
-    /// What another method says of the output on its sections.
+    /// Takes over what another method says of the output on its sections.
     pub(crate) fn with(
         self,
         sections: &Sections,
@@ -131,7 +130,7 @@ impl Analysis {
         }
     }
 
-    /// Of an output whose variation is none of the model's own, for this reason; the mean remains.
+    /// Makes the analysis of an output whose variation is none of the model's own, for this reason; the mean remains.
     #[must_use]
     pub fn into_constant(self, reason: &str) -> Self {
         Self {

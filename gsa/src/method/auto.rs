@@ -29,11 +29,10 @@ use crate::method::procedure::{Procedure, Runs};
 const MOST_NODES: usize = 33;
 /// Fewest check points asked for at once.
 const LEAST_BATCH: usize = 4;
-/// How many check points more to mend a form, as a share of those there are: from afar, and once the error is less than
-/// twice the tolerance.
+/// Further check points to mend a form, as a share of those there are: from afar, and once the error is less than twice the tolerance.
 const MORE: f64 = 0.5;
 const A_LITTLE_MORE: f64 = 0.25;
-/// How many more to confirm that the tolerance is met, as a share and at most. Only few points meet it by chance.
+/// Further check points to confirm that the tolerance is met, as a share and at most. Only few points meet it by chance.
 const CONFIRMING: f64 = 0.34;
 const MOST_TO_CONFIRM: usize = 16;
 
@@ -108,7 +107,7 @@ impl Procedure for Auto {
     }
 }
 
-/// What to add to a design.
+/// Addition to a design.
 #[derive(Debug, Clone, PartialEq)]
 enum Step {
     /// Finer lines: inputs, with their nodes.

@@ -30,7 +30,7 @@ use crate::method::correction;
 use crate::method::lines::analyse_output;
 use crate::method::procedure::{Procedure, Runs};
 
-/// What pairs leave are interactions of three inputs and more, which weigh less in main effects than pairs do.
+/// Share of the residuals that weighs on main effects: what pairs leave are interactions of three inputs and more, which weigh less than pairs do.
 const OF_TRIPLES: f64 = 0.5;
 
 /// Lines, check points, and the grids of all pairs.
@@ -172,7 +172,7 @@ fn excess(grids: &[PairGrid], sections: &Sections, values: &[f64], t: f64) -> (E
     (Excess(tables), lost)
 }
 
-/// What is missed at the check points.
+/// Returns what is missed at the check points.
 fn residuals(
     design: &Design,
     sections: &Sections,

@@ -1,4 +1,4 @@
-//! Which procedure carries out a kind: the one place that knows them all.
+//! Choice of the procedure that carries out a kind: the one place that knows them all.
 
 use crate::design::DesignError;
 use crate::law::distribution::Distribution;
@@ -14,7 +14,7 @@ use crate::method::{Kind, Method};
 /// A procedure with its first points planned.
 type Begun = Result<Box<dyn Procedure>, DesignError>;
 
-/// What is known of a procedure before it begins.
+/// Facts of a procedure that are known before it begins.
 struct Choice {
     is_adaptive: bool,
     default_samples: usize,
@@ -65,7 +65,7 @@ impl Method {
         }
     }
 
-    /// How many points it asks for at first of a model of so many inputs, or somewhat more: known without planning them.
+    /// Returns how many points it asks for at first of a model of so many inputs, or somewhat more: known without planning them.
     pub fn first_points(&self, inputs: usize) -> usize {
         let points = (choice(self.kind).most_first_points)(inputs, self);
         // Grids are checked on their lines and off their nodes.

@@ -65,7 +65,7 @@ pub fn analyse(design: &Design, values: &ArrayView2<f64>) -> Vec<Analysis> {
     each_output(values, |values| analyse_output(design, values, pair_weight))
 }
 
-/// One output on lines and check points.
+/// Analyses an output on lines and check points.
 pub(crate) fn analyse_output(design: &Design, values: &[f64], pair_weight: f64) -> Analysis {
     let sections = match Sections::new(design, values) {
         Ok(sections) => sections,
@@ -98,7 +98,7 @@ fn unusable(ordinal: usize) -> Analysis {
     }
 }
 
-/// Nothing happens on the lines. That is a constant, unless a check point shows an interaction that vanishes on them.
+/// Analyses an output that doesn't vary on the lines. That is a constant, unless a check point shows an interaction that vanishes on them.
 fn without_spread(sections: &Sections, evidence: Option<&Evidence<'_>>) -> Analysis {
     let (mean, _) = in_output_units(sections, additive::moments(sections));
     if (0..sections.inputs()).all(|input| sections.differences(input).len() == 1) {
@@ -128,7 +128,7 @@ fn without_spread(sections: &Sections, evidence: Option<&Evidence<'_>>) -> Analy
     }
 }
 
-/// What the forms need beside the sections.
+/// Forms, and what they need beside the sections.
 struct Forms<'a> {
     mdrm: Option<Mdrm>,
     evidence: Option<Evidence<'a>>,

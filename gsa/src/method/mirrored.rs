@@ -1,11 +1,11 @@
-//! One analysis of two outputs that are mirror images of each other.
+//! Analysis of two outputs that are mirror images of each other.
 
 use crate::exchange::{exchanged, mean, means};
 use crate::form::composite::pair;
 use crate::method::analysis::Analysis;
 
 impl Analysis {
-    /// Of the output's mirror image; `inputs` are exchanged. The reason keeps the words.
+    /// Returns the analysis of the output's mirror image; `inputs` are exchanged. The reason keeps the words.
     pub(crate) fn mirrored(&self, inputs: &[usize]) -> Self {
         let of_inputs = |values: &Option<Vec<f64>>| Some(exchanged(values.as_ref()?, inputs));
         Self {

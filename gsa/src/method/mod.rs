@@ -1,4 +1,4 @@
-//! Which method, and what it may spend.
+//! Methods, and what they may spend.
 //!
 //! Every method is a `procedure`: one file that says which points it asks for and what it makes of their values. `choice` has
 //! the list of them.
@@ -43,7 +43,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// All of them.
+    /// Kinds, all of them.
     pub const ALL: [Self; 6] = [
         Self::Mdrm,
         Self::Bivariate,
@@ -53,7 +53,7 @@ impl Kind {
         Self::Auto,
     ];
 
-    /// Its name in documents.
+    /// Returns its name in documents.
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Mdrm => "mdrm",
@@ -69,7 +69,7 @@ impl Kind {
 /// A method with its settings. Each kind uses some of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Method {
-    /// which one
+    /// kind of procedure
     pub kind: Kind,
     /// Gauss nodes of each input (`mdrm`, `bivariate`, `tensor`; `auto` starts with them)
     pub nodes: usize,
@@ -78,7 +78,7 @@ pub struct Method {
     pub check_points: usize,
     /// points of `pce`, base points of `saltelli`
     pub samples: usize,
-    /// of the check points and of the samples
+    /// seed of the check points and of the samples
     pub seed: u64,
     /// largest error of any first-order index that `auto` stops at
     pub tolerance: f64,

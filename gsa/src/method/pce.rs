@@ -82,7 +82,7 @@ impl Procedure for Pce {
         }))
     }
 
-    /// By the same few terms for all outputs, at the points where all of them have a number.
+    /// Analyses all outputs by the same few terms, at the points where all of them have a number.
     fn survey(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
         let chaos = Chaos::small(&self.inputs, &self.points).map_err(no_rule)?;
         let survey = chaos.survey(|k| values.row(k).iter().all(|y| y.is_finite()));

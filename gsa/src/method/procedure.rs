@@ -1,4 +1,4 @@
-//! What a method is asked: its points, more of them once there are values, and what follows from the values.
+//! Contract of the methods: their points, more of them once there are values, and what follows from the values.
 
 use std::any::Any;
 use std::fmt::Debug;
@@ -12,7 +12,7 @@ use crate::method::analysis::Analysis;
 
 /// Runs as they were planned.
 pub(crate) enum Runs<'a> {
-    /// on lines through the cut point, and whatever else is in their design
+    /// runs on lines through the cut point, and whatever else is in their design
     Lines(&'a Design),
     /// anywhere, in the inputs' units
     Scattered(&'a [Vec<f64>]),
@@ -26,7 +26,7 @@ pub(crate) trait Procedure: Any + Debug + Send + Sync + Boxed {
     where
         Self: Sized;
 
-    /// How many points [`Procedure::begin`] plans beside check points, or somewhat more, saturating.
+    /// Returns how many points [`Procedure::begin`] plans beside check points, or somewhat more, saturating.
     fn most_first_points(inputs: usize, settings: &Method) -> usize
     where
         Self: Sized;
@@ -50,7 +50,7 @@ pub(crate) trait Procedure: Any + Debug + Send + Sync + Boxed {
     /// All runs so far.
     fn runs(&self) -> Runs<'_>;
 
-    /// The same on a design that has further points behind its own; `None` for methods without lines.
+    /// Returns the procedure on a design that has further points behind its own; `None` for methods without lines.
     fn on(&self, _design: Design) -> Option<Box<dyn Procedure>> {
         None
     }

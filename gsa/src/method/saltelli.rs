@@ -186,7 +186,7 @@ fn intervals(replicates: &[Sums], first_order: &[f64]) -> Vec<f64> {
     (0..first_order.len()).map(interval).collect()
 }
 
-/// `None` if some input has no base point left.
+/// Sums up the blocks; `None` if some input has no base point left.
 fn sums(inputs: usize, values: &[f64]) -> Option<Sums> {
     let blocks = || values.chunks(inputs + 2);
     let mean = |terms: Vec<f64>| -> Option<f64> {

@@ -1,4 +1,4 @@
-//! What methods on scattered points have in common.
+//! Basis of the methods on scattered points.
 
 use crate::judge::index_error::ErrorParts;
 use crate::method::analysis::{Analysis, Form, Status};
@@ -37,7 +37,7 @@ pub(crate) fn answer(found: Option<Scattered>, values: &[f64], method: Form) -> 
     analysis
 }
 
-/// What remains to be said where there are no indices.
+/// Returns what remains to be said where there are no indices.
 fn without_indices(values: &[f64], method: Form) -> Analysis {
     let finite: Vec<f64> = values.iter().copied().filter(|y| y.is_finite()).collect();
     let constant = finite.len() > 1 && finite.iter().all(|y| close(*y, finite[0]));
@@ -62,7 +62,7 @@ fn without_indices(values: &[f64], method: Form) -> Analysis {
     }
 }
 
-/// To the rounding of a model of a few operations.
+/// Whether two values are equal to the rounding of a model of a few operations.
 fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 8.0 * f64::EPSILON * a.abs().max(b.abs())
 }

@@ -1,4 +1,4 @@
-//! Which form speaks for an output, and why.
+//! Verdict on the forms: which of them speaks for an output, and why.
 //!
 //! The product form is broken where it does not exist, where the check points refute it, and, if there are no check
 //! points, where the lines raise a doubt. A doubt alone never outweighs a check: a product with a factor that changes
@@ -14,7 +14,7 @@ use crate::form::section::Sections;
 /// that is no product comes out as large as the output's variation.
 const SMALL_REFERENCE: f64 = 0.01;
 
-/// Where an output's indices come from.
+/// Source of an output's indices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Form {
@@ -24,9 +24,9 @@ pub enum Form {
     Additive,
     /// product of the sections after adding a constant
     Shifted,
-    /// one of these, plus a sparse expansion of what it misses at the check points
+    /// form on the lines, plus a sparse expansion of what it misses at the check points
     Corrected,
-    /// one of these, plus all pairs of inputs
+    /// form on the lines, plus all pairs of inputs
     Bivariate,
     /// every combination of the nodes
     Tensor,
@@ -37,7 +37,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// All of them.
+    /// Forms, all of them.
     pub const ALL: [Self; 8] = [
         Self::Mdrm,
         Self::Additive,
@@ -49,7 +49,7 @@ impl Form {
         Self::Saltelli,
     ];
 
-    /// Its name in documents: `mdrm`, `additive`, `shifted`, `corrected`, `bivariate`, `tensor`, `pce`, `saltelli`.
+    /// Returns its name in documents:
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Mdrm => "mdrm",
@@ -71,7 +71,7 @@ pub(crate) struct Verdict {
     pub(crate) reason: Option<String>,
 }
 
-/// What the lines show that a product seldom does.
+/// Doubt that the lines raise, as a product seldom does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Doubt {
     SignChange { input: usize },

@@ -1,4 +1,4 @@
-//! Which form answers, with which status and which reason.
+//! Decisions on the form that answers, with their status and reason.
 
 use gsa::design::Design;
 use gsa::law::distribution::Distribution;

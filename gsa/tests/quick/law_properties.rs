@@ -1,4 +1,4 @@
-//! What holds for every law with any parameters: of its rules, its distribution function, and under a change of unit.
+//! Properties of every law with any parameters: of its rules, its distribution function, and under a change of unit.
 
 use gsa::law::catalogue::{KINDS, Parameter};
 use gsa::law::distribution::Distribution;
@@ -48,7 +48,7 @@ fn any_law() -> impl Strategy<Value = Distribution> {
     })
 }
 
-/// In which coordinate rules are exact.
+/// Returns the coordinate in which rules are exact.
 fn coordinate(law: &Distribution, x: f64) -> f64 {
     if law.kind() == "lognormal" { x.ln() } else { x }
 }

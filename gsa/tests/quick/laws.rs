@@ -3,7 +3,7 @@
 use gsa::law::distribution::{Distribution, DistributionError};
 use gsa::law::rule::RuleError;
 
-/// What holds for every law.
+/// Checks what holds for every law.
 fn check_distribution(law: Distribution) {
     for k in 1..1000 {
         let p = f64::from(k) / 1000.0;

@@ -1,4 +1,4 @@
-//! What takes seconds: the laws and their rules, and which form answers, models with a symmetry, and polynomials.
+//! Tests that take seconds: the laws and their rules, and which form answers, models with a symmetry, and polynomials.
 
 mod decisions;
 mod law_data;

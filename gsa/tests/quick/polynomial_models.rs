@@ -71,7 +71,7 @@ fn a_failed_run_costs_a_survey_a_point_and_no_more() {
     }
 }
 
-/// Whatever the method's own sums say.
+/// A single input has all of the variance, whatever the method's own sums say.
 #[test]
 fn a_single_input_has_all_of_the_variance() {
     for kind in Kind::ALL {

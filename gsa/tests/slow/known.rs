@@ -5,7 +5,7 @@ use gsa::law::distribution::Distribution;
 /// Inputs to output.
 pub type Model = Box<dyn Fn(&[f64]) -> f64>;
 
-/// What a model is: where its inputs come from, how it answers, and which indices are right.
+/// A model whose indices are known: where its inputs come from, how it answers, and which indices are right.
 pub struct Known {
     pub family: &'static str,
     pub inputs: Vec<Distribution>,

@@ -1,4 +1,4 @@
-//! What takes a minute or two: methods on many models, and whether claimed errors cover the true ones.
+//! Tests that take a minute or two: methods on many models, and whether claimed errors cover the true ones.
 
 mod asking;
 mod attack;

@@ -1,4 +1,4 @@
-//! What holds for every output, whatever its shape.
+//! Properties of every output, whatever its shape.
 
 use gsa::design::Design;
 use gsa::law::distribution::Distribution;

@@ -23,11 +23,11 @@ use tire::model::{TireModel, ground};
 
 /// Radius of the uninflated crown: 50 mm to the section's centre and 20 mm to its outer surface.
 const CROWN_RADIUS: f64 = 70.0;
-/// Where the wall is clamped, degrees from the crown.
+/// Section angle at which the wall is clamped, degrees from the crown.
 const BEAD_ANGLE: f64 = 125.0;
 /// Depth of the ground below the undeformed crown, mm.
 const DEPTH: f64 = 4.0;
-/// Where the ground waits for the tire to be inflated, mm: the crown comes down to -71.
+/// Height at which the ground waits for the tire to be inflated, mm: the crown comes down to -71.
 const PARKED: f64 = -72.0;
 
 /// Depth of a neighbouring point of a study, over this one's.

@@ -3,10 +3,10 @@
 use super::figure_words::with_error;
 use super::first_rank::{Judged, Standing, judge};
 use super::layout_words::{instruction, words};
-use crate::layout::ranking::layout_order::order_key;
-use crate::layout::simulate::simulation::LOST_DEG;
-use crate::result::{Certainty, LayoutAnswer, RankedLayout};
 use crate::score::notes::listed;
+use layouts::ranking::layout_order::order_key;
+use layouts::simulate::simulation::LOST_DEG;
+use results::{Certainty, LayoutAnswer, RankedLayout};
 
 /// Layouts that a sentence names.
 const NAMED: usize = 3;
@@ -39,7 +39,7 @@ pub(super) fn best_layout(layouts: &[RankedLayout]) -> Option<(LayoutAnswer, Str
         rank: best.rank,
         words: words(best),
         units: best.units,
-        film_count: best.film_count.unwrap_or(best.units),
+        film_count: best.film_count,
         angle_error_deg,
         error_deg,
         tied_with,
@@ -49,7 +49,7 @@ pub(super) fn best_layout(layouts: &[RankedLayout]) -> Option<(LayoutAnswer, Str
     Some((answer, sentence))
 }
 
-/// What is best is greatest, so that what a key may be off down is off up here.
+/// Returns where a layout stands: the best is the greatest, so that what a key may be off down is off up here.
 fn standing(layout: &RankedLayout) -> Standing {
     let key = order_key(layout);
     Standing {
@@ -75,7 +75,7 @@ fn sentence(best: &RankedLayout, error: String, is_lost: bool) -> String {
     )
 }
 
-/// What a layout that loses the contact is worth.
+/// Says what a layout that loses the contact is worth.
 fn lost(best: &RankedLayout) -> String {
     let share = best.score.lost_share;
     let lost = share.map_or("more than 5".to_owned(), |s| format!("{:.0}", 100.0 * s));
@@ -84,7 +84,7 @@ fn lost(best: &RankedLayout) -> String {
     )
 }
 
-/// Why the first rank is as sure as it is.
+/// Says why the first rank is as sure as it is.
 fn reason(
     judged: &Judged,
     best: &RankedLayout,
@@ -134,7 +134,7 @@ fn ranks(ranks: &[usize]) -> String {
     format!("{noun} {}", listed(&names))
 }
 
-/// Where forces along and across are unknown, too: what tells them from the angle.
+/// Says what tells forces along and across from the angle, where they are unknown, too.
 fn shear(best: &RankedLayout, layouts: &[RankedLayout]) -> Option<String> {
     let shear = best.score.shear.as_ref()?;
     let bound = |bound: Option<f64>| {
@@ -168,10 +168,10 @@ fn shear(best: &RankedLayout, layouts: &[RankedLayout]) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::layout::ranking::layout_order::rank;
-    use crate::result::{LayoutError, LayoutScore, LoadScore, ShearScore};
+    use layouts::ranking::layout_order::rank;
+    use results::{LayoutError, LayoutScore, LoadScore, ShearScore};
 
-    /// So many films of x and y at the crown that know the angle to this, degrees.
+    /// Makes a layout of so many films of x and y at the crown that know the angle to this, degrees.
     fn layout(film_count: usize, p95: f64, error: Option<f64>) -> RankedLayout {
         let units = film_count / 2;
         let score = LayoutScore {
@@ -193,7 +193,7 @@ mod tests {
             units,
             position: "crown".to_owned(),
             films: vec!["x".to_owned(), "y".to_owned()],
-            film_count: Some(film_count),
+            film_count,
             loads: vec![load.clone(), load],
             score,
             ..RankedLayout::default()

@@ -4,12 +4,12 @@ use fem_client::solver::direction::Direction;
 
 use super::figure_words::with_error;
 use super::first_rank::{Judged, Standing, judge};
-use crate::result::{Certainty, PlaceAnswer, RankedLocation};
-use crate::score::location_scores::GSI;
 use crate::score::notes::listed;
 use crate::score::quantity::QUANTITY;
 use crate::score::rank::{default_key, key_error};
-use crate::study::directions::Directions;
+use documents::parts::directions::Directions;
+use results::location_scores::GSI;
+use results::{Certainty, PlaceAnswer, RankedLocation};
 
 /// The best place; `None` where no location has an index.
 pub(super) fn best_place(
@@ -99,7 +99,7 @@ fn sentence(
     )
 }
 
-/// Why the first rank is as sure as it is.
+/// Says why the first rank is as sure as it is.
 fn reason(
     judged: &Judged,
     (first_names, first): (&[&str], Standing),
@@ -141,7 +141,7 @@ mod tests {
     use fem_client::solver::direction::PerDirection;
 
     use super::*;
-    use crate::score::location_scores::{Figure, LocationScores, Score};
+    use results::location_scores::{Figure, LocationScores, Score};
 
     /// A location whose x and y index are these, percent, each with this error.
     fn location(name: &str, rank: usize, gsi: [f64; 2], error: Option<f64>) -> RankedLocation {

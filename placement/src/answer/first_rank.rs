@@ -1,4 +1,4 @@
-//! How sure a first rank is, by the difference from every other and the errors of both.
+//! Certainty of a first rank, by the difference from every other and the errors of both.
 //!
 //! | verdict | the difference from the first |
 //! | --- | --- |
@@ -11,24 +11,24 @@
 
 use gsa::judge::certainty::{CERTAIN, Estimate};
 
-use crate::result::Certainty;
+use results::Certainty;
 
-/// What an order goes by; the greatest is first.
+/// Figure that an order goes by; the greatest is first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Standing {
     pub value: f64,
-    /// How much less and how much more it may be; `None` where that isn't known.
+    /// Distances down and up by which it may be off; `None` where they aren't known.
     pub off: Option<[f64; 2]>,
 }
 
-/// What the others leave of a first rank.
+/// Judgement of a first rank against the others.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Judged {
     /// The weakest of all comparisons.
     pub verdict: Certainty,
-    /// Which of the others can't be told from the first.
+    /// Numbers of the others that can't be told from the first.
     pub tied: Vec<usize>,
-    /// Which of the others comes closest: the first one of those with the weakest verdict.
+    /// Number of the other that comes closest: the first one of those with the weakest verdict.
     pub closest: Option<usize>,
 }
 
@@ -48,7 +48,7 @@ pub(super) fn judge(first: &Standing, others: &[Standing]) -> Judged {
     }
 }
 
-/// How far one other is told from the first.
+/// Judges how far one other is told from the first.
 fn told(first: &Standing, other: &Standing) -> Certainty {
     let (Some([less, _]), Some([_, more])) = (first.off, other.off) else {
         return Certainty::Unknown;

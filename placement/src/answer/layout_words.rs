@@ -1,7 +1,7 @@
-//! What a layout is, in words.
+//! Layouts in words.
 
-use crate::result::RankedLayout;
 use crate::score::notes::listed;
+use results::RankedLayout;
 
 /// `12 units of x and y at the crown, every 30 degrees`; of a layout without units `12 films of x and y at the crown ("mine")`.
 pub(super) fn words(layout: &RankedLayout) -> String {
@@ -18,7 +18,7 @@ pub(super) fn words(layout: &RankedLayout) -> String {
     }
 }
 
-/// What to do: `Glue films of x and y at the crown, 12 units every 30 degrees`.
+/// Says what to do: `Glue films of x and y at the crown, 12 units every 30 degrees`.
 pub(super) fn instruction(layout: &RankedLayout) -> String {
     match layout.spacing_deg {
         Some(spacing) => format!(
@@ -54,7 +54,7 @@ fn directions(layout: &RankedLayout) -> String {
     listed(&names)
 }
 
-/// `at the crown`, `at 30 degrees from the crown`, `at several section angles`.
+/// Says where: `at the crown`, `at 30 degrees from the crown`, `at several section angles`.
 fn place(layout: &RankedLayout) -> String {
     match layout.position.strip_suffix(" deg") {
         Some(angle) => format!("at {angle} degrees from the crown"),

@@ -1,10 +1,10 @@
-//! What the model leaves out, as sentences with their effects.
+//! Omissions of the model, as sentences with their effects.
 
 use fem_client::scene::Film;
 use fem_client::solver::Choice;
 
 use super::figure_words::percent;
-use crate::result::{Grade, GradedNote, LeftOut, Topic};
+use results::{Grade, GradedNote, LeftOut, Topic};
 
 /// Effects from which on the answer is another one, and a figure.
 const CHANGES: f64 = 0.1;
@@ -42,7 +42,7 @@ pub(crate) fn effect_notes(left_out: &[Choice]) -> Vec<GradedNote> {
     left_out.iter().filter_map(note).collect()
 }
 
-/// What putting it in would do; solvers name what they leave out, and what they put in for it stands in their reasons.
+/// Says what putting it in would do; solvers name what they leave out, and what they put in for it stands in their reasons.
 fn sentence(what: &str, effect: f64) -> String {
     let change = percent(effect);
     match what {

@@ -1,4 +1,4 @@
-//! From ranked locations and layouts to the answer in a sentence: what the program, the exports and the dashboard tell alike.
+//! Answer in a sentence, from ranked locations and layouts: what the program, the exports and the dashboard tell alike.
 //!
 //! - `figure_words`: figures with their errors, as they stand in sentences
 //! - `first_rank`: how sure a first rank is

@@ -3,8 +3,8 @@
 use super::best_layout::best_layout;
 use super::best_place::best_place;
 use super::left_out_words::largest;
-use crate::result::{Answer, Certainty, StudyResult};
-use crate::study::Study;
+use documents::study::Study;
+use results::{Answer, Certainty, StudyResult};
 
 /// The answer of a study's result, which has everything else already; `None` where nothing has a rank. What a surer answer costs depends on the machine: who
 /// knows that adds it.
@@ -50,7 +50,7 @@ pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
     })
 }
 
-/// Why layouts that were asked for have no scores.
+/// Says why layouts that were asked for have no scores.
 fn unscored(result: &StudyResult) -> String {
     let findings = result.layout_findings.as_ref();
     let first = result.layouts.first();
@@ -67,43 +67,57 @@ fn unscored(result: &StudyResult) -> String {
 
 #[cfg(test)]
 mod tests {
-    use fem_client::document::Format;
-    use serde_json::{Value, json};
+    use document::Format;
+    use fem_client::solver::{Choice, ModelSummary};
+    use serde_json::json;
 
     use super::*;
-    use crate::study::presets;
+    use documents::study::presets;
+    use results::{LayoutError, LayoutScore, RankedLayout, RankedLocation};
 
     /// P3 before P2 with this error of their x indices, and layouts that know the angle to these, degrees, with their errors.
     fn answered(index_error: Option<f64>, layouts: &[(f64, f64)], reason: Option<&str>) -> Answer {
-        let location = |name: &str, rank: usize, x: f64| {
-            json!({"name": name, "rank": rank, "rank_certain": false, "gsi_x_percent": x, "gsi_y_percent": 10.0,
-                   "gsi_x_error_percent": index_error, "gsi_y_error_percent": 0.0})
+        let location = |name: &str, rank: usize, x: f64| -> RankedLocation {
+            let fields = json!({"name": name, "rank": rank, "rank_certain": false, "gsi_x_percent": x, "gsi_y_percent": 10.0,
+                   "gsi_x_error_percent": index_error, "gsi_y_error_percent": 0.0});
+            serde_json::from_value(fields).expect("a location")
         };
-        let layout = |(row, (p95, error)): (usize, &(f64, f64))| {
-            json!({"rank": row + 1, "spacing_deg": 30.0, "units": 12, "position": "crown", "films": ["x"], "film_count": 12,
-                   "score": {"weakest_signal": null, "worst_angle_error_deg": null, "rms_angle_error_deg": null, "worst_depth_error_mm": null,
-                             "noise_strain": 0.001, "reason": reason,
-                             "simulated_p95_angle_error_deg": reason.is_none().then_some(p95),
-                             "error": {"worst_angle_error_deg": null, "rms_angle_error_deg": null, "worst_depth_error_mm": null,
-                                       "simulated_rms_angle_error_deg": null, "simulated_p95_angle_error_deg": error}}})
+        let layout = |(row, &(p95, error)): (usize, &(f64, f64))| RankedLayout {
+            rank: row + 1,
+            spacing_deg: Some(30.0),
+            units: 12,
+            position: "crown".to_owned(),
+            films: vec!["x".to_owned()],
+            film_count: 12,
+            score: LayoutScore {
+                reason: reason.map(str::to_owned),
+                simulated_p95_angle_error_deg: reason.is_none().then_some(p95),
+                error: Some(LayoutError {
+                    simulated_p95_angle_error_deg: Some(error),
+                    ..LayoutError::default()
+                }),
+                ..LayoutScore::default()
+            },
+            ..RankedLayout::default()
         };
-        let layouts: Vec<Value> = layouts.iter().enumerate().map(layout).collect();
-        let result = json!({
-            "study": {"id": "", "name": "made up", "spec_sha256": "", "version": ""},
-            "model": {"dimension": "3d", "level": "coarse", "elements": 1, "dofs": 1, "modelled": [],
-                      "left_out": [{"what": "friction", "why": "it is 0", "effect": 0.2}]},
-            "inputs": [], "outputs": [], "locations": [location("P3", 1, 60.0), location("P2", 2, 50.0)],
-            "layouts": layouts, "map": null, "notes": [], "failed_points": [],
-            "cut_point": {"values": [], "reaction_n": 1.0, "inflated_outer_radius_mm": 50.0, "locations": [], "residual_history": []},
-            "cost": {"solves": 1, "reused": 0, "newton_iterations": 1, "wall_s": 1.0, "cpu_s": 1.0, "peak_memory_bytes": 1,
-                     "factorisation_share": 0.0, "assembly_share": 0.0, "other_share": 1.0},
-        });
-        let result: StudyResult = serde_json::from_value(result).expect("a result");
+        let result = StudyResult {
+            model: ModelSummary {
+                left_out: vec![Choice {
+                    what: "friction".to_owned(),
+                    why: "it is 0".to_owned(),
+                    effect: Some(0.2),
+                }],
+                ..ModelSummary::default()
+            },
+            locations: vec![location("P3", 1, 60.0), location("P2", 2, 50.0)],
+            layouts: layouts.iter().enumerate().map(layout).collect(),
+            ..StudyResult::default()
+        };
         let refuse = |path: &str| Err(path.to_owned());
         let (_, text) = presets()[0];
         let mut study = Study::from_document(text, Format::Toml, &refuse).expect("ships");
         if layouts.is_empty() {
-            study.layouts = crate::layout::layout_settings::Layouts::none();
+            study.layouts = documents::layouts::layout_settings::Layouts::none();
         }
         answer_of(&study, &result).expect("an answer")
     }

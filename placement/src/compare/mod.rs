@@ -16,21 +16,21 @@ use gsa::judge::misses::{Claim, Misses, error_of_difference};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::result::{FormMisses, Output, RankedLocation, StudyCost, StudyResult};
-use crate::score::location_scores::GSI;
+use results::location_scores::GSI;
+use results::{FormMisses, Output, RankedLocation, StudyCost, StudyResult};
 
 /// A study to be compared.
 #[derive(Debug, Clone)]
 pub struct Entry {
-    /// Its identifier.
+    /// Identifier of the study.
     pub id: String,
-    /// Its name, or that of the design.
+    /// Name of the study, or that of the design.
     pub name: String,
-    /// What the design sets, by path.
+    /// Settings of the design, by path.
     pub set: Option<Map<String, Value>>,
-    /// Where it stands: `done` and others.
+    /// State of the study: `done` and others.
     pub state: String,
-    /// Its answer, or why there is none, a sentence.
+    /// Answer of the study, or why there is none, a sentence.
     pub result: Result<StudyResult, String>,
 }
 
@@ -44,24 +44,24 @@ pub struct Comparison {
     pub studies: Vec<ComparedStudy>,
     /// Every location of every study that has a result, best first.
     pub rows: Vec<ComparedLocation>,
-    /// What the reader must know before believing the differences, whole sentences.
+    /// Notes that the reader must know before believing the differences, whole sentences.
     pub notes: Vec<String>,
 }
 
-/// One of the studies.
+/// A study of those compared.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ComparedStudy {
-    /// Its identifier.
+    /// Identifier of the study.
     pub id: String,
-    /// Its name, or that of the design.
+    /// Name of the study, or that of the design.
     pub name: String,
-    /// What the design sets, by path; null for a study that belongs to no sweep.
+    /// Settings of the design, by path; null for a study that belongs to no sweep.
     #[cfg_attr(feature = "openapi", schema(value_type = Option<Object>))]
     pub set: Option<Map<String, Value>>,
     /// `queued`, `running`, `done`, `failed` or `cancelled`.
     pub state: String,
-    /// Why there is no result.
+    /// Reason why there is no result.
     pub reason: Option<String>,
     /// SHA-256 of its document.
     pub spec_sha256: Option<String>,
@@ -81,9 +81,9 @@ pub struct ComparedStudy {
     pub best_certain: Option<bool>,
     /// Angle between the units of the best layout, degrees.
     pub layout_spacing_deg: Option<f64>,
-    /// Where they lie.
+    /// Position of the best layout's units.
     pub layout_position: Option<String>,
-    /// What it took.
+    /// Cost of the study.
     pub cost: Option<StudyCost>,
 }
 
@@ -126,7 +126,7 @@ impl ComparedLocation {
 pub struct ComparedIndex {
     /// The index, percent.
     pub gsi_percent: Option<f64>,
-    /// Its error, percentage points.
+    /// Error of the index, percentage points.
     pub error_percent: Option<f64>,
     /// The index minus the baseline's, percentage points; null in the baseline.
     pub difference_percent: Option<f64>,
@@ -136,16 +136,16 @@ pub struct ComparedIndex {
     pub verdict: Option<Verdict>,
 }
 
-/// What a difference is worth.
+/// Verdict on a difference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// Beyond its error.
+    /// Difference beyond its error.
     Real,
-    /// Within its error.
+    /// Difference within its error.
     Noise,
-    /// Its error isn't known.
+    /// Difference whose error isn't known.
     Unknown,
 }
 
@@ -259,7 +259,7 @@ struct Index<'r> {
     percent: Option<f64>,
     /// Percentage points.
     error: Option<f64>,
-    /// Which input it is of.
+    /// Number of the input that it is of.
     input: Option<usize>,
     /// The strain that it is of.
     output: Option<&'r Output>,
@@ -276,7 +276,7 @@ impl<'r> Index<'r> {
         }
     }
 
-    /// Beside another study's.
+    /// Compares it with another study's.
     fn beside(self, other: Option<Self>) -> ComparedIndex {
         let alone = ComparedIndex {
             gsi_percent: self.percent,
@@ -326,7 +326,7 @@ impl<'r> Index<'r> {
     }
 }
 
-/// What is claimed of a method's error, absolute.
+/// Claim of a method's error, absolute.
 struct MethodClaim {
     error: f64,
     misses: Option<Misses>,
@@ -341,8 +341,8 @@ impl MethodClaim {
     }
 }
 
-/// What the meshes leave of the difference between two studies' indices of a strain, absolute; `None` where a coarser mesh is missing,
-/// or the studies vary different inputs.
+/// Returns the error that the meshes leave of the difference between two studies' indices of a strain, absolute; `None` where a coarser mesh is
+/// missing, or the studies vary different inputs.
 fn shared_mesh_error(ours: &Output, theirs: &Output) -> Option<f64> {
     let (fine, coarse) = (ours.first_order.as_ref()?, ours.coarser.as_ref()?);
     let (other_fine, other_coarse) = (theirs.first_order.as_ref()?, theirs.coarser.as_ref()?);

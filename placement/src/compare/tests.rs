@@ -1,7 +1,7 @@
 use gsa::method::analysis::{Form, Status};
 
 use super::*;
-use crate::result::{CoarserIndices, IndexError};
+use results::{CoarserIndices, IndexError};
 
 /// A strain of two inputs; the coarser mesh is off by so much more.
 fn output(first: f64, coarser: Option<[f64; 2]>) -> Output {

@@ -4,9 +4,9 @@ use fem_client::scene::Level;
 use gsa::method::Kind;
 
 use crate::ladder::fidelity::Fidelity;
-use crate::result::ExpectedAccuracy;
+use results::ExpectedAccuracy;
 
-/// True and claimed errors of `docs/trade.md`: largest over the ten indices by which the paper's study ranks, five nodes.
+/// True and claimed errors of `docs/use/trade.md`: largest over the ten indices by which the paper's study ranks, five nodes.
 const MEASURED: [(Level, Kind, f64, Option<f64>); 9] = [
     (Level::Draft, Kind::Mdrm, 0.0220, None),
     (Level::Draft, Kind::Bivariate, 0.0248, None),
@@ -19,7 +19,7 @@ const MEASURED: [(Level, Kind, f64, Option<f64>); 9] = [
     (Level::Reference, Kind::Mdrm, 0.0015, Some(0.1197)),
 ];
 
-/// What to expect of a mesh and a method.
+/// Returns the accuracy to expect of a mesh and a method.
 pub(crate) fn expected_accuracy(fidelity: Fidelity) -> ExpectedAccuracy {
     let measured = MEASURED
         .iter()

@@ -6,8 +6,8 @@ use super::accuracy::expected_accuracy;
 use super::law::{How, Machine};
 use super::peak_memory::memory_bytes;
 use super::workload::{Point, Stage, Workload};
-use crate::result::{CountForecast, Estimate, Forecast, SolveForecast};
-use crate::study::Accuracy;
+use documents::study::Accuracy;
+use results::{CountForecast, Estimate, Forecast, SolveForecast};
 
 /// Analysis, layouts and storing of a result, s: a draft study's time that no solve explains.
 const ANALYSIS_S: f64 = 0.05;
@@ -22,7 +22,7 @@ const SCORING_S: f64 = 0.1;
 /// Forces of one layout, learnt from the shipped rig's runs and judged, s of one core.
 const LEARNING_S: f64 = 5.0;
 
-/// What a workload costs on a machine, where the points with the `known` content keys needn't be solved.
+/// Estimates what a workload costs on a machine, where the points with the `known` content keys needn't be solved.
 pub fn estimate(work: &Workload, known: &HashSet<String>, machine: &Machine) -> Estimate {
     let bills: Vec<Bill> = work
         .stages
@@ -74,12 +74,12 @@ pub fn estimate(work: &Workload, known: &HashSet<String>, machine: &Machine) -> 
     }
 }
 
-/// From the responses of a stage to its indices, s.
+/// Returns the time from the responses of a stage to its indices, s.
 fn stage_analysis_s(work: &Workload, stage: &Stage) -> f64 {
     OUTPUT_S[usize::from(stage.extra.most > 0)] * work.readings as f64 * stage.meshes() as f64
 }
 
-/// What layouts' scores, and forces learnt of them, take on all cores, s.
+/// Returns the time that layouts' scores, and forces learnt of them, take on all cores, s.
 fn scoring_s(stage: &Stage, machine: &Machine) -> f64 {
     (SCORING_S * stage.scorings as f64 + LEARNING_S * stage.learnt as f64) / machine.threads as f64
 }
@@ -88,7 +88,7 @@ fn is_timed(work: &Workload, machine: &Machine) -> bool {
     work.law_holds || machine.samples > 0
 }
 
-/// How many stages are expected to run.
+/// Returns how many stages are expected to run.
 fn likely(work: &Workload, bills: &[Bill]) -> usize {
     match work.accuracy {
         Accuracy::Preset => 1,
@@ -151,7 +151,7 @@ fn reasons(work: &Workload, machine: &Machine, spread: f64) -> Vec<String> {
     reasons
 }
 
-/// What a stage costs.
+/// Cost of a stage.
 struct Bill {
     own: usize,
     coarser: usize,
@@ -164,7 +164,7 @@ struct Bill {
     planned_s: f64,
     extra_expected: usize,
     extra_most: usize,
-    /// Of one further point, on both meshes.
+    /// Time of one further point, on both meshes, s.
     extra_s: f64,
 }
 
@@ -236,12 +236,12 @@ fn mean_s(series: &[Point], machine: &Machine) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use fem_client::document::Format;
+    use document::Format;
     use tire::embedded::EmbeddedSolver;
 
     use super::*;
-    use crate::study::plan::PlannedStudy;
-    use crate::study::{Study, presets};
+    use documents::study::plan::PlannedStudy;
+    use documents::study::{Study, presets};
 
     fn study(changes: &[(&str, &str)]) -> Study {
         let mut text = presets()[0]
@@ -306,7 +306,7 @@ mod tests {
 
     #[test]
     fn measured_studies_are_met() {
-        // docs/speed.md and docs/trade.md: whole studies on two cores, s. Between a half and twice: the law's 1.6 and what the machines of the two
+        // docs/proof/speed.md and docs/use/trade.md: whole studies on two cores, s. Between a half and twice: the law's 1.6 and what the machines of the two
         // pages differ by.
         for (level, wall_s) in [
             ("draft", 0.21),

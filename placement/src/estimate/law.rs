@@ -1,12 +1,13 @@
-//! What one solve takes, by a law fitted to measured solves, and corrected by what this machine has measured.
+//! Time of a solve, by a law fitted to measured solves, and corrected by what this machine has measured.
 //!
 //! t = a (N / 300)^b with N the cells between nodes in a quarter of the tire ([`Solver::cells`]). `a` and `b` go through the processor times of the
 //! reference tire's draft (300 cells) and reference meshes (9216), one thread, from solves of whole studies with few and many points. On
 //! the coarse and standard meshes between them the laws are at most 1.6 times too long. The exponents
-//! are within those of `docs/speed.md`, 1.2 to 1.6.
+//! are within those of `docs/proof/speed.md`, 1.2 to 1.6.
 
 use std::collections::{BTreeMap, HashMap};
 
+use estimation::error_metrics::order_statistics::upper_median;
 use fem_client::scene::{Film, Level, Scene};
 use fem_client::solver::{Readout, Solver};
 
@@ -14,7 +15,7 @@ use fem_client::solver::{Readout, Solver};
 const CELLS: f64 = 300.0;
 /// Inflating and pressing from nothing: s on the draft mesh, exponent.
 const AFRESH: (f64, f64) = (0.06, 1.37);
-/// From a neighbouring equilibrium with its tangent.
+/// Law of a solve from a neighbouring equilibrium with its tangent.
 const NEAR: (f64, f64) = (0.011, 1.24);
 /// Reading a mirror image's strains and storing it, s.
 const IMAGE_S: f64 = 0.003;
@@ -37,16 +38,16 @@ const DEEP: f64 = 0.2;
 /// A clock's resolution, s.
 const SHORTEST_S: f64 = 1e-6;
 
-/// How a point is solved.
+/// Start of a point's solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum How {
-    /// From nothing, before all others of its mesh.
+    /// Start from nothing, before all others of its mesh.
     Cut,
-    /// From the cut point's equilibrium with its tangent.
+    /// Start from the cut point's equilibrium with its tangent.
     Near,
-    /// It is the mirror image of another one.
+    /// Mirror image of another point, which isn't solved.
     Image,
-    /// From nothing: another inflated tire than the cut point's.
+    /// Start from nothing: another inflated tire than the cut point's.
     Afresh,
 }
 
@@ -69,7 +70,7 @@ pub(crate) struct Task {
     pub level: Level,
     /// Cells between nodes in a quarter of the tire.
     pub cells: f64,
-    /// How much longer the mesh is where more of the wheel is meshed finely, relative.
+    /// Factor on the mesh's length, where more of the wheel is meshed finely.
     pub stretch: f64,
     pub friction: bool,
     /// Further work of ground that is dragged, relative.
@@ -86,7 +87,7 @@ impl Task {
         Self::read(scene, &Readout::default(), solver, how)
     }
 
-    /// Of which this is read.
+    /// Describes the solve of a scene of which this is read.
     pub fn read(scene: &Scene, readout: &Readout, solver: &dyn Solver, how: How) -> Self {
         let deepest = scene.ground.depths_mm.iter().copied().fold(0.0, f64::max);
         Self {
@@ -105,12 +106,12 @@ impl Task {
         }
     }
 
-    /// Which factor corrects it.
+    /// Returns the kind of solves whose factor corrects it.
     pub fn kind(&self) -> TaskKind {
         (self.level, self.how.law())
     }
 
-    /// By the law alone, s.
+    /// Returns the time by the law alone, s.
     fn law_s(&self) -> f64 {
         let power = |(a, b): (f64, f64)| a * (self.cells / CELLS).powf(b);
         let slip = if self.friction {
@@ -160,15 +161,15 @@ fn drag(scene: &Scene) -> f64 {
 /// A solve that this machine has made.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sample {
-    /// What was solved.
+    /// Scene that was solved.
     pub scene: Scene,
-    /// How long it took, s.
+    /// Time that it took, s.
     pub wall_s: f64,
     /// Whether others started from it.
     pub cut: bool,
 }
 
-/// How fast this machine solves.
+/// Speed of this machine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Machine {
     /// Solves that run at once, each on a core.
@@ -179,11 +180,11 @@ pub struct Machine {
     overall: f64,
 }
 
-/// What solves of one kind took.
+/// Times of solves of one kind.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Taken {
     pub solves: usize,
-    /// By the law alone, s.
+    /// Time by the law alone, s.
     law_s: f64,
     wall_s: f64,
     /// Sum and sum of squares of the logarithms of time over law.
@@ -233,19 +234,19 @@ impl Machine {
                 of_kind.push(ratio);
             }
         }
-        let mut all: Vec<f64> = ratios.values().flatten().copied().collect();
+        let all: Vec<f64> = ratios.values().flatten().copied().collect();
         Self {
             threads: threads.max(1),
             samples: all.len(),
-            overall: median(&mut all).unwrap_or(1.0),
+            overall: upper_median(all).unwrap_or(1.0),
             factors: ratios
                 .into_iter()
-                .filter_map(|(kind, mut ratios)| Some((kind, median(&mut ratios)?)))
+                .filter_map(|(kind, ratios)| Some((kind, upper_median(ratios)?)))
                 .collect(),
         }
     }
 
-    /// The same machine at a study whose solves took this: a kind that wasn't come to yet is off as much as its like on another mesh or, without
+    /// Returns this machine at a study whose solves took this: a kind that wasn't come to yet is off as much as its like on another mesh or, without
     /// any, as all.
     pub(crate) fn revised(&self, taken: &BTreeMap<TaskKind, Taken>) -> Self {
         let correction = |starts: &dyn Fn(How) -> bool| {
@@ -368,11 +369,6 @@ pub(crate) fn mirror_class(scene: &Scene) -> Vec<u64> {
     depths.min(mirrored)
 }
 
-fn median(values: &mut [f64]) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied()
-}
-
 #[cfg(test)]
 mod tests {
     use fem_client::closed_form::ClosedFormSolver;
@@ -387,7 +383,7 @@ mod tests {
 
     #[test]
     fn the_law_is_near_what_was_measured_on_each_mesh() {
-        // Processor times on the machine of docs/speed.md; the fit goes through the outer two.
+        // Processor times on the machine of docs/proof/speed.md; the fit goes through the outer two.
         let measured = [
             (Level::Draft, 0.06, 0.011),
             (Level::Coarse, 0.32, 0.046),

@@ -1,4 +1,4 @@
-//! What a study will cost, before anything is solved: solves, time, memory, and the accuracy to expect.
+//! Estimate of a study before anything is solved: solves, time, memory, and the accuracy to expect.
 //!
 //! [`Workload::of`] lists the solves, `law` says how long each takes, and [`estimate`] adds them up for a machine and a database that may have
 //! some of them already. [`Pace`] corrects that while a study runs, and [`NextLevel`] says what a surer answer would take. All of it is a function of its arguments: who asks brings what was measured and what is known.

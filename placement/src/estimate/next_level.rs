@@ -1,4 +1,4 @@
-//! What the next mesh level would bring a study, and what it would cost.
+//! Next mesh level: what it would bring a study, and what it would cost.
 
 use std::collections::HashSet;
 
@@ -9,9 +9,9 @@ use super::bill::estimate;
 use super::law::Machine;
 use super::workload::Workload;
 use crate::ladder::fidelity::Fidelity;
-use crate::result::Surer;
-use crate::study::plan::{Estimable, PlanError, PlannedStudy};
-use crate::study::{Accuracy, Study};
+use documents::study::plan::{Estimable, PlanError, PlannedStudy};
+use documents::study::{Accuracy, Study};
+use results::Surer;
 
 /// A mesh's claimed error falls as the size of its cells to this power (`tire::mesh_error`), their number to a third of it.
 const ORDER: f64 = 2.0;
@@ -19,18 +19,18 @@ const ORDER: f64 = 2.0;
 /// A study on the next level.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NextLevel {
-    /// It asks for that level.
+    /// Study that asks for that level.
     pub study: Study,
-    /// What it leaves of the claimed error of the mesh, as a share; `None` after the draft, which claims none.
+    /// Share of the claimed error of the mesh that it leaves; `None` after the draft, which claims none.
     leaves: Option<f64>,
-    /// Its work over that of the study with nothing solved before.
+    /// Work over that of the study with nothing solved before.
     times: Option<f64>,
     /// Whether layouts are asked for that stay on their mesh.
     keeps_layouts: bool,
 }
 
 impl NextLevel {
-    /// Of a study that was answered on a level; `None` at the top of the ladder.
+    /// Plans the next level of a study that was answered on a level; `None` at the top of the ladder.
     ///
     /// # Errors
     /// When the study can't be planned on that level.
@@ -39,7 +39,7 @@ impl NextLevel {
         answered: Level,
         solver: &dyn Solver,
     ) -> Result<Option<Self>, PlanError> {
-        let levels = Level::NAMES.iter().map(|(_, level)| *level);
+        let levels = Level::ALL.into_iter();
         let Some(next) = levels.filter(|level| *level > answered).min() else {
             return Ok(None);
         };
@@ -61,7 +61,7 @@ impl NextLevel {
         }))
     }
 
-    /// As it stands in an answer, where it is expected to take so long, s.
+    /// Returns it as it stands in an answer, where it is expected to take so long, s.
     pub fn surer(&self, expected_s: Option<f64>) -> Surer {
         let level = self.study.level.as_str();
         let brings = match self.leaves {
@@ -95,7 +95,7 @@ impl NextLevel {
     }
 }
 
-/// What a study takes by the law of solve times with nothing solved before, s of one core; `None` of solvers without a law.
+/// Returns the time of a study by the law of solve times with nothing solved before, s of one core; `None` of solvers without a law.
 fn work_s(study: &Study, solver: &dyn Solver) -> Result<Option<f64>, PlanError> {
     let work = match Estimable::is_counted(study) {
         true => Workload::counted(study, solver)?,
@@ -117,12 +117,12 @@ fn duration(seconds: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use document::Format;
     use fem_client::closed_form::ClosedFormSolver;
-    use fem_client::document::Format;
     use tire::embedded::EmbeddedSolver;
 
     use super::*;
-    use crate::study::presets;
+    use documents::study::presets;
 
     fn shipped() -> Study {
         let refuse = |path: &str| Err(path.to_owned());

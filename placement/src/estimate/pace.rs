@@ -1,18 +1,18 @@
-//! What a study is expected to take once some of its solves were measured.
+//! Pace of a study: what it is expected to take once some of its solves were measured.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::bill::{SPREAD, estimate};
 use super::law::{How, Machine, Taken, Task, TaskKind};
 use super::workload::Workload;
-use crate::result::{Estimate, Forecast};
-use crate::study::Accuracy;
+use documents::study::Accuracy;
+use results::{Estimate, Forecast};
 
 /// Solves of one kind that tell how fast a study goes.
 const ENOUGH: usize = 3;
 /// An estimate off by this factor isn't worth having any more: as much as one on a measured machine may be off.
 const REVISED: f64 = SPREAD[0];
-/// Nobody waits for the revision of what takes less, s.
+/// Shortest time that is revised, s: nobody waits for less.
 const SHORT_S: f64 = 1.0;
 /// Share by which the solves grow from look to look: each goes through all points.
 const LOOK: f64 = 1.25;
@@ -30,13 +30,13 @@ pub struct Pace {
     /// Solves near each cut point so far.
     near: BTreeMap<TaskKind, usize>,
     solves: usize,
-    /// Those of them that nobody had planned.
+    /// Count of those that nobody had planned.
     extra: usize,
     next_look: usize,
 }
 
 impl Pace {
-    /// Of a workload on a machine, where the points with the `known` content keys needn't be solved.
+    /// Begins with a workload on a machine, where the points with the `known` content keys needn't be solved.
     pub fn new(work: Workload, known: HashSet<String>, machine: Machine) -> Self {
         let first = estimate(&work, &known, &machine);
         let points = work.points().map(|point| (point.key.clone(), point.task));
@@ -55,7 +55,7 @@ impl Pace {
         }
     }
 
-    /// What was expected at first.
+    /// Returns what was expected at first.
     pub fn estimate(&self) -> &Estimate {
         &self.first
     }
@@ -93,7 +93,7 @@ impl Pace {
         }
     }
 
-    /// What the study is expected to take in all, so many seconds after its beginning, where that is far from what was said last.
+    /// Returns what the study is expected to take in all, so many seconds after its beginning, where that is far from what was said last.
     pub fn revised(&mut self, elapsed_s: f64) -> Option<Estimate> {
         let budget = matches!(self.work.accuracy, Accuracy::Budget(_));
         if budget || self.solves < self.next_look || !self.is_measured() {
@@ -142,12 +142,12 @@ impl Pace {
 
 #[cfg(test)]
 mod tests {
-    use fem_client::document::Format;
+    use document::Format;
     use tire::embedded::EmbeddedSolver;
 
     use super::*;
-    use crate::study::plan::PlannedStudy;
-    use crate::study::{Study, presets};
+    use documents::study::plan::PlannedStudy;
+    use documents::study::{Study, presets};
 
     /// The shipped study on a machine with one thread, as fast as the law says.
     fn pace() -> Pace {
@@ -174,7 +174,7 @@ mod tests {
         (said, elapsed_s)
     }
 
-    /// What is left when all points are there, s.
+    /// Returns the time that is left when all points are there, s.
     fn analysis_s() -> f64 {
         let pace = pace();
         let all = pace.work.keys().map(str::to_owned).collect();

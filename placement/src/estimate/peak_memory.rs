@@ -1,4 +1,4 @@
-//! What a study takes of memory.
+//! Peak memory of a study.
 //!
 //! An upper bound rather than a mean, because a study is refused by it: measured peaks are two fifths to all of it. Fitted to the peaks of whole
 //! studies by all methods on the draft, coarse and standard meshes, with and without maps of up to 40 602 numbers.
@@ -15,12 +15,12 @@ const READING: f64 = 32.0;
 /// A number's indices and errors, in the analysis, the result and its text, on one mesh, bytes: by a method with a plan, and by one that adapts,
 /// which keeps the surrogates that it chooses from.
 const OUTPUT: [f64; 2] = [3e3, 30e3];
-/// What solves leave in the allocator's pools, in meshes in work: that of few points, how many these are, points for another one, at most.
+/// Memory that solves leave in the allocator's pools, in meshes in work: that of few points, how many these are, points for another one, at most.
 const POOLS: (f64, f64, f64, f64) = (1.7, 26.0, 40.0, 3.5);
-/// What the estimate of contacts keeps for each film of a layout on each thread, bytes: a dozen functions at 4860 angles, twice, and what the allocator keeps of
-/// them. The shipped study of layouts took 338 MB on the coarse mesh and 885 MB on the standard one.
+/// Memory that the estimate of contacts keeps for each film of a layout on each thread, bytes: a dozen functions at 4860 angles, twice, and what the allocator
+/// keeps of them. The shipped study of layouts took 338 MB on the coarse mesh and 885 MB on the standard one.
 const FILM: f64 = 2e6;
-/// What a solve of deep contact takes beside its mesh, bytes: borders that are widened again and again.
+/// Memory of a solve of deep contact beside its mesh, bytes: borders that are widened again and again.
 const DEEP: f64 = 60e6;
 
 /// Largest memory of the process while these stages of a workload run, bytes: the program, the meshes in work, the responses of all
@@ -59,12 +59,12 @@ fn solving(stage: &Stage, machine: &Machine) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use fem_client::document::Format;
+    use document::Format;
     use tire::embedded::EmbeddedSolver;
 
     use super::*;
-    use crate::study::plan::PlannedStudy;
-    use crate::study::{Study, presets};
+    use documents::study::plan::PlannedStudy;
+    use documents::study::{Study, presets};
 
     /// The shipped study with another map, method and mesh.
     fn megabytes(grid: Option<[usize; 2]>, method: &str, level: &str) -> f64 {

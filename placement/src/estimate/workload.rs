@@ -1,4 +1,4 @@
-//! Everything that a study will, or may, have solved: a pure function of its document and the solver's kind.
+//! Workload of a study, all that it will or may have solved: a pure function of its document and the solver's kind.
 
 use std::cell::Cell;
 use std::collections::HashSet;
@@ -13,20 +13,20 @@ use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings};
 use crate::layout::solving::study_layouts::Asked;
+use crate::points::keys;
 use crate::response_table::study_table::StudyTable;
-use crate::run::keys;
 use crate::signals::measuring::signal_series;
-use crate::study::plan::{Plan, PlanError, PlannedStudy};
-use crate::study::{Accuracy, Study};
+use documents::study::plan::{Plan, PlanError, PlannedStudy};
+use documents::study::{Accuracy, Study};
 
 /// Times as many points as it starts with that the adaptive method is expected to ask for: it took 3.9 and 4.5 times as many in the
-/// measured trades of `docs/trade.md`.
+/// measured trades of `docs/use/trade.md`.
 const OF_ADAPTING: usize = 4;
 
 /// Nodes for each input of the lines that stand for a larger design: a mean point, and one on each side.
 const LINE_NODES: usize = 3;
 
-/// What a study will, or may, have solved, in the order in which it goes.
+/// Workload of a study, all that it will or may have solved, in the order in which it goes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Workload {
     pub(crate) stages: Vec<Stage>,
@@ -45,17 +45,17 @@ pub struct Workload {
 pub(crate) struct Stage {
     pub fidelity: Fidelity,
     pub own: Vec<Point>,
-    /// The same points on the coarser mesh.
+    /// Points solved once more, on the coarser mesh.
     pub coarser: Vec<Point>,
-    /// What shows the effects of what the model leaves out.
+    /// Points that show the effects of what the model leaves out.
     pub effects: Vec<Point>,
-    /// What shows films' signals: each series starts from an equilibrium of its own.
+    /// Points that show films' signals: each series starts from an equilibrium of its own.
     pub signals: Vec<Vec<Point>>,
-    /// What shows layouts' loads, a series for each mesh.
+    /// Points that show layouts' loads, a series for each mesh.
     pub layouts: Vec<Vec<Point>>,
-    /// What a rig's table is made of.
+    /// Points of a rig's tables.
     pub tables: Vec<Vec<Point>>,
-    /// How often a layout is scored at a load on a mesh.
+    /// Number of times that a layout is scored at a load on a mesh.
     pub scorings: usize,
     /// Layouts whose forces are learnt from a rig's runs.
     pub learnt: usize,
@@ -80,13 +80,13 @@ impl Stage {
         self.own.len() + self.coarser.len() + self.meshes() * self.extra.expected
     }
 
-    /// On how many its points are solved.
+    /// Returns on how many meshes its points are solved.
     pub fn meshes(&self) -> usize {
         1 + usize::from(!self.coarser.is_empty() || self.extra.coarser)
     }
 }
 
-/// How many more points there may be.
+/// Number of further points that there may be.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Extra {
     /// Whether each is solved on the coarser mesh too, and wasn't by an earlier stage.
@@ -95,7 +95,7 @@ pub(crate) struct Extra {
     pub most: usize,
 }
 
-/// One solve.
+/// A solve.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Point {
     pub key: String,
@@ -103,14 +103,13 @@ pub(crate) struct Point {
 }
 
 impl Workload {
-    /// What a study asks of a solver.
+    /// Lists what a study asks of a solver.
     pub fn of(planned: &PlannedStudy, solver: &dyn Solver) -> Self {
         let keys = |scenes: &[Scene], readout: &Readout| keys(scenes, solver, readout).collect();
         Self::with_keys(planned, solver, &keys, &|points| points)
     }
 
-    /// What a large design asks of a solver: as many points as it has, each as dear as one of the few on its lines. Its keys are none
-    /// of the archive.
+    /// Lists what a large design asks of a solver: as many points as it has, each as dear as one of the few on its lines. Its keys are none of the archive.
     ///
     /// # Errors
     /// When the points on the lines have no plan.
@@ -144,7 +143,7 @@ impl Workload {
         })
     }
 
-    /// What a study asks of a solver, for an estimate of its memory: without looking which solves are alike, which takes half of the time.
+    /// Lists what a study asks of a solver, for an estimate of its memory: without looking which solves are alike, which takes half of the time.
     pub fn without_keys(planned: &PlannedStudy, solver: &dyn Solver) -> Self {
         Self::with_keys(planned, solver, &numbers(), &|points| points)
     }

@@ -14,14 +14,16 @@ use crate::answer::{answer_of, effect_notes};
 use crate::ladder::effects;
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::measuring_layouts;
+use crate::points::RunContext;
+use crate::points::RunError;
+use crate::points::usage::Stopwatch;
 use crate::response_table::measuring_forces;
-use crate::result::{Climb, ClimbRung, GradedNote, Output, StudyResult, Topic};
-use crate::run::usage::{cpu_s, peak_memory_bytes};
-use crate::run::{RunContext, RunError, run_from};
+use crate::run::run_from;
 use crate::signals::measuring;
-use crate::study::directions::Directions;
-use crate::study::plan::Plan;
-use crate::study::{Accuracy, Study};
+use documents::parts::directions::Directions;
+use documents::study::plan::Plan;
+use documents::study::{Accuracy, Study};
+use results::{Climb, ClimbRung, GradedNote, Output, StudyResult, Topic};
 
 /// Levels that are climbed. The draft doesn't know its own error, and is for a budget's first answer alone.
 pub(crate) const LEVELS: [Level; 4] = [
@@ -44,7 +46,7 @@ const FORCES_LEFT_OUT: &str =
     "The budget left no time for the rig: a study with accuracy.preset solves its table.";
 const LAYOUTS_LEFT_OUT: &str =
     "The budget left no time for layouts: a study with accuracy.preset scores them.";
-/// How often a run looks whether its time is up.
+/// Interval at which a run looks whether its time is up.
 const LOOK: Duration = Duration::from_millis(10);
 
 /// Answers a study with the accuracy that it asks for.
@@ -77,7 +79,7 @@ fn with_further_solves(
     result: &mut StudyResult,
     context: RunContext<'_>,
 ) -> Result<(), RunError> {
-    let (begun, cpu_before) = (Instant::now(), cpu_s());
+    let watch = Stopwatch::start();
     effects::measure(first, study, plan, result, context)?;
     for note in effect_notes(&result.model.left_out) {
         result.note(note);
@@ -88,9 +90,7 @@ fn with_further_solves(
     measuring::measure(first, study, plan, result, context)?;
     let first = first + result.cost.signal_solves;
     measuring_forces::measure(first, study, plan, result, context)?;
-    result.cost.wall_s += begun.elapsed().as_secs_f64();
-    result.cost.cpu_s += (cpu_s() - cpu_before).max(0.0);
-    result.cost.peak_memory_bytes = peak_memory_bytes();
+    watch.add_to(&mut result.cost);
     Ok(())
 }
 

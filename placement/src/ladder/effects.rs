@@ -1,4 +1,4 @@
-//! What the model of a study leaves out, measured: each omission's richer scene is solved once, at the means.
+//! Effects of what the model of a study leaves out, measured: each omission's richer scene is solved once, at the means.
 //!
 //! An effect is the difference of two models on one mesh, and the mesh's own error cancels in it to a good part: those of the coarse
 //! level are within a tenth of the standard's on the reference tire. The draft's aren't: friction has 3.5 times its true effect
@@ -8,12 +8,15 @@ use fem_client::scene::{Level, Scene};
 use fem_client::solver::direction::PerDirection;
 use fem_client::solver::{Choice, Omission, Response};
 
-use crate::result::StudyResult;
-use crate::run::archive::Outcome;
-use crate::run::{Place, RunContext, RunError, outcomes_of};
+use crate::points::Place;
+use crate::points::RunContext;
+use crate::points::RunError;
+use crate::points::archive::Outcome;
+use crate::points::outcomes_of;
 use crate::score::quantity::at_locations;
-use crate::study::Study;
-use crate::study::plan::Plan;
+use documents::study::Study;
+use documents::study::plan::Plan;
+use results::StudyResult;
 
 /// Fills in the effects of what a result's model leaves out. The points have ordinals from `first` on.
 ///

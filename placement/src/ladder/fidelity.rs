@@ -1,37 +1,23 @@
-//! How faithfully a study is answered: the mesh and the method, as one value.
+//! Fidelity of an answer: the mesh and the method, as one value.
 
 use fem_client::scene::Level;
 use gsa::method::{Kind, Method};
-use serde::{Deserialize, Serialize};
+use results::FidelityReport;
 
-use crate::study::Study;
+use documents::study::Study;
 
 /// A mesh level and a method with its size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fidelity {
     /// Mesh level.
     pub level: Level,
-    /// How indices are computed.
+    /// Kind of method that computes the indices.
     pub kind: Kind,
     /// Gauss nodes for each input.
     pub nodes: usize,
 }
 
-/// A fidelity as it stands in documents.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-pub struct FidelityReport {
-    /// Mesh level.
-    pub level: String,
-    /// Method.
-    pub method: String,
-    /// Gauss nodes for each input, at the start where the method adds some.
-    pub nodes: usize,
-    /// Points off the lines, at the start where the method adds some.
-    pub check_points: usize,
-}
-
-/// What the ladder is made of, cheap to dear within each level. M-DRM's rungs differ in nodes, the others also see interactions.
+/// Rungs of the ladder, cheap to dear within each level. M-DRM's rungs differ in nodes, the others also see interactions.
 const LADDER: [(Level, Kind, usize); 14] = [
     (Level::Draft, Kind::Mdrm, 3),
     (Level::Draft, Kind::Mdrm, 5),
@@ -66,7 +52,7 @@ impl Fidelity {
         }
     }
 
-    /// The same study, answered with this fidelity. Its other settings are kept, so that the same points are drawn.
+    /// Returns the study, answered with this fidelity. Its other settings are kept, so that the same points are drawn.
     #[must_use]
     pub fn apply(self, study: &Study) -> Study {
         let mut study = study.clone();
@@ -80,7 +66,7 @@ impl Fidelity {
         study
     }
 
-    /// The same study with this mesh and this kind of method; what it says of its own method is kept.
+    /// Returns the study with this mesh and this kind of method; what it says of its own method is kept.
     #[must_use]
     pub(crate) fn raise(self, study: &Study) -> Study {
         let method = study.method;
@@ -91,7 +77,7 @@ impl Fidelity {
         raised
     }
 
-    /// In a few words.
+    /// Describes it in a few words.
     pub fn label(self) -> String {
         format!(
             "{} {} {}",
@@ -101,7 +87,7 @@ impl Fidelity {
         )
     }
 
-    /// As it stands in documents.
+    /// Describes it as it stands in documents.
     pub fn report(self, study: &Study) -> FidelityReport {
         FidelityReport {
             level: self.level.as_str().to_owned(),

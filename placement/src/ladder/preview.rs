@@ -5,8 +5,8 @@ use fem_client::solver::Grid;
 use gsa::method::Kind;
 
 use crate::ladder::fidelity::Fidelity;
-use crate::layout::layout_settings::Layouts;
-use crate::study::{Accuracy, Study};
+use documents::layouts::layout_settings::Layouts;
+use documents::study::{Accuracy, Study};
 
 /// Points of the map around the wheel and along the section, at most.
 const MOST_MAP: [usize; 2] = [31, 11];
@@ -14,9 +14,9 @@ const MOST_MAP: [usize; 2] = [31, 11];
 /// A study on the draft mesh, and what it leaves out of the one that was asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Preview {
-    /// What is solved: places alone, on a small map, by a plan that isn't extended.
+    /// Study to solve: places alone, on a small map, by a plan that isn't extended.
     pub study: Study,
-    /// What isn't, and why; whole sentences.
+    /// Parts that aren't solved, and why; whole sentences.
     pub left_out: Vec<String>,
 }
 
@@ -87,9 +87,9 @@ fn smaller(grid: Grid, left_out: &mut Vec<String>) -> Grid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::plan::Plan;
-    use crate::study::presets;
-    use fem_client::document::Format;
+    use document::Format;
+    use documents::study::plan::Plan;
+    use documents::study::presets;
 
     fn shipped() -> Study {
         Study::from_document(presets()[0].1, Format::Toml, &|path| Err(path.to_owned())).unwrap()

@@ -12,14 +12,18 @@ use fem_client::solver::Solver;
 use fem_client::solver::direction::PerDirection;
 use serde::{Deserialize, Serialize};
 
-use crate::ladder::fidelity::{Fidelity, FidelityReport};
-use crate::result::{RankedLocation, StudyResult};
-use crate::run::memory::MemoryArchive;
-use crate::run::{Observer, RunContext, RunError, run};
-use crate::score::location_scores::GSI;
-use crate::study::Study;
-use crate::study::directions::Directions;
-use crate::study::plan::Plan;
+use crate::ladder::fidelity::Fidelity;
+use crate::points::Observer;
+use crate::points::RunContext;
+use crate::points::RunError;
+use crate::points::memory::MemoryArchive;
+use crate::run::run;
+use documents::parts::directions::Directions;
+use documents::study::Study;
+use documents::study::plan::Plan;
+use results::FidelityReport;
+use results::location_scores::GSI;
+use results::{RankedLocation, StudyResult};
 
 /// The measured trade of a study.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -29,17 +33,17 @@ pub struct Trade {
     pub study: String,
     /// SHA-256 of its canonical document.
     pub spec_sha256: String,
-    /// What the rungs are compared with.
+    /// Rung with which the others are compared.
     pub reference: Rung,
     /// The rungs, in the order of the ladder.
     pub rungs: Vec<Rung>,
 }
 
-/// One way to answer the study, and what it gave.
+/// A way to answer the study, and what it gave.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Rung {
-    /// In a few words.
+    /// Label in a few words.
     pub label: String,
     /// Mesh and method.
     pub fidelity: FidelityReport,
@@ -63,18 +67,18 @@ pub struct Rung {
     pub indices: Vec<Index>,
 }
 
-/// What one location is ranked by.
+/// Index by which a location is ranked.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Index {
     /// Name of the location.
     pub location: String,
-    /// Its rank.
+    /// Rank of the location.
     pub rank: usize,
     /// First-order indices for the x and the y strain, percent.
     #[cfg_attr(feature = "openapi", schema(value_type = Vec<Option<f64>>))]
     pub gsi_percent: PerDirection<Option<f64>>,
-    /// Their claimed errors, percentage points.
+    /// Claimed errors of the indices, percentage points.
     #[cfg_attr(feature = "openapi", schema(value_type = Vec<Option<f64>>))]
     pub error_percent: PerDirection<Option<f64>>,
 }
@@ -158,7 +162,7 @@ fn rung(study: &Study, fidelity: Fidelity, result: &StudyResult, truth: &[Index]
     }
 }
 
-/// What the ranking goes by, in the order of the locations' names.
+/// Returns what the ranking goes by, in the order of the locations' names.
 fn indices(result: &StudyResult) -> Vec<Index> {
     let index = |location: &RankedLocation| Index {
         location: location.name.clone(),
@@ -211,7 +215,7 @@ fn agrees(indices: &[Index], truth: &[Index], directions: Directions) -> bool {
     })
 }
 
-/// What a location is ranked by, the sum of the indices that are asked for, with its error; percent.
+/// Returns what a location is ranked by, the sum of the indices that are asked for, with its error; percent.
 fn estimate(index: &Index, directions: Directions) -> Option<(f64, f64)> {
     let (mut sum, mut error) = (0.0, 0.0f64);
     for &direction in directions.asked() {

@@ -1,21 +1,21 @@
-//! What a glued film's transfer misses, between the wheel angles and the depths where films were solved with the tire.
+//! Residual of a glued film's transfer, between the wheel angles and the depths where films were solved with the tire.
 
-use crate::layout::field::hermite::{Nodes, summed};
+use layouts::field::hermite::{Nodes, summed};
 
 /// Signals of one kind of film, less what its transfer says, V; cubic in the wheel angle, and in the depth from none.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AngleResidual {
-    /// From -180 to 180 degrees.
+    /// Angles from -180 to 180 degrees.
     angles: Nodes,
-    /// Of the undragged ground, mm, none first.
+    /// Depths of the undragged ground, mm, none first.
     depths: Nodes,
-    /// By angle, then depth.
+    /// Residuals by angle, then depth.
     missing: Vec<Vec<f64>>,
 }
 
 impl AngleResidual {
-    /// Of a film solved at these angles from the contact, degrees, 180 among them, under loads with these depths, mm, by angle and then load. Where no angle is
-    /// negative, the film reads the same on both sides.
+    /// Interpolates the residuals of a film solved at these angles from the contact, degrees, 180 among them, under loads with these depths, mm, by angle and
+    /// then load. Where no angle is negative, the film reads the same on both sides.
     ///
     /// # Panics
     /// If the depths don't increase from above zero.
@@ -35,7 +35,7 @@ impl AngleResidual {
         }
     }
 
-    /// At a depth, mm, and a wheel angle from the contact, degrees.
+    /// Returns the residual at a depth, mm, and a wheel angle from the contact, degrees.
     pub fn at(&self, depth_mm: f64, angle_deg: f64) -> f64 {
         let [over_angle, _] = self.angles.shares(angle_deg);
         let [over_depth, _] = self.depths.shares(depth_mm);

@@ -1,4 +1,4 @@
-//! How a response depends on the ground's shift, by its values at shares of the largest one.
+//! Dependence of a response on the ground's shift, by its values at shares of the largest one.
 //!
 //! Flat ground has two mirror planes, so that a response splits into four parts: even or odd in the shift along the wheel, even or odd in the one across. Each
 //! part is a polynomial through the solved shares 0, 1/2 and 1: with the nodes s_i, Lagrange's in s^2 where it is even, and s / s_i times those in s^2 of
@@ -25,7 +25,8 @@ pub const PARTS: [[bool; 2]; 4] = [[false, false], [true, false], [false, true],
 /// Products of a drag and a part.
 pub const PRODUCTS: usize = DRAGS.len() * PARTS.len();
 
-/// What each part of each drag's response, less the undragged one, contributes at a shift, as shares of the largest along and across: by drag, then part.
+/// Returns what each part of each drag's response, less the undragged one, contributes at a shift, as shares of the largest along and across: by drag, then
+/// part.
 pub fn products(shares: [f64; 2]) -> [f64; PRODUCTS] {
     let even = shares.map(even);
     let odd = shares.map(odd);
@@ -68,7 +69,7 @@ fn odd(share: f64) -> [f64; 3] {
 mod tests {
     use super::*;
 
-    /// What the products make of a response: its parts at the drags, taken apart by its four images.
+    /// Interpolates a response by the products: its parts at the drags, taken apart by its four images.
     fn interpolated(response: impl Fn(f64, f64) -> f64, at: [f64; 2]) -> f64 {
         let products = products(at);
         let mut sum = response(0.0, 0.0);

@@ -9,28 +9,30 @@
 use fem_client::scene::{Film, Scene};
 use fem_client::solver::Readout;
 
-use crate::layout::arrangement::FilmKind;
-use crate::layout::field::hermite::Turn;
 use crate::layout::solving::glued_films::{glued, in_volts, signal};
 use crate::layout::solving::layout_fields::samples;
 use crate::layout::solving::layout_scenes::readout;
 use crate::layout::solving::measuring_layouts::outcomes;
+use crate::points::Place;
+use crate::points::RunContext;
+use crate::points::RunError;
+use crate::points::archive::Outcome;
 use crate::response_table::angle_residual::AngleResidual;
 use crate::response_table::solved_table::ResponseTable;
 use crate::response_table::table_error::Errors;
 use crate::response_table::table_scenes::{Pressing, TableScenes};
-use crate::result::FilmAnglesReport;
-use crate::run::archive::Outcome;
-use crate::run::{Place, RunContext, RunError};
 use crate::signals::answers::Answer;
 use crate::signals::measuring::answers_from_first;
-use crate::signals::series::loads_of_transfer;
+use documents::signals::series::loads_of_transfer;
+use layouts::arrangement::FilmKind;
+use layouts::field::hermite::Turn;
+use results::FilmAnglesReport;
 
 /// Angles from the contact, degrees, that are solved: near where a foot's contact ends, 12 to 20 degrees from its centre, a film's signal turns.
 const ANGLES_DEG: [f64; 12] = [
     0.0, 3.0, 6.0, 9.0, 12.0, 15.0, 18.0, 22.0, 29.0, 45.0, 90.0, 180.0,
 ];
-/// Which load is solved first: the others start from its equilibrium.
+/// Number of the load that is solved first: the others start from its equilibrium.
 const FIRST_LOAD: usize = 2;
 
 /// Kinds of film that are glued on.
@@ -40,23 +42,23 @@ pub(crate) struct FilmAngles<'s> {
     scenes: &'s TableScenes,
 }
 
-/// What the solves answer.
+/// Answers of the solves.
 pub(crate) struct FilmAnswers {
     /// The bare wall without friction, by load.
     bare: Vec<Outcome>,
     kinds: Vec<KindAnswers>,
 }
 
-/// What the solves of one kind of film answer.
+/// Answers of the solves of one kind of film.
 struct KindAnswers {
-    /// By angle, then load.
+    /// Answers by angle, then load.
     around: Vec<Vec<Answer>>,
-    /// By test.
+    /// Answers by test.
     tested: Vec<Answer>,
 }
 
 impl<'s> FilmAngles<'s> {
-    /// Of these kinds on the tires of a table.
+    /// Lists the solves of these kinds on the tires of a table.
     pub fn new(film: &'s Film, kinds: &'s [FilmKind], scenes: &'s TableScenes) -> Self {
         Self {
             film,
@@ -221,7 +223,7 @@ impl<'s> FilmAngles<'s> {
         })
     }
 
-    /// What a table lacks of the volts of a kind of film, at the solves that test it; None where one of them has no equilibrium.
+    /// Returns what a table lacks of the volts of a kind of film, at the solves that test it; None where one of them has no equilibrium.
     fn test(&self, number: usize, answers: &[Answer], table: &ResponseTable) -> Option<Vec<f64>> {
         let missing = |(answer, (angle, load_n)): (&Answer, (f64, f64))| {
             let weights = table.weights(table.depth_of_load_mm(load_n), [0.0; 2]);

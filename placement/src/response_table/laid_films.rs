@@ -4,10 +4,10 @@ use fem_client::film::laminate::product;
 use fem_client::scene::Film;
 use fem_client::solver::FilmSignal;
 
-use crate::layout::arrangement::{FilmKind, FilmReads, LaidFilm};
 use crate::response_table::solved_table::{FilmNodes, ResponseTable};
-use crate::rig::contact_response::{Contact, ContactResponse, StanceResponse, TurnableFilms};
 use crate::signals::answers::signal_of_tension;
+use layouts::arrangement::{FilmKind, FilmReads, LaidFilm};
+use rig::contact_response::{Contact, ContactResponse, StanceResponse, TurnableFilms};
 
 /// The kind of film whose signal is the volts of a film that follows the wall and resists nothing, open circuit.
 pub fn bare_in_volts(kind: &FilmKind, film: &Film) -> FilmKind {
@@ -26,7 +26,7 @@ pub fn bare_in_volts(kind: &FilmKind, film: &Film) -> FilmKind {
 pub struct LaidFilms<'t> {
     table: &'t ResponseTable,
     films: Vec<LaidFilm>,
-    /// Of one film, pF.
+    /// Capacitance of one film, pF.
     capacitance_pf: f64,
     full_scales_nc: Vec<f64>,
     capacitances_pf: Vec<f64>,
@@ -53,7 +53,7 @@ impl<'t> LaidFilms<'t> {
         }
     }
 
-    /// The same films, with what they are wired to, on another tire.
+    /// Returns these films, with what they are wired to, on another tire.
     pub fn on<'o>(&self, table: &'o ResponseTable) -> LaidFilms<'o> {
         LaidFilms {
             table,
@@ -66,7 +66,7 @@ impl<'t> LaidFilms<'t> {
     }
 }
 
-/// Of the volts of an open circuit.
+/// Returns the charge of the volts of an open circuit, nC.
 fn charge_nc(volts: f64, capacitance_pf: f64) -> f64 {
     1e-3 * volts * capacitance_pf
 }
@@ -139,9 +139,9 @@ mod tests {
     use fem_client::scene::{FilmLayer, Geometry, Scene};
 
     use super::*;
-    use crate::layout::arrangement::Arrangement;
     use crate::response_table::solved_table::tests::{field, table_of};
-    use crate::signals::signal_settings::SignalSettings;
+    use documents::signals::signal_settings::SignalSettings;
+    use layouts::arrangement::Arrangement;
 
     fn film() -> Film {
         SignalSettings::on(&Scene::default()).film

@@ -2,23 +2,19 @@
 
 use std::sync::atomic::Ordering;
 
-use crate::layout::ranking::asked_layouts::is_published;
-use crate::layout::solving::on_threads::in_parallel;
-use crate::response_table::force_prices::force_prices;
+use crate::points::RunContext;
+use crate::points::RunError;
+use crate::points::worker_threads::in_parallel;
 use crate::response_table::study_table::StudyTable;
 use crate::response_table::table_solving::TestedTable;
-use crate::result::{
-    ForceError, ForceFindings, PublishedTables, RankedLayout, StudyResult, TableReport,
-};
-use crate::rig::force_error::assumed_rig::assumed;
-use crate::rig::force_error::fresh_trials::OtherTire;
-use crate::rig::force_error::layout_forces::force_errors;
-use crate::rig::published::published_gaits;
-use crate::rig::published::rig_tables::RigTables;
-use crate::rig::rig_settings::{RigSettings, TireVariant};
-use crate::run::{RunContext, RunError};
-use crate::study::Study;
-use crate::study::plan::Plan;
+use documents::rig::rig_settings::{RigSettings, TireVariant};
+use documents::study::Study;
+use documents::study::plan::Plan;
+use results::{ForceError, ForceFindings, RankedLayout, StudyResult, TableReport};
+use rig::force_error::assumed_rig::assumed;
+use rig::force_error::force_prices::force_prices;
+use rig::force_error::fresh_trials::OtherTire;
+use rig::force_error::layout_forces::force_errors;
 
 /// Fills in a result's forces. The points have ordinals from `first` on.
 ///
@@ -55,7 +51,6 @@ pub(crate) fn measure(
                     let errors = errors(&table, &tested, &others, rig, context)?;
                     put(&table, errors, &mut result.layouts);
                     forces.price = force_prices(&result.layouts);
-                    forces.published = published(&table, &tested, rig, result, context)?;
                     forces.table = Some(report(&table, &tested));
                     forces.assumed = assumed(rig);
                 }
@@ -69,7 +64,7 @@ pub(crate) fn measure(
     Ok(())
 }
 
-/// How well each of the study's layouts tells the forces, in their order; on all threads, each layout on one.
+/// Learns how well each of the study's layouts tells the forces, in their order; on all threads, each layout on one.
 fn errors(
     table: &StudyTable,
     tested: &TestedTable,
@@ -89,39 +84,10 @@ fn errors(
             .collect();
         force_errors(&films, &others, rig, context.stop)
     };
-    let found = in_parallel(table.layouts.len(), context, of);
+    let found = in_parallel(table.layouts.len(), context.threads, context.stop, of);
     let all = found.and_then(|found| found.into_iter().collect::<Option<Vec<_>>>());
     all.filter(|_| !context.stop.load(Ordering::Relaxed))
         .ok_or(RunError::Stopped)
-}
-
-/// The published study's tables where they are asked for, on all threads.
-fn published(
-    table: &StudyTable,
-    tested: &TestedTable,
-    rig: &RigSettings,
-    result: &StudyResult,
-    context: RunContext<'_>,
-) -> Result<Option<PublishedTables>, RunError> {
-    let its = table.layouts.iter().find(|layout| is_published(layout));
-    let Some(layout) = its.filter(|_| rig.paper_tables) else {
-        return Ok(None);
-    };
-    let films = table.laid(tested, &layout.arrangement.films);
-    let found = RigTables::recorded(&films, rig, context.stop).and_then(|tables| {
-        let pieces = in_parallel(tables.pieces(), context, |piece| {
-            tables.piece(piece, context.stop)
-        })?;
-        Some(tables.tables(pieces.into_iter().collect::<Option<_>>()?))
-    });
-    let (rows, time_constants) = found.ok_or(RunError::Stopped)?;
-    let ranked = result.layouts.iter().find(|row| row.is_same(&layout.label));
-    Ok(Some(PublishedTables {
-        layout_rank: ranked.map_or(0, |row| row.rank),
-        rows,
-        time_constants,
-        assumed: published_gaits::assumed(),
-    }))
 }
 
 /// Puts them beside the ranked layouts that they belong to. Layouts that a search found are none of the study's own.

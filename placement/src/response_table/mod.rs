@@ -1,4 +1,4 @@
-//! What a tire with films answers to any contact, between solves: for a virtual rig, which needs thousands of contacts a second.
+//! Responses of a tire with films to any contact, between solves: for a virtual rig, which needs thousands of contacts a second.
 //!
 //! - [`table_settings`]: loads and shifts of the ground that are solved
 //! - [`table_scenes`]: the scenes, and those that test the table
@@ -7,12 +7,11 @@
 //! - `film_angles`: glued films around the wheel, solved with the tire; [`angle_residual`]: what their transfer misses
 //! - [`table_error`]: how far they are off
 //! - [`laid_films`]: a layout's films, as a rig asks for them
-//! - [`table_solving`]: the solves, as points of a study; [`study_table`]: those of a study with a rig; `measuring_forces`: puts what it shows into the result, with `force_prices`
+//! - [`table_solving`]: the solves, as points of a study; [`study_table`]: those of a study with a rig; `measuring_forces`: puts what it shows into the result
 
 pub mod angle_residual;
 pub mod drag_basis;
 mod film_angles;
-mod force_prices;
 pub mod laid_films;
 pub(crate) mod measuring_forces;
 pub mod solved_table;

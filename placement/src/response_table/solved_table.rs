@@ -2,14 +2,14 @@
 
 use fem_client::solver::{Response, Ring};
 
-use crate::layout::arrangement::FilmKind;
-use crate::layout::field::hermite::{DEGREES, Nodes, Shares, Turn, summed};
 use crate::layout::solving::layout_fields::samples;
 use crate::layout::solving::layout_scenes::readout;
 use crate::layout::solving::mirror_parts::{mirrored, part};
 use crate::response_table::drag_basis::{DRAGS, PARTS, PRODUCTS, products};
 use crate::response_table::table_scenes::Pressing;
 use crate::response_table::table_settings::TableSettings;
+use layouts::arrangement::FilmKind;
+use layouts::field::hermite::{DEGREES, Nodes, Shares, Turn, summed};
 
 /// Parts that the pull along the wheel and the one across have: each is odd in its own shift alone.
 const OF_PULL: [usize; 2] = [1, 2];
@@ -24,7 +24,7 @@ pub struct ResponseTable {
     /// Depths of the undragged ground, mm, none first; and the loads there, N.
     depths: Nodes,
     loads_n: Vec<f64>,
-    /// Those that were dragged, none first.
+    /// Depths that were dragged, none first.
     dragged: Nodes,
     kinds: Vec<KindTable>,
     /// Pull along and across, N, by dragged depth and product.
@@ -34,13 +34,13 @@ pub struct ResponseTable {
 /// Signals of one kind of film.
 #[derive(Debug, Clone, PartialEq)]
 struct KindTable {
-    /// By depth.
+    /// Signals by depth.
     undragged: Vec<Turn>,
-    /// What dragging adds, by dragged depth, then product.
+    /// Signals that dragging adds, by dragged depth, then product.
     added: Vec<Vec<Turn>>,
 }
 
-/// What every node of a table contributes at one contact.
+/// Weights of every node of a table at one contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Weights {
     undragged: Shares,
@@ -51,14 +51,14 @@ pub struct Weights {
 /// Signals of some films with the contact at one wheel angle, at all nodes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilmNodes {
-    /// By film, then depth.
+    /// Signals by film, then depth.
     undragged: Vec<Vec<f64>>,
-    /// By film, then dragged depth and product.
+    /// Signals by film, then dragged depth and product.
     added: Vec<Vec<f64>>,
 }
 
 impl ResponseTable {
-    /// From the answers to undragged and dragged pressings.
+    /// Makes the table of the answers to undragged and dragged pressings.
     ///
     /// # Errors
     /// Why there is none.
@@ -70,7 +70,7 @@ impl ResponseTable {
     ) -> Result<Self, String> {
         let mut loads: Vec<(f64, f64, &Response)> = Vec::new();
         for (pressing, response) in undragged {
-            let depth_mm = response.depth_mm.ok_or("the solver gives no depth")?;
+            let depth_mm = response.depth_mm;
             loads.push((pressing.load_n, depth_mm, response));
         }
         loads.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -355,7 +355,7 @@ pub(crate) mod tests {
             + both * x * y.powi(3))
     }
 
-    /// What a solver answers to a pressing of that tire.
+    /// Returns what a solver answers to a pressing of that tire.
     fn answer(base: &Response, lines: &[RingLine], pressing: &Pressing) -> Response {
         let d = DEPTH_OF_LOAD * pressing.load_n;
         let ring = |line: &RingLine| {
@@ -378,7 +378,7 @@ pub(crate) mod tests {
         Response {
             reaction_n: pressing.load_n,
             force_n: Some([d * x * (1.0 + y * y), -d * y, pressing.load_n]),
-            depth_mm: Some(d),
+            depth_mm: d,
             rings: lines.iter().map(ring).collect(),
             ..base.clone()
         }
@@ -397,7 +397,7 @@ pub(crate) mod tests {
         solved.expect("a response").response
     }
 
-    /// What that tire answers to a pressing, read for these kinds of film.
+    /// Returns what that tire answers to a pressing, read for these kinds of film.
     pub(crate) fn answers_to(kinds: &[FilmKind], pressing: &Pressing) -> Response {
         answer(&base(), &mirrored(kinds).rings, pressing)
     }

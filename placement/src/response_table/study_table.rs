@@ -3,23 +3,25 @@
 use fem_client::scene::{Film, Scene};
 use fem_client::solver::Readout;
 
-use crate::layout::arrangement::{FilmKind, LaidFilm};
-use crate::layout::ranking::asked_layouts::AskedLayout;
 use crate::layout::solving::study_layouts::Asked;
+use crate::points::Place;
+use crate::points::RunContext;
+use crate::points::RunError;
 use crate::response_table::film_angles::FilmAngles;
 use crate::response_table::laid_films::{LaidFilms, bare_in_volts};
 use crate::response_table::table_scenes::TableScenes;
 use crate::response_table::table_settings::TableSettings;
 use crate::response_table::table_solving::{TestedTable, solve, table_series, tabulated};
-use crate::result::RankedLayout;
-use crate::rig::rig_settings::{RigSettings, TireVariant};
-use crate::run::{Place, RunContext, RunError};
 use crate::signals::answers::check_transferable;
-use crate::signals::signal_settings::SignalSettings;
-use crate::study::Study;
-use crate::study::plan::Plan;
+use documents::rig::rig_settings::{RigSettings, TireVariant};
+use documents::signals::signal_settings::SignalSettings;
+use documents::study::Study;
+use documents::study::plan::Plan;
+use layouts::arrangement::{FilmKind, LaidFilm};
+use layouts::ranking::asked_layouts::AskedLayout;
+use results::RankedLayout;
 
-/// What a table is solved for.
+/// Tables of a study, and what they are solved for.
 pub struct StudyTable {
     scenes: TableScenes,
     /// Other tires that estimators are tried on.
@@ -36,7 +38,7 @@ pub struct StudyTable {
 pub(crate) type OtherTable = (TireVariant, Result<TestedTable, String>);
 
 impl StudyTable {
-    /// Of a study with a rig.
+    /// Plans the tables of a study with a rig.
     ///
     /// # Errors
     /// Why there is no table.
@@ -127,13 +129,13 @@ impl StudyTable {
             .find(|layout| ranked.is_same(&layout.label))
     }
 
-    /// How many solves the table itself takes, those that test it included.
+    /// Counts the solves of the table itself, those that test it included.
     pub fn own_solves(&self) -> usize {
         let own = self.series_on(&self.scenes);
         own.iter().map(|(scenes, _)| scenes.len()).sum()
     }
 
-    /// How many solves that and the other tires' tables take.
+    /// Counts the solves of that and of the other tires' tables.
     pub fn solves(&self) -> usize {
         self.series().iter().map(|(scenes, _)| scenes.len()).sum()
     }
@@ -155,7 +157,7 @@ impl StudyTable {
         self.solved_from(0, plan, context)
     }
 
-    /// The same with points that have ordinals from `first` on.
+    /// Solves the tables with points that have ordinals from `first` on.
     pub(crate) fn solved_from(
         &self,
         first: usize,

@@ -1,14 +1,14 @@
-//! How far a table is off, by solves that it wasn't made of.
+//! Error of a table, by solves that it wasn't made of.
 
 use fem_client::solver::Response;
 
-use crate::layout::arrangement::FilmKind;
-use crate::layout::field::hermite::{DEGREES, Turn};
 use crate::layout::solving::layout_fields::samples;
 use crate::layout::solving::mirror_parts::own_rings;
 use crate::response_table::solved_table::{ResponseTable, Weights};
 use crate::response_table::table_scenes::Pressing;
-use crate::result::TableError;
+use layouts::arrangement::FilmKind;
+use layouts::field::hermite::{DEGREES, Turn};
+use results::TableError;
 
 /// Squares of errors and the largest of them.
 #[derive(Default)]
@@ -34,7 +34,7 @@ impl Errors {
         }
     }
 
-    /// How many there are.
+    /// Counts the errors.
     pub fn count(&self) -> usize {
         self.count
     }
@@ -50,7 +50,7 @@ impl Errors {
     }
 }
 
-/// What a kind of film reads of both solves of a pair, by the table or by the solves.
+/// Readings of a kind of film at both solves of a pair, by the table or by the solves.
 type Both = [Vec<f64>; 2];
 
 /// Compares a table with pairs of solves that differ by their load alone. None without pairs.
@@ -90,7 +90,7 @@ pub fn table_error(
     })
 }
 
-/// What the table and the solves say of a pair, and by how much its depths differ, mm.
+/// Returns what the table and the solves say of a pair, and by how much its depths differ, mm.
 fn both(
     table: &ResponseTable,
     number: usize,

@@ -6,7 +6,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use crate::response_table::drag_basis::{DRAGS, SHARES};
 use crate::response_table::table_settings::{FILM_TESTS, PAIR_SHARE, PAIRS, TableSettings};
-use crate::rig::rig_settings::TireVariant;
+use documents::rig::rig_settings::TireVariant;
 
 /// The least load at which a table is tested, over the largest.
 const LEAST_TESTED: f64 = 0.1;
@@ -15,7 +15,7 @@ const FARTHEST_FILM_DEG: f64 = 30.0;
 /// Tested shifts stay within this share of the largest along and across together.
 const FARTHEST_TESTED: f64 = 0.95;
 
-/// How the ground presses, and how far it is dragged.
+/// Pressing of the ground, and how far it is dragged.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pressing {
     /// Force, N; the ground keeps it while it is dragged.
@@ -25,7 +25,7 @@ pub struct Pressing {
 }
 
 impl Pressing {
-    /// Of ground that isn't dragged.
+    /// Presses with ground that isn't dragged.
     pub fn undragged(load_n: f64) -> Self {
         Self {
             load_n,
@@ -45,7 +45,7 @@ pub struct TableScenes {
 }
 
 impl TableScenes {
-    /// Of a tire: a study's scene at its means.
+    /// Lists the scenes of a tire: a study's scene at its means.
     pub fn new(means: &Scene, settings: TableSettings) -> Self {
         let mut tire = means.clone();
         tire.film = None;
@@ -58,7 +58,7 @@ impl TableScenes {
         }
     }
 
-    /// Of another tire, whose table isn't tested.
+    /// Lists the scenes of another tire, whose table isn't tested.
     pub fn untested(&self, variant: &TireVariant) -> Self {
         let mut other = Self {
             tested: false,
@@ -75,7 +75,7 @@ impl TableScenes {
         other
     }
 
-    /// What was asked for.
+    /// Returns what was asked for.
     pub fn settings(&self) -> &TableSettings {
         &self.settings
     }

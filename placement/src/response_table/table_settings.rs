@@ -1,4 +1,4 @@
-//! What is solved for a table of responses: loads, shifts of the ground, and solves that only test it.
+//! Settings of a table of responses: loads, shifts of the ground, and solves that only test it.
 
 use fem_client::scene::Level;
 
@@ -36,8 +36,8 @@ pub struct TableSettings {
 }
 
 impl TableSettings {
-    /// For loads up to this one, N, on a section of this radius, mm, with this coefficient of friction, in a study of this level: the bare tire's strains are
-    /// converged to 1 % on the coarse mesh, and dragged ones are dear.
+    /// Chooses the settings for loads up to this one, N, on a section of this radius, mm, with this coefficient of friction, in a study of this level: the
+    /// bare tire's strains are converged to 1 % on the coarse mesh, and dragged ones are dear.
     pub fn new(largest_load_n: f64, section_radius_mm: f64, friction: f64, level: Level) -> Self {
         Self {
             largest_load_n,
@@ -56,7 +56,7 @@ impl TableSettings {
             .collect()
     }
 
-    /// Which of them are dragged.
+    /// Returns which of the loads are dragged.
     pub fn dragged(&self) -> impl Iterator<Item = usize> {
         let is_dragged = self.largest_shift_mm > 0.0;
         dear().filter(move |_| is_dragged)

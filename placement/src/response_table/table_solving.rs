@@ -3,25 +3,27 @@
 use fem_client::scene::Scene;
 use fem_client::solver::{Readout, Response};
 
-use crate::layout::arrangement::FilmKind;
 use crate::layout::solving::measuring_layouts::outcomes;
 use crate::layout::solving::mirror_parts::mirrored;
+use crate::points::Place;
+use crate::points::RunContext;
+use crate::points::RunError;
+use crate::points::archive::Outcome;
 use crate::response_table::drag_basis::DRAGS;
 use crate::response_table::solved_table::ResponseTable;
 use crate::response_table::table_error::table_error;
 use crate::response_table::table_scenes::{Pressing, TableScenes};
-use crate::result::{FilmAnglesReport, TableError};
-use crate::run::archive::Outcome;
-use crate::run::{Place, RunContext, RunError};
+use layouts::arrangement::FilmKind;
+use results::{FilmAnglesReport, TableError};
 
 /// A table with its error.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TestedTable {
     /// The table.
     pub table: ResponseTable,
-    /// None where a tested solve has no equilibrium.
+    /// Error of the table; None where a tested solve has no equilibrium.
     pub error: Option<TableError>,
-    /// Of glued films, whose angle is an axis.
+    /// Wheel angles of glued films, which are an axis.
     pub films: Option<FilmAnglesReport>,
 }
 

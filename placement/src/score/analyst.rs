@@ -7,21 +7,21 @@ use gsa::method::analysis::{Analysis, Status};
 use gsa::symmetric::Symmetric;
 use ndarray::{Array2, ArrayView1, Axis};
 
-use crate::run::archive::Outcome;
+use crate::points::archive::Outcome;
 use crate::score::mirror_images::{Mirror, mirrored_columns};
 use crate::score::quantity::tolerance;
 use crate::score::readings::{location_columns, range, values};
-use crate::study::Study;
-use crate::study::directions::Directions;
+use documents::parts::directions::Directions;
+use documents::study::Study;
 
-/// What analyses the outcomes at a study's points, on any mesh.
+/// Analyst of the outcomes at a study's points, on any mesh.
 pub(crate) struct Analyst<'s> {
     campaign: &'s Campaign,
     directions: Directions,
     mirror: Option<Mirror>,
 }
 
-/// How outputs are analysed: those that the method serves, or those by the thousand.
+/// Service to outputs: those that the method serves, or those by the thousand.
 #[derive(Clone, Copy)]
 enum Service {
     Served,
@@ -144,7 +144,7 @@ fn groups(columns: &[usize], images: &[usize], at_once: usize) -> Vec<Vec<usize>
     groups
 }
 
-/// What a solver can't tell from nothing has no indices.
+/// Takes indices off what a solver can't tell from nothing.
 fn resolved(analysis: Analysis, values: ArrayView1<'_, f64>, tolerance: f64) -> Analysis {
     let deviation = analysis.variance.map(f64::sqrt);
     let is_nothing = range(values) <= tolerance || deviation.is_some_and(|d| d <= tolerance);

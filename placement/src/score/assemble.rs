@@ -4,14 +4,14 @@ use std::sync::atomic::AtomicBool;
 
 use fem_client::solver::ModelSummary;
 
-use crate::result::{CutPoint, FailedPoint, InputReport, StudyCost, StudyIdentity, StudyResult};
-use crate::run::archive::Outcome;
+use crate::points::archive::Outcome;
 use crate::score::analyst::Stopped;
 use crate::score::indices::{Coarse, score};
 use crate::score::notes::notes;
 use crate::score::rank::rank;
-use crate::study::Study;
-use crate::study::plan::Plan;
+use documents::study::Study;
+use documents::study::plan::Plan;
+use results::{CutPoint, FailedPoint, InputReport, StudyCost, StudyIdentity, StudyResult};
 
 /// The answer, without the study's identifier, which the database gives it. What it cost is asked for at the end.
 ///
@@ -70,7 +70,7 @@ pub fn assemble(
     })
 }
 
-/// What a result's version is with this solver: equal ones give equal results of equal documents.
+/// Returns a result's version with this solver: equal ones give equal results of equal documents.
 pub fn version(solver_version: &str) -> String {
     format!(
         "strainsite {}+{}, solver {solver_version}",
@@ -105,7 +105,7 @@ fn largest_model(outcomes: &[Outcome]) -> ModelSummary {
         .unwrap_or_default()
 }
 
-fn input_report(input: &crate::study::Input) -> InputReport {
+fn input_report(input: &documents::study::Input) -> InputReport {
     InputReport {
         name: input.name.clone(),
         vary: input.vary.clone(),

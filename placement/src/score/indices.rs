@@ -1,10 +1,10 @@
 //! Responses to indices per output: the strains at P1, P2, ... and those of the dense map, in one analysis.
 
-use crate::result::{CoarserIndices, FormMisses, IndexError, IndexMap, MapLayer, Output};
-use crate::run::archive::Outcome;
+use crate::points::archive::Outcome;
 use crate::score::analyst::{Analyst, Stopped};
 use crate::score::quantity::over_map;
-use crate::study::Study;
+use documents::study::Study;
+use results::{CoarserIndices, FormMisses, IndexError, IndexMap, MapLayer, Output};
 use std::sync::atomic::AtomicBool;
 
 use fem_client::solver::direction::{Direction, PerDirection};
@@ -12,13 +12,13 @@ use fem_client::solver::{Coarser, Response, StrainMap};
 use gsa::campaign::Campaign;
 use gsa::method::analysis::{Analysis, Status};
 
-/// Why an index has no error of the mesh.
+/// Reason why an index has no error of the mesh.
 pub const NO_MESH_ERROR: &str = "no coarser mesh gave indices to compare with";
 
 /// Indices of every output of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scores {
-    /// At P1, P2, ...
+    /// Scores at P1, P2, ...
     pub at_locations: Vec<PerDirection<Scored>>,
     /// Indices over the dense map, when the responses have one.
     pub map: Option<IndexMap>,
@@ -27,7 +27,7 @@ pub struct Scores {
 /// An output with what only the ranking needs of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scored {
-    /// Its indices.
+    /// Indices of the output.
     pub output: Output,
     /// M-DRM's indices, wherever they exist, whether they hold or not.
     pub mdrm_first_order: Option<Vec<f64>>,
@@ -43,21 +43,21 @@ impl Scores {
     }
 }
 
-/// The same points on a coarser mesh.
+/// Outcomes of the points on a coarser mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coarse {
-    /// Which mesh, and what its indices say of the finer one's error.
+    /// Level of the mesh, and what its indices say of the finer one's error.
     pub coarser: Coarser,
-    /// What it answered, where it did at the cut point.
+    /// Outcomes, where it answered at the cut point.
     pub outcomes: Option<Vec<Outcome>>,
 }
 
-/// What the mesh does to the first-order indices of one output.
+/// Error of the first-order indices of one output by the mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum MeshError {
-    /// There is no mesh.
+    /// No error: there is no mesh.
     Exact,
-    /// There is one, and no other to compare with.
+    /// Unknown error: there is a mesh, and no other to compare with.
     Unknown,
     /// No index is off by more, as far as another mesh shows.
     Within(f64),
@@ -106,7 +106,7 @@ pub fn score(
     let map = cut.map.as_ref();
     Ok(Scores {
         at_locations,
-        map: map.map(|map| index_map(map, inputs, &over_map)),
+        map: map.and_then(|map| index_map(map, inputs, &over_map)),
     })
 }
 
@@ -236,7 +236,8 @@ fn index_error(analysed: &Analysed) -> IndexError {
     }
 }
 
-fn index_map(map: &StrainMap, inputs: usize, analyses: &[Analysed]) -> IndexMap {
+/// The map of indices; `None` where the solver doesn't tell where its points lie.
+fn index_map(map: &StrainMap, inputs: usize, analyses: &[Analysed]) -> Option<IndexMap> {
     let mut rest = analyses;
     let layer = |direction| {
         let strain = &over_map(map)[direction];
@@ -244,12 +245,12 @@ fn index_map(map: &StrainMap, inputs: usize, analyses: &[Analysed]) -> IndexMap 
         rest = others;
         layer(direction, strain, own, inputs)
     };
-    IndexMap {
+    Some(IndexMap {
         theta_deg: map.theta_deg.clone(),
         phi_deg: map.phi_deg.clone(),
         layers: Direction::ALL.map(layer).to_vec(),
-        shape: map.shape.clone(),
-    }
+        shape: map.shape.clone()?,
+    })
 }
 
 fn layer(direction: Direction, strain: &[f64], analyses: &[Analysed], inputs: usize) -> MapLayer {

@@ -11,7 +11,7 @@ use ndarray::Array2;
 
 use crate::score::quantity::{STRAIN_TOLERANCE, over_map};
 use crate::score::readings::range;
-use crate::study::{Input, Study};
+use documents::study::{Input, Study};
 
 /// Share of what a strain ranges over by which it may differ from its mirror image's: meshes and printed files of other programs.
 const DIFFERENCE: f64 = 1e-3;
@@ -22,7 +22,7 @@ pub(crate) struct Mirror {
 }
 
 impl Mirror {
-    /// `None` where stations or their inputs differ before and behind the centre, or the ground is dragged along the wheel.
+    /// Finds the mirror images; `None` where stations or their inputs differ before and behind the centre, or the ground is dragged along the wheel.
     pub(crate) fn of(study: &Study, campaign: &Campaign) -> Option<Self> {
         let along = study.scene.ground.shift_mm[0];
         let varies_along = |input: &Input| input.vary == "ground.shift_mm[0]";
@@ -33,7 +33,7 @@ impl Mirror {
         Some(Self { symmetric })
     }
 
-    /// What it is of values whose points show it: a row per point, a column per output of `mirrored_columns`.
+    /// Returns the symmetry of values whose points show it: a row per point, a column per output of `mirrored_columns`.
     pub(crate) fn shown_by(&self, values: &Array2<f64>, columns: &[usize]) -> Option<&Symmetric> {
         let agrees = |column: usize, image: usize| {
             let most = STRAIN_TOLERANCE.max(DIFFERENCE * range(values.column(column)));
@@ -48,7 +48,7 @@ impl Mirror {
     }
 }
 
-/// By input, which one varies the station on the other side; others are their own.
+/// Returns for each input which one varies the station on the other side; others are their own.
 fn mirrored_inputs(study: &Study) -> Option<Vec<usize>> {
     let ground = &study.scene.ground;
     let depth = |station: usize| ground.depths_mm.get(station);
@@ -70,7 +70,7 @@ fn mirrored_inputs(study: &Study) -> Option<Vec<usize>> {
     Some(exchange)
 }
 
-/// By output, which one lies on the other side: locations first, then the map. `None` where the map isn't centred.
+/// Returns for each output which one lies on the other side: locations first, then the map. `None` where the map isn't centred.
 pub(crate) fn mirrored_columns(cut: &Response) -> Option<Vec<usize>> {
     let (locations, directions) = (cut.locations.len(), Direction::ALL.len());
     let of_locations = (0..locations)

@@ -1,9 +1,8 @@
-//! From responses to a result, in reading order:
+//! Scores of a study, from responses to a result, in reading order:
 //!
 //! - [`indices`]: responses to indices of every output
 //! - `quantity`, `readings`: what of a response is analysed, as numbers
 //! - `analyst`: their analysis; `mirror_images`: what points tell of their mirror images
-//! - [`location_scores`]: the table of figures that a location is judged by
 //! - [`rank`]: indices to ranked locations
 //! - `notes`: what the user must know before believing the numbers
 //! - [`assemble`]: all of it into the answer
@@ -11,7 +10,6 @@
 pub(crate) mod analyst;
 pub mod assemble;
 pub mod indices;
-pub mod location_scores;
 pub(crate) mod mirror_images;
 pub(crate) mod notes;
 pub(crate) mod quantity;

@@ -1,16 +1,16 @@
-//! What the user must know before believing the numbers, in whole sentences made from the data.
+//! Notes that the user must know before believing the numbers, in whole sentences made from the data.
 
 use fem_client::solver::Response;
 use fem_client::solver::direction::{Direction, PerDirection};
 use gsa::method::analysis::Status;
 
-use crate::result::{FailedPoint, Grade, GradedNote, Output, RankedLocation, Topic};
 use crate::score::indices::{NO_MESH_ERROR, Scores};
-use crate::score::location_scores::{GSI, SCORES};
 use crate::score::quantity::QUANTITY;
 use crate::score::rank::{Key, ordered, own_inputs};
-use crate::study::Study;
-use crate::study::plan::Plan;
+use documents::study::Study;
+use documents::study::plan::Plan;
+use results::location_scores::{GSI, SCORES};
+use results::{FailedPoint, Grade, GradedNote, Output, RankedLocation, Topic};
 
 /// Failed points that a sentence names.
 const NAMED: usize = 3;
@@ -49,7 +49,7 @@ pub(crate) fn notes(
     notes
 }
 
-/// What the answer goes by, where one strain alone is asked for.
+/// Says what the answer goes by, where one strain alone is asked for.
 fn one_direction(study: &Study) -> Option<GradedNote> {
     let [asked] = study.directions.asked() else {
         return None;
@@ -65,7 +65,7 @@ fn one_direction(study: &Study) -> Option<GradedNote> {
     ))
 }
 
-/// That the mesh's part of the errors is missing, where it is.
+/// Says that the mesh's part of the errors is missing, where it is.
 fn without_mesh_error(scores: &Scores) -> Option<GradedNote> {
     let indexed = |output: &&Output| output.first_order.is_some();
     let mut outputs = scores.outputs().filter(indexed);
@@ -92,7 +92,7 @@ pub(crate) fn listed(names: &[&str]) -> String {
     }
 }
 
-/// What failed points are, and what they do to the indices.
+/// Says what failed points are, and what they do to the indices.
 fn without_equilibrium(study: &Study, plan: &Plan, failed: &[FailedPoint]) -> Option<GradedNote> {
     let named: Vec<String> = failed
         .iter()
@@ -175,7 +175,7 @@ fn constant(scores: &Scores, direction: Direction) -> Option<GradedNote> {
     ))
 }
 
-/// Where M-DRM would say something else at the contact centre, it is said in figures.
+/// Says in figures where M-DRM would say something else at the contact centre.
 fn mdrm_at_centre(study: &Study, scores: &Scores) -> Vec<GradedNote> {
     let mut notes = Vec::new();
     let centre = &scores.at_locations[scores.at_locations.len() / 2];
@@ -207,7 +207,7 @@ fn mdrm_at_centre(study: &Study, scores: &Scores) -> Vec<GradedNote> {
     notes
 }
 
-/// What touches the first place changes the answer.
+/// Returns the grade of a note: what touches the first place changes the answer.
 fn grade_of(first_place: bool) -> Grade {
     match first_place {
         true => Grade::ChangesAnswer,
@@ -320,7 +320,7 @@ fn contact_edges(study: &Study, plan: &Plan, cut: &Response) -> Option<GradedNot
     })
 }
 
-/// Which locations share their rank, as mirror images do.
+/// Says which locations share their rank, as mirror images do.
 fn ties(locations: &[RankedLocation]) -> Option<GradedNote> {
     let of_rank = |equals: &[RankedLocation]| {
         let names: Vec<&str> = equals.iter().map(|l| l.name.as_str()).collect();

@@ -10,16 +10,16 @@
 use fem_client::solver::direction::{Direction, PerDirection};
 use gsa::judge::certainty::{Estimate, places_certain};
 
-use crate::result::RankedLocation;
 use crate::score::indices::{Scored, Scores};
-use crate::score::location_scores::{Figure, GSI, LocationScores, OwnIndex, OwnIndices};
-use crate::study::Study;
-use crate::study::directions::Directions;
+use documents::parts::directions::Directions;
+use documents::study::Study;
+use results::RankedLocation;
+use results::location_scores::{Figure, GSI, LocationScores, OwnIndex, OwnIndices};
 
 /// Percentages closer than this are equal (1e-9 as shares): what symmetry makes equal still differs by rounding.
 const EQUAL_PERCENT: f64 = 1e-7;
 
-/// For each location, which input varies the depth of the station below it.
+/// Returns for each location which input varies the depth of the station below it.
 ///
 /// Locations and stations are both centred on the contact and one spacing apart, so they are matched from the middle.
 pub fn own_inputs(study: &Study, locations: usize) -> Vec<Option<usize>> {
@@ -116,7 +116,7 @@ fn unranked(
 /// A figure of a location, where it has one.
 pub(crate) type Key<'k> = &'k dyn Fn(&RankedLocation) -> Option<f64>;
 
-/// What the default order goes by: the index that is asked for, or the sum of both, percent.
+/// Returns what the default order goes by: the index that is asked for, or the sum of both, percent.
 pub(crate) fn default_key(location: &RankedLocation, directions: Directions) -> Option<f64> {
     of_asked(
         location.scores.of_score(GSI),
@@ -126,7 +126,7 @@ pub(crate) fn default_key(location: &RankedLocation, directions: Directions) -> 
     )
 }
 
-/// Its error; the two of a sum come from different outputs.
+/// Returns the error of that; the two of a sum come from different outputs.
 pub(crate) fn key_error(location: &RankedLocation, directions: Directions) -> Option<f64> {
     of_asked(
         location.scores.of_score(GSI),
@@ -206,7 +206,7 @@ fn places_are_certain(ranked: &[RankedLocation], directions: Directions) -> Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::score::location_scores::Score;
+    use results::location_scores::Score;
 
     fn location(name: &str, x: Option<f64>, y: Option<f64>) -> RankedLocation {
         let gsi = PerDirection { x, y };
@@ -260,7 +260,7 @@ mod tests {
         assert!(in_order(&chain).is_sorted());
     }
 
-    /// With the same error of every sum, all of it from x.
+    /// Gives every sum the same error, all of it from x.
     fn number_with(ranked: &mut [RankedLocation], error: Option<f64>) {
         for location in ranked.iter_mut() {
             let gsi = location.scores.clone();

@@ -4,12 +4,11 @@ use fem_client::solver::Response;
 use fem_client::solver::direction::Direction;
 use ndarray::{Array2, ArrayView1, Axis};
 
-use crate::run::archive::Outcome;
+use crate::points::archive::Outcome;
 use crate::score::quantity::{at_locations, over_map, tolerance};
-use crate::study::directions::Directions;
+use documents::parts::directions::Directions;
 
-/// Those of them that an adaptive method serves: the locations', in the directions asked for, as far as they vary by more than a solver leaves
-/// open.
+/// Returns those of them that an adaptive method serves: the locations', in the directions asked for, as far as they vary by more than a solver leaves open.
 pub fn ranked_values(outcomes: &[Outcome], directions: Directions) -> Array2<f64> {
     let [mut ranked, _] = location_columns(outcomes, directions);
     let values = values(outcomes);
@@ -47,7 +46,7 @@ pub(crate) fn values(outcomes: &[Outcome]) -> Array2<f64> {
     values.expect("every response has the same readout")
 }
 
-/// What is read of one point: locations first, then the map's x layer and y layer.
+/// Returns what is read of one point: locations first, then the map's x layer and y layer.
 fn readings(response: &Response) -> Vec<f64> {
     let map = response.map.iter().flat_map(|map| over_map(map).iter());
     at_locations(response)
@@ -56,7 +55,7 @@ fn readings(response: &Response) -> Vec<f64> {
         .collect()
 }
 
-/// From the least to the greatest of the points with a number.
+/// Returns the distance from the least to the greatest of the points with a number.
 pub(crate) fn range(values: ArrayView1<'_, f64>) -> f64 {
     let finite = || values.iter().copied().filter(|value| value.is_finite());
     finite().fold(f64::NEG_INFINITY, f64::max) - finite().fold(f64::INFINITY, f64::min)

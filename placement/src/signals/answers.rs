@@ -1,26 +1,26 @@
-//! What one mesh answers about the films of one tire.
+//! Answers of one mesh about the films of one tire.
 
 use fem_client::scene::Film;
 use fem_client::solver::{FilmMeans, FilmSignal, Response};
 
-use crate::result::FilmModel;
-use crate::signals::series::{Place, Pressing, Series};
-use crate::signals::signal_settings::SignalSettings;
 use crate::signals::tension_transfer::TensionTransfer;
+use documents::parts::film_model::FilmModel;
+use documents::signals::series::{Place, Pressing, Series};
+use documents::signals::signal_settings::SignalSettings;
 
 /// An equilibrium, or why there is none.
 pub type Answer = Result<Response, String>;
 
-/// What a film reads of an equilibrium.
+/// Reading of a film at an equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reading {
-    /// How far the ground stands above the inflated outer radius, mm.
-    pub depth_mm: Option<f64>,
-    /// What is read.
+    /// Height of the ground above the inflated outer radius, mm.
+    pub depth_mm: f64,
+    /// Signal of the film.
     pub signal: FilmSignal,
 }
 
-/// What one mesh answers about one tire.
+/// Answers of one mesh about one tire.
 pub struct MeshAnswers<'s> {
     settings: &'s SignalSettings,
     bare_films: Vec<(Place, f64)>,
@@ -30,7 +30,7 @@ pub struct MeshAnswers<'s> {
 }
 
 impl<'s> MeshAnswers<'s> {
-    /// From the answers of each series; the loads of the transfers are those at this pressure, MPa.
+    /// Collects the answers of each series; the loads of the transfers are those at this pressure, MPa.
     pub fn new(
         settings: &'s SignalSettings,
         series: Vec<(Series, Vec<Answer>)>,
@@ -49,7 +49,7 @@ impl<'s> MeshAnswers<'s> {
         answers
     }
 
-    /// What a film reads of a pressing.
+    /// Returns what a film reads of a pressing.
     ///
     /// # Errors
     /// Why there is no reading.
@@ -99,7 +99,7 @@ impl<'s> MeshAnswers<'s> {
 
     fn coupled(&self, place: Place, pressing: &Pressing) -> Result<Reading, String> {
         let response = self.response(Some(place), pressing)?;
-        let signal = response.film.and_then(|film| film.signal);
+        let signal = response.film.map(|film| film.signal);
         Ok(Reading {
             depth_mm: response.depth_mm,
             signal: signal.ok_or("the solver gives no reading of a glued film")?,
@@ -120,7 +120,7 @@ impl<'s> MeshAnswers<'s> {
         })
     }
 
-    /// From the bare wall's strains to a glued film's tensions, by two loads.
+    /// Fits the transfer from the bare wall's strains to a glued film's tensions, by two loads.
     fn transfer(&self, place: Place, pressure_mpa: f64) -> Result<TensionTransfer, String> {
         check_transferable(&self.settings.film)?;
         let loads = self.settings.transfer_loads();
@@ -168,7 +168,7 @@ pub(crate) fn tension(signal: &FilmSignal) -> [f64; 2] {
     ]
 }
 
-/// What a flat film with these tensions along and across reads, N/mm.
+/// Returns what a flat film with these tensions along and across reads, N/mm.
 pub(crate) fn signal_of_tension(film: &Film, [along, across]: [f64; 2]) -> FilmSignal {
     let [[a, b, _], [c, d, _], _] = film.laminate().membrane;
     let determinant = a * d - b * c;

@@ -1,6 +1,6 @@
-//! Which way a curve goes, and whether its points are sure enough to say so.
+//! Trend of a curve, and whether its points are sure enough to say so.
 
-use crate::result::Trend;
+use results::Trend;
 
 /// A point of a curve: where, its value, and the value's error where that is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -9,16 +9,16 @@ pub struct CurvePoint {
     pub at: f64,
     /// Voltage, V.
     pub value: f64,
-    /// Its error, V.
+    /// Error of the voltage, V.
     pub error: Option<f64>,
 }
 
-/// From one point to the next.
+/// Step from one point to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
-    /// Where it begins.
+    /// Place where it begins.
     pub from: f64,
-    /// Where it ends.
+    /// Place where it ends.
     pub to: f64,
     /// Change of the value.
     pub change: f64,
@@ -41,7 +41,7 @@ pub fn steps(points: &[CurvePoint]) -> impl Iterator<Item = Step> {
     })
 }
 
-/// Which way the values go, and whether every step is certain; `None` of fewer than two points.
+/// Returns which way the values go, and whether every step is certain; `None` of fewer than two points.
 pub fn trend(points: &[CurvePoint]) -> (Option<Trend>, bool) {
     let steps: Vec<Step> = steps(points).collect();
     let all = |goes: fn(&Step) -> bool| steps.iter().all(goes);

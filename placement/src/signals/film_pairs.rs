@@ -2,12 +2,13 @@
 
 use fem_client::solver::Position;
 
-use crate::result::{FilmModel, FilmPair};
 use crate::signals::curve_trend::{CurvePoint, trend};
-use crate::signals::series::PAIR_DEG;
 use crate::signals::signal_curves::line;
 use crate::signals::signal_rows::TireAnswers;
-use crate::signals::signal_settings::SignalSettings;
+use documents::parts::film_model::FilmModel;
+use documents::signals::series::PAIR_DEG;
+use documents::signals::signal_settings::SignalSettings;
+use results::FilmPair;
 
 impl TireAnswers<'_> {
     /// The pairs of a tire: bare films and coupled ones, in each direction; none without a film at the crown.

@@ -22,7 +22,8 @@ pub struct GaussianFit {
 }
 
 impl GaussianFit {
-    /// Of points (x, y), with a width between the given ones; `None` of fewer than four points, where nothing varies, and where the best width isn't between them.
+    /// Fits points (x, y), with a width between the given ones; `None` of fewer than four points, where nothing varies, and where the best width isn't between
+    /// them.
     pub fn of(points: &[(f64, f64)], [narrowest, widest]: [f64; 2]) -> Option<Self> {
         let r2 = |width: f64| Self::with_width(points, width).map_or(f64::NEG_INFINITY, |f| f.r2);
         if points.len() < 4 {
@@ -59,7 +60,7 @@ impl GaussianFit {
     }
 }
 
-/// Where a function with one peak between two places has it.
+/// Finds where a function with one peak between two places has it.
 fn golden_section(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
     for _ in 0..SECTIONS {

@@ -10,7 +10,7 @@ pub struct LineFit {
 }
 
 impl LineFit {
-    /// Of points (x, y); `None` of fewer than two different x.
+    /// Fits points (x, y); `None` of fewer than two different x.
     pub fn of(points: &[(f64, f64)]) -> Option<Self> {
         let n = points.len() as f64;
         let mean = |part: fn(&(f64, f64)) -> f64| points.iter().map(part).sum::<f64>() / n;
@@ -40,7 +40,7 @@ mod tests {
         assert!((fit.r2.expect("varies") - 1.0).abs() < 1e-14);
     }
 
-    /// By hand: x 0 1 2, y 0 1 0: the line is flat, and explains nothing. y 0 1 1: slope 1/2, a quarter of 2/3 is left.
+    /// Figures by hand: x 0 1 2, y 0 1 0: the line is flat, and explains nothing.
     #[test]
     fn a_line_through_other_points_explains_what_it_does() {
         let fit = |ys: [f64; 3]| LineFit::of(&[(0.0, ys[0]), (1.0, ys[1]), (2.0, ys[2])]);

@@ -3,16 +3,19 @@
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, Solver};
 
-use crate::result::{Signals, StudyResult};
-use crate::run::{Place, RunContext, RunError, outcomes_of};
+use crate::points::Place;
+use crate::points::RunContext;
+use crate::points::RunError;
+use crate::points::outcomes_of;
 use crate::signals::answers::{Answer, MeshAnswers};
-use crate::signals::series::Series;
 use crate::signals::signal_claims::claims;
 use crate::signals::signal_curves::curves;
 use crate::signals::signal_rows::TireAnswers;
-use crate::signals::signal_settings::{OWN_TIRE, SignalSettings};
-use crate::study::Study;
-use crate::study::plan::Plan;
+use documents::signals::series::Series;
+use documents::signals::signal_settings::{OWN_TIRE, SignalSettings};
+use documents::study::Study;
+use documents::study::plan::Plan;
+use results::{Signals, StudyResult};
 
 /// Fills in a result's signals. The points have ordinals from `first` on.
 ///
@@ -28,7 +31,7 @@ pub(crate) fn measure(
     let Some(settings) = &study.signals else {
         return Ok(());
     };
-    let tires = settings.tires(study, plan);
+    let tires = tires(settings, study, plan);
     let solves = signal_series(study, plan, context.solver);
     let mut place = Place {
         first,
@@ -61,19 +64,24 @@ pub(crate) fn measure(
     Ok(())
 }
 
-impl SignalSettings {
-    /// The study's own tire at its means, and the further ones, each with its name and what is asked of it.
-    pub(crate) fn tires<'s>(&'s self, study: &Study, plan: &Plan) -> Vec<(&'s str, Scene, Self)> {
-        let mut own = plan.points[0].clone();
-        own.model.level = study.level;
-        let further = self
-            .tires
-            .iter()
-            .map(|tire| (tire.name.as_str(), tire.scene.clone(), self.of_tire(tire)));
-        std::iter::once((OWN_TIRE, own, self.clone()))
-            .chain(further)
-            .collect()
-    }
+/// The study's own tire at its means, and the further ones, each with its name and what is asked of it.
+fn tires<'s>(
+    settings: &'s SignalSettings,
+    study: &Study,
+    plan: &Plan,
+) -> Vec<(&'s str, Scene, SignalSettings)> {
+    let mut own = plan.points[0].clone();
+    own.model.level = study.level;
+    let further = settings.tires.iter().map(|tire| {
+        (
+            tire.name.as_str(),
+            tire.scene.clone(),
+            settings.of_tire(tire),
+        )
+    });
+    std::iter::once((OWN_TIRE, own, settings.clone()))
+        .chain(further)
+        .collect()
 }
 
 /// All that is solved for a study's signals: the scenes of each series, and what is read of them.
@@ -86,7 +94,7 @@ pub(crate) fn signal_series(
         return Vec::new();
     };
     let mut all = Vec::new();
-    for (_, tire, settings) in settings.tires(study, plan) {
+    for (_, tire, settings) in tires(settings, study, plan) {
         let coarser = solver.coarser(&tire).map(|coarser| coarser.level);
         for level in [Some(tire.model.level), coarser].into_iter().flatten() {
             let tire = on_level(&tire, level);
@@ -106,7 +114,7 @@ fn on_level(tire: &Scene, level: Level) -> Scene {
     tire
 }
 
-/// What one mesh answers about a tire; the place moves behind its points.
+/// Solves a tire on one mesh; the place moves behind its points.
 fn answers<'s>(
     settings: &'s SignalSettings,
     tire: &Scene,
@@ -128,7 +136,7 @@ fn answers<'s>(
     ))
 }
 
-/// What a series answers. Where its first scene has no equilibrium, all begin at the least load instead; where that has none either, nothing is solved.
+/// Solves a series. Where its first scene has no equilibrium, all begin at the least load instead; where that has none either, nothing is solved.
 fn series_answers(
     settings: &SignalSettings,
     tire: &Scene,
@@ -143,7 +151,7 @@ fn series_answers(
     answers_from_first(&scenes, least, &readout, values, place, context)
 }
 
-/// What scenes answer that start from the first one's equilibrium, or, where that has none, from that of the `least` loaded one. The place moves behind them.
+/// Solves scenes that start from the first one's equilibrium, or, where that has none, from that of the `least` loaded one. The place moves behind them.
 pub(crate) fn answers_from_first(
     scenes: &[Scene],
     least: Option<usize>,

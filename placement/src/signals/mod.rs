@@ -1,7 +1,5 @@
 //! Films' signals over load, pressure and contact angle: what a published study measured, computed.
 //!
-//! - [`signal_settings`]: what a document asks for
-//! - `series`: what is solved for that: a series of scenes for the bare tire, and one for each glued film
 //! - `measuring`: solves them, on the study's mesh and the coarser one
 //! - `answers`: what one mesh answers, read as bare, transferred and coupled films; `tension_transfer` is the matrix between them
 //! - `signal_rows`, `signal_curves`, `signal_claims`: readings with their errors, their curves, and what holds of what is claimed
@@ -14,10 +12,8 @@ pub(crate) mod film_pairs;
 pub(crate) mod gaussian_fit;
 pub(crate) mod line_fit;
 pub(crate) mod measuring;
-pub(crate) mod series;
 pub(crate) mod signal_claims;
 pub(crate) mod signal_curves;
 pub(crate) mod signal_rows;
-pub mod signal_settings;
 pub(crate) mod stress_widths;
 pub(crate) mod tension_transfer;

@@ -1,10 +1,11 @@
-//! What holds of what is claimed of films in a tire: that the voltage rises with the load, that it falls with the pressure, and that it is linear over the contact angle.
+//! Claims about films in a tire, and what holds of them: that the voltage rises with the load, that it falls with the pressure, and that it is linear over the
+//! contact angle.
 //!
 //! A film's sign is that of its wires, so that a voltage counts with the sign that makes the largest of its curve positive.
 
-use crate::result::{Claim, ClaimRow, Holds, SignalAxis, SignalRow};
 use crate::signals::curve_trend::{CurvePoint, Step, steps};
 use crate::signals::signal_curves::{line, of_curves, points};
+use results::{Claim, ClaimRow, Holds, SignalAxis, SignalRow};
 
 /// Share of the variance that a line explains where a curve counts as linear.
 const LINEAR_R2: f64 = 0.9;
@@ -43,7 +44,7 @@ fn claim(rows: &[SignalRow]) -> ClaimRow {
     }
 }
 
-/// What isn't solved can't confirm a claim.
+/// Weakens a verdict by gaps: what isn't solved can't confirm a claim.
 fn with_gaps(holds: Holds, detail: String, gaps: usize) -> Verdict {
     match (gaps, holds) {
         (0, _) => (holds, detail),

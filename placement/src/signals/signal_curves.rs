@@ -1,8 +1,8 @@
 //! The rows as curves of the open circuit's voltage.
 
-use crate::result::{SignalAxis, SignalCurve, SignalRow};
 use crate::signals::curve_trend::{CurvePoint, trend};
 use crate::signals::line_fit::LineFit;
+use results::{SignalCurve, SignalRow};
 
 /// The curves of rows, whose points follow one another.
 pub fn curves(rows: &[SignalRow]) -> Vec<SignalCurve> {
@@ -42,15 +42,11 @@ fn curve(rows: &[SignalRow]) -> SignalCurve {
     }
 }
 
-/// Those points of a curve that have a voltage, in the order of what changes along it.
+/// Returns those points of a curve that have a voltage, in the order of what changes along it.
 pub fn points(rows: &[SignalRow]) -> Vec<CurvePoint> {
     let point = |row: &SignalRow| {
         Some(CurvePoint {
-            at: match row.over {
-                SignalAxis::Load => row.load_n,
-                SignalAxis::Pressure => row.pressure_mpa,
-                SignalAxis::Contact => row.contact_deg,
-            },
+            at: row.along(),
             value: row.open_circuit_v?,
             error: row.error.map(|error| error.open_circuit_v),
         })

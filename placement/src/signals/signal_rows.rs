@@ -3,25 +3,28 @@
 use fem_client::scene::Scene;
 use fem_client::solver::FilmSignal;
 
-use crate::result::{FilmModel, SignalAxis, SignalError, SignalRow};
 use crate::signals::answers::{MeshAnswers, Reading};
-use crate::signals::series::{Place, Pressing};
-use crate::signals::signal_settings::SignalSettings;
+use documents::parts::film_model::FilmModel;
+use documents::signals::series::{Place, Pressing};
+use documents::signals::signal_settings::SignalSettings;
+use results::SignalAxis;
+use results::SignalError;
+use results::SignalRow;
 
-/// One tire, answered on its own mesh and, where there is one, on a coarser mesh with the factor of its error.
+/// A tire, answered on its own mesh and, where there is one, on a coarser mesh with the factor of its error.
 pub struct TireAnswers<'s> {
-    /// Its name in rows.
+    /// Name of the tire in rows.
     pub name: &'s str,
     /// The tire.
     pub scene: &'s Scene,
-    /// On its own mesh.
+    /// Answers on its own mesh.
     pub fine: MeshAnswers<'s>,
-    /// On the coarser mesh.
+    /// Answers on the coarser mesh, with the factor.
     pub coarse: Option<(MeshAnswers<'s>, f64)>,
 }
 
 impl TireAnswers<'_> {
-    /// What a film reads, and its errors.
+    /// Returns what a film reads, and its errors.
     ///
     /// # Errors
     /// Why there is no reading on the tire's own mesh.
@@ -86,7 +89,7 @@ impl TireAnswers<'_> {
         };
         match self.reading(film, place, pressing) {
             Ok((Reading { depth_mm, signal }, error)) => SignalRow {
-                depth_mm,
+                depth_mm: Some(depth_mm),
                 strain: finite(signal.mean_strain_1),
                 tension_1_n_per_mm: finite(signal.mean_tension_1_n_per_mm),
                 charge_nc: finite(signal.charge_nc),

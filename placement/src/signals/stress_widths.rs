@@ -1,11 +1,11 @@
-//! How wide the contact is felt: a Gaussian in the stress around the wheel at the crown, for each load.
+//! Widths over which the contact is felt: a Gaussian in the stress around the wheel at the crown, for each load.
 
 use fem_client::solver::Response;
 
-use crate::result::StressWidth;
 use crate::signals::gaussian_fit::GaussianFit;
 use crate::signals::signal_rows::TireAnswers;
-use crate::signals::signal_settings::SignalSettings;
+use documents::signals::signal_settings::SignalSettings;
+use results::StressWidth;
 
 /// Widths that are looked for, degrees.
 const WIDTHS_DEG: [f64; 2] = [0.5, 60.0];
@@ -22,7 +22,7 @@ impl TireAnswers<'_> {
                 StressWidth {
                     tire: self.name.to_owned(),
                     load_n: pressing.load_n,
-                    depth_mm: response.ok().and_then(|response| response.depth_mm),
+                    depth_mm: response.ok().map(|response| response.depth_mm),
                     amplitude_mpa: found.map(|fit| fit.amplitude),
                     width_deg: found.map(|fit| fit.width),
                     offset_mpa: found.map(|fit| fit.offset),

@@ -1,4 +1,4 @@
-//! From the bare wall's strains to the tensions of a glued film, by a matrix that two equilibria give: N = T e.
+//! Transfer from the bare wall's strains to the tensions of a glued film, by a matrix that two equilibria give: N = T e.
 
 /// Largest ratio of the singular values of the strains that still give a matrix.
 const WORST_CONDITION: f64 = 1e6;
@@ -8,7 +8,7 @@ const WORST_CONDITION: f64 = 1e6;
 pub struct TensionTransfer([[f64; 2]; 2]);
 
 impl TensionTransfer {
-    /// From the strains and the tensions of two equilibria.
+    /// Fits the matrix to the strains and the tensions of two equilibria.
     ///
     /// # Errors
     /// When the strains are so nearly proportional that they don't tell the two directions apart.

@@ -2,15 +2,15 @@
 
 use std::time::{Duration, Instant};
 
+use documents::study::{Accuracy, Study};
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::direction::Direction;
 use fem_client::solver::{Coarser, SolveError, SolveRequest, Solved, Solver};
 use gsa::method::Kind;
-use placement::result::{Output, RankedLocation, StudyResult};
-use placement::run::RunError;
-use placement::score::location_scores::GSI;
-use placement::study::{Accuracy, Study};
+use placement::points::RunError;
+use results::location_scores::GSI;
+use results::{Output, RankedLocation, StudyResult};
 use tire::mesh_error;
 use tire::model::mesh_plan;
 
@@ -18,7 +18,7 @@ use crate::support::{MemoryArchive, observed, shipped, text};
 
 /// Strain at P3 that a mesh adds for each mm at P2 beyond 1 mm, over the square of its size.
 const OF_MESH: f64 = 0.03;
-/// Where the kink lies, off all nodes.
+/// Depth of the kink, off all nodes, mm.
 const KINK_MM: f64 = 1.03;
 
 /// The closed form on meshes that err with the square of their size, with a kink of this slope over the depth at P2.
@@ -133,7 +133,7 @@ fn a_tolerance_takes_the_first_rung_that_claims_it() {
         let study = asking(Accuracy::Tolerance(tolerance), Level::Coarse);
         let climb = answer(&study, &Meshed::new()).climb.unwrap();
         let (last, before) = climb.rungs.split_last().unwrap();
-        let claim = |rung: &placement::result::ClimbRung| rung.error_claimed.unwrap();
+        let claim = |rung: &results::ClimbRung| rung.error_claimed.unwrap();
         assert!(climb.met && claim(last) <= tolerance, "{climb:?}");
         assert!(
             before.iter().all(|rung| claim(rung) > tolerance),

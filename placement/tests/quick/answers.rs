@@ -1,12 +1,12 @@
-//! What the answer of a study says, with closed formulas in place of finite elements.
+//! Answers of a study, with closed formulas in place of finite elements.
 
+use documents::layouts::layout_settings::{LayoutLoads, Layouts};
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::direction::Direction;
 use fem_client::solver::{Position, SolveError, SolveRequest, Solved, Solver};
 use gsa::method::analysis::Status;
-use placement::layout::layout_settings::{LayoutLoads, Layouts};
-use placement::result::{Output, RankedLayout, RankedLocation, StudyResult};
-use placement::score::location_scores::{GSI, MDRM_GSI, MEAN_GSI, OWN_GSI};
+use results::location_scores::{GSI, MDRM_GSI, MEAN_GSI, OWN_GSI};
+use results::{Output, RankedLayout, RankedLocation, StudyResult};
 use serde_json::Value;
 
 use crate::support::{MemoryArchive, answered, observed, shipped, study};
@@ -188,8 +188,7 @@ fn layouts_are_ranked_by_what_each_film_contributes() {
         .partition(|layout| p95(layout) <= 20.0);
     assert!(!found.is_empty() && !lost.is_empty());
     assert!(p95(found[found.len() - 1]) <= p95(lost[0]));
-    let weighted =
-        |layout: &&RankedLayout| p95(layout) * (layout.film_count.unwrap() as f64).sqrt();
+    let weighted = |layout: &&RankedLayout| p95(layout) * (layout.film_count as f64).sqrt();
     assert!(found.iter().map(weighted).collect::<Vec<_>>().is_sorted());
     assert!(
         lost.iter()
@@ -210,9 +209,14 @@ fn layouts_are_ranked_by_what_each_film_contributes() {
         );
     }
     // The noise is 2 % of the crown's largest strain at the load in the middle, the same for every layout.
-    let noise = result.layouts[0].score.noise_strain;
+    let noise = result.layouts[0].score.noise_strain.expect("of bare films");
     assert!((noise / (0.02 * result.cut_point.locations[2].strain.y) - 1.0).abs() < 1e-9);
-    assert!(result.layouts.iter().all(|l| l.score.noise_strain == noise));
+    assert!(
+        result
+            .layouts
+            .iter()
+            .all(|l| l.score.noise_strain == Some(noise))
+    );
     let findings = result.layout_findings.as_ref().unwrap();
     assert_eq!((findings.loads.len(), findings.rings.len()), (2, 6));
     assert_eq!(findings.candidates.len(), 14);

@@ -1,16 +1,16 @@
 //! Studies that ask for one strain alone: what they read as, how they rank, and what a tolerance holds for.
 
+use document::Format;
+use documents::layouts::layout_settings::Layouts;
+use documents::parts::directions::Directions;
+use documents::study::{Accuracy, Study};
 use fem_client::closed_form::ClosedFormSolver;
-use fem_client::document::Format;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::direction::Direction;
 use fem_client::solver::{Coarser, SolveError, SolveRequest, Solved, Solver};
 use gsa::method::{Kind, Method};
-use placement::layout::layout_settings::Layouts;
-use placement::result::{RankedLocation, StudyResult};
-use placement::score::location_scores::GSI;
-use placement::study::directions::Directions;
-use placement::study::{Accuracy, Study};
+use results::location_scores::GSI;
+use results::{RankedLocation, StudyResult};
 use serde_json::{Value, json};
 use tire::mesh_error;
 
@@ -67,7 +67,7 @@ fn answer(study: &Study) -> StudyResult {
     result.unwrap()
 }
 
-fn read(directions: Value) -> Result<Study, Vec<fem_client::document::fault::Fault>> {
+fn read(directions: Value) -> Result<Study, Vec<document::fault::Fault>> {
     let mut document: Value = serde_json::from_str(&shipped("foot-tire").canonical()).unwrap();
     document["candidates"]["directions"] = directions;
     Study::from_value(&document, &|_| Err(String::new()))

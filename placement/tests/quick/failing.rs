@@ -1,23 +1,25 @@
-//! What a failed solve costs: its point where the load has no equilibrium; where the solver is to blame, the study, but no
-//! other point.
+//! Costs of a failed solve: its point where the load has no equilibrium; where the solver is to blame, the study, but no other point.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+use documents::study::Study;
+use documents::study::plan::Plan;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{NoEquilibrium, SolveError, SolveRequest, Solver};
 use gsa::method::{Kind, Method};
-use placement::run::{Event, RunContext, RunError, run};
-use placement::study::Study;
-use placement::study::plan::Plan;
+use placement::points::Event;
+use placement::points::RunContext;
+use placement::points::RunError;
+use placement::run::run;
 
 use crate::support::{MemoryArchive, Twisted, answered, observed, shipped, text};
 
 const POINTS: usize = 26;
 
-/// Between the last and the last but one of five Gauss nodes on [0.7, 1.3]: 1.1615 and 1.2718 mm.
+/// Limit between the last and the last but one of five Gauss nodes on [0.7, 1.3]: 1.1615 and 1.2718 mm.
 const LIMIT_MM: f64 = 1.26;
 
-/// What the closed form with a depth limit says.
+/// Returns what the closed form with a depth limit says.
 fn beyond_limit(request: &SolveRequest<'_>) -> Option<SolveError> {
     let limited = ClosedFormSolver::new().with_depth_limit(LIMIT_MM);
     limited.solve(request).err()

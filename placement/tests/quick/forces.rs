@@ -1,12 +1,12 @@
 //! Studies with a virtual rig: what is said of each layout's forces.
 
+use documents::layouts::layout_settings::Layouts;
+use documents::rig::gait_settings::RunLength;
+use documents::rig::rig_settings::RigSettings;
+use documents::study::Study;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
-use placement::layout::layout_settings::Layouts;
-use placement::result::StudyResult;
-use placement::rig::gait::gait_settings::RunLength;
-use placement::rig::rig_settings::RigSettings;
-use placement::study::Study;
+use results::StudyResult;
 
 use crate::support::{MemoryArchive, observed, shipped, text};
 

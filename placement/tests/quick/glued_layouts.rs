@@ -1,5 +1,7 @@
 //! Layouts of glued films: what a tire of known transfer gives, and what documents say.
 
+use documents::study::Study;
+use documents::study::plan::PlannedStudy;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::scene::Film;
 use fem_client::solver::direction::PerDirection;
@@ -7,9 +9,7 @@ use fem_client::solver::{
     Extremes, FilmMeans, FilmSignal, FilmState, RingLine, SolveError, SolveRequest, Solved, Solver,
 };
 use placement::estimate::Workload;
-use placement::result::{StrainRing, StudyResult};
-use placement::study::Study;
-use placement::study::plan::PlannedStudy;
+use results::{StrainRing, StudyResult};
 use serde_json::{Value, json};
 
 use crate::support::{MemoryArchive, observed};
@@ -66,7 +66,7 @@ fn tension(strain: [f64; 2]) -> [f64; 2] {
     TRANSFER.map(|row| row[0] * strain[0] + row[1] * strain[1])
 }
 
-/// What a film gives where the bare wall has these strains along and across.
+/// Returns what a film gives where the bare wall has these strains along and across.
 pub fn glued(film: &Film, strain: [f64; 2]) -> FilmState {
     let [[a, b, _], ..] = film.laminate().membrane;
     let ([n, m], determinant) = (tension(strain), a * a - b * b);
@@ -83,7 +83,7 @@ pub fn glued(film: &Film, strain: [f64; 2]) -> FilmState {
     FilmState {
         stretch: any(),
         tension_n_per_mm: any(),
-        signal: Some(FilmSignal::of(film, &means)),
+        signal: FilmSignal::of(film, &means),
         bare: None,
         error: None,
     }
@@ -159,7 +159,9 @@ fn a_known_transfer_makes_volts_of_strains_around_the_whole_wheel() {
     // The noise is 2 % of the crown's largest signal, in volts; candidates are the two kinds that there are.
     let crown = volts_x.iter().chain(&volts_y);
     let crown = crown.fold(0.0, |largest: f64, v| largest.max(v.abs()));
-    let noise = result.layouts[0].score.noise_strain;
+    let score = &result.layouts[0].score;
+    let noise = score.noise_v.expect("of glued films");
+    assert_eq!(score.noise_strain, None, "volts are no strains");
     assert!(
         (noise / (0.02 * crown) - 1.0).abs() < 1e-6,
         "{noise} {crown}"

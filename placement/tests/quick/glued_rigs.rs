@@ -1,12 +1,12 @@
 //! A virtual rig on glued films: their angle to the contact as an axis of the table.
 
+use documents::study::Study;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::gauge::Gauge;
 use fem_client::solver::{
     NoEquilibrium, Reached, Readout, SolveError, SolveRequest, Solved, Solver,
 };
-use placement::result::FilmAnglesReport;
-use placement::study::Study;
+use results::FilmAnglesReport;
 use serde_json::json;
 
 use crate::glued_layouts::glued;
@@ -90,9 +90,7 @@ impl Solver for MoreBeside {
                 strain.reverse();
             }
             let mut state = glued(&film, strain);
-            if let Some(signal) = &mut state.signal {
-                signal.open_circuit_v += beyond_v(depth_mm, film.theta_deg);
-            }
+            state.signal.open_circuit_v += beyond_v(depth_mm, film.theta_deg);
             response.film = Some(state);
         }
         Ok(solved)

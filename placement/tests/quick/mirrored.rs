@@ -1,13 +1,13 @@
 //! Studies that look the same from both ends of the contact, and those that only seem to; strains that a solver can't tell from nothing.
 
+use documents::study::Study;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::direction::Direction;
 use fem_client::solver::{Response, SolveError, SolveRequest, Solved, Solver};
 use gsa::law::distribution::Distribution;
 use gsa::method::analysis::Status;
 use placement::compare::{ComparedLocation, Entry, compare};
-use placement::result::{IndexMap, Output, RankedLocation, StudyResult};
-use placement::study::Study;
+use results::{IndexMap, Output, RankedLocation, StudyResult};
 
 use crate::support::{MemoryArchive, answered, observed, shipped};
 
@@ -90,9 +90,9 @@ fn mirrored(map: &IndexMap) {
         assert_eq!(layer.error, other_end(&layer.error));
         assert_eq!(layer.std, other_end(&layer.std));
         for input in 0..5 {
-            let (index, error) = (&layer.first_order[input], layer.errors_of(input));
+            let (index, error) = (&layer.first_order[input], &layer.first_order_error[input]);
             assert_eq!(*index, other_end(&layer.first_order[4 - input]));
-            assert_eq!(error, other_end(layer.errors_of(4 - input)));
+            assert_eq!(*error, other_end(&layer.first_order_error[4 - input]));
         }
     }
 }

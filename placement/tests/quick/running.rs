@@ -4,14 +4,16 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use documents::layouts::layout_settings::{Layouts, SearchSettings};
+use documents::study::plan::Plan;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::scene::Level;
 use fem_client::solver::{Position, SolveError, SolveRequest};
 use placement::ladder::climb::answer;
-use placement::layout::layout_settings::{Layouts, SearchSettings};
-use placement::run::usage::cpu_s;
-use placement::run::{Event, RunContext, RunError};
-use placement::study::plan::Plan;
+use placement::points::Event;
+use placement::points::RunContext;
+use placement::points::RunError;
+use placement::points::usage::cpu_s;
 
 use crate::support::{MemoryArchive, Twisted, observed, shipped, text};
 
@@ -113,7 +115,7 @@ fn a_stopped_run_goes_on_where_it_ended_and_gives_the_same_bits() {
     assert_eq!(text(&resumed), text(&undisturbed));
 }
 
-/// Even when the wish is there from the start, a pause lets every run do something: it comes to its end, and to the same bits.
+/// A pause lets every run do something even when the wish is there from the start: it comes to its end, and to the same bits.
 #[test]
 fn a_run_that_is_paused_again_and_again_comes_to_its_end() {
     let study = shipped("foot-tire");

@@ -1,5 +1,8 @@
 //! Films' signals: documents that ask for them, and what a tire of known response gives.
 
+use documents::parts::film_model::FilmModel;
+use documents::study::Study;
+use documents::study::plan::PlannedStudy;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::film::laminate::product;
 use fem_client::scene::{Film, Level, Scene};
@@ -10,11 +13,13 @@ use fem_client::solver::{
     SolveRequest, Solved, Solver,
 };
 use placement::estimate::{Machine, Workload, estimate};
-use placement::result::{
-    Claim, FilmModel, Holds, SignalAxis, SignalRow, Signals, StudyResult, Trend,
-};
-use placement::study::Study;
-use placement::study::plan::PlannedStudy;
+use results::Claim;
+use results::Holds;
+use results::SignalAxis;
+use results::SignalRow;
+use results::Signals;
+use results::StudyResult;
+use results::Trend;
 use serde_json::{Value, json};
 
 use crate::support::{MemoryArchive, observed};
@@ -106,7 +111,7 @@ impl Solver for KnownTire {
             ..*request
         })?;
         let response = &mut solved.response;
-        response.depth_mm = Some(0.05 * load);
+        response.depth_mm = 0.05 * load;
         let films = request.readout.films.iter();
         response.films = films.map(|film| self.bare(request.scene, film)).collect();
         for reading in &mut response.gauges {
@@ -123,7 +128,7 @@ impl Solver for KnownTire {
             FilmState {
                 stretch: any(),
                 tension_n_per_mm: any(),
-                signal: Some(self.glued(request.scene, film)),
+                signal: self.glued(request.scene, film),
                 bare: None,
                 error: None,
             }

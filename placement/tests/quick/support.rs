@@ -1,26 +1,28 @@
-//! What the tests of whole studies share: an archive in memory, and solvers that misbehave at one point.
+//! Support for the tests of whole studies: an archive in memory, and solvers that misbehave at one point.
 
 use std::collections::HashMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+use document::Format;
+use documents::layouts::layout_settings::Layouts;
+use documents::study::plan::Plan;
+use documents::study::{Study, presets};
 use fem_client::closed_form::ClosedFormSolver;
-use fem_client::document::Format;
 use fem_client::solver::{Cost, SolveError, SolveRequest, Solved, Solver, StartState};
 use placement::ladder::climb::answer;
-use placement::layout::layout_settings::Layouts;
-use placement::result::{StudyCost, StudyResult};
-use placement::run::archive::{Archive, ArchiveError, Outcome, PointRecord};
-use placement::run::{Event, RunContext, RunError};
-use placement::study::plan::Plan;
-use placement::study::{Study, presets};
+use placement::points::Event;
+use placement::points::RunContext;
+use placement::points::RunError;
+use placement::points::archive::{Archive, ArchiveError, Outcome, PointRecord};
+use results::{StudyCost, StudyResult};
 
 /// Stores texts and bytes, as a database would, so that a test sees what storage does to numbers.
 #[derive(Default)]
 pub struct MemoryArchive {
     pub points: Mutex<HashMap<String, (String, Cost)>>,
     pub starts: Mutex<HashMap<String, Vec<u8>>>,
-    /// How often something was written under a key that was there already.
+    /// Number of times that something was written under a key that was there already.
     pub rewritten: AtomicUsize,
 }
 

@@ -1,16 +1,16 @@
-//! What is left out, modelled: the effects that a study states are those of the finer mesh within a factor of two.
+//! Omissions, modelled: the effects that a study states are those of the finer mesh within a factor of two.
 
 use std::sync::atomic::AtomicBool;
 
-use fem_client::document::Format;
+use document::Format;
+use documents::study::Study;
+use documents::study::plan::Plan;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, Response, SolveRequest, Solver};
 use placement::ladder::climb;
 use placement::ladder::effects::effect;
-use placement::run::RunContext;
-use placement::run::memory::MemoryArchive;
-use placement::study::Study;
-use placement::study::plan::Plan;
+use placement::points::RunContext;
+use placement::points::memory::MemoryArchive;
 use tire::embedded::EmbeddedSolver;
 
 /// Two inputs and the cheapest method; `changes` are laid over the shipped tire.

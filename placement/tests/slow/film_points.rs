@@ -1,12 +1,12 @@
-//! How many points stand for a film: means over films of the foot tire at 1 mm against those by many points.
+//! Number of points that stand for a film: means over films of the foot tire at 1 mm against those by many points.
 
 use std::sync::atomic::AtomicBool;
 
+use documents::layouts::film_extent::{FilmExtent, FilmPoint};
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::direction::Direction;
 use fem_client::solver::{Readout, Response, Ring, RingLine, SolveRequest, Solver};
-use placement::layout::field::hermite::Turn;
-use placement::layout::film_extent::{FilmExtent, FilmPoint};
+use layouts::field::hermite::Turn;
 use placement::layout::solving::layout_scenes::FINE_DEG;
 use tire::embedded::EmbeddedSolver;
 
@@ -30,7 +30,7 @@ struct Film {
     direction: Direction,
 }
 
-/// Those of the table, where they fit.
+/// Returns those of the table, where they fit.
 fn films(scene: &Scene) -> Vec<Film> {
     let mut films = Vec::new();
     for (size, phi) in FILMS {

@@ -2,22 +2,22 @@
 
 use std::sync::atomic::AtomicBool;
 
+use documents::layouts::layout_settings::{LayoutLoads, Layouts};
+use documents::study::Study;
+use documents::study::plan::Plan;
 use fem_client::scene::{Film, Level, Scene};
 use fem_client::solver::{Readout, Response, SolveRequest, Solver};
+use layouts::arrangement::{Arrangement, FilmKind};
+use layouts::field::film_field::Noise;
+use layouts::fisher::bounds::bounds;
 use placement::ladder::climb;
-use placement::layout::arrangement::{Arrangement, FilmKind};
-use placement::layout::field::film_field::Noise;
-use placement::layout::fisher::bounds::bounds;
-use placement::layout::layout_settings::{LayoutLoads, Layouts};
 use placement::layout::solving::layout_fields::{MeshFields, mesh_fields, samples};
 use placement::layout::solving::layout_scenes::{LayoutScenes, readout};
 use placement::layout::solving::mirror_parts::mirrored;
 use placement::layout::solving::shear_fields::shear_field;
-use placement::result::{SignalAxis, StudyResult};
-use placement::run::RunContext;
-use placement::run::memory::MemoryArchive;
-use placement::study::Study;
-use placement::study::plan::Plan;
+use placement::points::RunContext;
+use placement::points::memory::MemoryArchive;
+use results::{SignalAxis, StudyResult};
 use serde_json::json;
 use tire::embedded::EmbeddedSolver;
 
@@ -75,8 +75,8 @@ fn dragged(scene: &Scene, kinds: &[FilmKind], shift_mm: [f64; 2]) -> Response {
     solved.expect("an equilibrium").response
 }
 
-/// One solve with both shifts, taken apart by symmetry, against central differences of solves with one shift each. Both leave out the third order in the shift,
-/// not the same one: at 0.1 mm, five times as far, the foot tire's ground pulls 6 % less per millimetre, of which a fifth is left at most.
+/// Slopes of one solve with both shifts, taken apart by symmetry, against central differences of solves with one shift each. Both leave out the third order in
+/// the shift, not the same one: at 0.1 mm, five times as far, the foot tire's ground pulls 6 % less per millimetre, of which a fifth is left at most.
 #[test]
 fn slopes_over_the_ground_s_shift_are_those_of_separate_solves() {
     let kinds =
@@ -135,6 +135,7 @@ fn worst_bounds_are_those_found_beforehand() {
     let field = found.fields.at(1.0);
     let noise = Noise {
         floor: 0.02 * found.crown,
+        in_volts: false,
         gain_std: 0.0,
         place_std_deg: 0.0,
     };

@@ -7,223 +7,41 @@ with strainsite.local() as client:
     print(result.locations_frame())
 """
 
-from .answers.compared import ComparedIndex, ComparedLocation, ComparedStudy
-from .answers.comparison import Comparison
-from .answers.estimate import (
-    CountForecast,
-    DesignEstimate,
-    Estimate,
-    ExpectedAccuracy,
-    Forecast,
-    SolveForecast,
-    SweepEstimate,
-)
-from .answers.findings import (
-    Candidate,
-    Candidates,
-    FrontLayout,
-    Knee,
-    LayoutFindings,
-    LayoutLoad,
-    LayoutSearch,
-    OrderAgreement,
-    StrainRing,
-)
-from .answers.indices import CoarserIndices, ErrorParts, FormMisses, Output
-from .answers.maps import StrainMap
-from .answers.model import Choice, Input, Model, StudyIdentity
-from .answers.points import Cost, CutPoint, Evaluation, FailedPoint, LocationStrain
-from .answers.ranked import (
-    AlikeContacts,
-    DeadFilm,
-    FilmPlace,
-    Layout,
-    LayoutError,
-    LayoutScore,
-    LoadScore,
-    Location,
-)
-from .answers.result import Answer, GradedNote, LayoutAnswer, LeftOut, PlaceAnswer, Preview, Result, Surer
-from .answers.signals import Claim, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth
-from .answers.summary import Design, DesignCounts, Preset, Presets, StudySummary, SweepSummary
-from .client import Client
-from .errors import (
-    AnswerError,
-    Busy,
-    DocumentError,
-    Fault,
-    FitFailed,
-    InvalidDocument,
-    LocalServerError,
-    MissingExtra,
-    NotFound,
-    ProblemError,
-    Refused,
-    ServerLost,
-    StrainsiteError,
-    StudyCancelled,
-    StudyFailed,
-    WaitTimeout,
-)
-from .fields.sections import FailedNode, RingLoad, Rings, SectionNode, Sections, WheelRing
-from .fields.surface import Surface
-from .forces.estimator import Estimator, EstimatorSummary, FitProgress
-from .forces.known import (
-    AskewError,
-    DeadFilmError,
-    ElsewhereError,
-    FilmAnglesReport,
-    ForceError,
-    ForceFindings,
-    ForcePrice,
-    SplitError,
-    TableError,
-    TableReport,
-    WorstContact,
-)
-from .forces.left_out import LeftOutRows
-from .forces.published import (
-    Contradiction,
-    PrintedFigures,
-    PublishedRow,
-    PublishedTables,
-    RigFigures,
-    TimeConstantRow,
-)
-from .forces.report import (
-    FitCost,
-    FitReport,
-    ForceReport,
-    MemberReport,
-    ModelReport,
-    RecordingFigures,
-    SplitReport,
-    SplitReports,
-)
-from .forces.trial import TrialError
-from .local import local
-from .study import Study
-from .sweep import Sweep
+from typing import TYPE_CHECKING
 
-__all__ = [
-    "AlikeContacts",
-    "Answer",
-    "AnswerError",
-    "AskewError",
-    "Busy",
-    "Candidate",
-    "Candidates",
-    "Choice",
-    "Claim",
-    "Client",
-    "CoarserIndices",
-    "ComparedIndex",
-    "ComparedLocation",
-    "ComparedStudy",
-    "Comparison",
-    "Contradiction",
-    "Cost",
-    "CountForecast",
-    "CutPoint",
-    "DeadFilm",
-    "DeadFilmError",
-    "Design",
-    "DesignCounts",
-    "DesignEstimate",
-    "DocumentError",
-    "ElsewhereError",
-    "ErrorParts",
-    "Estimate",
-    "Estimator",
-    "EstimatorSummary",
-    "Evaluation",
-    "ExpectedAccuracy",
-    "FailedNode",
-    "FailedPoint",
-    "Fault",
-    "FilmAnglesReport",
-    "FilmPair",
-    "FilmPlace",
-    "FitCost",
-    "FitFailed",
-    "FitProgress",
-    "FitReport",
-    "ForceError",
-    "ForceFindings",
-    "ForcePrice",
-    "ForceReport",
-    "Forecast",
-    "FormMisses",
-    "FrontLayout",
-    "GradedNote",
-    "Input",
-    "InvalidDocument",
-    "Knee",
-    "Layout",
-    "LayoutAnswer",
-    "LayoutError",
-    "LayoutFindings",
-    "LayoutLoad",
-    "LayoutScore",
-    "LayoutSearch",
-    "LeftOut",
-    "LeftOutRows",
-    "LoadScore",
-    "LocalServerError",
-    "Location",
-    "LocationStrain",
-    "MemberReport",
-    "MissingExtra",
-    "Model",
-    "ModelReport",
-    "NotFound",
-    "OrderAgreement",
-    "Output",
-    "PlaceAnswer",
-    "Preset",
-    "Presets",
-    "Preview",
-    "PrintedFigures",
-    "ProblemError",
-    "PublishedRow",
-    "PublishedTables",
-    "RecordingFigures",
-    "Refused",
-    "Result",
-    "RigFigures",
-    "RingLoad",
-    "Rings",
-    "SectionNode",
-    "Sections",
-    "ServerLost",
-    "SignalCurve",
-    "SignalError",
-    "SignalRow",
-    "Signals",
-    "SolveForecast",
-    "SplitError",
-    "SplitReport",
-    "SplitReports",
-    "StrainMap",
-    "StrainRing",
-    "StrainsiteError",
-    "StressWidth",
-    "Study",
-    "StudyCancelled",
-    "StudyFailed",
-    "StudyIdentity",
-    "StudySummary",
-    "Surer",
-    "Surface",
-    "Sweep",
-    "SweepEstimate",
-    "SweepSummary",
-    "TableError",
-    "TableReport",
-    "TimeConstantRow",
-    "TrialError",
-    "WaitTimeout",
-    "WheelRing",
-    "WorstContact",
-    "local",
-]
+from .answers._generated import *  # noqa: F403 - all that answers consist of
+from .answers.comparison import Comparison as Comparison
+from .answers.maps import StrainMap as StrainMap
+from .answers.result import Result as Result
+from .answers.skins import Surface as Surface
+from .client import Client as Client
+from .errors import AnswerError as AnswerError
+from .errors import Busy as Busy
+from .errors import DocumentError as DocumentError
+from .errors import Fault as Fault
+from .errors import FitFailed as FitFailed
+from .errors import InvalidDocument as InvalidDocument
+from .errors import LocalServerError as LocalServerError
+from .errors import MissingExtra as MissingExtra
+from .errors import NotFound as NotFound
+from .errors import ProblemError as ProblemError
+from .errors import Refused as Refused
+from .errors import ServerLost as ServerLost
+from .errors import StrainsiteError as StrainsiteError
+from .errors import StudyCancelled as StudyCancelled
+from .errors import StudyFailed as StudyFailed
+from .errors import WaitTimeout as WaitTimeout
+from .forces.estimator import Estimator as Estimator
+from .forces.left_out import LeftOutRows as LeftOutRows
+from .forces.report import FitReport as FitReport
+from .forces.report import ForceReport as ForceReport
+from .local import local as local
+from .study import Study as Study
+from .sweep import Sweep as Sweep
+
+if not TYPE_CHECKING:
+    # All classes and functions above. Type checkers would read a list of names alone; without one all imports above
+    # are public to them.
+    __all__ = [
+        name for name, thing in sorted(globals().items()) if getattr(thing, "__module__", "").startswith(__name__)
+    ]

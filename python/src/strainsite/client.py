@@ -5,19 +5,17 @@ from __future__ import annotations
 import os
 import uuid
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 from urllib.parse import quote
 
 from . import documents
+from .answers._generated import Estimate, EstimatorSummary, Presets, Preview, StudySummary, SweepEstimate
 from .answers.comparison import Comparison
-from .answers.estimate import Estimate, SweepEstimate
 from .answers.reading import read
-from .answers.result import Preview
-from .answers.summary import Presets, StudySummary
 from .connection.download import download
 from .connection.transport import Transport
 from .errors import DocumentError, StrainsiteError
-from .forces.estimator import Estimator, EstimatorSummary
+from .forces.estimator import Estimator
 from .forces.recordings import recipe as recipe_of
 from .forces.recordings import recording
 from .study import Study, id_of
@@ -29,12 +27,12 @@ if TYPE_CHECKING:
     from pathlib import Path
     from types import TracebackType
 
-    from .answers.comparison import ComparisonTable
-    from .answers.summary import Archived, State
+    from .answers._generated import ComparisonTable, State
     from .forces.recordings import Recipe, Run
 
     Document = Mapping[str, Any] | str | Path
     """A study: its fields, a TOML or JSON file, or the name of one that the service ships."""
+    Archived = Literal["true", "false", "all"]
 
 DEFAULT_URL = "http://127.0.0.1:8080"
 

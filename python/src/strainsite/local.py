@@ -18,7 +18,7 @@ from .errors import LocalServerError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-# A start takes 0.2 s; a large database of an earlier version takes longer.
+# A start takes 0.2 s; a large database, which is checked first, takes longer.
 _START_S = 60.0
 # Running solves end at their next Newton iteration.
 _STOP_S = 20.0

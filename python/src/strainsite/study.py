@@ -2,24 +2,29 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from .answers import rows
-from .answers.estimate import Estimate
-from .answers.findings import Candidates, LayoutFindings
+from .answers._generated import (
+    Candidates,
+    Estimate,
+    Evaluation,
+    Layout,
+    LayoutFindings,
+    Location,
+    Rings,
+    Sections,
+    Signals,
+    StudySummary,
+)
 from .answers.maps import StrainMap
-from .answers.points import Evaluation
-from .answers.ranked import Layout, Location
 from .answers.reading import read, records
 from .answers.result import Result
-from .answers.signals import Signals
-from .answers.summary import StudySummary
+from .answers.skins import Surface
 from .connection.download import download
 from .connection.follow import ENDED, Follower
 from .connection.progress import Deadline, Progress
 from .errors import NotFound, StudyCancelled, StudyFailed
-from .fields.sections import Rings, Sections
-from .fields.surface import Surface
 from .views import frames, html
 
 if TYPE_CHECKING:
@@ -29,9 +34,8 @@ if TYPE_CHECKING:
 
     import pandas as pd
 
+    from .answers._generated import Table
     from .connection.transport import Transport
-
-Table = Literal["indices", "locations", "layouts", "candidates", "points", "signals", "forces", "published"]
 
 
 class Study:
@@ -161,12 +165,12 @@ class Study:
         return records(self._answer("layouts").get("layouts"), Layout, "layouts")
 
     def layout_findings(self) -> LayoutFindings | None:
-        """What the layouts show together; None where the study asks for none, and of earlier versions."""
+        """What the layouts show together; None where the study asks for none."""
         found = self._answer("layouts").get("findings")
         return None if found is None else read(LayoutFindings, found, "findings")
 
     def candidates(self) -> Candidates:
-        """The kinds of film for layouts by several criteria, and how far these order them alike.
+        """The kinds of film for layouts by several criteria.
 
         Raises:
             NotFound: Its document asks for no layouts, or its budget left no time for them.
@@ -258,8 +262,8 @@ class Study:
         Args:
             format: `csv`, `parquet`, `vtu` (the map on the inner surface, for ParaView), `glb` (the whole wheel, for
                 any 3-D viewer) or `json` (the result).
-            table: `indices` (when left out), `locations`, `layouts`, `candidates`, `points`, `signals`, `forces` or
-                `published`, for formats of one table.
+            table: `indices` (when left out), `locations`, `layouts`, `candidates`, `points`, `signals` or `forces`,
+                for formats of one table.
             path: The file, or a folder; the name that the service proposes, in the working folder, when left out.
 
         """

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from .answers._generated import Design, SweepSummary
 from .answers.comparison import Comparison
 from .answers.reading import read, records
-from .answers.summary import Design, SweepSummary
 from .connection.download import download
 from .connection.follow import look
 from .connection.progress import Deadline, Progress
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     import pandas as pd
 
-    from .answers.comparison import ComparisonTable
+    from .answers._generated import ComparisonTable
     from .connection.transport import Transport
 
 

@@ -1,12 +1,12 @@
 //! Studies of the database side by side.
 
 use placement::compare::Entry;
-use placement::result::StudyResult;
+use results::StudyResult;
 use serde_json::{Map, Value};
 use sqlx::SqliteConnection;
 
 use store::StoreError;
-use store::answers::result_rows;
+use store::answers::result_rows::{self, Extent};
 use store::queue::study_rows::StudyRow;
 use store::queue::sweep_rows::DesignRow;
 
@@ -20,7 +20,8 @@ async fn entry(
     name: &str,
     set: Option<&Map<String, Value>>,
 ) -> Result<Entry, StoreError> {
-    let found = result_rows::find::<StudyResult>(connection, &study.id).await?;
+    // The map is large, and no part of a comparison.
+    let found = result_rows::find::<StudyResult>(connection, &study.id, Extent::WithoutMap).await?;
     let state = study.state().as_str();
     let without = || match &study.error {
         Some(error) => error.clone(),
@@ -31,13 +32,7 @@ async fn entry(
         name: name.to_owned(),
         set: set.cloned(),
         state: state.to_owned(),
-        // The map is large, and no part of a comparison.
-        result: found
-            .map(|(result, _)| StudyResult {
-                map: None,
-                ..result
-            })
-            .ok_or_else(without),
+        result: found.map(|(result, _)| result).ok_or_else(without),
     })
 }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use fem_client::solver::{Cost, StartState};
-use placement::run::archive::{Archive, ArchiveError, Crashes, Outcome, PointRecord};
+use placement::points::archive::{Archive, ArchiveError, Crashes, Outcome, PointRecord};
 use sqlx::SqliteConnection;
 use tokio::runtime::Handle;
 use tracing::{Instrument, Span};
@@ -78,7 +78,7 @@ impl StoreArchive {
         })
     }
 
-    /// Why nothing could be stored, where it was a full disk or a database that is gone.
+    /// Returns why nothing could be stored, where it was a full disk or a database that is gone.
     pub fn unwritable(&self) -> Option<StoreError> {
         let mut unwritable = self
             .unwritable
@@ -133,7 +133,7 @@ impl Archive for StoreArchive {
         })
     }
 
-    /// One transaction for the evaluation, its start state and its place in the study: a kill leaves all or nothing.
+    /// Saves evaluation, start state and place in the study in one transaction: a kill leaves all or nothing.
     fn save(&self, point: &PointRecord<'_>) -> Result<(), ArchiveError> {
         self.write(async |connection| {
             evaluations::insert(connection, &self.study, point).await?;

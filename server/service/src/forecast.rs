@@ -1,23 +1,23 @@
-//! What a study would cost on this machine, with what this database knows.
+//! Forecast of a study's cost on this machine, with what this database knows.
 
 use std::collections::HashSet;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
+use documents::study::Study;
+use documents::study::plan::{Estimable, PlanError, PlannedStudy};
+use documents::sweep::Sweep;
 use fem_client::scene::Level;
 use fem_client::solver::Solver;
 use placement::estimate::{Machine, NextLevel, Pace, Workload, estimate};
-use placement::result::{Estimate, Surer};
-use placement::study::Study;
-use placement::study::plan::{Estimable, PlanError, PlannedStudy};
-use placement::sweep::Sweep;
+use results::{Estimate, Surer};
 
 use crate::wire::sweep_wire::{DesignEstimate, SweepEstimate};
 use store::points::evaluations;
 use store::queue::study_rows;
 use store::{Store, StoreError};
 
-/// Why there is no estimate.
+/// Reason why there is no estimate.
 #[derive(Debug, thiserror::Error)]
 pub enum ForecastError {
     /// The study can't be planned.
@@ -26,12 +26,12 @@ pub enum ForecastError {
     /// The database failed.
     #[error(transparent)]
     Store(#[from] StoreError),
-    /// It would take more memory than there is.
+    /// A study that would take more memory than there is.
     #[error("the study would take about {} of memory, and {} are there; a coarser level, fewer points, a smaller candidates.grid or fewer threads take less", gigabytes(*.needed_bytes), gigabytes(*.there_bytes))]
     Memory {
-        /// What it would take, bytes.
+        /// Memory that it would take, bytes.
         needed_bytes: u64,
-        /// What it may take, bytes.
+        /// Memory that it may take, bytes.
         there_bytes: u64,
     },
     /// Planning panicked.
@@ -43,7 +43,7 @@ fn gigabytes(bytes: u64) -> String {
     format!("{:.2} GB", bytes as f64 / 1e9)
 }
 
-/// What a study would cost. Times are corrected by the newest solves of the database; what it holds already costs nothing.
+/// Estimates what a study would cost. Times are corrected by the newest solves of the database; what it holds already costs nothing.
 ///
 /// # Errors
 /// See [`ForecastError`].
@@ -57,7 +57,7 @@ pub async fn forecast(
     Ok(pace.estimate().clone())
 }
 
-/// The same, to be corrected while the study runs.
+/// Estimates as [`forecast`] does, to be corrected while the study runs.
 ///
 /// # Errors
 /// See [`ForecastError`].
@@ -79,7 +79,7 @@ pub async fn pace(
     Ok(Pace::new(work, known, machine))
 }
 
-/// What a study would cost that need not be planned for that.
+/// Estimates what a study would cost that need not be planned for that.
 ///
 /// # Errors
 /// See [`ForecastError`].
@@ -104,7 +104,7 @@ pub async fn forecast_of(
     Ok(estimate(&work, &known, &machine))
 }
 
-/// What a surer answer costs than that of a study on a level: the next one. `None` at the top of the ladder.
+/// Estimates what a surer answer costs than that of a study on a level: the next one. `None` at the top of the ladder.
 ///
 /// # Errors
 /// See [`ForecastError`].
@@ -115,11 +115,11 @@ pub async fn forecast_next(
     study: &Study,
     level: &str,
 ) -> Result<Option<Surer>, ForecastError> {
-    let Some((_, answered)) = Level::NAMES.iter().find(|(name, _)| *name == level) else {
+    let Some(answered) = Level::named(level) else {
         return Ok(None);
     };
     let (own, asked) = (study.clone(), solver.clone());
-    let next = tokio::task::spawn_blocking(move || NextLevel::of(&own, *answered, asked.as_ref()));
+    let next = tokio::task::spawn_blocking(move || NextLevel::of(&own, answered, asked.as_ref()));
     let Some(next) = next.await.map_err(|_| ForecastError::Broken)?? else {
         return Ok(None);
     };
@@ -148,7 +148,7 @@ pub async fn plan_study(study: &Study) -> Result<Arc<PlannedStudy>, ForecastErro
     Ok(Arc::new(planned.await.map_err(|_| ForecastError::Broken)??))
 }
 
-/// What a planned study asks of a solver, which takes as long again.
+/// Lists what a planned study asks of a solver, which takes as long again.
 async fn workload(
     solver: &Arc<dyn Solver>,
     planned: &Arc<PlannedStudy>,
@@ -159,7 +159,7 @@ async fn workload(
     work.await.map_err(|_| ForecastError::Broken)
 }
 
-/// What a design asks of a solver; a large one is counted, and shares points with those alone that have its cut point.
+/// Lists what a design asks of a solver; a large one is counted, and shares points with those alone that have its cut point.
 async fn design_workload(
     solver: &Arc<dyn Solver>,
     study: &Study,
@@ -170,7 +170,7 @@ async fn design_workload(
     workload(solver, &plan_study(study).await?, Workload::of).await
 }
 
-/// What the designs of a sweep would cost, one after the other: what one of them solves is known to those after it.
+/// Estimates what the designs of a sweep would cost, one after the other: what one of them solves is known to those after it.
 ///
 /// # Errors
 /// See [`ForecastError`].
@@ -202,7 +202,7 @@ pub async fn forecast_sweep(
     Ok(SweepEstimate::of(designs))
 }
 
-/// What a study takes of memory with so many solves at once, bytes.
+/// Returns what a study takes of memory with so many solves at once, bytes.
 pub fn memory_bytes(work: &Workload, threads: usize) -> u64 {
     let machine = Machine::new(solves_at_once(threads));
     estimate(work, &HashSet::new(), &machine).peak_memory_bytes

@@ -1,4 +1,4 @@
-//! What strainsite does with studies, whoever asks: neither HTTP nor command line.
+//! Service on studies, whoever asks for it: neither HTTP nor command line.
 //!
 //! The modules, in reading order:
 //!

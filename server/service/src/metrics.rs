@@ -1,11 +1,11 @@
-//! What the service has done and how it is, in the text format that Prometheus reads.
+//! Metrics of the service: what it has done and how it is, in the text format that Prometheus reads.
 //!
 //! Every label has a bounded number of values: states, outcomes, methods, statuses, and routes as they are written in the router, never
 //! the addresses that clients ask for.
 
 use std::sync::Arc;
 
-use placement::run::Event;
+use placement::points::Event;
 use prometheus_client::encoding::EncodeLabelSet;
 use prometheus_client::encoding::text::encode;
 use prometheus_client::metrics::counter::Counter;
@@ -19,9 +19,9 @@ use store::queue::study_rows::State;
 /// The media type of [`Metrics::text`].
 pub const MEDIA_TYPE: &str = "application/openmetrics-text; version=1.0.0; charset=utf-8";
 
-/// From 4 ms, a solve of the draft mesh from a start, to two hours.
+/// Buckets of solves, s: 4 ms, a solve of the draft mesh from a start, to two hours.
 const SOLVE_BUCKETS: (f64, u16) = (0.004, 11);
-/// From half a millisecond to half a minute, the longest that a body may take.
+/// Buckets of requests, s: half a millisecond to half a minute, the longest that a body may take.
 const REQUEST_BUCKETS: (f64, u16) = (0.0005, 9);
 /// Fine enough to tell a slow service from a quick one, coarse enough for few lines.
 const BUCKET_FACTOR: f64 = 4.0;
@@ -37,7 +37,7 @@ pub struct Metrics {
     now: Now,
 }
 
-/// How things stand, asked for when somebody reads.
+/// Gauges of the present state, asked for when somebody reads.
 #[derive(Debug, Default)]
 struct Now {
     studies: Family<OfState, Gauge>,
@@ -47,12 +47,12 @@ struct Now {
     memory_bytes: Gauge,
 }
 
-/// What came of a point.
+/// Outcome of a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PointOutcome {
-    /// It was solved.
+    /// A solved point.
     Solved,
-    /// It has no equilibrium, or its solve broke.
+    /// A point without an equilibrium, or whose solve broke.
     Failed,
     /// Another study had solved it.
     Reused,
@@ -68,7 +68,7 @@ impl PointOutcome {
     }
 }
 
-/// How things stand.
+/// Snapshot of the present state.
 #[derive(Debug)]
 pub struct Snapshot {
     /// Studies of each state.
@@ -110,7 +110,7 @@ fn histogram((least, count): (f64, u16)) -> Histogram {
 }
 
 impl Metrics {
-    /// Nothing has happened yet.
+    /// Begins before anything has happened.
     pub fn new() -> Arc<Self> {
         let mut metrics = Self {
             registry: Registry::default(),
@@ -187,7 +187,7 @@ impl Metrics {
         self.points_of(outcome).inc_by(count);
     }
 
-    /// Something happened in a run.
+    /// Counts an event of a run.
     pub fn event(&self, event: &Event) {
         match event {
             Event::PointSolved { .. } => self.points(PointOutcome::Solved, 1),
@@ -221,7 +221,7 @@ impl Metrics {
             .inc();
     }
 
-    /// All of it as text.
+    /// Writes all of it as text.
     pub fn text(&self, now: &Snapshot) -> String {
         let of_states = [
             (&self.now.studies, &now.studies),

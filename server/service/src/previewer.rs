@@ -5,26 +5,26 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
+use documents::study::Study;
+use documents::study::plan::{PlanError, PlannedStudy};
 use fem_client::solver::Solver;
 use placement::ladder::preview;
-use placement::run::memory::MemoryArchive;
-use placement::run::{RunContext, RunError, run};
-use placement::study::Study;
-use placement::study::plan::{PlanError, PlannedStudy};
+use placement::points::RunContext;
+use placement::points::RunError;
+use placement::points::memory::MemoryArchive;
+use placement::run::run;
 use tokio::sync::{Notify, OwnedMutexGuard, oneshot};
 
 use crate::shutdown::Shutdown;
+use crate::solving::solver_choice::PREVIEW_LIMIT;
 use crate::wire::preview_wire::Preview;
-
-/// A preview that takes longer is of no use to somebody who writes.
-pub const LIMIT: Duration = Duration::from_secs(10);
 
 /// Points that a preview may ask for at first. A draft solve takes about 8 ms of a core: on two cores so many take two seconds, and on one busy core less than the limit.
 const MOST_POINTS: usize = 500;
 
-/// Why there is no preview.
+/// Reason why there is no preview.
 #[derive(Debug, thiserror::Error)]
 pub enum PreviewError {
     /// The design is too large.
@@ -35,20 +35,20 @@ pub enum PreviewError {
         /// Points that it asks for, or somewhat more.
         points: usize,
     },
-    /// It can't be planned.
+    /// A document that can't be planned.
     #[error(transparent)]
     Plan(#[from] PlanError),
-    /// Its loads have no equilibrium, or the solver refuses them.
+    /// A document whose loads have no equilibrium, or which the solver refuses.
     #[error("there is no preview of this document: {cause}")]
     Unsolved {
-        /// Which load, how far it got.
+        /// Load, and how far it got, in words.
         cause: String,
     },
     /// A newer one was asked for.
     #[error("superseded: a newer preview was asked for")]
     Superseded,
-    /// It took too long.
-    #[error("the preview took longer than {} s: submit the document as a study", LIMIT.as_secs())]
+    /// A preview that took too long.
+    #[error("the preview took longer than {} s: submit the document as a study", PREVIEW_LIMIT.as_secs())]
     OverTime,
     /// The service ends.
     #[error("the service is stopping")]
@@ -67,7 +67,7 @@ pub struct Previewer {
     turn: Arc<tokio::sync::Mutex<()>>,
 }
 
-/// One preview that was asked for.
+/// A preview that was asked for.
 #[derive(Default)]
 struct Asked {
     stop: AtomicBool,
@@ -113,7 +113,7 @@ impl Previewer {
         tokio::select! {
             answer = self.answer(preview, &asked, begun) => answer,
             () = asked.superseded.notified() => Err(PreviewError::Superseded),
-            () = tokio::time::sleep(LIMIT) => Err(PreviewError::OverTime),
+            () = tokio::time::sleep(PREVIEW_LIMIT) => Err(PreviewError::OverTime),
             () = shutdown.wait() => Err(PreviewError::Stopping),
         }
     }

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::cli::commands::{
-    compare, db, export, force, gsa, library, run, serve, shell, solve, sweep, trade, validate,
+    compare, db, documents, export, force, gsa, library, run, serve, shell, solve, sweep, trade,
     verify,
 };
 use crate::cli::settings;
@@ -68,7 +68,10 @@ enum Command {
     Db(db::Db),
     /// Check a study or scene file without running it
     #[command(after_help = help_examples::VALIDATE)]
-    Validate(validate::Validate),
+    Validate(documents::Validate),
+    /// Print the JSON Schema of a document, for editors and checkers
+    #[command(after_help = help_examples::SCHEMA)]
+    Schema(documents::Schema),
     /// Solve problems whose answer is known, and compare
     #[command(after_help = help_examples::VERIFY)]
     Verify(verify::Verify),
@@ -118,13 +121,14 @@ impl Command {
             Self::Export(command) => command.execute(),
             Self::Db(command) => command.execute(),
             Self::Validate(command) => command.execute(),
+            Self::Schema(command) => command.execute(),
             Self::Verify(command) => command.execute(),
             Self::Completions(command) => command.execute(Cli::command()),
             Self::Man(command) => command.execute(Cli::command()),
         }
     }
 
-    /// Where a failure is told beside standard error.
+    /// Returns where a failure is told beside standard error.
     fn json(&self) -> Option<JsonTarget> {
         match self {
             Self::Run(command) => command.json.clone(),
@@ -142,6 +146,7 @@ impl Command {
             | Self::Export(_)
             | Self::Db(_)
             | Self::Validate(_)
+            | Self::Schema(_)
             | Self::Verify(_)
             | Self::Completions(_)
             | Self::Man(_) => None,
@@ -164,7 +169,9 @@ impl Command {
             Self::Db(command) => command.files(),
             Self::Verify(command) => command.files(),
             Self::Man(command) => command.files(),
-            Self::Serve(_) | Self::Validate(_) | Self::Completions(_) => Files::default(),
+            Self::Serve(_) | Self::Validate(_) | Self::Schema(_) | Self::Completions(_) => {
+                Files::default()
+            }
         }
     }
 }

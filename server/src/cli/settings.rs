@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 use clap::builder::{OsStringValueParser, Resettable};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, Command, CommandFactory, Error, FromArgMatches};
-use fem_client::document::MAX_BYTES;
-use fem_client::document::fault::Fault;
+use document::MAX_BYTES;
+use document::fault::Fault;
 use service::study_document::text_files::read_text;
 use toml::{Table, Value};
 
@@ -97,7 +97,7 @@ fn flag(command: &Command, long: &str) -> Option<Arg> {
     flags.find(|arg| arg.get_long() == Some(long)).cloned()
 }
 
-/// What a file can set: every flag but those that are about the call itself.
+/// Returns the names that a file can set: every flag but those that are about the call itself.
 fn names(command: &Command) -> Vec<String> {
     let serve = command.find_subcommand(SERVE);
     let longs = serve
@@ -110,7 +110,7 @@ fn names(command: &Command) -> Vec<String> {
         .collect()
 }
 
-/// Where the value stands: in the flag, or else in the environment.
+/// Says where the value stands: in the flag, or else in the environment.
 fn whence(arg: &Arg, arguments: &[OsString]) -> String {
     let flag = format!("--{}", arg.get_long().unwrap_or_default());
     let assigned = format!("{flag}=");
@@ -159,7 +159,7 @@ struct Setting {
     values: Vec<String>,
 }
 
-/// What the file says, as far as it can be used.
+/// Returns what the file says, as far as it can be used.
 fn settings(command: &Command, path: &Path, table: Table, faults: &mut Vec<Fault>) -> Vec<Setting> {
     let mut settings = Vec::new();
     for (key, value) in table {

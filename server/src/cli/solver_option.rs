@@ -10,10 +10,10 @@ use service::solving::solver_choice::{NotInstalled, SolverName, solver};
 
 use crate::config::seconds;
 
-/// Who solves.
+/// Solver that a command runs with.
 #[derive(Debug, Clone, Args)]
 pub struct SolverOption {
-    /// Who solves: this program's own finite elements, or an installed CalculiX
+    /// Solver: this program's own finite elements, or an installed CalculiX
     #[arg(
         long,
         env = "STRAINSITE_SOLVER",

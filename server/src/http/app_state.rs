@@ -1,4 +1,4 @@
-//! What every handler may use.
+//! State that every handler may use.
 
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ use crate::http::edge::room::Room;
 use crate::http::edge::streams::Streams;
 use crate::http::routes::answers::sent_result::Intact;
 
-/// What every handler may use.
+/// State that every handler may use.
 #[derive(Clone)]
 pub struct AppState {
     /// The database.
@@ -33,7 +33,7 @@ pub struct AppState {
     pub memory_bytes: u64,
     /// Hears when the service is to stop.
     pub shutdown: Shutdown,
-    /// Who is let in.
+    /// Access: who is let in.
     pub access: Access,
     /// Counts requests and whatever else.
     pub metrics: Arc<Metrics>,

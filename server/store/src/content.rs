@@ -17,7 +17,7 @@ pub fn sha256(parts: &[&[u8]]) -> String {
     digest.end()
 }
 
-/// The same hash of parts that come in pieces.
+/// Hash of parts that come in pieces, the same as of whole ones.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Digested(Sha256);
 

@@ -35,7 +35,7 @@ impl Store {
         Self::open_within(path, None).await
     }
 
-    /// As [`Store::open`]; the file won't grow beyond this many bytes. One that is larger already doesn't grow.
+    /// Opens as [`Store::open`] does; the file won't grow beyond this many bytes. One that is larger already doesn't grow.
     ///
     /// # Errors
     /// As [`Store::open`].

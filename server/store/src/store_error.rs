@@ -1,4 +1,4 @@
-//! What can go wrong between the program and its database.
+//! Errors between the program and its database.
 
 use std::path::PathBuf;
 
@@ -22,7 +22,7 @@ pub enum StoreError {
     Open {
         /// The database file.
         path: PathBuf,
-        /// What the system or SQLite said.
+        /// Cause in the words of the system or SQLite.
         cause: String,
     },
     /// A file of the database isn't the one any more that was opened.
@@ -37,9 +37,9 @@ pub enum StoreError {
     /// A copy can't be written.
     #[error("the copy {} can't be written: {cause}", path.display())]
     Copy {
-        /// Where it was to be.
+        /// Path where it was to be.
         path: PathBuf,
-        /// What the system or SQLite said, and what to do.
+        /// Cause in the words of the system or SQLite, and what to do.
         cause: String,
     },
     /// The disk is full, or the database has grown as far as it may.
@@ -62,7 +62,7 @@ pub enum StoreError {
     /// A value can't be written as JSON without loss, because a number in it is not finite.
     #[error("{what} holds a number that is not finite and was not stored")]
     NotFinite {
-        /// What was to be stored.
+        /// Thing that was to be stored.
         what: &'static str,
     },
     /// Any other failure of SQLite.

@@ -15,7 +15,7 @@ use service::solving::apart::child::ARGUMENT;
 use service::solving::apart::parent::Apart;
 use service::solving::solver_choice::{SolverName, solver};
 
-/// Far beyond what a draft takes.
+/// Time far beyond what a draft takes.
 const LIMIT: Duration = Duration::from_secs(600);
 
 fn program() -> Command {
@@ -56,7 +56,7 @@ fn readout() -> Readout {
     }
 }
 
-/// What both ways answer.
+/// Answers both ways.
 fn both(scene: &Scene, start: Option<&StartState>) -> [Result<Solved, SolveError>; 2] {
     let here = solver(SolverName::Embedded, LIMIT).expect("a solver");
     let apart = Apart::new(Arc::clone(&here), program);

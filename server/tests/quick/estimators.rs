@@ -4,19 +4,19 @@ use std::fmt::Write as _;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
+use estimation::recipe::Recipe;
 use fem_client::closed_form::ClosedFormSolver;
-use reqwest::{Method, Response, StatusCode};
+use reqwest::{Response, StatusCode};
 use serde_json::{Value, json};
 use service::forces::applying::apply;
 use service::forces::fitting::{Work, fit};
 use service::forces::model_file::{model_text, read_model};
-use service::forces::recipe_reader::recipe_from_value;
 use service::forces::recorded_texts::NamedText;
 
 use crate::app::{App, Home, PATIENCE, problem};
 
 /// Two signals that follow a force, each with a little of its own.
-fn text(seed: u32, rows: u32) -> String {
+pub fn text(seed: u32, rows: u32) -> String {
     let mut text = "time_s,s1,s2,fz_n\n".to_owned();
     for row in 0..rows {
         let t = f64::from(row) * 0.01;
@@ -32,13 +32,13 @@ fn recordings() -> Value {
     json!([{"file": "monday.csv", "text": text(1, 150)}, {"file": "tuesday.csv", "text": text(2, 150)}])
 }
 
-/// What is learnt within a tenth of a second.
-fn quick() -> Value {
+/// Returns a document that is learnt within a tenth of a second.
+pub fn quick() -> Value {
     let recipe = json!({"preprocess": {"start_value": "keep"}, "features": {"sets": ["raw", "all"]}, "models": {"kinds": ["ridge"]}});
     json!({"name": "rig", "recipe": recipe, "recordings": recordings()})
 }
 
-/// What takes a minute.
+/// Returns a document that takes a minute.
 fn lasting() -> Value {
     let networks = json!({"iterations": 2000, "networks": 8});
     json!({"recipe": {"models": {"kinds": ["ann", "gpr"], "ann": networks}}, "recordings": [
@@ -78,7 +78,7 @@ async fn wait(app: &App, id: &str, until: impl Fn(&Value) -> bool) -> Value {
     }
 }
 
-async fn wait_for(app: &App, id: &str, state: &str) -> Value {
+pub async fn wait_for(app: &App, id: &str, state: &str) -> Value {
     wait(app, id, |estimator| estimator["state"] == state).await
 }
 
@@ -107,7 +107,7 @@ async fn what_the_service_learns_and_estimates_is_what_the_command_line_does() {
             text: text(seed, 150),
         })
         .collect();
-    let recipe = recipe_from_value(&document["recipe"]).expect("a recipe");
+    let recipe = Recipe::from_value(&document["recipe"]).expect("a recipe");
     let work = Work {
         threads: 1,
         stop: &AtomicBool::new(false),
@@ -145,82 +145,10 @@ async fn what_the_service_learns_and_estimates_is_what_the_command_line_does() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn faults_are_told_at_once_and_nothing_of_them_is_stored() {
-    let home = Home::new();
-    let app = home.start(ClosedFormSolver::new()).await;
-    let mut document = quick();
-    document["recipe"]["models"] = json!({"kinds": ["lasso"]});
-    document["recordings"][1]["file"] = json!(3);
-    document["rows"] = json!(1);
-    let told = post(&app, "/v1/estimators", &document).await;
-    let told = problem(told, StatusCode::UNPROCESSABLE_ENTITY).await;
-    let errors = told["errors"].as_array().expect("faults");
-    let places: Vec<&str> = errors
-        .iter()
-        .filter_map(|fault| fault["pointer"].as_str())
-        .collect();
-    for place in ["/recipe/models/kinds/0", "/recordings/1/file", "/rows"] {
-        assert!(places.contains(&place), "{place}: {places:?}");
-    }
-    let mut document = quick();
-    document["recordings"][1]["text"] = json!("time_s,s1,s2,fz_n\n0,1,2,3\n1,x,2,3\n2,1,2,\"\n");
-    let told = post(&app, "/v1/estimators", &document).await;
-    let told = problem(told, StatusCode::UNPROCESSABLE_ENTITY).await;
-    let fault = &told["errors"][0];
-    assert_eq!(fault["pointer"], "/recordings");
-    let detail = fault["detail"].as_str().expect("text");
-    assert!(
-        detail.starts_with("tuesday.csv, line 3, column s1"),
-        "{detail}"
-    );
-
-    let send = async |kind: &'static str, body: Vec<u8>| {
-        let request = app.client.post(app.url("/v1/estimators"));
-        let request = request.header("content-type", kind).body(body).send();
-        request.await.expect("an answer")
-    };
-    let broken = send("application/json", b"{\"recordings\": [".to_vec()).await;
-    problem(broken, StatusCode::BAD_REQUEST).await;
-    let toml = send("application/toml", b"recordings = []".to_vec()).await;
-    problem(toml, StatusCode::UNSUPPORTED_MEDIA_TYPE).await;
-    let large = send("application/json", vec![b' '; (64 << 20) + 1]).await;
-    problem(large, StatusCode::PAYLOAD_TOO_LARGE).await;
-    let many = send(
-        "application/json",
-        format!("[{}0]", "0,".repeat(1 << 20)).into(),
-    )
-    .await;
-    problem(many, StatusCode::BAD_REQUEST).await;
-    let list = app.json("/v1/estimators").await;
-    assert_eq!(list, json!({"estimators": [], "next_cursor": null}));
-}
-
-#[tokio::test(flavor = "multi_thread")]
-async fn what_is_not_there_yet_or_not_at_all_is_told() {
+async fn what_is_not_there_yet_is_told() {
     let home = Home::new();
     let app = home.start(ClosedFormSolver::new()).await;
     let run = json!({"file": "friday.csv", "text": "time_s,s1,s2\n0,0.5,0.2\n"});
-    for path in ["", "/report", "/model", "/left-out"] {
-        let absent = app.get(&format!("/v1/estimators/none{path}")).await;
-        problem(absent, StatusCode::NOT_FOUND).await;
-    }
-    let absent = post(&app, "/v1/estimators/none:apply", &run).await;
-    problem(absent, StatusCode::NOT_FOUND).await;
-    let absent = app.delete("/v1/estimators/none").await;
-    problem(absent, StatusCode::NOT_FOUND).await;
-    for (path, method, allowed) in [
-        ("none:apply", Method::GET, "POST"),
-        ("none:apply", Method::PUT, "POST"),
-        ("none", Method::POST, "GET,HEAD,DELETE"),
-        ("none", Method::OPTIONS, "GET,HEAD,DELETE"),
-    ] {
-        let url = app.url(&format!("/v1/estimators/{path}"));
-        let request = app.client.request(method, url).json(&run);
-        let wrong = request.send().await.expect("an answer");
-        assert_eq!(wrong.headers()["allow"], allowed);
-        problem(wrong, StatusCode::METHOD_NOT_ALLOWED).await;
-    }
-
     let id = submit(&app, &lasting()).await;
     let path = format!("/v1/estimators/{id}");
     for part in ["report", "model", "left-out"] {

@@ -16,7 +16,7 @@ fn recording(session: f64) -> String {
     recording_every(0.05, session)
 }
 
-/// The same with a row every so many seconds.
+/// Returns the recording with a row every so many seconds.
 fn recording_every(interval_s: f64, session: f64) -> String {
     let mut rows = "time_s,a,\"b, V\",fz_n\n".to_owned();
     for row in 0..300 {

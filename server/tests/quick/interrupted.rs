@@ -90,7 +90,7 @@ async fn a_study_by_any_method_is_killed_and_resumed_to_the_same_bits() {
     }
 }
 
-/// Without cords the rubber of this tire is blown up without end at 0.125 MPa: its limit point.
+/// Pressure beyond the limit point, MPa: without cords the rubber of this tire is blown up without end at 0.125 MPa.
 const LIMIT_MPA: f64 = 0.1251;
 
 #[tokio::test]

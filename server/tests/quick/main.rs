@@ -11,5 +11,6 @@ mod long_results;
 mod numerics;
 mod own_models;
 mod program;
+mod recorded;
 mod rig_recordings;
 mod told_answers;

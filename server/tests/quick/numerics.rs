@@ -1,4 +1,4 @@
-//! The same program on other numerics: keys differ exactly where numbers do.
+//! Numerics of another machine: keys differ exactly where numbers do.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What `run` says first, and that all of it fits.
+//! Answers that `run` gives first, and that all of it fits.
 
 use serde_json::Value;
 
@@ -7,7 +7,7 @@ use crate::program::{strainsite, text};
 
 /// Columns of everything that is printed.
 const COLUMNS: usize = 100;
-/// Those that ship, with what makes them small: a rough mesh, fewer layouts and films. Every column and every note stays.
+/// Studies that ship, with what makes them small: a rough mesh, fewer layouts and films. Every column and every note stays.
 const SHIPPED: [(&str, &[&str]); 4] = [
     ("foot-tire", &[]),
     ("foot-tire-paper", &[]),
@@ -73,8 +73,6 @@ fn every_shipped_study_is_answered_first_and_fits_a_hundred_columns() {
             answer["verdict"], "unknown",
             "a draft knows no error: {name}"
         );
-        // What serves the comparison with the paper alone stands where the study is the paper's.
-        assert_eq!(told.contains("29.97"), name == "foot-tire-paper", "{told}");
         assert!(
             told.contains("   2= P"),
             "{name}: shared ranks have a sign: {told}"
@@ -164,6 +162,9 @@ fn a_name_that_is_nearly_right_is_put_right() {
     let all = strainsite(folder.path(), &["presets"]);
     for entry in std::fs::read_dir(format!("{REPOSITORY}/studies")).expect("the folder ships") {
         let path = entry.expect("an entry").path();
+        if path.extension().is_none_or(|kind| kind != "toml") {
+            continue;
+        }
         let name = path
             .file_stem()
             .expect("a name")

@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use documents::study::Study;
 use fem_client::closed_form::ClosedFormSolver;
-use placement::study::Study;
 use reqwest::StatusCode;
 
 use crate::app::{Home, study};
@@ -30,7 +30,7 @@ async fn a_queue_of_ten_thousand_studies_takes_more_and_lists_them() {
         .await
         .expect("stops");
     let text = study().to_string();
-    let format = fem_client::document::Format::Json;
+    let format = document::Format::Json;
     let parsed = Study::from_document(&text, format, &|path| Err(path.to_owned())).expect("reads");
     let rows = "with recursive numbers(n) as (select 1 union all select n + 1 from numbers where n < ?1)
         insert into studies (id, name, spec, spec_sha256, state, created)

@@ -9,9 +9,9 @@ use crate::program::service::{Program, draft, integrity};
 use crate::program::{strainsite, text};
 use crate::small_disk::SmallDisk;
 
-/// Far more submissions than a disk of a few megabytes takes.
+/// Submissions far beyond what a disk of a few megabytes takes.
 const MOST: usize = 20_000;
-/// What the service promises, from freed space to the first write.
+/// Time that the service promises, from freed space to the first write.
 const RESUMED: Duration = Duration::from_secs(5);
 
 fn id(study: &Value) -> String {

@@ -1,4 +1,4 @@
-//! What was estimated against what it takes.
+//! Estimates against what the studies take.
 
 use crate::program::{strainsite, text};
 use serde_json::Value;
@@ -11,7 +11,7 @@ const TRIES: usize = 5;
 
 #[test]
 fn studies_take_what_was_estimated_on_a_machine_that_was_measured() {
-    let (_, shipped) = placement::study::presets()[0];
+    let (_, shipped) = documents::study::presets()[0];
     let (spacings, one) = (
         "spacings_deg = [30, 45, 60, 72, 90, 120, 180]",
         "spacings_deg = [60]",
@@ -34,7 +34,8 @@ fn is_within(ratio: &f64) -> bool {
     (1.0 / WITHIN..WITHIN).contains(ratio)
 }
 
-/// What a study takes over what it was expected to take, in a database where a coarse study of the same kind has measured the machine at its present load.
+/// Returns what a study takes over what it was expected to take, in a database where a coarse study of the same kind has measured the machine at its present
+/// load.
 fn ratio(shipped: &str, level: &str) -> f64 {
     let folder = tempfile::tempdir().expect("temp dir");
     let run = |level: &str, greatest: &str| {

@@ -14,7 +14,7 @@ const SLOW: usize = 500;
 const OTHERS: Duration = Duration::from_secs(2);
 /// Headers may take five seconds; a loaded machine may be late.
 const CLOSED: Duration = Duration::from_secs(15);
-/// What a program of this size grows and shrinks by from one request to the next; each of the bodies below is smaller or cut off.
+/// Bytes by which a program of this size grows and shrinks from one request to the next; each of the bodies below is smaller or cut off.
 const FLAT: u64 = 32 << 20;
 
 /// Sends bytes as they are, and gives the answer's status; 0 when there is none.

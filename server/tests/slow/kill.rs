@@ -8,12 +8,12 @@ use serde_json::{Value, json};
 
 /// Kills of one study after the first; each comes a different while after a start.
 const KILLS: u32 = 20;
-/// Far beyond the start of a solve or the end of a process.
+/// Time far beyond the start of a solve or the end of a process.
 const PATIENCE: Duration = Duration::from_secs(60);
 /// Names how many kills there are to be in all.
 const MORE: &str = "STRAINSITE_KILLS";
 
-/// How many kills there are to be, where nobody asks for more.
+/// Returns how many kills there are to be, where nobody asks for more.
 pub fn kills(few: u32) -> u32 {
     std::env::var(MORE).map_or(few, |text| text.parse().expect("a whole number"))
 }

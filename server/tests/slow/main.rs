@@ -1,5 +1,5 @@
-//! What must hold, whatever happens to the process, the disk, the clock or the network: `tests/README.md` lists it case by case. And what an estimate
-//! is worth, beside nothing else but these.
+//! Tests of what must hold, whatever happens to the process, the disk, the clock or the network: `tests/README.md` lists it case by case. And what an
+//! estimate is worth, beside nothing else but these.
 
 #![cfg(target_os = "linux")]
 
@@ -13,7 +13,6 @@ mod disk;
 mod estimates;
 mod hostile;
 mod kill;
-mod migrations;
 mod numbers;
 #[path = "../quick/program/mod.rs"]
 mod program;

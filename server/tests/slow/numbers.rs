@@ -6,9 +6,9 @@ use serde_json::{Value, json};
 
 use crate::app::{App, Home};
 
-/// What stands where the number will be.
+/// Text that stands where the number will be.
 const PLACE: &str = "@number@";
-/// Beyond the range of every field.
+/// Numbers beyond the range of every field.
 const TOO_LARGE: [&str; 3] = ["1e308", "-1e308", "123456789012345678901234567890"];
 /// Zero, as it is read; whether a field may be zero is the field's own business.
 const NOTHING: [&str; 3] = ["1e-400", "-0.0", "-0"];
@@ -128,7 +128,7 @@ fn pointers(problem: &Value) -> Vec<&str> {
         .collect()
 }
 
-/// Refused, and by name: the field's own fault says which numbers it takes.
+/// Checks that a number is refused, and by name: the field's own fault says which numbers it takes.
 fn names(status: StatusCode, problem: &Value, pointer: &str, literal: &str) {
     assert_eq!(
         status,

@@ -12,8 +12,8 @@ use crate::program::service::{Program, sql};
 const CLIENTS: usize = 100;
 /// 3 MB on the wire, far beyond what the service keeps for a client that doesn't read.
 const EVENTS: i64 = 20_000;
-/// For each client: the send buffer, twice 128 kB as the kernel counts, is the kernel's; the program holds a batch of events and what
-/// of it is encoded, less than 100 kB. Five times that is the bound.
+/// Memory for the clients, bytes each: the send buffer, twice 128 kB as the kernel counts, is the kernel's; the program holds a batch of events and
+/// what of it is encoded, less than 100 kB. Five times that is the bound.
 const MEMORY: u64 = CLIENTS as u64 * 500_000;
 
 /// A study that has ended after so many events.

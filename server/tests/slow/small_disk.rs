@@ -6,7 +6,7 @@ use std::process::Command;
 
 use tempfile::TempDir;
 
-/// Unmounted when dropped.
+/// A small disk, unmounted when dropped.
 pub struct SmallDisk {
     folder: TempDir,
 }

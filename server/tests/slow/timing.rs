@@ -1,4 +1,4 @@
-//! How long requests take.
+//! Times of requests.
 
 use std::time::Duration;
 

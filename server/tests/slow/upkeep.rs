@@ -1,14 +1,14 @@
-//! SIGKILL at any moment of a backup, a restore, a vacuum and a migration: the database is whole, and the command can be given again.
+//! SIGKILL at any moment of a backup, a restore and a vacuum: the database is whole, and the command can be given again.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+use sqlx::migrate::Migrator;
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{Connection, SqliteConnection};
 
 use crate::kill::kills;
-use crate::migrations;
 use crate::program::service::integrity;
 use crate::program::{command, strainsite, text};
 
@@ -18,19 +18,20 @@ const KILLS: u32 = 10;
 const TRIES: u32 = 5;
 /// Events of the database, a kilobyte each: so many that no command is over at once.
 const EVENTS: i64 = 3000;
-/// Those of the copy that is restored.
+/// Events of the copy that is restored.
 const OTHERS: i64 = 1000;
 
-/// A database of the first `count` migrations with so many events, and as much space that is free.
-async fn database(path: &Path, count: usize, events: i64) {
+/// A database with so many events, and as much space that is free.
+async fn database(path: &Path, events: i64) {
     let options = SqliteConnectOptions::new()
         .filename(path)
         .create_if_missing(true);
     let mut sql = SqliteConnection::connect_with(&options)
         .await
         .expect("opens");
-    let migrated = migrations::first(count).await.run(&mut sql).await;
-    migrated.expect("migrates");
+    let migrations = Path::new(env!("CARGO_MANIFEST_DIR")).join("../migrations");
+    let migrations = Migrator::new(migrations).await.expect("reads");
+    migrations.run(&mut sql).await.expect("makes the tables");
     for change in [
         "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', '44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a', 'done', 't')",
         &format!(
@@ -125,7 +126,7 @@ async fn killed(folder: &Path, arguments: &[&str], check: impl AsyncFn(u32)) -> 
 async fn a_killed_backup_leaves_no_copy_that_isnt_whole() {
     let folder = tempfile::tempdir().expect("temp dir");
     let folder = folder.path();
-    database(&folder.join("base.db"), usize::MAX, EVENTS).await;
+    database(&folder.join("base.db"), EVENTS).await;
     let backup = ["db", "backup", "copy.db", "--db", "work.db"];
     let copy = folder.join("copy.db");
     let unfinished = killed(folder, &backup, async |kill| {
@@ -144,8 +145,8 @@ async fn a_killed_backup_leaves_no_copy_that_isnt_whole() {
 async fn a_killed_restore_leaves_the_database_before_or_the_copy() {
     let folder = tempfile::tempdir().expect("temp dir");
     let folder = folder.path();
-    database(&folder.join("base.db"), usize::MAX, EVENTS).await;
-    database(&folder.join("copy.db"), usize::MAX, OTHERS).await;
+    database(&folder.join("base.db"), EVENTS).await;
+    database(&folder.join("copy.db"), OTHERS).await;
     let work = folder.join("work.db");
     for more in [&[][..], &["--discard"]] {
         let restore = [&["db", "restore", "copy.db", "--db", "work.db"], more].concat();
@@ -173,43 +174,12 @@ async fn a_killed_restore_leaves_the_database_before_or_the_copy() {
 async fn a_killed_vacuum_leaves_a_whole_database() {
     let folder = tempfile::tempdir().expect("temp dir");
     let folder = folder.path();
-    database(&folder.join("base.db"), usize::MAX, EVENTS).await;
+    database(&folder.join("base.db"), EVENTS).await;
     let vacuum = ["db", "vacuum", "--db", "work.db"];
     let work = folder.join("work.db");
     let unfinished = killed(folder, &vacuum, async |kill| {
         assert_eq!(events(&work).await, EVENTS, "kill {kill}");
         runs(folder, &vacuum);
-        assert_eq!(events(&work).await, EVENTS, "kill {kill}");
-    });
-    assert!(unfinished.await > KILLS / 5);
-}
-
-#[tokio::test(flavor = "multi_thread")]
-async fn a_killed_migration_leaves_a_database_that_can_be_migrated() {
-    let folder = tempfile::tempdir().expect("temp dir");
-    let folder = folder.path();
-    // The first schema that has events.
-    database(&folder.join("base.db"), 4, EVENTS).await;
-    let study = "../../studies/foot-tire.toml";
-    let study = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests")
-        .join(study);
-    let study = study.to_str().expect("UTF-8");
-    // What opens a database, brings it up to date, and ends.
-    let migrate = [
-        "run",
-        study,
-        "--dry-run",
-        "--set",
-        "accuracy.preset=draft",
-        "--db",
-        "work.db",
-    ];
-    let work = folder.join("work.db");
-    let unfinished = killed(folder, &migrate, async |kill| {
-        assert_eq!(events(&work).await, EVENTS, "kill {kill}");
-        runs(folder, &migrate);
-        runs(folder, &["db", "check", "--db", "work.db"]);
         assert_eq!(events(&work).await, EVENTS, "kill {kill}");
     });
     assert!(unfinished.await > KILLS / 5);
@@ -224,7 +194,7 @@ async fn a_killed_prune_leaves_whole_studies() {
     let folder = tempfile::tempdir().expect("temp dir");
     let folder = folder.path();
     let base = folder.join("base.db");
-    database(&base, usize::MAX, EVENTS).await;
+    database(&base, EVENTS).await;
     let options = SqliteConnectOptions::new().filename(&base);
     let mut sql = SqliteConnection::connect_with(&options)
         .await

@@ -17,24 +17,44 @@ let root;
 let studies;
 let sweep;
 
-before(async () => {
-  if (process.env.STRAINSITE_PAGE === undefined) service = await startService();
-  root = process.env.STRAINSITE_PAGE ?? service.url;
-  browser = await openBrowser(SOFTWARE_WEBGL);
-  const { studies: presets } = await json("/v1/presets");
-  const { document } = presets.find(({ name }) => name === "foot-tire");
-  const quick = { ...document, layouts: { spacings_deg: [60, 90], positions: ["crown"], depths_mm: [1] }, method: { kind: "mdrm", nodes: 3, check_points: 2 } };
-  const mapped = { ...quick, candidates: { points: "P1-P5", grid: { circumferential: 21, meridional: 9 } } };
-  // Of the coarse mesh errors are known, of a draft they aren't.
-  const walls = [[3, "coarse"], [2.5, "coarse"], [3.5, "draft"]].map(([wall_mm, preset]) => ({
-    ...mapped, name: `wall ${wall_mm}`, scene: { ...document.scene, geometry: { wall_mm } }, accuracy: { preset },
-  }));
-  studies = [];
-  for (const wall of walls) studies.push((await sent("/v1/studies", wall)).id);
-  const grid = { "geometry.wall_mm": [2.5, 3], "carcass.angle_deg": [50, 60] };
-  sweep = (await sent("/v1/sweeps", { name: "wall and cord", study: { ...quick, name: "draft", accuracy: { preset: "draft" }, candidates: { points: "P1-P5" } }, grid })).id;
-  for (const path of [...studies.map((id) => `/v1/studies/${id}`), `/v1/sweeps/${sweep}`]) await done(path);
-}, { timeout: STUDY_MS });
+before(
+  async () => {
+    if (process.env.STRAINSITE_PAGE === undefined) service = await startService();
+    root = process.env.STRAINSITE_PAGE ?? service.url;
+    browser = await openBrowser(SOFTWARE_WEBGL);
+    const { studies: presets } = await json("/v1/presets");
+    const { document } = presets.find(({ name }) => name === "foot-tire");
+    const quick = {
+      ...document,
+      layouts: { spacings_deg: [60, 90], positions: ["crown"], depths_mm: [1] },
+      method: { kind: "mdrm", nodes: 3, check_points: 2 },
+    };
+    const mapped = { ...quick, candidates: { points: "P1-P5", grid: { circumferential: 21, meridional: 9 } } };
+    // Of the coarse mesh errors are known, of a draft they aren't.
+    const walls = [
+      [3, "coarse"],
+      [2.5, "coarse"],
+      [3.5, "draft"],
+    ].map(([wall_mm, preset]) => ({
+      ...mapped,
+      name: `wall ${wall_mm}`,
+      scene: { ...document.scene, geometry: { wall_mm } },
+      accuracy: { preset },
+    }));
+    studies = [];
+    for (const wall of walls) studies.push((await sent("/v1/studies", wall)).id);
+    const grid = { "geometry.wall_mm": [2.5, 3], "carcass.angle_deg": [50, 60] };
+    sweep = (
+      await sent("/v1/sweeps", {
+        name: "wall and cord",
+        study: { ...quick, name: "draft", accuracy: { preset: "draft" }, candidates: { points: "P1-P5" } },
+        grid,
+      })
+    ).id;
+    for (const path of [...studies.map((id) => `/v1/studies/${id}`), `/v1/sweeps/${sweep}`]) await done(path);
+  },
+  { timeout: STUDY_MS },
+);
 
 after(async () => {
   await browser?.close();
@@ -72,7 +92,10 @@ async function openCompared(query = "", options = WIDE) {
 
 /** The number and its error in a cell of the reading; null where there is a dash. */
 function figures(text) {
-  const numbers = text.replaceAll("−", "-").replace(/[\s\u202f]/g, "").match(/-?\d+(\.\d+)?/g);
+  const numbers = text
+    .replaceAll("−", "-")
+    .replace(/[\s\u202f]/g, "")
+    .match(/-?\d+(\.\d+)?/g);
   return numbers === null ? null : numbers.map(Number);
 }
 
@@ -88,7 +111,7 @@ test("the baseline is in the address and survives a reload", async () => {
   const against = await page.locator(".compared-difference > div").evaluateAll((maps) => maps.map((map) => map.dataset.study));
   assert.deepEqual(against, [studies[0], studies[2]]);
   await page.locator("tr.baseline th").first().filter({ hasText: "wall 2.5" }).waitFor();
-  assert.equal(await page.locator('table.layout-ranks thead th:nth-child(3)').innerText(), "2 baseline");
+  assert.equal(await page.locator("table.layout-ranks thead th:nth-child(3)").innerText(), "2 baseline");
   assert.deepEqual(complaints, []);
   await page.context().close();
 });
@@ -161,8 +184,13 @@ test("a sweep over two fields is a grid, whose cells are reached by the keyboard
   await grid.locator(".figure-coloured").nth(3).waitFor();
   const comparison = await json(`/v1/comparison?sweep=${sweep}`);
   const { designs } = await json(`/v1/sweeps/${sweep}`);
-  const shown = await grid.locator("tbody tr").evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => cell.querySelector("strong")?.innerText ?? cell.innerText)));
-  assert.deepEqual(shown.map(([wall]) => wall), ["2.5", "3"]);
+  const shown = await grid
+    .locator("tbody tr")
+    .evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => cell.querySelector("strong")?.innerText ?? cell.innerText)));
+  assert.deepEqual(
+    shown.map(([wall]) => wall),
+    ["2.5", "3"],
+  );
   for (const { set, study } of designs) {
     const { best } = comparison.studies.find(({ id }) => id === study.id);
     const { gsi_percent } = comparison.rows.find((row) => row.study === study.id && row.location === best).x;
@@ -185,14 +213,18 @@ test("a sweep over two fields is a grid, whose cells are reached by the keyboard
 test("designs are ticked in their table and compared", async () => {
   const { page } = await openPage(browser, WIDE);
   await page.goto(`${root}/#/sweeps/${sweep}`);
-  for (const name of ["Compare wall_mm = 2.5, angle_deg = 50", "Compare wall_mm = 3, angle_deg = 60"]) await page.getByRole("table", { name: "Designs", exact: true }).getByLabel(name).check();
+  for (const name of ["Compare wall_mm = 2.5, angle_deg = 50", "Compare wall_mm = 3, angle_deg = 60"])
+    await page.getByRole("table", { name: "Designs", exact: true }).getByLabel(name).check();
   await page.getByRole("link", { name: "Compare the 2 ticked" }).click();
   await page.getByRole("heading", { name: "Compare 2 studies" }).waitFor();
   await page.getByText("This study asked for no map.").first().waitFor();
   await page.context().close();
 });
 
-for (const [options, colorScheme] of [[WIDE, "light"], [NARROW, "dark"]]) {
+for (const [options, colorScheme] of [
+  [WIDE, "light"],
+  [NARROW, "dark"],
+]) {
   test(`the comparison keeps the rules, ${options.viewport.width} px wide, ${colorScheme}`, async () => {
     const { page, complaints } = await openCompared("&pin=0,0", { ...options, colorScheme });
     assert.deepEqual(await violations(page), []);

@@ -49,9 +49,10 @@ async function runSweep(page, designs) {
 
 /** Texts of the cells of a table, row by row. */
 function cells(page, label) {
-  return page.getByRole("table", { name: label }).locator("tbody tr").evaluateAll((rows) =>
-    rows.map((row) => [...row.cells].map((cell) => cell.innerText.trim())),
-  );
+  return page
+    .getByRole("table", { name: label })
+    .locator("tbody tr")
+    .evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => cell.innerText.trim())));
 }
 
 test("a wrong grid is refused with every fault at its place", async () => {
@@ -96,7 +97,13 @@ test("a sweep runs from its grid to what differs between its designs", { timeout
 
   const designs = await cells(page, "Designs");
   t.diagnostic(designs.map((row) => row.join(" ")).join(" | "));
-  assert.deepEqual(designs.map((row) => row.slice(0, 3)), [["1", "angle_deg = 50", "done"], ["2", "angle_deg = 60", "done"]]);
+  assert.deepEqual(
+    designs.map((row) => row.slice(0, 3)),
+    [
+      ["1", "angle_deg = 50", "done"],
+      ["2", "angle_deg = 60", "done"],
+    ],
+  );
   for (const row of designs) {
     assert.match(row[3], /^\d+\.\d\d$/, "the force");
     assert.match(row[6], /^P\d (un)?certain$/);
@@ -137,7 +144,10 @@ test("a sweep runs from its grid to what differs between its designs", { timeout
   await page.locator("table.ranking").waitFor();
   await page.getByRole("link", { name: "a sweep" }).click();
   await page.getByRole("heading", { name: "cord", level: 1 }).waitFor();
-  assert.ok(requests.every((url) => new URL(url).origin === service.url), requests.join(" "));
+  assert.ok(
+    requests.every((url) => new URL(url).origin === service.url),
+    requests.join(" "),
+  );
   assert.deepEqual(complaints, []);
   await page.context().close();
 });

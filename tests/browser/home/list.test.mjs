@@ -50,7 +50,12 @@ test("the service searches, one question for a word, its letters taken literally
   const box = page.getByLabel("Search the studies by name");
   await box.pressSequentially("WALL 50", { delay: 20 });
   await lists(page, ["wall 500", "wall 50%"]);
-  const asked = new Set(requests.map((url) => new URL(url)).filter(({ pathname }) => pathname === "/v1/studies").map(({ searchParams }) => searchParams.get("search")));
+  const asked = new Set(
+    requests
+      .map((url) => new URL(url))
+      .filter(({ pathname }) => pathname === "/v1/studies")
+      .map(({ searchParams }) => searchParams.get("search")),
+  );
   assert.deepEqual([...asked], [null, "WALL 50"]);
   await box.fill("50%");
   await lists(page, ["wall 50%"]);
@@ -130,14 +135,23 @@ test("a document is written as TOML, its faults said by line and by key", { time
   await showTab(page, "toml");
   assert.match(await toml.inputValue(), /^# mine\n/, "the comment is there");
 
-  await toml.fill("name = \"x\"\nscene = [");
-  await page.locator("#document-faults").getByText(/This is not TOML yet\. Line 2, column \d+/).waitFor();
+  await toml.fill('name = "x"\nscene = [');
+  await page
+    .locator("#document-faults")
+    .getByText(/This is not TOML yet\. Line 2, column \d+/)
+    .waitFor();
   await page.getByRole("button", { name: "Run study" }).click({ force: true });
   await toml.fill(text.replace(/^vary = .*$/m, 'vary = "ground.depth"'));
-  await page.locator("#document-faults code").filter({ hasText: /^inputs\[0\]\.vary$/ }).waitFor();
+  await page
+    .locator("#document-faults code")
+    .filter({ hasText: /^inputs\[0\]\.vary$/ })
+    .waitFor();
   assert.deepEqual(await violations(page), []);
   assert.ok(!requests.slice(asked).some((url) => /\/v1\/studies\/[0-9a-f]/.test(url)), "what is no TOML isn't run");
   const refused = /status of 422/;
-  assert.deepEqual(complaints.filter((line) => !refused.test(line)), []);
+  assert.deepEqual(
+    complaints.filter((line) => !refused.test(line)),
+    [],
+  );
   await page.context().close();
 });

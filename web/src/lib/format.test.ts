@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { ago, bytes, duration, fixed, integer, microstrain, MISSING, moment, percent, rankWords, signed, significant, ticks } from "./format.ts";
+import { ago, bytes, duration, fixed, integer, microstrain, MISSING, moment, percent, rankWords, signed, significant } from "./format.ts";
 
 test("numbers that do not exist are a dash", () => {
   for (const value of [null, undefined, Number.NaN, Number.POSITIVE_INFINITY]) {
@@ -64,19 +64,19 @@ test("a moment today is a time, an older one has its date", () => {
   assert.equal(moment("no time", now), MISSING);
 });
 
-test("ticks are round numbers inside the scale", () => {
-  assert.deepEqual(ticks(0, 1, 5).map((tick) => fixed(tick, 1)), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
-  assert.deepEqual(ticks(-3, 3, 3), [-2, 0, 2]);
-  assert.deepEqual(ticks(2, 2), [2]);
-});
-
 test("a shared rank says so", () => {
   const all = [1, 2, 2, 4].map((rank) => ({ rank }));
-  assert.deepEqual(all.map(({ rank }) => rankWords(rank, all)), ["1", "2=", "2=", "4"]);
+  assert.deepEqual(
+    all.map(({ rank }) => rankWords(rank, all)),
+    ["1", "2=", "2=", "4"],
+  );
 });
 
 test("a moment is as long ago as one unit can say", () => {
   const now = new Date("2026-11-23T12:00:00Z");
   const words = ["2026-11-23T11:59:30Z", "2026-11-23T11:55:00Z", "2026-11-23T09:00:00Z", "2026-11-22T11:00:00Z", "2026-11-13T12:00:00Z", "soon", null];
-  assert.deepEqual(words.map((text) => ago(text, now)), ["just now", "5 min ago", "3 h ago", "yesterday", "10 days ago", "—", "—"]);
+  assert.deepEqual(
+    words.map((text) => ago(text, now)),
+    ["just now", "5 min ago", "3 h ago", "yesterday", "10 days ago", "—", "—"],
+  );
 });

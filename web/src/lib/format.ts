@@ -100,14 +100,3 @@ export function ago(text: string | null, now: Date): string {
   const days = Math.floor(seconds / 86_400);
   return days === 1 ? "yesterday" : `${days} days ago`;
 }
-
-/** Round numbers that divide a scale from low to high into about `count` parts. */
-export function ticks(low: number, high: number, count = 5): number[] {
-  if (!(high > low) || !Number.isFinite(high - low)) return [low];
-  const rough = (high - low) / count;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((factor) => factor * power).find((candidate) => candidate >= rough * 0.999) ?? rough;
-  const first = Math.ceil(low / step - 1e-9);
-  const last = Math.floor(high / step + 1e-9);
-  return Array.from({ length: last - first + 1 }, (_, index) => (first + index) * step);
-}

@@ -28,7 +28,14 @@ test("an address and its view are the same thing", () => {
 
 test("the contract's link opens the map with its direction and input", () => {
   assert.deepEqual(parseRoute("#/studies/42?direction=y&input=P3"), {
-    view: "study", id: "42", section: "tire", direction: "y", quantity: "index", input: "P3", films: null, sight: PLAIN_SIGHT,
+    view: "study",
+    id: "42",
+    section: "tire",
+    direction: "y",
+    quantity: "index",
+    input: "P3",
+    films: null,
+    sight: PLAIN_SIGHT,
   });
 });
 
@@ -36,7 +43,14 @@ test("nonsense falls back to defaults instead of failing", () => {
   assert.deepEqual(parseRoute(""), homeRoute());
   assert.deepEqual(parseRoute("#/nowhere/else"), homeRoute());
   assert.deepEqual(parseRoute("#/studies/%zz?direction=up&quantity=mood"), {
-    view: "study", id: "%zz", section: "tire", direction: "x", quantity: "index", input: null, films: null, sight: PLAIN_SIGHT,
+    view: "study",
+    id: "%zz",
+    section: "tire",
+    direction: "x",
+    quantity: "index",
+    input: null,
+    films: null,
+    sight: PLAIN_SIGHT,
   });
   assert.deepEqual(parseRoute("#/forces/42/nowhere"), homeRoute());
   assert.deepEqual(parseRoute("#/compare"), compareRoute([]));

@@ -35,7 +35,7 @@ export type Section = (typeof SECTIONS)[number];
 
 export type StudyRoute = { view: "study"; id: string; section: Section; films: string | null; sight: Sight } & LayerChoice;
 /** All estimators of forces, and the form of a new one. */
-export type ForcesRoute = { view: "forces" };
+type ForcesRoute = { view: "forces" };
 /** One estimator, with the force that its table and plot are of; its first when none is named. */
 export type EstimatorRoute = { view: "estimator"; id: string; force: string | null };
 export type Route = HomeRoute | SweepRoute | StudyRoute | CompareRoute | ForcesRoute | EstimatorRoute;

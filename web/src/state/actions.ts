@@ -4,8 +4,7 @@ import * as api from "../api.ts";
 import { formatRoute, parseRoute, type Route } from "../lib/route.ts";
 import { createBrowsing, type BrowsingActions } from "./browsing.ts";
 import { createDraftCheck } from "./draft/draft-check.ts";
-import { createEntryList, type EntryList } from "./entry-list.ts";
-import { createEstimatorList, type EstimatorListActions } from "./forces/estimator-list.ts";
+import { createEntryList, createPagedList, type EntryList, type PagedList } from "./entry-list.ts";
 import { createForcesDraft, type ForcesDraftActions } from "./forces/forces-draft.ts";
 import { createOpenEstimator, type OpenEstimatorActions } from "./forces/open-estimator.ts";
 import { createOpenComparison, type OpenComparisonActions } from "./open-comparison.ts";
@@ -33,7 +32,7 @@ export interface Actions {
   openSweep: OpenSweepActions;
   openComparison: OpenComparisonActions;
   browsing: BrowsingActions;
-  estimators: EstimatorListActions;
+  estimators: PagedList;
   forcesDraft: ForcesDraftActions;
   openEstimator: OpenEstimatorActions;
 }
@@ -72,12 +71,12 @@ export function createActions(store: Store): Actions {
   });
   const openSweep = createOpenSweep(store, () => void sweeps.reload());
 
-  const estimators = createEstimatorList(store);
+  const estimators = createPagedList(partOf(store, "estimators"), api.estimators);
   const forcesDraft = createForcesDraft(store, (route) => go(route, estimators));
   const openEstimator = createOpenEstimator(store, () => void estimators.reload());
 
   /** To what was submitted; its list has a new entry. */
-  function go(route: Route, list: Pick<EntryList, "reload">): void {
+  function go(route: Route, list: PagedList): void {
     void list.reload();
     location.hash = formatRoute(route);
   }

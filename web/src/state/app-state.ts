@@ -8,7 +8,21 @@ import type { Page } from "../lib/shell/pages.ts";
 import { parseRoute, type Route } from "../lib/route.ts";
 import type { Progress } from "../lib/study/point-progress.ts";
 import type {
-  Comparison, Estimate, EstimatorDetail, EstimatorSummary, LeftOutRows, Presets, Preview, Report, StudyDetail, StudyResult, StudySummary, SweepDetail, SweepEstimate, SweepSummary, Trade,
+  Comparison,
+  Estimate,
+  EstimatorDetail,
+  EstimatorSummary,
+  LeftOutRows,
+  Presets,
+  Preview,
+  Report,
+  StudyDetail,
+  StudyResult,
+  StudySummary,
+  SweepDetail,
+  SweepEstimate,
+  SweepSummary,
+  Trade,
 } from "../wire.ts";
 import type { Loadable } from "./loadable.ts";
 
@@ -93,7 +107,7 @@ export interface SweepDraft {
   estimated: EstimatedSweep | null;
 }
 
-export interface EstimatedSweep {
+interface EstimatedSweep {
   estimate: SweepEstimate;
   /** Text of the study, to see whether it is still the one. */
   text: string;

@@ -8,7 +8,7 @@ import { answerTo } from "./loadable.ts";
 import { partOf, type Store } from "./store.ts";
 
 /** As many as can be read side by side. */
-export const MOST_COMPARED = 4;
+const MOST_COMPARED = 4;
 /** Documents that are asked for at a time; the list comes again in seconds. */
 const MOST_ASKED = 8;
 /** Long enough that a word is typed in one go. */
@@ -57,7 +57,10 @@ export function createBrowsing(store: Store, renew: () => Promise<void>): Browsi
   async function tellApart(): Promise<void> {
     const { studies } = store.get();
     if (studies.status !== "ready") return;
-    const missing = namesakes(studies.value.entries).flat().filter(({ id }) => !asked.has(id)).slice(0, MOST_ASKED);
+    const missing = namesakes(studies.value.entries)
+      .flat()
+      .filter(({ id }) => !asked.has(id))
+      .slice(0, MOST_ASKED);
     missing.forEach(({ id }) => asked.add(id));
     for (const { id } of missing) {
       const answer = await answerTo(api.study(id));

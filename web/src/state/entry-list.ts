@@ -1,4 +1,4 @@
-/** A list of the sidebar: asked for again and again, its older entries on demand. */
+/** Lists: asked for again and again, their older entries on demand. */
 
 import type { Problem } from "../api.ts";
 import { changedPage, mergePages, type Page } from "../lib/shell/pages.ts";
@@ -6,11 +6,15 @@ import type { EntryChange } from "../wire.ts";
 import { answerTo, type Loadable } from "./loadable.ts";
 import type { Part } from "./store.ts";
 
-export interface EntryList {
+/** A list that comes page by page. */
+export interface PagedList {
   reload(): Promise<void>;
   /** Other entries are looked for: those shown give way when these come. */
   renew(): Promise<void>;
   loadOlder(): Promise<void>;
+}
+
+export interface EntryList extends PagedList {
   /** Removes an entry for good. */
   remove(id: string): Promise<void>;
   /** Renames or archives an entry; why it couldn't be. */
@@ -18,7 +22,7 @@ export interface EntryList {
 }
 
 /** How the service is asked about a list. */
-export interface EntryQuestions<T> {
+interface EntryQuestions<T> {
   page(cursor: string | null): Promise<Page<T>>;
   remove(id: string): Promise<unknown>;
   change(id: string, change: EntryChange): Promise<T>;
@@ -26,7 +30,9 @@ export interface EntryQuestions<T> {
   isListed(entry: T): boolean;
 }
 
-export function createEntryList<T extends { id: string }>(list: Part<Loadable<Page<T>>>, ask: EntryQuestions<T>): EntryList {
+type ListPart<T> = Part<Loadable<Page<T>>>;
+
+export function createPagedList<T extends { id: string }>(list: ListPart<T>, ask: (cursor: string | null) => Promise<Page<T>>): PagedList {
   /** How often other entries were looked for, and of which time those shown are. */
   let looked = 0;
   let shownOf = 0;
@@ -34,7 +40,7 @@ export function createEntryList<T extends { id: string }>(list: Part<Loadable<Pa
   /** Asks for a page and puts it together with what is shown when it comes. */
   async function load(cursor: string | null, together: (page: Page<T>, shown: Page<T>) => Page<T>): Promise<void> {
     const mine = looked;
-    const answer = await answerTo(ask.page(cursor));
+    const answer = await answerTo(ask(cursor));
     if (mine !== looked) return;
     const shown = list.get();
     const both = answer.status === "ready" && shown.status === "ready" && shownOf === mine;
@@ -55,6 +61,13 @@ export function createEntryList<T extends { id: string }>(list: Part<Loadable<Pa
     return reload();
   }
 
+  return { reload, renew, loadOlder };
+}
+
+/** One whose entries can be renamed, archived and removed. */
+export function createEntryList<T extends { id: string }>(list: ListPart<T>, ask: EntryQuestions<T>): EntryList {
+  const paged = createPagedList(list, ask.page);
+
   /** An entry beyond the first page isn't in the next answer. */
   function show(id: string, changed: T | null): void {
     const shown = list.get();
@@ -65,16 +78,16 @@ export function createEntryList<T extends { id: string }>(list: Part<Loadable<Pa
     const answer = await answerTo(ask.remove(id));
     if (answer.status === "failed") return list.set(answer);
     show(id, null);
-    await reload();
+    await paged.reload();
   }
 
   async function change(id: string, change: EntryChange): Promise<Problem | null> {
     const answer = await answerTo(ask.change(id, change));
     if (answer.status === "failed") return answer.problem;
     show(id, ask.isListed(answer.value) ? answer.value : null);
-    void reload();
+    void paged.reload();
     return null;
   }
 
-  return { reload, renew, loadOlder, remove, change };
+  return { ...paged, remove, change };
 }

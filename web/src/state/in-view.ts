@@ -50,3 +50,29 @@ export function createInView<T extends { id: string }>(part: Part<T | null>, { b
 
   return { get: part.get, edit, isOpen, open, close, reopen };
 }
+
+/** Asks for what is in view again and again, while somebody looks. */
+interface Polling {
+  /** Once more, after a while. */
+  again(id: string): void;
+  end(): void;
+}
+
+export function createPolling(ask: (id: string) => Promise<void>, pause_ms: number): Polling {
+  let timer: number | null = null;
+
+  function end(): void {
+    if (timer !== null) window.clearTimeout(timer);
+    timer = null;
+  }
+
+  function again(id: string): void {
+    end();
+    timer = window.setTimeout(() => {
+      if (document.visibilityState === "visible") void ask(id);
+      else again(id);
+    }, pause_ms);
+  }
+
+  return { again, end };
+}

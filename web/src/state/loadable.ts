@@ -1,10 +1,7 @@
 import { problemOf, type Problem } from "../api.ts";
 
 /** Something that is asked for: not here yet, here, or refused. */
-export type Loadable<T> =
-  | { status: "loading" }
-  | { status: "ready"; value: T }
-  | { status: "failed"; problem: Problem };
+export type Loadable<T> = { status: "loading" } | { status: "ready"; value: T } | { status: "failed"; problem: Problem };
 
 /** What became of a question to the service. */
 export async function answerTo<T>(question: Promise<T>): Promise<Exclude<Loadable<T>, { status: "loading" }>> {

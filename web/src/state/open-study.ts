@@ -92,9 +92,7 @@ export function createOpenStudy(store: Store, onChanged: () => void): OpenStudyA
 
   function takeEvent(id: string, event: StudyEvent): void {
     const now_ms = Date.now();
-    inView.edit(id, (study) =>
-      study.progress === null ? study : { ...study, progress: advance(study.progress, event, now_ms) },
-    );
+    inView.edit(id, (study) => (study.progress === null ? study : { ...study, progress: advance(study.progress, event, now_ms) }));
     // What the study is expected to take is stored when it starts.
     if (event.kind === "started") refresh();
     finishIfOver(id);

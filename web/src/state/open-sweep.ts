@@ -4,7 +4,7 @@ import * as api from "../api.ts";
 import { isOver } from "../lib/study/point-progress.ts";
 import type { SweepDetail } from "../wire.ts";
 import { openedSweep, type OpenSweep } from "./app-state.ts";
-import { createInView, type InView } from "./in-view.ts";
+import { createInView, createPolling, type InView } from "./in-view.ts";
 import { answerTo } from "./loadable.ts";
 import { partOf, type Store } from "./store.ts";
 
@@ -21,7 +21,7 @@ export interface OpenSweepActions extends Pick<InView<OpenSweep>, "open" | "clos
 
 export function createOpenSweep(store: Store, onChanged: () => void): OpenSweepActions {
   const inView = createInView(partOf(store, "openSweep"), { begin: openedSweep, load, stop });
-  let timer: number | null = null;
+  const polling = createPolling(load, POLL_MS);
   let comparing = false;
   /** What the comparison in view was made of. */
   let compared = "";
@@ -35,13 +35,8 @@ export function createOpenSweep(store: Store, onChanged: () => void): OpenSweepA
   }
 
   function stop(): void {
-    endPolling();
+    polling.end();
     [compared, comparedFrom, restUntil_ms] = ["", null, 0];
-  }
-
-  function endPolling(): void {
-    if (timer !== null) window.clearTimeout(timer);
-    timer = null;
   }
 
   async function load(id: string): Promise<void> {
@@ -61,12 +56,7 @@ export function createOpenSweep(store: Store, onChanged: () => void): OpenSweepA
 
   function pollUnlessOver(id: string): void {
     const sweep = inView.get();
-    if (sweep?.id !== id || sweep.detail.status !== "ready" || isOver(sweep.detail.value.state)) return;
-    endPolling();
-    timer = window.setTimeout(() => {
-      if (document.visibilityState === "visible") void load(id);
-      else pollUnlessOver(id);
-    }, POLL_MS);
+    if (sweep?.id === id && sweep.detail.status === "ready" && !isOver(sweep.detail.value.state)) polling.again(id);
   }
 
   /** Asks for the comparison when there are more results than it has, or another baseline is chosen. */

@@ -1,4 +1,4 @@
-//! What a layer's nodes make of their sums z, and what a change of that means for the sums.
+//! Activations: what a layer's nodes make of their sums z, and what a change of that means for the sums.
 
 use crate::recipe::Activation;
 
@@ -21,7 +21,7 @@ pub fn activate(activation: Activation, z: &mut [f64]) {
     }
 }
 
-/// From the loss's derivatives by a row's values to those by its sums, in place; `values` are the nodes' values.
+/// Turns the loss's derivatives by a row's values into those by its sums, in place; `values` are the nodes' values.
 pub fn by_sums(activation: Activation, values: &[f64], derivatives: &mut [f64]) {
     let slope = |value: f64| match activation {
         Activation::Linear | Activation::Softmax => 1.0,

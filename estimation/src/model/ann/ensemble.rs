@@ -15,13 +15,13 @@ use crate::model::even_subset::even_subset;
 use crate::model::training_mean::mean_and_deviation;
 use crate::recipe::{Activation, AnnSettings, Loss};
 
-/// One cycle in so many tells when to stop.
+/// Number of cycles of which one tells when to stop.
 const STOPPING_SHARE: usize = 5;
 /// Looks without a new least error, after which training stops.
 const PATIENCE: usize = 30;
 /// Most rows: an even subset of more.
 const MOST_ROWS: usize = 6000;
-/// The same of folds, and their iterations. Their networks are as many: the deviation holds how much they differ.
+/// Rows of folds at most, and their iterations. Their networks are as many: the deviation holds how much they differ.
 const FOLD_ROWS: usize = 1000;
 const FOLD_ITERATIONS: usize = 100;
 /// Activations with an end reach it at infinity: forces stay within so much of it.

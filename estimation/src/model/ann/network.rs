@@ -19,11 +19,11 @@ const LARGEST_EXPONENT: f64 = 50.0;
 pub struct Shape {
     /// Nodes of each layer, the features first, one node last.
     pub sizes: Vec<usize>,
-    /// Of hidden layers.
+    /// Activation of hidden layers.
     pub hidden: Activation,
-    /// Of the last layer.
+    /// Activation of the last layer.
     pub output: Activation,
-    /// What training makes small.
+    /// Loss that training makes small.
     pub loss: Loss,
     /// Weight of the squared weights.
     pub decay: f64,
@@ -37,7 +37,7 @@ pub struct Network<'s> {
 }
 
 impl Shape {
-    /// How many weights there are.
+    /// Counts the weights.
     pub fn weights(&self) -> usize {
         self.sizes
             .windows(2)
@@ -62,7 +62,7 @@ impl Shape {
         weights
     }
 
-    /// Where each layer's weights and biases begin.
+    /// Returns the places where each layer's weights and biases begin.
     fn layers(&self) -> Vec<(usize, usize, usize)> {
         let mut begin = 0;
         let layer = |pair: &[usize]| {

@@ -16,13 +16,13 @@ use crate::model::even_subset::even_subset;
 
 /// Rows on which starts are compared.
 const SCREENED_ROWS: usize = 150;
-/// How far a start is followed there.
+/// Limits to which a start is followed there.
 const SCREENED: Patience = Patience {
     iterations: 20,
     gradient: 1e-2,
     change: 1e-4,
 };
-/// How far the best is followed on all rows.
+/// Limits to which the best is followed on all rows.
 const FOLLOWED: Patience = Patience {
     iterations: 100,
     gradient: 1e-5,
@@ -57,7 +57,7 @@ impl Default for Bounds {
     }
 }
 
-/// What is searched, and how.
+/// Scope of the search, and how it is done.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Search {
     /// Whether each feature has a length of its own.
@@ -66,7 +66,7 @@ pub struct Search {
     pub line: bool,
     /// Starts.
     pub restarts: usize,
-    /// Of the starts that are drawn.
+    /// Seed of the starts that are drawn.
     pub seed: u64,
     /// Ranges.
     pub bounds: Bounds,

@@ -22,7 +22,7 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// From the logarithms of variance, lengths, noise, and line where there is one, in this order.
+    /// Makes a kernel from the logarithms of variance, lengths, noise, and line where there is one, in this order.
     pub fn from_logs(logs: &[f64], line: bool) -> Self {
         let numbers: Vec<f64> = logs.iter().map(|x| x.exp()).collect();
         let noise = numbers.len() - 1 - usize::from(line);

@@ -14,7 +14,7 @@ use super::row_pairs::RowPairs;
 pub struct Likelihood {
     /// log p(y | X)
     pub value: f64,
-    /// By the logarithms of variance, each length, noise, and line where there is one.
+    /// Gradient by the logarithms of variance, each length, noise, and line where there is one.
     pub gradient: Vec<f64>,
 }
 

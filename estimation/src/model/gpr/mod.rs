@@ -43,7 +43,7 @@ use crate::recipe::{GprSettings, Lengths};
 
 /// Rows whose posterior gives the deviation: half a megabyte of factor, which stays in a core's cache.
 const DEVIATION_ROWS: usize = 360;
-/// The same of folds: rows of the search, rows conditioned on, starts.
+/// Sizes for folds: rows of the search, rows conditioned on, starts.
 const FOLD_SEARCH_ROWS: usize = 250;
 const FOLD_ROWS: usize = 800;
 const FOLD_RESTARTS: usize = 6;
@@ -57,7 +57,7 @@ pub struct Gpr {
     kernel: Kernel,
     rows: PointRows,
     alpha: Vec<f64>,
-    /// Of the even subset; made anew when the model is read.
+    /// Posterior of the even subset; made anew when the model is read.
     #[serde(skip)]
     spread: Option<Posterior>,
 }

@@ -15,7 +15,7 @@ pub struct PointRows {
 }
 
 impl PointRows {
-    /// From rows x features.
+    /// Copies rows x features.
     pub fn from_rows(rows: &ArrayView2<f64>) -> Self {
         Self {
             rows: rows.nrows(),
@@ -23,7 +23,7 @@ impl PointRows {
         }
     }
 
-    /// How many rows there are.
+    /// Counts the rows.
     pub fn len(&self) -> usize {
         self.rows
     }
@@ -33,7 +33,7 @@ impl PointRows {
         self.rows == 0
     }
 
-    /// How many features there are.
+    /// Counts the features.
     pub fn features(&self) -> usize {
         self.columns.len().checked_div(self.rows).unwrap_or(0)
     }

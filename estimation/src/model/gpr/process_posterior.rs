@@ -1,4 +1,4 @@
-//! What training rows say of new rows, and of themselves when they are left out.
+//! Posterior of a process: what training rows say of new rows, and of themselves when they are left out.
 
 use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
 use faer::{Col, Side};
@@ -77,7 +77,7 @@ impl Posterior {
         (kernel.prior(point) - known).max(0.0) + kernel.noise
     }
 
-    /// What the other rows say of each row: mean y_i - alpha_i / (K^-1)_ii, variance 1 / (K^-1)_ii (eqs. 5.12).
+    /// Predicts each row from the other rows: mean y_i - alpha_i / (K^-1)_ii, variance 1 / (K^-1)_ii (eqs. 5.12).
     pub fn left_out(&self) -> Vec<Prediction> {
         let inverse = self.llt.inverse();
         let of_row = |(i, (y, alpha)): (usize, (&f64, &f64))| Prediction {

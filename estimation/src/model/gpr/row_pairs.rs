@@ -15,7 +15,7 @@ pub struct RowPairs<'r> {
 }
 
 impl<'r> RowPairs<'r> {
-    /// Of all rows.
+    /// Pairs all rows.
     pub fn new(rows: &'r PointRows) -> Self {
         let n = rows.len();
         let (mut squares, mut products) = (Mat::zeros(n, n), Mat::zeros(n, n));

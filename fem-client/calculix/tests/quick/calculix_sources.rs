@@ -1,4 +1,4 @@
-//! What the version of a CalculiX point stands for: the sources of deck, tire and kernel, and nothing beside them.
+//! Version of a CalculiX point: it stands for the sources of deck, tire and kernel, and for nothing beside them.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;

@@ -1,4 +1,4 @@
-//! What holds without an installed CalculiX.
+//! Tests without an installed CalculiX.
 
 #[cfg(unix)]
 mod calculix_sources;

@@ -61,8 +61,8 @@ pub fn graded(start: f64, end: f64, n: usize, growth: f64) -> Vec<f64> {
     edges
 }
 
-/// These edges with one at each end of the interval from `low` to `high`, and the intervals between no longer than `most`; all in the edges' unit. Edges at zero and at
-/// both ends stay; the others make room.
+/// Returns these edges with one at each end of the interval from `low` to `high`, and the intervals between no longer than `most`; all in the edges' unit.
+/// Edges at zero and at both ends stay; the others make room.
 pub fn fitted(edges: &[f64], [low, high]: [f64; 2], most: f64) -> Vec<f64> {
     let (first, last) = (edges[0], edges[edges.len() - 1]);
     let inside = |target: &f64| first < *target && *target < last && *target != 0.0;

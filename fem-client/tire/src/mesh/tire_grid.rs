@@ -12,7 +12,7 @@ use fem::cell::mesh::Mesh;
 
 use crate::mesh::grid_lines::{fitted, graded, half_circle, layers, split};
 
-/// How finely a tire is meshed.
+/// Fineness of a tire's mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshPlan {
     /// Element order.
@@ -54,21 +54,21 @@ pub struct TireShape {
     pub carcass: Option<f64>,
 }
 
-/// Which part of the tire is meshed, small to large.
+/// Part of the tire that is meshed, small to large.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Extent {
     /// y >= 0 and x >= 0.
     Quarter,
     /// y >= 0, all around the wheel.
     Half,
-    /// All of it: for films that lie askew across the middle plane.
+    /// The whole wheel, for films that lie askew across the middle plane.
     Full,
 }
 
 /// A part of the inner surface that asks for lines of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Patch {
-    /// Its ends around the wheel and along the section, rad.
+    /// Ends around the wheel and along the section, rad.
     pub(crate) ends: [[f64; 2]; 2],
     /// Largest bricks in it, rad.
     pub(crate) most: [f64; 2],
@@ -87,7 +87,7 @@ pub(crate) fn turned(ends: [f64; 2], k: usize) -> impl Iterator<Item = [f64; 2]>
 pub struct TireGrid {
     /// Element order.
     pub order: Order,
-    /// Which part is meshed.
+    /// Part that is meshed.
     pub extent: Extent,
     /// Dimensions.
     pub shape: TireShape,
@@ -130,8 +130,8 @@ impl TireGrid {
         }
     }
 
-    /// This grid with lines at the ends of these wheel and section angles, rad, and bricks between them no larger than that; without lines at the ends where
-    /// they don't fit anything.
+    /// Returns this grid with lines at the ends of these wheel and section angles, rad, and bricks between them no larger than that; without lines at the
+    /// ends where they don't fit anything.
     pub(crate) fn around(mut self, patch: &Patch) -> Self {
         for k in 0..2 {
             for ends in turned(patch.ends[k], k) {
@@ -287,11 +287,11 @@ fn both_sides(edges: &[f64]) -> Vec<f64> {
 /// Nodes with supports.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct HeldNodes {
-    /// Clamped.
+    /// Clamped nodes.
     pub bead: Vec<u32>,
-    /// In the plane y = 0.
+    /// Nodes in the plane y = 0.
     pub middle_plane: Vec<u32>,
-    /// In the plane x = 0.
+    /// Nodes in the plane x = 0.
     pub cross_plane: Vec<u32>,
 }
 

@@ -1,4 +1,4 @@
-//! What the model of a scene has, and what it leaves out.
+//! Choices of a scene's model: what it has, and what it leaves out.
 
 use fem::cell::element::Order;
 use fem_client::scene::{Film, Scene};
@@ -18,7 +18,7 @@ fn choice(what: &str, why: String) -> Choice {
     }
 }
 
-/// What is modelled, with reasons.
+/// Returns what is modelled, with reasons.
 pub(super) fn modelled(scene: &Scene, grid: &TireGrid) -> Vec<Choice> {
     let element = element(grid.order);
     let volume = compressibility(scene.material.d1_per_mpa);
@@ -113,7 +113,7 @@ fn compressibility(d1_per_mpa: f64) -> String {
     }
 }
 
-/// What is left out, with reasons; the effect is known where it is nothing.
+/// Returns what is left out, with reasons; the effect is known where it is nothing.
 pub(super) fn left_out(scene: &Scene, extent: Extent) -> Vec<Choice> {
     let exact = |what: &str, why: &str| Choice {
         what: what.into(),

@@ -14,12 +14,12 @@ const RIGID: f64 = 1e4;
 /// Fewest spans across a film.
 const FEWEST_SPANS: usize = 4;
 
-/// Where a film lies: a rectangle in lengths along the circumference and the section, turned by less than an eighth of a turn.
+/// Place of a film: a rectangle in lengths along the circumference and the section, turned by less than an eighth of a turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place {
     /// Wheel and section angle of its middle, rad.
     pub(crate) middle: [f64; 2],
-    /// From the rectangle's first side to the circumference, rad, -pi/4 to pi/4.
+    /// Angle from the rectangle's first side to the circumference, rad, -pi/4 to pi/4.
     turn: f64,
     /// Half of its sides, mm.
     half: [f64; 2],
@@ -104,7 +104,7 @@ impl Place {
         ]
     }
 
-    /// Its ends around the wheel and along the section, rad, in the part that a mesh of this extent has.
+    /// Returns the ends around the wheel and along the section, rad, in the part that a mesh of this extent has.
     fn ends(&self, extent: Extent) -> [[f64; 2]; 2] {
         let across = match extent {
             Extent::Full => self.middle[1],
@@ -114,7 +114,7 @@ impl Place {
         [0, 1].map(|k| [middle[k] - reach[k], middle[k] + reach[k]])
     }
 
-    /// What it asks of the grid of a level: lines at its ends, and so many bricks across it.
+    /// Returns what the film asks of the grid of a level: lines at its ends, and so many bricks across it.
     pub(crate) fn patch(&self, level: Level, extent: Extent) -> Patch {
         let bricks = match level {
             Level::Draft | Level::Coarse => 2.0,
@@ -127,7 +127,7 @@ impl Place {
         }
     }
 
-    /// Its outline on a grid, with spans no larger than the faces under it.
+    /// Returns the outline on a grid, with spans no larger than the faces under it.
     fn outline(&self, grid: &TireGrid) -> Outline {
         let mirror = |k: usize, meshed: bool| (!meshed && self.is_symmetric(k)).then_some(k);
         let ends = self.ends(grid.extent);

@@ -12,7 +12,7 @@ struct Parts {
 }
 
 impl Parts {
-    /// `None` when there are fewer values than the parts have.
+    /// Splits the values into parts; `None` when there are fewer values than the parts have.
     fn of(flat: &[f64], film: usize, pressures: usize) -> Option<Self> {
         let film_ends = flat.len().checked_sub(pressures)?;
         let film_begins = film_ends.checked_sub(3 * film)?;

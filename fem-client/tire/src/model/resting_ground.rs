@@ -63,8 +63,9 @@ fn deepest(scene: &Scene) -> f64 {
     0.5 * scene.geometry.section_radius_mm
 }
 
-/// About the load that a millimetre of depth adds, N/mm: the patch in which two circles meet a plane grows by 2 pi sqrt(R r) mm^2 per mm, and two fifths of
-/// what the pressure and the bending wall bear there reach the ground. On the reference tire it is within a half to twice of the truth from 1 to 30 N.
+/// Estimates the load that a millimetre of depth adds, N/mm: the patch in which two circles meet a plane grows by 2 pi sqrt(R r) mm^2 per mm, and two
+/// fifths of what the pressure and the bending wall bear there reach the ground. On the reference tire it is within a half to twice of the truth from 1 to
+/// 30 N.
 fn load_per_mm(scene: &Scene) -> f64 {
     let geometry = &scene.geometry;
     let slenderness = geometry.wall_mm / geometry.section_radius_mm;

@@ -18,7 +18,7 @@ use crate::mesh::tire_grid::{Extent, MeshPlan, TireGrid};
 pub struct TireModel {
     /// The boundary value problem.
     pub problem: Problem,
-    /// Its grid.
+    /// Grid of the mesh.
     pub grid: TireGrid,
     /// Chart of the inner surface.
     pub chart: Chart,
@@ -64,7 +64,7 @@ impl TireModel {
         self.problem.sheet.as_ref()
     }
 
-    /// What is modelled and what is left out, with reasons.
+    /// Returns what is modelled and what is left out, with reasons.
     pub fn summary(&self, scene: &Scene, dofs: usize) -> ModelSummary {
         let dimension = match self.grid.extent {
             Extent::Full => "3d",

@@ -1,4 +1,4 @@
-//! What films give at an equilibrium: the glued one, and those that would follow the bare wall.
+//! Signals of films at an equilibrium: of the glued one, and of those that would follow the bare wall.
 
 use fem::problem::State;
 use fem::surface::sheet::{Sheet, SheetPoint};
@@ -7,7 +7,7 @@ use fem_client::solver::{Extremes, FilmMeans, FilmSignal, FilmState};
 
 use crate::model::{Place, TireModel, following_film};
 
-/// What the glued film gives, and the extremes over its integration points.
+/// Returns what the glued film gives, and the extremes over its integration points.
 pub(super) fn glued(scene: &Scene, model: &TireModel, states: [&State; 2]) -> Option<FilmState> {
     let film = scene.film.as_ref()?;
     let sheet = model.film()?;
@@ -27,16 +27,13 @@ pub(super) fn glued(scene: &Scene, model: &TireModel, states: [&State; 2]) -> Op
     Some(FilmState {
         stretch: stretches.into(),
         tension_n_per_mm: tensions.into(),
-        signal: Some(FilmSignal::of(
-            film,
-            &means(sheet, turned, &points, Some(folds)),
-        )),
+        signal: FilmSignal::of(film, &means(sheet, turned, &points, Some(folds))),
         bare: None,
         error: None,
     })
 }
 
-/// What a film without stiffness gives.
+/// Returns what a film without stiffness gives.
 pub(super) fn following(film: &Film, model: &TireModel, states: [&State; 2]) -> FilmSignal {
     let sheet = following_film(film, &model.grid, &model.problem.mesh);
     let points = states.map(|state| sheet.points_of(&sheet.following(&state.displacement)));
@@ -52,7 +49,7 @@ impl Turned {
         Self(Place::of(film, &model.grid.shape).is_crosswise)
     }
 
-    /// Along the film's length, across, and in shear.
+    /// Turns a strain to components along the film's length, across, and in shear.
     fn strain(self, [a, b, c]: &[f64; 3]) -> [f64; 3] {
         if self.0 { [*b, *a, -c] } else { [*a, *b, *c] }
     }

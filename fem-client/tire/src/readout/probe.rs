@@ -20,7 +20,7 @@ pub struct States {
 }
 
 impl States {
-    /// What a film glued on in the inflated state feels along a material line at this angle (rad) to s1.
+    /// Returns the signal of a film glued on in the inflated state along a material line at this angle (rad) to s1.
     pub fn signal(&self, angle: f64) -> f64 {
         self.current.along(angle) / self.inflated.along(angle) - 1.0
     }
@@ -39,7 +39,7 @@ impl States {
 pub struct Estimate {
     /// Recovered value.
     pub value: f64,
-    /// Its error, absolute.
+    /// Error of the value, absolute.
     pub error: f64,
 }
 

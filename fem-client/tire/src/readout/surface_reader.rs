@@ -20,7 +20,7 @@ use fem_client::solver::{
 /// Bound of the exponent n in "reaction proportional to depth^n": 1 for a membrane under pressure, 1.5 for a Hertz sphere.
 const DEPTH_EXPONENT: f64 = 1.5;
 
-/// What the state doesn't show: the solver's part of a response, field by field as in [`Response`].
+/// Diagnostics that the state doesn't show: the solver's part of a response, field by field as in [`Response`].
 pub struct Diagnostics {
     /// Largest |J - 1| of an element's mean.
     pub max_volume_change: f64,
@@ -28,7 +28,7 @@ pub struct Diagnostics {
     pub newton_iterations: usize,
     /// Residual norms, one list per load step.
     pub residual_history: Vec<Vec<f64>>,
-    /// What was modelled.
+    /// Model that was solved.
     pub model: ModelSummary,
     /// Friction's force on the meshed part along x and y, N.
     pub friction_n: [f64; 2],
@@ -79,7 +79,7 @@ impl<'m> Reader<'m> {
         Response {
             reaction_n: force_n[2],
             force_n: Some(force_n),
-            depth_mm: Some(self.depth()),
+            depth_mm: self.depth(),
             error: self.error(&locations),
             locations,
             section: Section {
@@ -113,7 +113,7 @@ impl<'m> Reader<'m> {
         }
     }
 
-    /// What presses on the meshed part, without friction.
+    /// Returns what presses on the meshed part, without friction.
     fn pressing(&self) -> ContactResultant {
         let (Some(contact), Some(ground)) = (&self.model.problem.contact, &self.loads.ground)
         else {
@@ -134,7 +134,7 @@ impl<'m> Reader<'m> {
         }
     }
 
-    /// Of the ground at the contact centre, mm.
+    /// Returns the depth of the ground at the contact centre, mm.
     fn depth(&self) -> f64 {
         let ground = self.loads.ground.as_ref();
         ground.map_or(0.0, |ground| ground.height(0.0)[0] - ground.base)
@@ -285,7 +285,7 @@ impl<'m> Reader<'m> {
         }
     }
 
-    /// Where the points of a map lie in the equilibrium.
+    /// Returns the places of a map's points in the equilibrium.
     fn positions(&self, grid: &Grid) -> Vec<f64> {
         let (theta_deg, phi_deg) = self.map_lines(grid);
         let points = phi_deg
@@ -352,7 +352,7 @@ impl<'m> Reader<'m> {
     }
 }
 
-/// Rounded to a picometre, far below the solver's tolerance: the text of a map is shorter by a third of its shape.
+/// Rounds to a picometre, far below the solver's tolerance: the text of a map is shorter by a third of its shape.
 fn to_picometre(length_mm: f64) -> f64 {
     (length_mm * 1e9).round() / 1e9
 }

@@ -1,4 +1,4 @@
-//! One solve on its way: a scene's model, its Newton method, and the loads they meet.
+//! A solve on its way: a scene's model, its Newton method, and the loads they meet.
 //!
 //! - `told_solve`: tells whoever watches how far it is
 
@@ -105,7 +105,7 @@ impl Session<'_> {
     }
 }
 
-/// Of all stations, mm.
+/// Returns the mean depth of all stations, mm.
 fn mean_depth(ground: &HeightField) -> f64 {
     ground.depths.iter().sum::<f64>() / ground.depths.len() as f64
 }

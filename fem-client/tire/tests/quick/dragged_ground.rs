@@ -18,7 +18,7 @@ static RUNNING: AtomicBool = AtomicBool::new(false);
 const FRICTION: f64 = 0.5;
 /// Newton stops at 1e-8 of the forces, which leaves 1e-8 in a strain at a time; friction adds up what is left in each of the two dozen steps.
 const STRAIN: f64 = 1e-6;
-/// Of the forces, relative to the reaction, for the same reason.
+/// Tolerance of the forces, relative to the reaction, for the same reason.
 const FORCE: f64 = 1e-5;
 
 fn dragged(depths: [f64; 5], shift: [f64; 2]) -> Scene {
@@ -104,7 +104,7 @@ fn ground_that_is_not_dragged_pulls_nothing() {
     );
 }
 
-/// Solved from nothing each, on the half tire.
+/// Mirrored shifts, solved from nothing each, on the half tire.
 #[test]
 fn a_mirrored_shift_gives_mirrored_strains_and_the_opposite_pull() {
     let ahead = solve(&dragged([1.2, 1.0, 0.9, 1.1, 0.8], [0.3, 0.0]));
@@ -164,7 +164,7 @@ fn a_shift_across_swaps_the_sides_of_the_section() {
     assert!((near[1] - far[1]).abs() > 0.001, "{near:?} {far:?}");
 }
 
-/// From one start mirrored grounds are solved once, and no ground answers for one that is dragged elsewhere.
+/// Mirrored grounds are solved once from one start, and no ground answers for one that is dragged elsewhere.
 #[test]
 fn only_the_mirror_image_is_taken_for_a_dragged_ground() {
     let solver = EmbeddedSolver::default();
@@ -222,7 +222,7 @@ fn ground_that_presses_with_a_force_keeps_it() {
     assert!(x > 1.0 && x < 13.0 * FRICTION, "{x} N");
 }
 
-/// What the ground pulls, the bead holds: its reactions come from all of the body's stresses, the pull from the springs of friction.
+/// The bead holds what the ground pulls: its reactions come from all of the body's stresses, the pull from the springs of friction.
 #[test]
 fn the_bead_holds_what_the_ground_pulls() {
     for (shift, axis) in [([0.3, 0.0], 0), ([0.0, 0.3], 1)] {

@@ -8,11 +8,11 @@ use tire::embedded::EmbeddedSolver;
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 
-/// What is asked of the force, relative.
+/// Tolerance of the force, relative.
 const FORCE: f64 = 1e-6;
-/// What an equilibrium to 1e-8 of the forces that meet at the nodes, some hundreds of N, may lack of a force that nobody asked for, N.
+/// Residual of an equilibrium to 1e-8 of the forces that meet at the nodes, some hundreds of N: what it may lack of a force that nobody asked for, N.
 const RESIDUAL: f64 = 1e-5;
-/// What a force off by that may change in a strain: strains are below 0.3, and grow at most as fast as the force.
+/// Change of a strain that a force off by that may make: strains are below 0.3, and grow at most as fast as the force.
 const STRAIN: f64 = 1e-6;
 
 fn foot_tire(level: Level) -> Scene {
@@ -37,10 +37,10 @@ fn solve(scene: &Scene, start: Option<&StartState>) -> Result<Solved, SolveError
     })
 }
 
-/// At the depth of an answer.
+/// Solves at the depth of an answer.
 fn to_its_depth(scene: &Scene, response: &Response) -> Solved {
     let mut scene = scene.clone();
-    let depth = response.depth_mm.expect("every answer has one");
+    let depth = response.depth_mm;
     scene.ground = scene.ground.at_depths(vec![depth; scene.ground.stations]);
     solve(&scene, None).expect("the equilibrium that was found by force")
 }
@@ -84,7 +84,7 @@ fn a_force_gives_the_equilibrium_of_its_depth_in_as_many_iterations() {
 #[test]
 fn no_force_is_the_inflated_tire_on_ground_that_touches() {
     let solved = solve(&loaded(Level::Draft, 0.0), None).expect("an equilibrium");
-    assert_eq!(solved.response.depth_mm, Some(0.0));
+    assert_eq!(solved.response.depth_mm, 0.0);
     assert!(solved.response.reaction_n.abs() < 1e-9);
     assert!(
         solved

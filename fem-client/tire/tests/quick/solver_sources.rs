@@ -1,4 +1,4 @@
-//! What the solver's version stands for: the sources of `fem` and `tire`, and nothing beside them.
+//! Version of the solver: it stands for the sources of `fem` and `tire`, and for nothing beside them.
 
 use std::fs;
 use std::io;

@@ -1,4 +1,4 @@
-//! What symmetry leaves out, modelled: the whole tire gives what its half and its quarter give.
+//! Symmetry against what it leaves out: the whole tire gives what its half and its quarter give.
 
 use std::sync::atomic::AtomicBool;
 
@@ -15,7 +15,7 @@ static RUNNING: AtomicBool = AtomicBool::new(false);
 const DISPLACEMENT_TOLERANCE_MM: f64 = 1e-6;
 const REACTION_TOLERANCE: f64 = 1e-7;
 
-/// Where a node was and where it went, and the force of the ground on the whole tire, N.
+/// Places of the nodes before and after, mm, and the force of the ground on the whole tire, N.
 struct Pressed {
     nodes: Vec<([f64; 3], [f64; 3])>,
     reaction: f64,

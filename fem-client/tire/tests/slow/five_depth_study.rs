@@ -29,7 +29,7 @@ fn compare(is_asked: impl Fn(&Study) -> bool) -> usize {
     studies.len()
 }
 
-/// What belongs to a row of the other code's, and how near it should be.
+/// Returns what belongs to a row of the other code's, and how near it should be.
 fn ours(answer: &Answer, kind: &str, output: &str) -> (Vec<f64>, f64) {
     let index = || {
         let index = OUTPUTS.iter().position(|name| *name == output);

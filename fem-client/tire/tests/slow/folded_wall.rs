@@ -17,7 +17,7 @@ static RUNNING: AtomicBool = AtomicBool::new(false);
 const TOO_DEEP: f64 = 12.5;
 /// The search of the first contact halves the way to the depths seven times.
 const BRACKET: f64 = TOO_DEEP / 128.0;
-/// Between the depths at which the gap is measured, mm.
+/// Step of the depths at which the gap is measured, mm.
 const STEP: f64 = 0.2;
 
 fn pressed(depth: f64) -> Scene {
@@ -124,7 +124,7 @@ fn a_tire_that_folds_onto_itself_is_named() {
     );
 }
 
-/// In one step this depth ends on a branch that touches itself, in small ones it doesn't.
+/// The depth ends on a branch that touches itself in one step; in small ones it doesn't.
 #[test]
 fn a_touch_after_a_large_step_is_tried_again_in_small_ones() {
     for depth in [12.204, 12.26] {

@@ -1,4 +1,4 @@
-//! What a film does to the tire and to the strain under it, and what it gives.
+//! Effect of a film on the tire and on the strain under it, and what it gives.
 
 use std::sync::atomic::AtomicBool;
 
@@ -46,7 +46,7 @@ fn thin() -> Film {
 
 fn signal(response: &Response) -> FilmSignal {
     let film = response.film.expect("a film");
-    film.signal.expect("what the contact adds")
+    film.signal
 }
 
 const FLAT: [f64; 5] = [1.0; 5];

@@ -75,8 +75,8 @@ fn walls_hold_what_the_independent_code_says() {
     }
 }
 
-/// At 2 mm its path ended at 0.073 MPa, said not to be a limit point. Ours has its limit 2 % below that, 0.07124 MPa on the finer mesh, and
-/// why its path went further isn't known: coarser meshes hold more, 8-node bricks 0.077 MPa at five times the volume.
+/// The other code's path ended at 0.073 MPa at 2 mm, said not to be a limit point. Ours has its limit 2 % below that, 0.07124 MPa on the finer mesh,
+/// and why its path went further isn't known: coarser meshes hold more, 8-node bricks 0.077 MPa at five times the volume.
 #[test]
 fn the_thinnest_wall_holds_less_than_the_independent_code_says() {
     let ours = limit_pressure(2.0);
@@ -118,8 +118,8 @@ fn other_cords_stretch_as_the_independent_code_says() {
     }
 }
 
-/// With cords at 35 degrees they quote one stretch, 1.337, without saying where. Ours comes near at one place alone, along the meridian at
-/// the clamped bead, where it is largest and has no limit under refinement: the bound was set after seeing 1.340.
+/// The other code's authors quote one stretch with cords at 35 degrees, 1.337, without saying where. Ours comes near at one place alone, along the
+/// meridian at the clamped bead, where it is largest and has no limit under refinement: the bound was set after seeing 1.340.
 #[test]
 fn cords_along_the_wheel_let_the_section_change_shape() {
     let [crown, bead] = [0.0, 120.0].map(|phi| inflated_stretch(35.0, 100.0, phi)[1]);

@@ -50,9 +50,9 @@ const INFLATED_STRETCH: [f64; 2] = [1.009735, 1.021666];
 /// slope of 18 N/mm at 1 mm and the law's mean shift of 0.001 mm that is another 0.02 N, 0.4 % at 0.5 mm depth.
 const REACTION_TOLERANCE: f64 = 1e-3;
 const CONTACT_SHIFT_N: f64 = 0.02;
-/// Stated there for the meridional strain at the centre, which still moves 2 % a mesh step.
+/// Tolerance stated there for the meridional strain at the centre, which still moves 2 % a mesh step.
 const Y_TOLERANCE: f64 = 0.02;
-/// Where a strain passes zero or changes steeply only the absolute difference means anything: "about 0.001".
+/// Tolerance where a strain passes zero or changes steeply, and only the absolute difference means anything: "about 0.001".
 const STRAIN_TOLERANCE: f64 = 0.001;
 
 static RUNNING: AtomicBool = AtomicBool::new(false);

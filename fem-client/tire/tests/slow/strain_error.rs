@@ -1,5 +1,5 @@
-//! How good the estimated strain errors are: compared with the true error, which the reference level stands for (its own
-//! estimated errors are a third of the standard level's).
+//! Quality of the estimated strain errors: compared with the true error, which the reference level stands for (its own estimated errors are a third
+//! of the standard level's).
 
 use std::sync::atomic::AtomicBool;
 
@@ -50,7 +50,7 @@ fn readings(level: Level) -> Vec<GaugeReading> {
     solve(level, gauges()).response.gauges
 }
 
-/// Estimated over true errors of the strain since inflation, ascending.
+/// Ratios of estimated to true errors of the strain since inflation, ascending.
 fn effectivities(readings: &[GaugeReading], truth: &[GaugeReading]) -> Vec<f64> {
     let ratio = |(r, t): (&GaugeReading, &GaugeReading)| {
         r.error.expect("an estimate").strain / (r.strain - t.strain).abs()

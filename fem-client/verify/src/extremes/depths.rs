@@ -15,20 +15,20 @@ use fem_client::solver::{LocationStrain, NoEquilibrium, Response};
 const DEPTHS: [f64; 13] = [
     1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 1.0, 2.0, 4.0, 8.0, 11.0, 12.0,
 ];
-/// From here on the contact is more than two of the draft mesh's bricks long, and up to here the section keeps its shape, mm. (Set after
-/// a look at 0.1 to 0.3 mm: the power is 1.74 there, on one brick.)
+/// Bounds of the depths, mm: from the first on the contact is more than two of the draft mesh's bricks long, and up to the second the section keeps
+/// its shape. (Set after a look at 0.1 to 0.3 mm: the power is 1.74 there, on one brick.)
 const SEEN: f64 = 0.3;
 /// See [`SEEN`].
 const SHALLOW: f64 = 4.0;
 /// Largest relative residual of a study's equilibria.
 const STUDY_TOLERANCE: f64 = 1e-8;
-/// Those at which left and right are compared.
+/// Depths at which left and right are compared.
 const LOPSIDED: [f64; 4] = [0.01, 0.3, 2.0, 8.0];
 /// Depths beyond self-contact, mm.
 const TOO_DEEP: [f64; 2] = [12.5, 14.0];
 /// Share of the way to a depth within which self-contact is found.
 const BRACKET: f64 = 1.0 / 128.0;
-/// Asked of mirrored strains.
+/// Tolerance of mirrored strains.
 const SYMMETRIC: f64 = 1e-9;
 
 fn scene(depths: &[f64]) -> Scene {

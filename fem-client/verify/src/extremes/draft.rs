@@ -15,7 +15,7 @@ use tire::model::mesh_plan;
 
 /// Largest relative residual of these equilibria: a thousandth of a study's.
 pub(super) const TOLERANCE: f64 = 1e-11;
-/// What that leaves of a strain, absolute, and of the reaction, relative: a study's tolerance of 1e-8 leaves 1e-8 and 1e-7.
+/// Noise that this tolerance leaves of a strain, absolute, and of the reaction, relative: a study's tolerance of 1e-8 leaves 1e-8 and 1e-7.
 pub const STRAIN_NOISE: f64 = 1e-11;
 /// See [`STRAIN_NOISE`].
 pub(super) const REACTION_NOISE: f64 = 1e-10;
@@ -61,22 +61,22 @@ impl<'s> Bench<'s> {
         }
     }
 
-    /// On the mesh of the scene's level.
+    /// Solves on the mesh of the scene's level.
     pub fn solve(&self, scene: &Scene) -> Result<Solved, SolveError> {
         self.solver.solve(&self.request(scene))
     }
 
-    /// On another mesh.
+    /// Solves on another mesh.
     pub fn solve_on(&self, scene: &Scene, plan: &MeshPlan) -> Result<Solved, SolveError> {
         self.solver.solve_on(&self.request(scene), plan)
     }
 
-    /// Why a scene has no equilibrium, which it must not have.
+    /// Returns why a scene has no equilibrium, which it must not have.
     pub fn refusal(&self, scene: &Scene) -> Result<Refusal, Unsolved> {
         self.refusal_on(scene, &mesh_plan(scene, scene.model.level))
     }
 
-    /// Why a scene has no equilibrium on another mesh.
+    /// Returns why a scene has no equilibrium on another mesh.
     pub fn refusal_on(&self, scene: &Scene, plan: &MeshPlan) -> Result<Refusal, Unsolved> {
         match self.solve_on(scene, plan) {
             Err(SolveError::NoEquilibrium {
@@ -109,9 +109,9 @@ impl<'s> Bench<'s> {
 /// A named reason, and how far the solve got.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Refusal {
-    /// Its name.
+    /// Name of the state.
     pub status: NoEquilibrium,
-    /// In words.
+    /// Explanation, in words.
     pub detail: String,
     /// Loads reached.
     pub reached: Reached,

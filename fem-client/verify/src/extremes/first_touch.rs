@@ -131,7 +131,7 @@ fn lines(start: f64, end: f64, n: usize, first: f64) -> Vec<f64> {
     graded(start, end, n, low.exp())
 }
 
-/// Graded to the first touch from all sides.
+/// Meshes a tire graded to the first touch from all sides.
 fn model(
     scene: &Scene,
     depth: f64,

@@ -26,7 +26,7 @@ fn scene(compliance: f64) -> Scene {
     scene
 }
 
-/// What the volume's tolerance leaves of a brick's volume ratio: the residual's norm is relative to that of all volumes.
+/// Returns what the volume's tolerance leaves of a brick's volume ratio: the residual's norm is relative to that of all volumes.
 fn volume_noise(scene: &Scene) -> Result<f64, Unsolved> {
     let plan = mesh_plan(scene, scene.model.level);
     let mesh = TireModel::new(scene, &plan, Extent::Quarter).problem.mesh;

@@ -58,7 +58,7 @@ fn even_plan(n: usize) -> MeshPlan {
     }
 }
 
-/// Below the pressure named, beyond it, and against another code.
+/// Returns the cases below the pressure named, beyond it, and against another code.
 pub(super) fn cases(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     let mut cases = Vec::new();
     for second_constant in RUBBERS {
@@ -77,7 +77,7 @@ fn end(bench: &Bench<'_>, scene: &Scene, plan: &MeshPlan) -> Result<Refusal, Uns
     }
 }
 
-/// One rubber.
+/// Returns the cases of one rubber.
 fn around(second_constant: f64, stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     let bench = Bench::usual(stop);
     let asked = scene(WALL, second_constant, 1.0);

@@ -42,7 +42,7 @@ fn exact_stretch(pressure: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Where inflation to a pressure ends.
+/// Inflates to a pressure, and says where that ends.
 fn inflate(
     problem: &Problem,
     pressure: f64,

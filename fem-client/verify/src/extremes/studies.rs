@@ -20,15 +20,16 @@ use gsa::method::analysis::Status;
 use gsa::method::{Kind, Method};
 use tire::embedded::EmbeddedSolver;
 
-use placement::layout::layout_settings::Layouts;
-use placement::result::{Output, StudyResult};
-use placement::run::memory::MemoryArchive;
-use placement::run::{RunContext, run};
-use placement::study::directions::Directions;
-use placement::study::plan::Plan;
-use placement::study::{Accuracy, Input, Study};
+use documents::layouts::layout_settings::Layouts;
+use documents::parts::directions::Directions;
+use documents::study::plan::Plan;
+use documents::study::{Accuracy, Input, Study};
+use placement::points::RunContext;
+use placement::points::memory::MemoryArchive;
+use placement::run::run;
+use results::{Output, StudyResult};
 
-/// From a spread of nothing to one of all of the mean.
+/// Spreads from nothing to all of the mean.
 pub const FAMILY: Family = Family::new("spread", cases);
 
 /// Half widths of uniform depths over their mean of 1 mm: those that show the rate, solved tightly (between 0.01 and 1e-3 single points of
@@ -37,7 +38,7 @@ pub const FAMILY: Family = Family::new("spread", cases);
 const SMALL: [f64; 3] = [0.3, 0.1, 0.03];
 /// See [`SMALL`].
 const TINY: [f64; 5] = [1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
-/// What the solver leaves of an index over 0.01 mm, relative: its noise in a strain over a change of some 1e-4.
+/// Noise that the solver leaves of an index over 0.01 mm, relative: its noise in a strain over a change of some 1e-4.
 const INDEX_NOISE: f64 = 1e4 * STRAIN_NOISE;
 /// Step of the differences that give the gradient, mm: less than what a contact point takes to close.
 const STEP: f64 = 1e-5;
@@ -186,7 +187,7 @@ fn at_centre<'r>(
     centre.zip(linear.iter().map(Vec::as_slice)).collect()
 }
 
-/// One output of a study that sees little or nothing: where there are no indices, none is wrong.
+/// Returns the case of one output of a study that sees little or nothing: where there are no indices, none is wrong.
 fn tiny_case(spread: f64, direction: Direction, output: &Output, linear: &[f64]) -> Case {
     let name = format!("spread {spread:e} of the mean, {direction} strain at P3");
     let Some(indices) = &output.first_order else {

@@ -7,10 +7,10 @@ const SAFETY: f64 = 2.0;
 /// A distance from the limit that is this much above the noise has a slope.
 const CLEAR: f64 = 10.0;
 
-/// One value of a series.
+/// A value of a series.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
-    /// Where it was taken, for people.
+    /// Place at which it was taken, for people.
     pub label: String,
     /// The parameter that grows, in the unit that the label says.
     pub parameter: f64,
@@ -23,11 +23,11 @@ pub struct Point {
 pub struct Limit {
     /// The limit, in the unit of the quantity.
     pub value: f64,
-    /// What may be left of the distance, in its unit, however large the parameter is.
+    /// Remainder of the distance that is allowed however large the parameter is, in its unit.
     pub noise: f64,
     /// Power by which the distance falls.
     pub order: f64,
-    /// Where limit and power come from.
+    /// Source of limit and power.
     pub source: &'static str,
 }
 
@@ -63,7 +63,7 @@ impl Limit {
     }
 }
 
-/// How often a series that must rise falls, by more than the noise.
+/// Counts how often a series that must rise falls, by more than the noise.
 pub fn rises(quantity: &str, values: &[f64], noise: f64, source: &'static str) -> Case {
     let falls = values.windows(2).filter(|pair| pair[1] < pair[0] - noise);
     let not_finite = values.iter().filter(|value| !value.is_finite());

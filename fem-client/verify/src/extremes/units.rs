@@ -1,4 +1,4 @@
-//! One scene in several units: no number in the solver may have a dimension.
+//! A scene in several units: no number in the solver may have a dimension.
 //!
 //! A document gives lengths in mm and stresses in MPa and has ranges for them; these scenes are made below its reader. With
 //! lengths times l and stresses times s strains stay, and forces are times s l^2.
@@ -11,7 +11,7 @@ use crate::known_case::Case;
 use fem_client::scene::{Carcass, Law, Scene};
 use fem_client::solver::Response;
 
-/// Asked of all answers. Newton's tolerance leaves a hundredth.
+/// Tolerance of all answers. Newton's tolerance leaves a hundredth.
 const SAME: f64 = 1e-9;
 const SOURCE: &str = "the same scene in mm and MPa";
 

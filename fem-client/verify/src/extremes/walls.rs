@@ -101,7 +101,7 @@ fn cylinders(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     Ok(cases)
 }
 
-/// Even along the wheel, around which inflation is constant; fine enough across it for the bending at the bead.
+/// Mesh that is even along the wheel, around which inflation is constant; fine enough across it for the bending at the bead.
 const EVEN: MeshPlan = MeshPlan {
     order: Order::Quadratic,
     fine_angle: std::f64::consts::FRAC_PI_2,

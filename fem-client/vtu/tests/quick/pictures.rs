@@ -1,4 +1,4 @@
-//! Where the points of a map and of the whole mesh lie.
+//! Places of the points of a map and of the whole mesh.
 
 use std::sync::atomic::AtomicBool;
 
@@ -15,7 +15,7 @@ const ROWS: usize = 5;
 const CENTRE: usize = (COLUMNS * ROWS) / 2;
 /// Positions are rounded to a picometre, their differences to two.
 const ROUNDING_MM: f64 = 2e-9;
-/// What the solver's tolerance leaves of a displacement; half and quarter are solved apart.
+/// Noise that the solver's tolerance leaves of a displacement; half and quarter are solved apart.
 const SOLVED_MM: f64 = 1e-6;
 
 fn scene(depths: [f64; 5]) -> Scene {

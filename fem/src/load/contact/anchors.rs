@@ -1,12 +1,12 @@
-//! What friction remembers from one load step to the next: where each point's spring stands on the ground, in coordinates that go with the ground when it
-//! is dragged.
+//! Anchors of friction from one load step to the next: where each point's spring stands on the ground, in coordinates that go with the ground when it is
+//! dragged.
 
 use super::contact_surface::{ContactSurface, interpolate};
 use crate::load::obstacle::HeightField;
 use crate::tensor::Vector;
 
 impl ContactSurface {
-    /// Where the anchors of friction stand on the ground (x, y, mm) once the body rests at these positions: of a point in contact where its law
+    /// Returns the places of friction's anchors on the ground (x, y, mm) once the body rests at these positions: of a point in contact where its law
     /// puts it, of any other below the point itself. Without friction there are none.
     pub fn settled_anchors(
         &self,

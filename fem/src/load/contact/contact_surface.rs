@@ -12,7 +12,7 @@ use crate::tensor::{Vector, cross, norm};
 /// A surface that may touch the ground.
 #[derive(Debug)]
 pub struct ContactSurface {
-    /// Its faces.
+    /// Faces that can touch the ground.
     pub surface: Surface,
     /// Pressure that a penetration costs.
     pub penalty: Penalty,

@@ -1,4 +1,4 @@
-//! One step of Newton's method: increments by the present tangent, and how much of them is applied.
+//! A step of Newton's method: increments by the present tangent, and how much of them is applied.
 
 use std::time::Instant;
 
@@ -15,7 +15,7 @@ const MAX_HALVINGS: usize = 8;
 const CONTACT_SHARE: f64 = 1e-4;
 
 impl Newton<'_> {
-    /// One iteration with the present tangent: increments and update. Returns the residual there.
+    /// Does an iteration with the present tangent: increments and update. Returns the residual there.
     pub(super) fn step(
         &mut self,
         state: &mut State,
@@ -76,7 +76,7 @@ impl Newton<'_> {
         Ok(())
     }
 
-    /// What is left to move of the held displacements.
+    /// Sets what is left to move of the held displacements.
     pub(super) fn set_pending(&mut self, state: &State, factor: f64) {
         for ((pending, support), u) in self
             .pending

@@ -1,4 +1,4 @@
-//! Which part of the contact surface Newton's method is ready for.
+//! Focus: the part of the contact surface that Newton's method is ready for.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! When Newton's method makes a new tangent, and how.
+//! Renewal of Newton's tangent: when, and how.
 
 use std::sync::Arc;
 use std::time::Instant;

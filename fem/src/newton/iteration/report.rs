@@ -1,4 +1,4 @@
-//! When Newton's method stops, and what it says then.
+//! End of Newton's method, and its report.
 
 use std::ops::AddAssign;
 use std::time::Duration;
@@ -6,7 +6,7 @@ use std::time::Duration;
 use crate::linear::symbolic::LinearError;
 use crate::linear::system::Imbalance;
 
-/// When to stop.
+/// Criteria to stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NewtonSettings {
     /// Largest relative residual of an equilibrium.
@@ -54,13 +54,13 @@ pub struct Converged {
 pub struct NotConverged {
     /// Relative residual before the first and after each iteration.
     pub history: Vec<Imbalance>,
-    /// What ended the iteration.
+    /// Cause of the end.
     pub cause: Cause,
     /// Whether a tangent on the way had negative pivots: a sign of lost stability.
     pub indefinite: bool,
 }
 
-/// What ended an iteration without an equilibrium.
+/// Cause of an end without an equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Cause {
     /// Too many iterations.

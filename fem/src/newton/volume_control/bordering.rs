@@ -1,4 +1,4 @@
-//! One equilibrium at a prescribed volume.
+//! Equilibrium at a prescribed volume.
 
 use crate::linear::factor::Inertia;
 use crate::linear::setup::SetupError;

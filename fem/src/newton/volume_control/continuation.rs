@@ -19,27 +19,27 @@ pub const LIMIT_TOLERANCE: f64 = 1e-6;
 /// Relative width of a bracket around a limit point below which its volume can't be told better: the slope may have kinks.
 const NARROWEST: f64 = 1e-7;
 
-/// Where a path ended.
+/// End of a path.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ending {
-    /// At the pressure asked for: the nearest equilibrium found.
+    /// The nearest equilibrium found at the pressure asked for.
     Reached(Inflated),
-    /// At a maximum of the pressure.
+    /// A maximum of the pressure.
     LimitPoint(Inflated),
-    /// Where the body turns unstable on a rising path: it buckles between this equilibrium and a pressure, MPa.
+    /// Loss of stability on a rising path: the body buckles between this equilibrium and a pressure, MPa.
     Unstable {
         /// The last stable equilibrium.
         below: Inflated,
         /// A pressure, MPa, at which it isn't stable any more.
         above: f64,
     },
-    /// At the largest volume, with the pressure still rising.
+    /// The largest volume, with the pressure still rising.
     Outgrown(Inflated),
-    /// Beyond this equilibrium none was found.
+    /// The last equilibrium that was found.
     Lost {
         /// The last stable equilibrium.
         last: Inflated,
-        /// What ended the last attempt.
+        /// Cause of the last attempt's end.
         failure: NotConverged,
     },
 }
@@ -121,7 +121,7 @@ impl VolumeControl<'_> {
         }
     }
 
-    /// Where a body loses its stability between a stable and an unstable equilibrium of a rising path.
+    /// Finds where a body loses its stability between a stable and an unstable equilibrium of a rising path.
     fn buckling(&mut self, stable: Inflated, unstable: &Inflated, watch: &dyn Watch) -> Ending {
         let (mut below, mut above) = (stable, unstable.pressure);
         let mut volume = unstable.volume;

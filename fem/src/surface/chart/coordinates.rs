@@ -7,7 +7,7 @@ use crate::cell::mesh::{Surface, SurfacePoint};
 /// A surface with coordinates on it.
 #[derive(Debug, Clone)]
 pub struct Chart {
-    /// Its faces.
+    /// Faces of the surface.
     pub surface: Surface,
     /// Chart coordinates of the faces' nodes, face by face, as lengths, mm; lines s1 and s2 cross at right angles.
     pub coordinates: Vec<[f64; 2]>,

@@ -1,4 +1,4 @@
-//! Which faces meet at which corner.
+//! Corners of a surface, and the faces that meet there.
 
 use std::collections::HashMap;
 
@@ -32,7 +32,7 @@ impl Corners {
         Self { of_face, uses }
     }
 
-    /// These faces and all that share a corner with them, ascending.
+    /// Returns these faces and all that share a corner with them, ascending.
     pub(super) fn ring(&self, faces: &[usize]) -> Vec<usize> {
         let corners = faces.iter().flat_map(|&face| self.of_face[face]);
         let mut ring: Vec<usize> = corners

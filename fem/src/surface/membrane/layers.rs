@@ -1,4 +1,4 @@
-//! Where the layers of a membrane lie, and how they strain.
+//! Layers of a membrane: where they lie, and how they strain.
 
 use crate::cell::element::{FacePoint, face_points};
 use crate::cell::mesh::{Mesh, Surface};

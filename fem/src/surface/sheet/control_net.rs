@@ -10,7 +10,7 @@ pub struct Outline {
     pub half: [f64; 2],
     /// Spans along each; even where it is mirrored.
     pub spans: [usize; 2],
-    /// Where the half with a negative coordinate is the mirror image of the other one: the displacement whose sign the mirror changes.
+    /// Displacement whose sign the mirror changes, where the half with a negative coordinate is the mirror image of the other one.
     pub mirrors: [Option<usize>; 2],
 }
 
@@ -18,7 +18,7 @@ pub struct Outline {
 pub(super) type Control = (usize, Vector);
 
 impl Outline {
-    /// How many meshed parts make up the whole.
+    /// Returns the number of meshed parts that make up the whole.
     pub fn copies(&self) -> f64 {
         let mirrored = self.mirrors.iter().flatten().count();
         [1.0, 2.0, 4.0][mirrored]

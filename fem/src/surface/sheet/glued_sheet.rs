@@ -10,14 +10,14 @@ use crate::tensor::{Vector, cross, dot, norm};
 /// Gauss points along each side of a span.
 const POINTS: usize = 3;
 
-/// How a sheet resists.
+/// Stiffness of a sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Elasticity {
     /// Tensions by strains, N/mm.
     pub membrane: [InPlane; 3],
     /// Moments by changes of curvature, N mm.
     pub bending: [InPlane; 3],
-    /// Of the springs to the surface, N/mm^3.
+    /// Stiffness of the springs to the surface, N/mm^3.
     pub glue: f64,
 }
 
@@ -26,7 +26,7 @@ pub struct Elasticity {
 pub struct Underlay<'u> {
     /// The mesh that it belongs to.
     pub mesh: &'u Mesh,
-    /// Its faces.
+    /// Faces of the surface.
     pub surface: &'u Surface,
     /// The point of the surface under a point (s1, s2) of the sheet, mm, and the signs of its displacements: -1 for the one across a symmetry plane beyond which the
     /// point is the mirror image of the one meant.
@@ -36,9 +36,9 @@ pub struct Underlay<'u> {
 /// A sheet, ready to be integrated.
 #[derive(Debug)]
 pub struct Sheet {
-    /// Its stiffness.
+    /// Stiffness of the sheet.
     pub elasticity: Elasticity,
-    /// Its outline and control points.
+    /// Outline and control points of the sheet.
     pub outline: Outline,
     /// Reference positions of its own control points, mm.
     pub positions: Vec<Vector>,
@@ -52,7 +52,7 @@ pub struct Sheet {
 pub(super) struct Element {
     /// Own control points, then nodes of the surface.
     pub(super) nodes: Vec<u32>,
-    /// How many of them are control points.
+    /// Number of nodes that are control points.
     pub(super) controls: usize,
     pub(super) points: Vec<Point>,
 }

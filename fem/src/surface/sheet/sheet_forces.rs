@@ -5,7 +5,7 @@ use super::sheet_state::Kinematics;
 use crate::surface::surface_law::InPlane;
 use crate::tensor::Vector;
 
-/// Where an element's forces and stiffness are added.
+/// Buffers to which an element's forces and stiffness are added.
 pub(crate) struct Buffers<'b> {
     /// Nodal forces, N.
     pub(crate) residual: &'b mut [f64],

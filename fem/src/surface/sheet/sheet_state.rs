@@ -4,7 +4,7 @@ use super::glued_sheet::{Point, Sheet, weighted};
 use crate::surface::surface_law::InPlane;
 use crate::tensor::{Vector, cross, dot, norm};
 
-/// What an integration point of a sheet sees.
+/// State of a sheet at an integration point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SheetPoint {
     /// Reference area, mm^2.
@@ -55,7 +55,7 @@ pub(super) struct Kinematics {
 }
 
 impl Point {
-    /// Of the displacements of the element's control points.
+    /// Returns the kinematics of the displacements of the element's control points.
     pub(super) fn kinematics(&self, controls: &[Vector]) -> Kinematics {
         let change = [0, 1].map(|a| weighted(controls, |k| &self.first[k][a]));
         let tangents = [0, 1].map(|a| [0, 1, 2].map(|i| self.axes[a][i] + change[a][i]));

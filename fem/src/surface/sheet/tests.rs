@@ -15,7 +15,7 @@ fn elasticity(bending: f64, glue: f64) -> Elasticity {
     }
 }
 
-/// One face of 9 nodes over -1 to 1, mapped into space.
+/// Makes a face of 9 nodes over -1 to 1, mapped into space.
 fn face(map: impl Fn([f64; 2]) -> Vector) -> (Mesh, Surface) {
     let order = Order::Quadratic;
     let nodes = (0..9).map(|a| map([(a % 3) as f64 - 1.0, (a / 3) as f64 - 1.0]));
@@ -196,7 +196,7 @@ fn a_sheet_rolled_to_a_cylinder_has_its_curvature_and_no_strain() {
     assert!(fine[0] < 1e-3 && fine[1] < 1e-3, "{fine:?}");
 }
 
-/// What the sheet does without stiffness: it takes on a displacement of the surface that its splines have, exactly.
+/// A sheet without stiffness takes on a displacement of the surface that its splines have, exactly.
 #[test]
 fn a_following_sheet_has_the_surface_s_strain() {
     let (mesh, surface) = face(|[a, b]| [a, b, 0.0]);

@@ -1,4 +1,4 @@
-//! What every law of a layer answers.
+//! Contract of the laws of a layer.
 
 /// In-plane components 11, 22 and 12; of strains the third is doubled, so that S . dE is the work.
 pub type InPlane = [f64; 3];

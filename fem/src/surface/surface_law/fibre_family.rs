@@ -1,6 +1,5 @@
-//! One family of parallel fibres: W = k (lambda - 1)^2 / 2 per reference area, with the fibre's stretch lambda and the stiffness k in
-//! tension, a fraction of it in compression, because cords buckle. The tension is continuous and zero in the reference state;
-//! its slope jumps there.
+//! A family of parallel fibres: W = k (lambda - 1)^2 / 2 per reference area, with the fibre's stretch lambda and the stiffness k in tension, a
+//! fraction of it in compression, because cords buckle. The tension is continuous and zero in the reference state; its slope jumps there.
 
 use super::elastic_layer::{InPlane, SurfaceLaw};
 

@@ -20,7 +20,7 @@ use ndarray::{Array1, Array2, ArrayView1, Axis};
 use orthogonal_columns::{Left, Step, Taken};
 use validation_groups::{FOLDS, groups, with_images};
 
-/// Of K points at most this share becomes unknowns: beyond, leverages near one make leave-one-out residuals noise.
+/// Share of the points that becomes unknowns at most: beyond, leverages near one make leave-one-out residuals noise.
 const MOST_UNKNOWNS: f64 = 0.5;
 /// Steps without a better leave-one-out misfit before the search ends.
 const PATIENCE: usize = 4;
@@ -50,7 +50,7 @@ impl Candidates {
         }
     }
 
-    /// How many there are.
+    /// Counts the candidates.
     pub(crate) fn count(&self) -> usize {
         self.preference.len()
     }
@@ -75,7 +75,7 @@ impl Candidates {
     }
 }
 
-/// Which columns, with which coefficients.
+/// Columns of a fit with their coefficients.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Fit {
     pub(crate) terms: Vec<(usize, f64)>,
@@ -106,12 +106,12 @@ struct Search<'a> {
     noise: f64,
     residual: Array1<f64>,
     left: Left,
-    /// by column, its product with the residual
+    /// product of each column with the residual
     products: Array1<f64>,
     taken: Taken,
-    /// of the unit vectors with the values
+    /// coefficients of the values on the unit vectors
     coefficients: Vec<f64>,
-    /// how many columns gave the least leave-one-out misfit so far, and that misfit
+    /// number of columns that gave the least leave-one-out misfit so far, and that misfit
     best: usize,
     best_score: f64,
 }

@@ -8,7 +8,7 @@ const SPENT: f64 = 1e-10;
 /// Columns taken so far, made orthogonal. Vectors are as long as the columns, zero where a value is left out.
 pub(super) struct Taken {
     pub(super) steps: Vec<Step>,
-    /// by value, the sum of the unit vectors' squares
+    /// sum of the unit vectors' squares, by value
     pub(super) leverage: Array1<f64>,
 }
 
@@ -56,14 +56,14 @@ impl Taken {
     }
 }
 
-/// What is left of the columns beside those taken, as squares.
+/// Remainders of the columns beside those taken, as squares.
 pub(super) struct Left {
     whole: Array1<f64>,
     pub(super) left: Array1<f64>,
 }
 
 impl Left {
-    /// Of columns whose kept values have these squares.
+    /// Begins with columns whose kept values have these squares.
     pub(super) fn of(whole: Array1<f64>) -> Self {
         Self {
             left: whole.clone(),

@@ -1,4 +1,4 @@
-//! Which points are left out together.
+//! Groups of points that are left out together.
 
 /// Groups of cross validation.
 pub(super) const FOLDS: usize = 8;
@@ -9,8 +9,8 @@ pub(super) fn with_images(groups: &[usize], images: &[usize]) -> Vec<usize> {
     (0..groups.len()).map(|k| groups[first(k)]).collect()
 }
 
-/// Which group each point belongs to. Groups are equally large and follow the order of the multiples of the golden ratio modulo 1:
-/// points of Sobol's sequence at equal strides lie in one slab of each input, to which all others would have to extrapolate.
+/// Returns the group of each point. Groups are equally large and follow the order of the multiples of the golden ratio modulo 1: points of Sobol's
+/// sequence at equal strides lie in one slab of each input, to which all others would have to extrapolate.
 pub(super) fn groups(count: usize) -> Vec<usize> {
     let place = |k: usize| (k as f64 * std::f64::consts::GOLDEN_RATIO).fract();
     let mut order: Vec<usize> = (0..count).collect();

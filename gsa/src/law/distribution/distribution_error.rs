@@ -1,4 +1,4 @@
-//! What can be wrong with the parameters of a law.
+//! Errors of laws' parameters.
 
 use thiserror::Error;
 
@@ -7,7 +7,7 @@ use thiserror::Error;
 const LEAST_SHAPE: f64 = 1e-6;
 const LARGEST_SHAPE: f64 = 1e12;
 
-/// Why a law cannot be built.
+/// Reason why a law cannot be built.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DistributionError {
@@ -16,7 +16,7 @@ pub enum DistributionError {
     NotFinite {
         /// name as in [`Distribution::parameters`](super::Distribution::parameters)
         parameter: &'static str,
-        /// what was given
+        /// value that was given
         value: f64,
     },
     /// A scale, rate or shape is zero or negative.
@@ -24,7 +24,7 @@ pub enum DistributionError {
     NotPositive {
         /// name as in [`Distribution::parameters`](super::Distribution::parameters)
         parameter: &'static str,
-        /// what was given
+        /// value that was given
         value: f64,
     },
     /// A shape so small or large that the law is a point, or two, in double precision.
@@ -32,7 +32,7 @@ pub enum DistributionError {
     ShapeOutOfRange {
         /// name as in [`Distribution::parameters`](super::Distribution::parameters)
         parameter: &'static str,
-        /// what was given
+        /// value that was given
         value: f64,
     },
     /// The bounds of a range are equal or swapped.
@@ -79,7 +79,7 @@ pub enum DistributionError {
         "the mean or the standard deviation of this {kind} law is beyond the range of double precision"
     )]
     MomentOutOfRange {
-        /// as in [`Distribution::kind`](super::Distribution::kind)
+        /// name as in [`Distribution::kind`](super::Distribution::kind)
         kind: &'static str,
     },
 }

@@ -1,4 +1,4 @@
-//! What every law provides. A law lives in its own coordinate y, which is x or, on a logarithmic scale, ln x.
+//! Contract of the laws. A law lives in its own coordinate y, which is x or, on a logarithmic scale, ln x.
 
 use crate::law::basis::Basis;
 use crate::law::density::Density;
@@ -7,9 +7,9 @@ use crate::law::density::Density;
 pub(super) trait Law {
     fn kind(&self) -> &'static str;
     fn parameters(&self) -> Vec<(&'static str, f64)>;
-    /// of x
+    /// mean of x
     fn mean(&self) -> f64;
-    /// of x
+    /// standard deviation of x
     fn std(&self) -> f64;
     /// P(Y <= y) and P(Y > y), each with its own digits
     fn probabilities(&self, y: f64) -> (f64, f64);
@@ -28,7 +28,7 @@ pub(super) trait Law {
     }
 }
 
-/// What the coordinate of a law is.
+/// Scale of a law's coordinate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Scale {
     Linear,

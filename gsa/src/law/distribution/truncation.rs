@@ -67,7 +67,7 @@ impl Truncation {
         Ok(cut)
     }
 
-    /// `None` where the density vanishes in double precision.
+    /// Returns mean and standard deviation; `None` where the density vanishes in double precision.
     fn moments(&self, law: &dyn Law) -> Option<(f64, f64)> {
         let (density, scale) = (law.density(), law.scale());
         let anchor = density.anchor(self.low, self.high);

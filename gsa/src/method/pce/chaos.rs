@@ -25,7 +25,7 @@ const NO_SPREAD: f64 = 0.25;
 /// Misfit of rounding size is not to be explained.
 const NOISE_IN_EPS: f64 = 16.0;
 
-/// What all outputs share.
+/// Settings and candidates that all outputs share.
 #[derive(Debug, Clone)]
 pub(super) struct Chaos {
     inputs: usize,
@@ -44,7 +44,7 @@ impl Chaos {
         Self::within(inputs, points, |_| true)
     }
 
-    /// Of no more terms than a quarter of the points.
+    /// Makes an expansion of no more terms than a quarter of the points.
     ///
     /// # Errors
     /// As for [`Chaos::new`].
@@ -55,7 +55,7 @@ impl Chaos {
         Self::within(inputs, points, |terms| 4 * terms <= points.len())
     }
 
-    /// Of the highest degree whose number of terms serves, the first where none does.
+    /// Makes an expansion of the highest degree whose number of terms serves, the first where none does.
     fn within(
         inputs: &[Distribution],
         points: &[Vec<f64>],
@@ -110,7 +110,7 @@ impl Chaos {
         })
     }
 
-    /// For outputs that have a number at the points that `gave_one`.
+    /// Prepares for outputs that have a number at the points that `gave_one`.
     pub(super) fn survey(&self, gave_one: impl Fn(usize) -> bool) -> Survey<'_> {
         let terms = self.terms(gave_one);
         Survey {
@@ -131,7 +131,7 @@ impl Chaos {
         }
     }
 
-    /// What follows from a fit and its residuals, in the output's units.
+    /// Returns what follows from a fit and its residuals, in the output's units.
     fn found(
         &self,
         terms: &Terms,
@@ -241,8 +241,8 @@ impl Chaos {
     }
 }
 
-/// By how much the points contradict an index s: its difference from the ratio of mean squares of the main effect and of the
-/// output at the points, zero where that is within chance.
+/// Returns by how much the points contradict an index s: its difference from the ratio of mean squares of the main effect and of the output at the
+/// points, zero where that is within chance.
 fn contradiction(effect: &[f64], s: f64, squares: &[f64]) -> f64 {
     let count = squares.len() as f64;
     let excess: Vec<f64> = effect

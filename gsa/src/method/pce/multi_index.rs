@@ -1,4 +1,4 @@
-//! Which products of polynomials an expansion chooses from: a product is a list of inputs with their degrees.
+//! Products of polynomials from which an expansion chooses: a product is a list of inputs with their degrees.
 
 /// q of the hyperbolic norm.
 const NORM: f64 = 0.75;

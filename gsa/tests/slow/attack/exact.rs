@@ -11,7 +11,7 @@ use gsa::law::distribution::Distribution;
 use crate::known::Known;
 
 impl Known {
-    /// The same model under an offset, which no index feels.
+    /// Returns the model under an offset, which no index feels.
     pub fn raised(self, family: &'static str, by: f64) -> Self {
         let model = self.model;
         Self {

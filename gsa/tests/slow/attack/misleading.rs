@@ -12,7 +12,7 @@ use super::exact::{Factor, Term, of, on_grid, sum_of_products};
 use super::shapes;
 use crate::known::Known;
 
-/// One model of every family for a seed.
+/// Draws a model of every family for a seed.
 pub fn all(seed: u64) -> Vec<Known> {
     let mut d = Draw::new(seed);
     let mut models = classics(&mut d);

@@ -15,7 +15,7 @@ use gsa::method::{Kind, Method};
 use crate::asking::until_enough;
 use crate::known::{Known, quantile};
 
-/// One analysis: claimed and true error of the first-order indices (the latter no less than the rounding floor), runs.
+/// An analysis: claimed and true error of the first-order indices (the latter no less than the rounding floor), runs.
 struct Outcome {
     seed: u64,
     claimed: f64,

@@ -8,7 +8,7 @@ use super::draw::{Draw, normal, uniform, x};
 use super::exact::{Factor, Term, of, on_grid, sum_of_products};
 use crate::known::Known;
 
-/// One model of every shape.
+/// Draws a model of every shape.
 pub fn all(d: &mut Draw) -> Vec<Known> {
     let mut models = kinks_and_steps(d);
     models.extend(tails(d));

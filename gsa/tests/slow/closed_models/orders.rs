@@ -43,7 +43,7 @@ fn floor(model: &Model) -> f64 {
     }
 }
 
-/// How the error of a Gauss rule of N nodes falls.
+/// Fall of the error of a Gauss rule with its number of nodes N.
 #[derive(Debug, PartialEq)]
 enum Decay {
     /// Polynomials whose squares a rule of three nodes integrates.
@@ -173,7 +173,7 @@ fn polynomial_chaos_is_exact_for_polynomials_and_falls_for_smooth_models() {
     }
 }
 
-/// Where no more than two inputs interact beyond a form, the bivariate form integrates what the whole grid does.
+/// The bivariate form integrates what the whole grid does where no more than two inputs interact beyond a form.
 #[test]
 fn bivariate_reduction_is_as_good_as_the_whole_grid_where_pairs_are_all() {
     println!("model                        bivariate, whole grid of 5 nodes");

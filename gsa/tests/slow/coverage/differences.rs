@@ -15,7 +15,7 @@ use crate::models::families;
 /// The error of one input's difference.
 struct Outcome {
     claimed: f64,
-    /// As if the two were independent.
+    /// error claimed as if the two were independent.
     apart: f64,
     truth: f64,
     /// Whether nearly all that is claimed of both comes from the form.
@@ -82,7 +82,7 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// What the panels leave of the models' own indices, twice.
+/// Error that the panels leave of the models' own indices, twice.
 const REFERENCE_ERROR: f64 = 2e-6;
 
 /// Neighbours differ by a hundredth of each parameter's range, by a tenth, or are any other model of the family.

@@ -17,7 +17,7 @@ use crate::models::families;
 /// Claimed and true error, the latter no less than the rounding floor.
 type Outcome = (f64, f64);
 
-/// What the panels leave of the models' own indices: 6e-7 for eighth powers of lognormals, by another rule.
+/// Error that the panels leave of the models' own indices: 6e-7 for eighth powers of lognormals, by another rule.
 const REFERENCE_ERROR: f64 = 1e-6;
 
 fn covered(outcomes: &[Outcome]) -> f64 {
@@ -62,7 +62,7 @@ fn coverage(
     coverage_of(title, seeds, method, run)
 }
 
-/// As [`coverage`], of what `run` says.
+/// Measures as [`coverage`] does, of what `run` says.
 fn coverage_of(
     title: &str,
     seeds: std::ops::Range<u64>,
@@ -106,7 +106,7 @@ fn run(known: &Known, method: Method) -> (Analysis, usize) {
     until_enough(campaign, &known.model)
 }
 
-/// What a method says of an output among thousands.
+/// Returns what a method says of an output among thousands.
 fn surveyed(known: &Known, method: Method) -> (Analysis, usize) {
     let campaign = Campaign::new(&known.inputs, method).expect("a valid campaign");
     let values: Vec<f64> = campaign.points().iter().map(|x| (known.model)(x)).collect();

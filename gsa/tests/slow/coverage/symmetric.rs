@@ -8,7 +8,7 @@ use ndarray::Array2;
 use crate::known::{Known, quantile};
 use crate::models::families;
 
-/// One index: what is claimed with and without the symmetry, and its true error.
+/// An index: what is claimed with and without the symmetry, and its true error.
 struct Outcome {
     claimed: f64,
     alone: f64,
@@ -17,7 +17,7 @@ struct Outcome {
     of_form: bool,
 }
 
-/// With what the panels leave of the models' own indices.
+/// Returns the percentage that is covered, with what the panels leave of the models' own indices.
 fn covered(outcomes: &[Outcome], claim: fn(&Outcome) -> f64) -> f64 {
     let holds = outcomes.iter().filter(|o| o.truth <= claim(o) + 1e-6);
     100.0 * holds.count() as f64 / outcomes.len() as f64

@@ -1,4 +1,4 @@
-//! Where methods break: each is right to its error there, or says what is wrong.
+//! Extremes where methods break: each is right to its error there, or says what is wrong.
 
 use gsa::campaign::Campaign;
 use gsa::design::DesignError;

@@ -21,7 +21,7 @@ fn found(
     until_enough(Campaign::new(inputs, method).expect("a design"), run)
 }
 
-/// Everything that does not carry the output's unit; where a moment is out of range, the reason says so too.
+/// Returns all that does not carry the output's unit; where a moment is out of range, the reason says so too.
 fn dimensionless(analysis: &Analysis) -> Analysis {
     Analysis {
         mean: None,

@@ -1,4 +1,4 @@
-//! What every method keeps to, asked and told through one contract: on random models, and at the extremes.
+//! Contract of the methods: on random models, and at the extremes.
 
 mod contract;
 mod extremes;

@@ -12,7 +12,7 @@ use crate::known::Known;
 /// A source of random parameters.
 struct Draw {
     rng: ChaCha8Rng,
-    /// What parameters are moved by: a source of its own, and how far, as a share of their range.
+    /// Source of the parameters' moves, one of its own, and how far they go, as a share of their range.
     nudge: Option<(ChaCha8Rng, f64)>,
 }
 
@@ -104,12 +104,12 @@ fn joined(mut a: Vec<Term>, b: Vec<Term>) -> Vec<Term> {
     a
 }
 
-/// One model of every family for a seed.
+/// Draws a model of every family for a seed.
 pub fn all(seed: u64) -> Vec<Known> {
     drawn(seed, None)
 }
 
-/// The same models of the same inputs, every parameter moved by up to this share of its range.
+/// Draws the same models of the same inputs, every parameter moved by up to this share of its range.
 pub fn neighbours(seed: u64, size: f64) -> Vec<Known> {
     drawn(seed, Some((ChaCha8Rng::seed_from_u64(!seed), size)))
 }

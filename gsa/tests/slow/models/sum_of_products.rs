@@ -63,7 +63,7 @@ impl Factor {
     }
 }
 
-/// One product: its coefficient and one factor per input.
+/// A product: its coefficient and one factor per input.
 pub type Term = (f64, Vec<Factor>);
 
 /// Five-point Gauss-Legendre rule on \[0, 1\]; on panels that shrink towards both ends by half each.

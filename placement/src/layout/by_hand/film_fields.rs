@@ -1,4 +1,4 @@
-//! What films read around the wheel, as exactly as layouts are scored by it.
+//! Fields of films around the wheel, as exactly as layouts are scored by them.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct FilmFields {
-    /// What signals are in: `strain`, or `V` of glued films.
+    /// Unit of the signals: `strain`, or `V` of glued films.
     pub unit: String,
     /// Length and width of every film, mm; null: points.
     pub size_mm: Option<[f64; 2]>,
@@ -30,7 +30,7 @@ pub struct FilmNoise {
     pub place_std_deg: f64,
 }
 
-/// Where in the section a film lies, and how it is turned.
+/// Place of a film in the section, and how it is turned.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct FilmKindPlace {
@@ -40,18 +40,18 @@ pub struct FilmKindPlace {
     pub angle_deg: f64,
 }
 
-/// What films read at one load.
+/// Fields of films at one load.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct FieldLoad {
-    /// How far the ground stands above the inflated outer radius, mm.
+    /// Height of the ground above the inflated outer radius, mm.
     pub depth_mm: f64,
     /// Vertical force, N.
     pub load_n: Option<f64>,
-    /// Its derivative by the depth, N/mm.
+    /// Derivative of the force by the depth, N/mm.
     pub force_slope_n_per_mm: f64,
     /// Signal of each kind: a sample for each degree from the contact to the film, from -180 on.
     pub signals: Vec<Vec<f64>>,
-    /// Its derivative by the depth, per mm: as many samples.
+    /// Derivative of the signals by the depth, per mm: as many samples.
     pub slopes_per_mm: Vec<Vec<f64>>,
 }

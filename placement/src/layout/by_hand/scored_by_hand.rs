@@ -6,39 +6,40 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use fem_client::scene::Level;
 use fem_client::solver::{Coarser, Solver};
 
-use crate::layout::arrangement::Arrangement;
 use crate::layout::by_hand::film_fields::{FieldLoad, FilmFields, FilmKindPlace, FilmNoise};
 use crate::layout::by_hand::stored_solves::StoredSolves;
-use crate::layout::field::film_field::{DepthFields, LoadField, Noise};
-use crate::layout::layout_settings::{FreeLayout, Layouts};
-use crate::layout::ranking::asked_layouts::{AskedLayout, Kinds, free};
-use crate::layout::ranking::layout_order::with_scores;
-use crate::layout::ranking::layout_scores::{Scorer, bounds_alone};
-use crate::layout::simulate::simulation::Draws;
 use crate::layout::solving::judged_layouts::{noise, samples};
 use crate::layout::solving::layout_fields::MeshFields;
 use crate::layout::solving::layout_scenes::LayoutScenes;
 use crate::layout::solving::layout_workload::layout_series;
 use crate::layout::solving::measuring_layouts::both_meshes;
 use crate::layout::solving::study_layouts::Asked;
-use crate::result::{LayoutFindings, LayoutLoad, LayoutScore, RankedLayout};
-use crate::run::memory::MemoryArchive;
-use crate::run::{RunContext, RunError};
-use crate::study::Study;
-use crate::study::plan::PlannedStudy;
+use crate::points::RunContext;
+use crate::points::RunError;
+use crate::points::memory::MemoryArchive;
+use documents::layouts::layout_settings::{FreeLayout, Layouts};
+use documents::study::Study;
+use documents::study::plan::PlannedStudy;
+use layouts::arrangement::Arrangement;
+use layouts::field::film_field::{DepthFields, LoadField, Noise};
+use layouts::ranking::asked_layouts::{AskedLayout, Kinds, free};
+use layouts::ranking::layout_order::with_scores;
+use layouts::ranking::layout_scores::{Scorer, bounds_alone};
+use layouts::simulate::simulation::Draws;
+use results::{LayoutFindings, LayoutLoad, LayoutScore, RankedLayout};
 
 /// Most films of a layout that is moved by hand.
 pub const MOST_FILMS: usize = 96;
 
-/// Why layouts of a study can't be scored from what is stored.
+/// Reason why layouts of a study can't be scored from what is stored.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum HandError {
-    /// It has none.
+    /// Study without layouts.
     #[error(
         "the study asked for no layouts, so that nothing around the wheel is stored: add \"layouts\" to its document and run it again"
     )]
     NoLayouts,
-    /// Its layouts have no scores either.
+    /// Study whose layouts have no scores either.
     #[error("the study's layouts have no scores: {0}")]
     NoScores(String),
     /// Points were removed, or none were kept.
@@ -51,7 +52,7 @@ pub enum HandError {
     Stopped,
 }
 
-/// What is asked of layouts that are moved by hand.
+/// Request for layouts that are moved by hand.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HandAsked {
     /// The layouts.
@@ -90,15 +91,13 @@ impl StoredStudy {
     ) -> Result<Self, HandError> {
         let findings = findings.filter(|_| planned.study.layouts.is_asked());
         let findings = findings.ok_or(HandError::NoLayouts)?;
-        let level = Level::NAMES
-            .iter()
-            .find(|(name, _)| *name == findings.level);
-        let Some((_, level)) = level.filter(|_| !findings.rings.is_empty()) else {
+        let level = Level::named(&findings.level);
+        let Some(level) = level.filter(|_| !findings.rings.is_empty()) else {
             return Err(HandError::NoScores(findings.reasons.join(" ")));
         };
-        planned.study.layouts.level = Some(*level);
+        planned.study.layouts.level = Some(level);
         let mut scene = planned.study.scene.clone();
-        scene.model.level = *level;
+        scene.model.level = level;
         let coarser = solver.coarser(&scene);
         let is_kept =
             |coarser: &Coarser| Some(coarser.level.as_str()) == findings.coarser_level.as_deref();
@@ -160,7 +159,7 @@ impl StoredStudy {
     }
 }
 
-/// What scores layouts on one mesh.
+/// Scorer of layouts on one mesh.
 enum OnMesh<'f> {
     Bounds(&'f DepthFields, Noise, Vec<f64>),
     Simulated(Box<Scorer>),
@@ -174,7 +173,7 @@ impl OnMesh<'_> {
         }
     }
 
-    /// What errors are told of.
+    /// Returns the scores of which errors are told.
     fn figures(&self, arrangement: &Arrangement) -> Vec<LayoutScore> {
         match self {
             Self::Bounds(..) => self.scores(arrangement),
@@ -255,7 +254,12 @@ impl HandLayouts {
         self.fine.loads.iter().flatten().copied().collect()
     }
 
-    /// What every kind of film reads at every load, as the bounds of layouts follow from it.
+    /// All kinds of film, and what they read on the mesh of the study's layouts.
+    pub fn on_own_mesh(&self) -> (&Kinds, &MeshFields) {
+        (&self.kinds, &self.fine)
+    }
+
+    /// Returns what every kind of film reads at every load, as the bounds of layouts follow from it.
     pub fn fields(&self) -> FilmFields {
         let kinds: Vec<usize> = offered(&self.kinds).collect();
         let fields = self.fine.fields.of_kinds(&kinds);
@@ -278,6 +282,7 @@ impl HandLayouts {
             floor,
             gain_std,
             place_std_deg,
+            ..
         } = noise(&self.settings, &self.fine);
         FilmFields {
             unit: self.settings.unit().to_owned(),

@@ -6,7 +6,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use fem_client::scene::Scene;
 use fem_client::solver::{Coarser, Cost, SolveError, SolveRequest, Solved, Solver, StartState};
 
-use crate::run::archive::{Outcome, Unsolved};
+use crate::points::archive::Outcome;
+use results::Unsolved;
 
 /// Answers with outcomes that are stored, whichever version solved them.
 pub struct StoredSolves {
@@ -16,7 +17,7 @@ pub struct StoredSolves {
 }
 
 impl StoredSolves {
-    /// Of outcomes by their canonical scenes; `coarser` is the mesh beside the study's.
+    /// Holds outcomes by their canonical scenes; `coarser` is the mesh beside the study's.
     pub fn new(by_scene: HashMap<String, Outcome>, coarser: Option<Coarser>) -> Self {
         Self {
             by_scene,
@@ -40,7 +41,7 @@ impl Solver for StoredSolves {
         self.coarser
     }
 
-    /// What is stored of the scene. What isn't ends the run.
+    /// Returns what is stored of the scene. What isn't ends the run.
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
         match self.by_scene.get(&request.scene.canonical_json()) {
             Some(Ok(response)) => Ok(Solved {
@@ -65,7 +66,7 @@ fn no_equilibrium(unsolved: &Unsolved) -> SolveError {
     }
 }
 
-/// Nothing starts from a stored point here.
+/// Returns an empty state: nothing starts from a stored point here.
 fn nowhere() -> StartState {
     StartState {
         inflated_key: String::new(),

@@ -1,16 +1,18 @@
-//! What glued films make of the bare wall's strains, on one mesh: for each kind of film two coupled equilibria give its transfer, and that its volts.
+//! Volts of glued films on one mesh, from the bare wall's strains: for each kind of film two coupled equilibria give its transfer, and that its volts.
 
 use fem_client::scene::{Film, Level, Scene};
 use fem_client::solver::{FilmSignal, Readout, Response};
 
-use crate::layout::arrangement::{FilmKind, FilmReads};
 use crate::layout::solving::layout_fields::{CONTACT, samples};
 use crate::layout::solving::layout_scenes::LayoutScenes;
-use crate::run::archive::Outcome;
-use crate::run::{Place, RunContext, RunError};
+use crate::points::Place;
+use crate::points::RunContext;
+use crate::points::RunError;
+use crate::points::archive::Outcome;
 use crate::signals::answers::{Answer, check_transferable, signal_of_tension, tension};
 use crate::signals::measuring::answers_from_first;
 use crate::signals::tension_transfer::TensionTransfer;
+use layouts::arrangement::{FilmKind, FilmReads};
 
 /// A film that is glued on wherever layouts have one.
 pub(crate) struct GluedFilms<'s> {
@@ -21,7 +23,7 @@ pub(crate) struct GluedFilms<'s> {
 }
 
 impl<'s> GluedFilms<'s> {
-    /// Those of layouts, on the tires of a level.
+    /// Lists the glued films of layouts, on the tires of a level.
     pub fn of_layouts(
         film: &'s Film,
         scenes: &LayoutScenes,
@@ -116,14 +118,14 @@ pub(crate) fn in_volts(
     })
 }
 
-/// What a glued film gives.
+/// Returns what a glued film gives.
 ///
 /// # Errors
 /// Why it gives nothing.
 pub(crate) fn signal(answer: Option<&Answer>) -> Result<FilmSignal, String> {
     let response = answer.ok_or("it wasn't solved")?.as_ref();
     let film = response.map_err(Clone::clone)?.film;
-    let signal = film.and_then(|film| film.signal);
+    let signal = film.map(|film| film.signal);
     signal.ok_or_else(|| "the solver gives no reading of a glued film".to_owned())
 }
 

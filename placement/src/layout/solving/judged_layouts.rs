@@ -1,27 +1,28 @@
-//! From the fields of both meshes to ranked layouts and what they show.
+//! Judgement of layouts: from the fields of both meshes to ranked layouts and what they show.
 
 use fem_client::scene::Level;
 use fem_client::solver::Coarser;
 
-use crate::layout::arrangement::FilmKind;
-use crate::layout::field::film_field::{LoadField, Noise};
-use crate::layout::fisher::dense_ring::knee;
-use crate::layout::layout_settings::{Layouts, NoiseFloor, direction_name};
-use crate::layout::opinions::candidate_films::{agreement, candidates};
-use crate::layout::ranking::asked_layouts::{AskedLayout, Kinds};
-use crate::layout::ranking::layout_order::{front, rank, tau_of_bound, with_scores};
-use crate::layout::ranking::layout_scores::Scorer;
-use crate::layout::simulate::simulation::SAMPLES;
 use crate::layout::solving::layout_fields::MeshFields;
 use crate::layout::solving::layout_scenes::{LayoutScenes, Pressed};
-use crate::layout::solving::on_threads::in_parallel;
 use crate::layout::solving::searched_layouts::search;
 use crate::layout::solving::study_layouts::Asked;
-use crate::result::{Knee, LayoutFindings, LayoutLoad, LoadShear, RankedLayout, StrainRing};
-use crate::run::{RunContext, RunError};
-use crate::study::Study;
+use crate::points::RunContext;
+use crate::points::RunError;
+use crate::points::worker_threads::in_parallel;
+use documents::layouts::layout_settings::{Layouts, NoiseFloor, direction_name};
+use documents::study::Study;
+use layouts::arrangement::FilmKind;
+use layouts::field::film_field::{LoadField, Noise};
+use layouts::fisher::candidate_films::candidates;
+use layouts::fisher::dense_ring::knee;
+use layouts::ranking::asked_layouts::{AskedLayout, Kinds};
+use layouts::ranking::layout_order::{front, rank, tau_of_bound, with_scores};
+use layouts::ranking::layout_scores::Scorer;
+use layouts::simulate::simulation::SAMPLES;
+use results::{Knee, LayoutFindings, LayoutLoad, LoadShear, RankedLayout, StrainRing};
 
-/// What was solved on both meshes.
+/// Fields that were solved on both meshes.
 pub(crate) struct Answer<'s> {
     pub level: Level,
     pub scenes: &'s LayoutScenes,
@@ -54,7 +55,7 @@ impl Answer<'_> {
             .as_ref()
             .map(|(fields, coarser)| (self.scorer(fields, &asked, study), coarser.factor));
         let load_rows = self.loads(settings, study, &mut asked.kinds, &noise);
-        let scored = in_parallel(asked.layouts.len(), context, |i| {
+        let scored = in_parallel(asked.layouts.len(), context.threads, context.stop, |i| {
             let AskedLayout { arrangement, label } = &asked.layouts[i];
             let coarse = coarse
                 .as_ref()
@@ -100,7 +101,6 @@ impl Answer<'_> {
             front: front(&layouts),
             tau_of_bound: tau_of_bound(&layouts),
             searches,
-            agreement: agreement(&candidates),
             candidates,
             rings: self.rings(&asked),
             loads: load_rows,
@@ -238,7 +238,7 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Rounded to a tenth of what a solve leaves open in a strain.
+/// Rounds to a tenth of what a solve leaves open in a strain.
 fn to_nanostrain(strain: f64) -> f64 {
     (strain * 1e9).round() / 1e9 + 0.0
 }
@@ -250,6 +250,7 @@ pub(crate) fn noise(settings: &Layouts, fields: &MeshFields) -> Noise {
             NoiseFloor::Share(share) => share * fields.crown,
             NoiseFloor::Strain(floor) | NoiseFloor::Volts(floor) => floor,
         },
+        in_volts: settings.glued.is_some(),
         gain_std: settings.noise.gain_std,
         place_std_deg: settings.noise.place_std_deg,
     }

@@ -2,12 +2,12 @@
 
 use fem_client::solver::{Readout, Response, Ring};
 
-use crate::layout::arrangement::FilmKind;
-use crate::layout::field::film_field::DepthFields;
-use crate::layout::field::hermite::{DEGREES, Nodes, Turn};
 use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
-use crate::run::archive::Outcome;
+use crate::points::archive::Outcome;
 use crate::score::quantity::around;
+use layouts::arrangement::FilmKind;
+use layouts::field::film_field::DepthFields;
+use layouts::field::hermite::{DEGREES, Nodes, Turn};
 
 /// Depths nearer than this are one, mm.
 const SAME_DEPTH_MM: f64 = 1e-6;
@@ -15,16 +15,16 @@ const SAME_DEPTH_MM: f64 = 1e-6;
 /// The sample of a film at the contact's centre.
 pub const CONTACT: usize = DEGREES / 2;
 
-/// What one mesh answers about the loads of a study.
+/// Fields of one mesh at the loads of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshFields {
     /// Signals of all kinds of film.
     pub fields: DepthFields,
-    /// For each load asked for: its depth (mm), or why it wasn't reached.
+    /// Depth of each load asked for, mm, or why it wasn't reached.
     pub loads: Vec<Result<f64, String>>,
     /// The crown's largest signal at the load in the middle.
     pub crown: f64,
-    /// Why there are no slopes over the ground's shift, where they were asked for.
+    /// Reasons why there are no slopes over the ground's shift, where they were asked for.
     pub without_shear: Vec<String>,
 }
 
@@ -41,7 +41,7 @@ pub fn mesh_fields(
         let response = outcomes[index]
             .as_ref()
             .map_err(|unsolved| unsolved.to_string())?;
-        let depth = response.depth_mm.ok_or("the solver gives no depth")?;
+        let depth = response.depth_mm;
         Ok((depth, response))
     };
     let of_load = |load| {

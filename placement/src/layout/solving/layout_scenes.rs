@@ -1,29 +1,29 @@
-//! What is solved for layouts: a flat ground at every load, and a little beside it.
+//! Scenes that are solved for layouts: a flat ground at every load, and a little beside it.
 
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, RingLine};
 
-use crate::layout::arrangement::FilmKind;
-use crate::layout::layout_settings::{LayoutLoads, Layouts};
-use crate::signals::series::loads_of_transfer;
+use documents::layouts::layout_settings::{LayoutLoads, Layouts};
+use documents::signals::series::loads_of_transfer;
+use layouts::arrangement::FilmKind;
 
 /// Half of the sector that is meshed finely, degrees: slopes of strains 20 to 60 degrees from the contact decide how well its angle is known.
 pub const FINE_DEG: f64 = 60.0;
 /// Solves beside each load, over the load: slopes over the depth are central differences. On the foot tire half the distance changes them by 0.3 %.
 const BESIDE: [f64; 2] = [0.9, 1.1];
-/// How far the depths of the study reach beyond the least and the largest load, over these.
+/// Reach of the study's depths beyond the least and the largest load, over these.
 const BEYOND: [f64; 2] = [0.5, 1.25];
 /// The ground's shift over the section's radius: 0.02 mm on the foot tire, of the 0.7 mm at which it slides.
 const SHIFT_OF_SECTION: f64 = 1.6e-3;
 /// Solves nearer than this to another are left out, relative.
 const TOO_NEAR: f64 = 0.04;
 
-/// How a flat ground presses.
+/// Pressing of a flat ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pressed {
-    /// By a depth, mm.
+    /// Depth to press to, mm.
     Depth(f64),
-    /// By a force, N.
+    /// Force to press with, N.
     Force(f64),
 }
 
@@ -63,7 +63,7 @@ impl std::fmt::Display for Pressed {
 }
 
 impl LayoutScenes {
-    /// Those of a tire: a study's scene at its means.
+    /// Lists the scenes of a tire: a study's scene at its means.
     ///
     /// # Errors
     /// Why there is no load.
@@ -123,7 +123,7 @@ impl LayoutScenes {
         self.loads.iter().map(dragged).collect()
     }
 
-    /// How far the ground is dragged for slopes over its shift, mm: so little that all but the contact's rim sticks.
+    /// Returns how far the ground is dragged for slopes over its shift, mm: so little that all but the contact's rim sticks.
     pub fn shift_mm(&self) -> f64 {
         SHIFT_OF_SECTION * self.tire.geometry.section_radius_mm
     }
@@ -133,8 +133,8 @@ impl LayoutScenes {
         self.tire.contact.friction
     }
 
-    /// Which two of the solved loads give a glued film's transfer: of those asked for the nearest to a third and to two thirds of the largest, as of films'
-    /// signals; of a single one those beside it count, too.
+    /// Returns which two of the solved loads give a glued film's transfer: of those asked for the nearest to a third and to two thirds of the largest, as
+    /// of films' signals; of a single one those beside it count, too.
     pub fn of_transfer(&self) -> Option<[usize; 2]> {
         let values =
             |loads: &[Pressed]| -> Vec<f64> { loads.iter().map(|load| load.value()).collect() };
@@ -144,7 +144,7 @@ impl LayoutScenes {
         Some([first?, second?])
     }
 
-    /// Which of the solved loads sets the noise.
+    /// Returns which of the solved loads sets the noise.
     pub fn middle(&self) -> usize {
         0
     }
@@ -184,7 +184,7 @@ fn loads(settings: &Layouts, means: &Scene) -> Result<Vec<Pressed>, String> {
     })
 }
 
-/// Where strains are read: a line around the wheel for every section angle at which a film has a point.
+/// Returns where strains are read: a line around the wheel for every section angle at which a film has a point.
 pub fn readout(kinds: &[FilmKind]) -> Readout {
     let mut rings: Vec<RingLine> = Vec::new();
     for kind in kinds {

@@ -1,16 +1,16 @@
-//! What judging a study's layouts takes: the scenes of each mesh, and how often a layout is scored.
+//! Workload of a study's layouts: the scenes of each mesh, and how often a layout is scored.
 
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Coarser, Readout, Solver};
 
-use crate::layout::search::search_criterion::SearchCriterion;
 use crate::layout::solving::glued_films::GluedFilms;
 use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
 use crate::layout::solving::mirror_parts::mirrored;
 use crate::layout::solving::study_layouts::Asked;
 use crate::signals::answers::check_transferable;
-use crate::study::Study;
-use crate::study::plan::Plan;
+use documents::study::Study;
+use documents::study::plan::Plan;
+use layouts::search::search_criterion::SearchCriterion;
 
 /// The level of a study's layouts, and the coarser one that shows its error.
 pub(crate) fn levels(study: &Study, plan: &Plan, solver: &dyn Solver) -> (Level, Option<Coarser>) {
@@ -65,7 +65,7 @@ pub(crate) fn largest_layout(study: &Study) -> usize {
     asked.chain(searched).max().unwrap_or(0)
 }
 
-/// How often a layout is scored at a load on a mesh: those that a search finds, and those with a film dead, are scored, too.
+/// Returns how often a layout is scored at a load on a mesh: those that a search finds, and those with a film dead, are scored, too.
 pub(crate) fn scorings(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize {
     let meshes = match study.layouts.is_asked() {
         true => 1 + usize::from(levels(study, plan, solver).1.is_some()),

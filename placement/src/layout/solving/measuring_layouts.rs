@@ -3,7 +3,6 @@
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, Solver};
 
-use crate::layout::ranking::asked_layouts::AskedLayout;
 use crate::layout::solving::glued_films::GluedFilms;
 use crate::layout::solving::judged_layouts::Answer;
 use crate::layout::solving::layout_fields::{MeshFields, mesh_fields};
@@ -12,11 +11,15 @@ use crate::layout::solving::layout_workload::{layout_series, levels};
 use crate::layout::solving::mirror_parts::mirrored;
 use crate::layout::solving::shear_fields::add_shear;
 use crate::layout::solving::study_layouts::Asked;
-use crate::result::{GradedNote, LayoutFindings, LayoutScore, RankedLayout, StudyResult, Topic};
-use crate::run::archive::Outcome;
-use crate::run::{Place, RunContext, RunError, outcomes_of};
-use crate::study::Study;
-use crate::study::plan::Plan;
+use crate::points::Place;
+use crate::points::RunContext;
+use crate::points::RunError;
+use crate::points::archive::Outcome;
+use crate::points::outcomes_of;
+use documents::study::Study;
+use documents::study::plan::Plan;
+use layouts::ranking::asked_layouts::AskedLayout;
+use results::{GradedNote, LayoutFindings, LayoutScore, RankedLayout, StudyResult, Topic};
 
 const ORDER_NOTE: &str = "Layouts are in the order of their simulated error (95th percentile at the worst load) times the root of the number of films; their \
      Cramer-Rao bounds are lower, and far lower where two places look alike.";
@@ -67,7 +70,7 @@ pub(crate) fn measure(
     Ok(())
 }
 
-/// What both meshes answer, or why there is nothing; and how many points that took.
+/// Solves both meshes, or says why there is nothing; and how many points that took.
 pub(crate) fn both_meshes<'s>(
     first: usize,
     study: &Study,
@@ -94,13 +97,13 @@ pub(crate) fn both_meshes<'s>(
     Ok((answer, place.first - first))
 }
 
-/// How many points are solved for layouts.
+/// Counts the points that are solved for layouts.
 fn count(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize {
     let series = layout_series(study, plan, solver).into_iter();
     series.map(|(scenes, _)| scenes.len()).sum()
 }
 
-/// What one mesh answers; the place moves behind its points. Without the first load there is nothing to start from: that costs the layouts, not the study.
+/// Solves one mesh; the place moves behind its points. Without the first load there is nothing to start from: that costs the layouts, not the study.
 fn solved(
     scenes: &LayoutScenes,
     level: Level,
@@ -146,7 +149,7 @@ fn solved(
     Ok(Ok(fields))
 }
 
-/// What becomes of these scenes, or why nothing did; the place moves behind their points.
+/// Solves these scenes, or says why nothing came of them; the place moves behind their points.
 pub(crate) fn outcomes(
     all: &[Scene],
     readout: &Readout,

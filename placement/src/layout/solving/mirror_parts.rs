@@ -1,4 +1,4 @@
-//! What the two mirror planes of a flat ground make of one field: its parts that are even or odd in the ground's shift.
+//! Parts of a field by the two mirror planes of a flat ground: those that are even or odd in the ground's shift.
 //!
 //! Mirrored fore and aft, a shift (x, y) becomes (-x, y), a wheel angle u becomes -u, and a direction at angle a becomes -a; mirrored left and right, it becomes
 //! (x, -y), the section angle phi becomes -phi, and a becomes -a. So a field f of the shift (x, y) holds those of all four signs, and its part that is odd in x
@@ -7,8 +7,8 @@
 use fem_client::solver::direction::PerDirection;
 use fem_client::solver::{Readout, Ring, RingLine};
 
-use crate::layout::arrangement::FilmKind;
 use crate::layout::solving::layout_scenes::readout;
+use layouts::arrangement::FilmKind;
 
 /// Lines on which films of these kinds are read, with their images left and right.
 pub fn mirrored(kinds: &[FilmKind]) -> Readout {

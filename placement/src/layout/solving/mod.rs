@@ -1,11 +1,11 @@
-//! What layouts have solved, and what becomes of it:
+//! Solves for layouts, and what becomes of them:
 //!
 //! - `study_layouts`: layouts, kinds of film and places of the search, as a study asks for them
 //! - [`layout_scenes`]: a flat ground at every load
 //! - [`layout_fields`]: solved loads as fields; `glued_films`: what glued films make of the bare wall's strains
 //! - [`shear_fields`]: what a shift of the ground changes; [`mirror_parts`]: a field's parts that are even or odd in it
 //! - `searched_layouts`: the best layouts of so many films
-//! - `judged_layouts`: fields of two meshes to ranked layouts, on all threads (`on_threads`)
+//! - `judged_layouts`: fields of two meshes to ranked layouts, on all threads
 //! - `measuring_layouts`: solves and fills in a study's result
 //! - `layout_workload`: what all that takes
 
@@ -16,7 +16,6 @@ pub mod layout_scenes;
 pub(crate) mod layout_workload;
 pub(crate) mod measuring_layouts;
 pub mod mirror_parts;
-pub(crate) mod on_threads;
 pub(crate) mod searched_layouts;
 pub mod shear_fields;
 pub(crate) mod study_layouts;

@@ -1,16 +1,16 @@
 //! Layouts that a study has searched for.
 
-use crate::layout::arrangement::LaidFilm;
-use crate::layout::field::film_field::{DepthFields, LoadField, Noise};
-use crate::layout::layout_settings::Layouts;
-use crate::layout::ranking::asked_layouts::{AskedLayout, listed};
-use crate::layout::search::best_layouts::Findings;
-use crate::layout::search::layout_search::SearchPlaces;
-use crate::layout::search::search_criterion::{SearchCriterion, SearchFields};
-use crate::layout::solving::on_threads::in_parallel;
 use crate::layout::solving::study_layouts::Asked;
-use crate::result::LayoutSearch;
-use crate::run::RunContext;
+use crate::points::RunContext;
+use crate::points::worker_threads::in_parallel;
+use documents::layouts::layout_settings::Layouts;
+use layouts::arrangement::LaidFilm;
+use layouts::field::film_field::{DepthFields, LoadField, Noise};
+use layouts::ranking::asked_layouts::{AskedLayout, listed};
+use layouts::search::best_layouts::Findings;
+use layouts::search::layout_search::SearchPlaces;
+use layouts::search::search_criterion::{SearchCriterion, SearchFields};
+use results::LayoutSearch;
 
 /// Depths of the study that a contact may be taken for.
 const OTHER_DEPTHS: usize = 8;
@@ -40,7 +40,7 @@ pub(crate) fn search(
     let tasks: Vec<(usize, &(SearchCriterion, SearchPlaces))> = numbers
         .flat_map(|&films| searches.iter().map(move |search| (films, search)))
         .collect();
-    let found = in_parallel(tasks.len(), context, |task| {
+    let found = in_parallel(tasks.len(), context.threads, context.stop, |task| {
         let (films, (_, places)) = tasks[task];
         places.search(films)
     })?;
@@ -51,7 +51,7 @@ pub(crate) fn search(
     Some(reports.collect())
 }
 
-/// What one search found, whose layouts are added to those that are scored, each once.
+/// Reports what one search found, whose layouts are added to those that are scored, each once.
 fn report(
     films: usize,
     (criterion, places): &(SearchCriterion, SearchPlaces),

@@ -1,15 +1,15 @@
-//! What a small shift of the ground changes in every film's signal, along the wheel and across it, of one solve a load.
+//! Changes of every film's signal with a small shift of the ground, along the wheel and across it, of one solve a load.
 //!
 //! A slope is the part of the field that is odd in one shift alone, over the shift (`mirror_parts`). What is left out is of third order in it.
 
 use fem_client::solver::{Response, Ring};
 
-use crate::layout::arrangement::FilmKind;
-use crate::layout::field::film_field::ShearField;
 use crate::layout::solving::layout_fields::{MeshFields, samples};
 use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
 use crate::layout::solving::mirror_parts::{mirrored, part};
-use crate::run::archive::Outcome;
+use crate::points::archive::Outcome;
+use layouts::arrangement::FilmKind;
+use layouts::field::film_field::ShearField;
 
 /// Parts that are odd in the shift along the wheel alone, and in the one across alone.
 const SLOPES: [[bool; 2]; 2] = [[true, false], [false, true]];
@@ -63,7 +63,7 @@ pub fn shear_field(
     response: &Response,
 ) -> Result<ShearField, String> {
     let shift = scenes.shift_mm();
-    let depth_mm = response.depth_mm.ok_or("the solver gives no depth")?;
+    let depth_mm = response.depth_mm;
     let [x, y, z] = response.force_n.ok_or("the solver gives no force")?;
     let lines = readout(kinds).rings;
     let read = mirrored(kinds).rings;

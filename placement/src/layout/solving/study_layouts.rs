@@ -1,9 +1,9 @@
 //! Layouts, kinds of film and places of the search, as a study's document asks for them.
 
-use crate::layout::arrangement::LaidFilm;
-use crate::layout::layout_settings::farthest_section_deg;
-use crate::layout::ranking::asked_layouts::{AskedLayout, Kinds, asked_layouts, search_films};
-use crate::study::Study;
+use documents::layouts::layout_settings::farthest_section_deg;
+use documents::study::Study;
+use layouts::arrangement::{FilmReads, LaidFilm};
+use layouts::ranking::asked_layouts::{AskedLayout, Kinds, asked_layouts, search_films};
 
 /// Layouts, kinds of film and places of the search, as a document asks for them.
 #[derive(Clone)]
@@ -17,7 +17,11 @@ pub(crate) struct Asked {
 impl Asked {
     pub fn of(study: &Study) -> Self {
         let geometry = &study.scene.geometry;
-        let mut kinds = Kinds::of_crown(geometry, study.layouts.size_mm, study.layouts.reads());
+        let mut kinds = Kinds::of_crown(
+            geometry,
+            study.layouts.size_mm,
+            FilmReads::of(&study.layouts),
+        );
         let layouts = asked_layouts(&study.layouts, study.directions, &mut kinds);
         let search = study.layouts.search.as_ref();
         let places = search.map_or_else(Vec::new, |search| search_films(search, &mut kinds));

@@ -1,7 +1,7 @@
 //! Documents changed at random: read or refused, never a panic.
 
-use fem_client::document::Format;
-use placement::study::{Study, presets};
+use document::Format;
+use documents::study::{Study, presets};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 

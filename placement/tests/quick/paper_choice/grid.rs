@@ -11,7 +11,7 @@ pub const STATIONS: usize = 5;
 /// Nodes of each input.
 pub const NODES: usize = 5;
 const OUTPUTS: usize = 2 * STATIONS;
-const TABLE: &str = include_str!("../../../../docs/verification/paper-choice/strains.csv");
+const TABLE: &str = include_str!("../../../../docs/proof/paper-choice/strains.csv");
 
 /// Strains of all 3125 points. The table has one of each pair of mirror images.
 pub struct Grid {
@@ -55,7 +55,7 @@ impl Grid {
         })
     }
 
-    /// What a method makes of its points, and how many there are.
+    /// Analyses its points by a method, and counts them.
     pub fn analysed(&self, method: Method) -> (Vec<Analysis>, usize) {
         let campaign = Campaign::new(&self.inputs, method).expect("a design");
         let rows: Vec<f64> = campaign

@@ -1,4 +1,4 @@
-//! M-DRM at 26 solves against the full grid of 3125: the figures of `docs/verification/paper-choice/README.md`.
+//! M-DRM at 26 solves against the full grid of 3125: the figures of `docs/proof/paper-choice/README.md`.
 
 mod grid;
 

@@ -3,76 +3,40 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from strainsite.views import designs, frames, html
 
-from .compared import ComparedIndex, ComparedLocation, ComparedStudy  # noqa: TC001 - fields are read by their types
-from .reading import read
-from .rows import Row, record
+from . import rows
+from ._generated import ComparisonFields
+from .reading import whole
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
-ComparisonTable = Literal["locations", "designs"]
-
-_COSTS = ("solves", "coarser_solves", "effect_solves", "reused", "wall_s", "cpu_s")
+    from ._generated import ComparedIndex, ComparedStudy
 
 
-@dataclass(frozen=True, repr=False)
-class Comparison:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Comparison(ComparisonFields):
     """Index and rank of each location of several studies, differences with their errors, and what each took."""
 
-    baseline: str | None
-    """Identifier of the study that the others are compared with."""
-    studies: tuple[ComparedStudy, ...]
-    rows: tuple[ComparedLocation, ...]
-    notes: tuple[str, ...] = ()
     raw: dict[str, Any] = field(default_factory=dict, compare=False)
     """The service's document, with what this client has no field for."""
 
     @classmethod
     def of(cls, document: dict[str, Any]) -> Comparison:
         """Reads a comparison as the service sends it."""
-        comparison = read(cls, document)
-        object.__setattr__(comparison, "raw", document)
-        return comparison
+        return whole(cls, document)
 
     def frame(self) -> pd.DataFrame:
         """A row for each location of each study with a result; columns of a direction end with `_x` or `_y`."""
-        studies = {study.id: study for study in self.studies}
-        rows = []
-        for row in self.rows:
-            line = self._begun(studies[row.study])
-            of_row = ("location", "rank", "rank_certain", "rank_change", "rank_verdict")
-            line |= {name: getattr(row, name) for name in of_row}
-            for direction, index in (("x", row.x), ("y", row.y)):
-                line |= {f"{name}_{direction}": value for name, value in record(index).items()}
-            rows.append(self._ended(line, studies[row.study]))
-        return frames.frame(rows)
+        return frames.frame(rows.compared(self))
 
     def studies_frame(self) -> pd.DataFrame:
         """A row for each study: what differs, its state, why it has no result, force, signal, best layout, cost."""
-        rows = []
-        for study in self.studies:
-            line = self._begun(study)
-            left = {"id", "name", "set", "cost", "spec_sha256", "version"}
-            line |= {name: value for name, value in record(study).items() if name not in left}
-            line |= {name: getattr(study.cost, name) if study.cost else None for name in _COSTS}
-            rows.append(self._ended(line, study))
-        return frames.frame(rows)
-
-    def _begun(self, study: ComparedStudy) -> Row:
-        """What rows begin with: the study, and every field that any design sets."""
-        paths = sorted({path for other in self.studies for path in other.set or {}})
-        settings = study.set or {}
-        return {"study": study.id, "name": study.name} | {path: settings.get(path) for path in paths}
-
-    def _ended(self, line: Row, study: ComparedStudy) -> Row:
-        """With where the row is from."""
-        origin = {"spec_sha256": study.spec_sha256, "version": study.version, "baseline": self.baseline}
-        return line | origin
+        return frames.frame(rows.compared_studies(self))
 
     def plot(self, figure: Figure | None = None) -> Figure:
         """Each location's index over the designs, with error bars, both directions."""

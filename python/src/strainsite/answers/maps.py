@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from .points import LocationStrain
+    from ._generated import LocationStrain
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -37,7 +37,7 @@ class StrainMap:
     first_order: NDArray[np.float64]
     """First-order index of the input."""
     total: NDArray[np.float64]
-    """Total index of the input; no error of its own is known. nan in results of earlier versions."""
+    """Total index of the input; no error of its own is known."""
     std: NDArray[np.float64]
     """Standard deviation of the strain."""
     strain: NDArray[np.float64]
@@ -87,7 +87,7 @@ class StrainMap:
         if name not in inputs:
             raise StrainsiteError(f"input is one of {', '.join(inputs)}; it is {name!r}")
         layer = layers[direction]
-        indices, totals = layer["first_order"], layer.get("total", [])
+        indices, totals = layer["first_order"], layer["total"]
         k = inputs.index(name)
         return cls.of(
             {

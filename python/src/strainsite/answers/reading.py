@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def read(kind: type[T], value: object, where: str = "") -> T:
     """A dataclass from a JSON object.
 
-    Fields of the class that are missing take their default; an optional one is None then.
+    Fields of the class that are missing take their default.
 
     Raises:
         AnswerError: A field that this client needs is missing, or of another type.
@@ -35,11 +35,14 @@ def read(kind: type[T], value: object, where: str = "") -> T:
         place = f"{where}.{field.name}" if where else field.name
         if field.name in value:
             given[field.name] = _convert(hints[field.name], value[field.name], place)
-        elif _is_optional(hints[field.name]):
-            given[field.name] = None
         elif field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING:
             raise AnswerError(f"the service's answer has no {place}: it is of another version than this client")
     return kind(**given)
+
+
+def whole(kind: type[T], document: dict[str, Any]) -> T:
+    """A dataclass that keeps the document itself, too, as `raw`."""
+    return read(kind, {**document, "raw": document} if isinstance(document, dict) else document)
 
 
 def records(values: object, kind: type[T], where: str) -> tuple[T, ...]:
@@ -67,8 +70,10 @@ def _convert(hint: Any, value: object, where: str) -> Any:  # noqa: ANN401 - wha
         return read(hint, value, where)
     kind = typing.get_origin(hint) or hint
     if kind is tuple and isinstance(value, list):
-        entry = typing.get_args(hint)[0]
-        return tuple(_convert(entry, one, f"{where}[{k}]") for k, one in enumerate(value))
+        hints = typing.get_args(hint)
+        hints = hints[:1] * len(value) if hints[-1] is ... else hints
+        if len(hints) == len(value):
+            return tuple(_convert(hints[k], one, f"{where}[{k}]") for k, one in enumerate(value))
     plain: dict[Any, Callable[[object], bool]] = {
         dict: lambda v: isinstance(v, dict),
         str: lambda v: isinstance(v, str),

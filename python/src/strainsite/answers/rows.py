@@ -1,55 +1,27 @@
-"""Answers as rows of tables, with the columns of the exported ones."""
+"""Answers as rows of tables: the columns of the exported ones, as the service describes them."""
 
 from __future__ import annotations
 
 import dataclasses
 from typing import TYPE_CHECKING
 
+from ._generated import COLUMNS
+
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from _typeshed import DataclassInstance
 
-    from .indices import Output
-    from .model import Input
-    from .points import Evaluation
-    from .ranked import Layout
-    from .signals import SignalRow
+    from ._generated import (
+        ComparedStudy,
+        ComparisonFields,
+        Evaluation,
+        Input,
+        Layout,
+        Output,
+    )
 
 Row = dict[str, object]
-
-_LAYOUT_COLUMNS = [
-    "rank",
-    "spacing_deg",
-    "units",
-    "position",
-    "films",
-    "weakest_signal_strain",
-    "worst_angle_error_deg",
-    "rms_angle_error_deg",
-    "worst_depth_error_mm",
-    "noise_strain",
-    "reason",
-    "rank_certain",
-    "name",
-    "staggered",
-    "film_count",
-    "bayes_angle_error_deg",
-    "simulated_rms_angle_error_deg",
-    "simulated_p95_angle_error_deg",
-    "simulated_p95_error_deg",
-    "lost_share",
-    "simulated_rms_depth_error_mm",
-    "force_error_n",
-    "alike_sigmas",
-    "worst_angle_mesh_error_deg",
-    "doubt",
-    "shear_angle_error_deg",
-    "shear_force_x_error_n",
-    "shear_force_y_error_n",
-    "shear_force_z_error_n",
-    "shear_reason",
-]
 
 
 def record(value: DataclassInstance) -> Row:
@@ -57,64 +29,57 @@ def record(value: DataclassInstance) -> Row:
     return {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
 
 
-def indices(outputs: Sequence[Output], inputs: Sequence[Input]) -> list[Row]:
+def table(name: str, parts: Iterable[Row]) -> list[Row]:
+    """The rows of a table.
+
+    Args:
+        name: Name of the table, as `layouts`.
+        parts: What each row is made of, by the names that the columns' pointers begin with; `unit` is that of its
+            films' signals.
+
+    """
+    return [{column: _value(row, at, unit) for column, at, unit in COLUMNS[name]} for row in parts]
+
+
+def _value(row: Row, pointer: str, unit: str | None) -> object:
+    """What stands at a JSON pointer; texts of a list are joined as in `x+y`."""
+    if unit is not None and row["unit"] != unit:
+        return None
+    value: object = row
+    for step in pointer.split("/")[1:]:
+        if isinstance(value, dict):
+            value = value[step]
+        elif isinstance(value, (list, tuple)):
+            value = value[int(step)]
+        elif value is not None:
+            value = getattr(value, step)
+    return "+".join(value) if isinstance(value, (list, tuple)) else value
+
+
+def indices(outputs: Iterable[Output], inputs: Sequence[Input]) -> list[Row]:
     """A row for each location, direction and input."""
-    return [
-        {
-            "location": output.location,
-            "direction": output.direction,
-            "input": varied.name,
-            "first_order": _at(output.first_order, k),
-            "total": _at(output.total, k),
-            "error_mesh": output.error.mesh,
-            "error_quadrature": output.error.quadrature,
-            "error_decomposition": output.error.decomposition,
-            "error_total": output.error.total,
-            "mean_strain": output.mean,
-            "std_strain": output.std,
-            "method": output.method,
-            "status": output.status,
-            "mdrm_first_order": _at(output.mdrm_first_order, k),
-        }
+
+    def own(output: Output, k: int) -> Row:
+        lists = {name: getattr(output, name) for name in ("first_order", "total", "mdrm_first_order")}
+        return {name: _at(values, k) for name, values in lists.items()}
+
+    rows = (
+        {"output": output, "input": varied, "own": own(output, k)}
         for output in outputs
         for k, varied in enumerate(inputs)
-    ]
+    )
+    return table("indices", rows)
 
 
-def layouts(layouts: Sequence[Layout]) -> list[Row]:
-    """A row for each layout at its worst load, best first; films as in `x+y`."""
-    rows = []
+def forces(layouts: Iterable[Layout]) -> list[Row]:
+    """A row for each layout and force; its error on left-out cycles, or runs where there are no cycles."""
+    rows: list[Row] = []
     for layout in layouts:
-        row = record(layout) | record(layout.score)
-        row["films"] = "+".join(layout.films)
-        score, error = layout.score, layout.score.error
-        row["weakest_signal_strain"] = score.weakest_signal
-        row["simulated_p95_error_deg"] = error.simulated_p95_angle_error_deg if error else None
-        row["worst_angle_mesh_error_deg"] = error.worst_angle_error_deg if error else None
-        row["alike_sigmas"] = score.alike.sigmas if score.alike else None
-        shear = score.shear
-        forces = (shear and shear.worst_force_error_n) or (None, None, None)
-        row["shear_angle_error_deg"] = shear.worst_angle_error_deg if shear else None
-        row |= {f"shear_force_{axis}_error_n": force for axis, force in zip("xyz", forces, strict=True)}
-        row["shear_reason"] = shear.reason if shear else None
-        rows.append({name: row[name] for name in _LAYOUT_COLUMNS})
-    return rows
-
-
-def signals(readings: Sequence[SignalRow]) -> list[Row]:
-    """A row for each film and pressing."""
-    rows = []
-    for reading in readings:
-        row = record(reading)
-        error, reason = reading.error, row.pop("reason")
-        row["strain_error"] = error.strain if error else None
-        row["charge_error_nc"] = error.charge_nc if error else None
-        row["open_circuit_error_v"] = error.open_circuit_v if error else None
-        row["output_error_v"] = error.output_v if error else None
-        row["reason"] = reason
-        del row["error"]
-        rows.append(row)
-    return rows
+        for force in layout.force_error or ():
+            splits = {split.by: split for split in force.splits}
+            left_out = splits.get("cycle") or splits.get("run")
+            rows.append({"layout": layout, "force": force, "left_out": left_out})
+    return table("forces", rows)
 
 
 def evaluations(points: Sequence[Evaluation], inputs: Sequence[str]) -> list[Row]:
@@ -136,6 +101,29 @@ def evaluations(points: Sequence[Evaluation], inputs: Sequence[str]) -> list[Row
         row["key"] = point.key
         rows.append(row)
     return rows
+
+
+def compared(comparison: ComparisonFields) -> list[Row]:
+    """A row for each location of each study with a result."""
+    studies = {study.id: study for study in comparison.studies}
+    located = [(row, studies[row.study]) for row in comparison.rows]
+    parts: list[Row] = [{"row": row, "study": study, "comparison": comparison} for row, study in located]
+    rows = zip(located, table("compared_locations", parts), strict=True)
+    return [_named(study, comparison) | row for (_, study), row in rows]
+
+
+def compared_studies(comparison: ComparisonFields) -> list[Row]:
+    """A row for each study."""
+    parts: list[Row] = [{"study": study, "comparison": comparison} for study in comparison.studies]
+    rows = zip(comparison.studies, table("designs", parts), strict=True)
+    return [_named(study, comparison) | row for study, row in rows]
+
+
+def _named(study: ComparedStudy, comparison: ComparisonFields) -> Row:
+    """What rows of a study begin with: which it is, and every field that any design sets."""
+    paths = sorted({path for other in comparison.studies for path in other.set or {}})
+    settings = study.set or {}
+    return {"study": study.id, "name": study.name} | {path: settings.get(path) for path in paths}
 
 
 def _at(values: Sequence[float] | None, k: int) -> float | None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import csv
 import io
 import json
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from strainsite.answers._generated import EstimatorSummary
 from strainsite.answers.reading import read, records
 from strainsite.connection.download import write_whole
 from strainsite.connection.follow import look
@@ -18,7 +18,7 @@ from strainsite.views import frames, html
 
 from .left_out import LeftOutRows
 from .recordings import recording
-from .report import FitReport, RecordingFigures
+from .report import FitReport
 
 if TYPE_CHECKING:
     import os
@@ -32,37 +32,6 @@ if TYPE_CHECKING:
 
 # 409: asked for what only a fit that is done has.
 _NOTHING_YET = 409
-
-
-@dataclass(frozen=True)
-class FitProgress:
-    """How far a fit is."""
-
-    done: int
-    """Models judged."""
-    of: int
-    """Of so many; 0 until that is known."""
-
-
-@dataclass(frozen=True)
-class EstimatorSummary:
-    """What lists say of an estimator."""
-
-    id: str
-    name: str
-    state: str
-    """`queued`, `running`, `done`, `failed` or `cancelled`."""
-    created: str
-    started: str | None
-    finished: str | None
-    error: str | None
-    """Why it failed."""
-    forces: tuple[str, ...]
-    """Columns of the forces that it estimates."""
-    recordings: tuple[RecordingFigures, ...]
-    """What it learns from."""
-    progress: FitProgress | None
-    """None unless it runs."""
 
 
 class Estimator:

@@ -5,107 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from strainsite.answers.reading import read
-from strainsite.answers.rows import record
+from strainsite.answers._generated import FitReportFields, ForceReportFields
+from strainsite.answers.reading import whole
+from strainsite.answers.rows import table
 from strainsite.errors import StrainsiteError
 from strainsite.views import frames, html
 
 if TYPE_CHECKING:
     import pandas as pd
 
-
-@dataclass(frozen=True)
-class RecordingFigures:
-    """One recording that was learnt from."""
-
-    file: str
-    rows: int
-    labelled: int
-    """Rows with at least one force."""
-    cycles: int
-    rate_hz: float | None
-    """Rows a second, pauses apart."""
-    sha256: str
-    """Hash of its text."""
+    from strainsite.answers._generated import SplitReport
 
 
-@dataclass(frozen=True)
-class SplitReport:
-    """A model on rows that one split left out."""
-
-    by: str
-    """What was left out: `random` rows, `cycle`, `run`, `time` or `frequency`."""
-    rmse_n: float
-    """Root of the mean squared error."""
-    rmse_interval_n: tuple[float, float] | None
-    """95 % of the bootstrap's samples of whole cycles."""
-    nrmse_percent: float | None
-    """RMSE over the range of the tested forces."""
-    mean_nrmse_percent: float | None
-    """That of the training mean."""
-    r2: float | None
-    coverage: float | None
-    """Share of tested rows within their 95 % intervals."""
-    width_n: float | None
-    """Mean width of these intervals."""
-
-
-@dataclass(frozen=True)
-class SplitReports:
-    """A model on every split; None where there is none, with the reason in the notes."""
-
-    random: SplitReport | None
-    """A fifth of the rows, drawn at random: their neighbours were learnt from."""
-    cycle: SplitReport | None
-    """Cycles left out."""
-    run: SplitReport | None
-    """Runs left out."""
-    time: SplitReport | None
-    """Later rows on earlier ones."""
-    frequency: SplitReport | None
-    """Slow, middling or fast cycles left out."""
-
-
-@dataclass(frozen=True)
-class MemberReport:
-    """A model that is part of a blend."""
-
-    model: str
-    features: str
-
-
-@dataclass(frozen=True)
-class ModelReport:
-    """One model with one set of features."""
-
-    model: str
-    """`ridge`, `gpr`, `ann`, `blend`, the median of several, or `mean`, the training mean."""
-    features: str
-    """`raw`, `slopes`, `rolling` or `all`."""
-    validation: SplitReport
-    """On the split that chooses."""
-    splits: SplitReports
-    leak_factor: float | None
-    """RMSE on the strictest split over that on the random one: how far a random split would have misled."""
-    better_than_mean: bool
-    """Whether its error is at most 95 % of the training mean's on the split that chooses."""
-    members: tuple[MemberReport, ...] = ()
-    """The models whose median a blend is; of others none."""
-
-
-@dataclass(frozen=True)
-class ForceReport:
+class ForceReport(ForceReportFields):
     """What was found of one force."""
-
-    force: str
-    """Its column."""
-    chosen: str
-    """The model that estimates it; `mean` where nothing is better."""
-    chosen_features: str
-    rolled_r2: float | None
-    """R2 of the chosen model where forces are rolled against signals: what chance would do."""
-    models: tuple[ModelReport, ...]
-    """The chosen one first, then by their error."""
 
     @property
     def useful(self) -> bool:
@@ -128,35 +41,18 @@ class ForceReport:
         return f"{self.force}: {chosen}, off by {error.rmse_n:.3g} N{between} on {left_out} left out"
 
 
-@dataclass(frozen=True)
-class FitCost:
-    """What a fit took."""
-
-    candidates: int
-    """Models that were judged, of all forces."""
-    wall_s: float
-
-
-@dataclass(frozen=True, repr=False)
-class FitReport:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class FitReport(FitReportFields):
     """What was learnt from, what was found of each force, and what the intervals promise."""
 
-    recordings: tuple[RecordingFigures, ...]
     forces: tuple[ForceReport, ...]
-    promise: str
-    """What the 95 % intervals promise."""
-    notes: tuple[str, ...]
-    """What to know before believing it."""
-    cost: FitCost
     raw: dict[str, Any] = field(default_factory=dict, compare=False)
     """The service's document, with what this client has no field for."""
 
     @classmethod
     def of(cls, document: dict[str, Any]) -> FitReport:
         """Reads a report as the service sends it, or as `strainsite force fit --json` writes it."""
-        report = read(cls, document)
-        object.__setattr__(report, "raw", document)
-        return report
+        return whole(cls, document)
 
     def force(self, name: str) -> ForceReport:
         """What was found of the force of this name.
@@ -172,20 +68,10 @@ class FitReport:
 
     def frame(self) -> pd.DataFrame:
         """A row for each force and model: error on the split that chooses, RMSE on every split, leak factor."""
-        rows = []
-        for force in self.forces:
-            for k, model in enumerate(force.models):
-                row: dict[str, object] = {"force": force.force, "model": model.model, "features": model.features}
-                row["chosen"] = k == 0
-                row |= record(model.validation)
-                low, high = model.validation.rmse_interval_n or (None, None)
-                del row["rmse_interval_n"]
-                row |= {"rmse_low_n": low, "rmse_high_n": high}
-                for split, found in record(model.splits).items():
-                    row[f"{split}_rmse_n"] = getattr(found, "rmse_n", None)
-                row |= {"leak_factor": model.leak_factor, "better_than_mean": model.better_than_mean}
-                rows.append(row)
-        return frames.frame(rows)
+        models = ((force, k, model) for force in self.forces for k, model in enumerate(force.models))
+        return frames.frame(
+            table("models", ({"force": force, "model": model, "chosen": k == 0} for force, k, model in models))
+        )
 
     def __repr__(self) -> str:
         """A line for each force."""

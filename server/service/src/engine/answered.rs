@@ -1,13 +1,13 @@
-//! The same study again: its answer is taken from the one that has it.
+//! Answers taken from another study of the same document.
 //!
 //! A result is a function of the study's document, of the solver and of the analysis, whose sources its version names. Where a study of the same
 //! document and version is done, and every one of its points is stored, there is nothing left to compute.
 
-use placement::result::{StudyCost, StudyResult};
-use placement::study::{Accuracy, Study};
+use documents::study::{Accuracy, Study};
+use results::{StudyCost, StudyResult};
 use sqlx::SqliteConnection;
 
-use store::answers::result_rows;
+use store::answers::result_rows::{self, Extent};
 use store::points::study_points;
 use store::queue::study_rows::{self, StudyRow};
 use store::{Store, StoreError};
@@ -65,7 +65,7 @@ async fn result_of_twin(
     let Some(twin) = study_rows::answered_twin(connection, &row.id, &row.spec_sha256).await? else {
         return Ok(None);
     };
-    match result_rows::find::<StudyResult>(connection, &twin).await {
+    match result_rows::find::<StudyResult>(connection, &twin, Extent::Whole).await {
         Ok(Some((result, _))) if is_of(&result, row, version) => Ok(Some((twin, result))),
         Ok(_) => Ok(None),
         Err(error @ StoreError::Damaged { .. }) => {

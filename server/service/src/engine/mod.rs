@@ -8,17 +8,19 @@ mod answered;
 use std::pin::pin;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
+use documents::study::Study;
+use documents::study::plan::PlannedStudy;
 use fem_client::solver::Solver;
 use placement::estimate::Pace;
 use placement::ladder::climb;
-use placement::result::{FailedPoint, StudyResult};
-use placement::run::usage::{cpu_s, peak_memory_bytes};
-use placement::run::{Event, RunContext, RunError};
+use placement::points::Event;
+use placement::points::RunContext;
+use placement::points::RunError;
+use placement::points::usage::Stopwatch;
 use placement::score::assemble::version;
-use placement::study::Study;
-use placement::study::plan::PlannedStudy;
+use results::{FailedPoint, StudyResult};
 use serde_json::{Value, json};
 use tokio::runtime::Handle;
 use tokio::time::timeout;
@@ -37,15 +39,15 @@ use store::queue::study_rows::{self, State, StudyRow};
 use store::queue::turns;
 use store::{Store, StoreError};
 
-/// How often a study that is being planned looks whether it is to stop.
+/// Interval at which a study that is being planned looks whether it is to stop.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// What a study is run with.
+/// Engine that runs studies.
 #[derive(Clone)]
 pub struct Engine {
-    /// Where points and results go.
+    /// Store of points and results.
     pub store: Arc<Store>,
-    /// Who solves.
+    /// Solver of the points.
     pub solver: Arc<dyn Solver>,
     /// Solves that run at once.
     pub threads: usize,
@@ -55,28 +57,28 @@ pub struct Engine {
     pub live: Arc<Live>,
 }
 
-/// How a run ended.
+/// End of a run.
 #[derive(Debug)]
 pub enum End {
-    /// With a result.
+    /// End with a result.
     Done(Box<StudyResult>),
-    /// Without one.
+    /// End without a result.
     Failed {
-        /// Why, a sentence.
+        /// Reason, a sentence.
         error: String,
         /// The points that have no response.
         points: Vec<FailedPoint>,
     },
-    /// On request; what was solved is kept.
+    /// End on request; what was solved is kept.
     Stopped,
-    /// Because it was another study's turn; what was solved is kept.
+    /// End for another study's turn; what was solved is kept.
     Paused,
-    /// Because the database takes nothing: the disk is full, or its files are gone; what was stored before is kept.
+    /// End of a run whose database takes nothing: the disk is full, or its files are gone; what was stored before is kept.
     Unstorable(StoreError),
 }
 
 impl End {
-    /// One word for the log.
+    /// Returns a word for the log.
     pub fn as_str(&self) -> &'static str {
         match self {
             Self::Done(_) => "done",
@@ -110,7 +112,7 @@ impl Engine {
         // Of the highest level, so that no filter takes the study's name from a line that it lets through.
         let span = tracing::error_span!("study", study = row.id);
         let _entered = span.enter();
-        let begun = (Instant::now(), cpu_s());
+        let watch = Stopwatch::start();
         let preparing = unless_stopped(stop, self.prepared(row));
         let (planned, pace) = match runtime.block_on(preparing) {
             Some(Ok(prepared)) => prepared,
@@ -159,9 +161,8 @@ impl Engine {
             });
             result.estimate = estimate;
             runtime.block_on(self.tell_surer(study, &mut result));
-            result.cost.wall_s = begun.0.elapsed().as_secs_f64();
-            result.cost.cpu_s = (cpu_s() - begun.1).max(0.0);
-            result.cost.peak_memory_bytes = peak_memory_bytes();
+            (result.cost.wall_s, result.cost.cpu_s) = (0.0, 0.0);
+            watch.add_to(&mut result.cost);
             return End::Done(Box::new(result));
         }
         match climb::answer(study, plan, context) {
@@ -206,7 +207,7 @@ impl Engine {
         Some(found)
     }
 
-    /// What the study is expected to take, stored with it. Not worth a study: without it the study runs too.
+    /// Estimates what the study takes, and stores that with it. Not worth a study: without it the study runs too.
     async fn expected(&self, row: &StudyRow, planned: &Arc<PlannedStudy>) -> Option<Pace> {
         let store = Some(&*self.store);
         let pace = match pace(store, &self.solver, self.threads, planned).await {
@@ -306,7 +307,7 @@ impl Engine {
     }
 }
 
-/// What work gives that takes seconds for a large design, unless the study is to stop before: then nobody waits for it any more.
+/// Awaits work that takes seconds for a large design, unless the study is to stop before: then nobody waits for it any more.
 async fn unless_stopped<T>(stop: &AtomicBool, work: impl Future<Output = T>) -> Option<T> {
     let mut work = pin!(work);
     while !stop.load(Ordering::Relaxed) {

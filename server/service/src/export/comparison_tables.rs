@@ -2,24 +2,23 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use fem_client::solver::direction::Direction;
-use placement::compare::{ComparedLocation, ComparedStudy, Comparison};
+use placement::compare::{ComparedStudy, Comparison};
+use results::columns::{self, Column};
 use serde::Deserialize;
-use serde_json::Value;
+use serde_json::{Value, json};
 use utoipa::ToSchema;
 
 use super::export_choice::{ExportError, FileFormat};
-use super::table::{Rows, TypedTable};
-use super::unit::{PERCENT, PURE, unit_of};
+use super::table::TypedTable;
 use super::{csv, parquet};
 
-/// What is wanted of a comparison.
+/// Table of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, ToSchema, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum ComparisonTable {
     /// Index and rank of each location of each study, and differences with their errors.
     Locations,
-    /// What each study sets, force, signals, best location and layout, cost, or why it has no result.
+    /// Settings of each study, force, signals, best location and layout, cost, or why it has no result.
     Designs,
 }
 
@@ -39,15 +38,15 @@ impl ComparisonTable {
     }
 }
 
-/// How a comparison is written.
+/// Format of a comparison's file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, ToSchema, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum ComparisonFormat {
-    /// One table as comma-separated values.
+    /// Comma-separated values, one table.
     Csv,
     /// The whole comparison.
     Json,
-    /// One table with typed columns, for data frames.
+    /// Parquet, one table with typed columns, for data frames.
     Parquet,
 }
 
@@ -68,12 +67,12 @@ impl ComparisonFormat {
     }
 }
 
-/// What is exported of a comparison.
+/// Export of a comparison.
 #[derive(Debug, Clone, Copy)]
 pub struct ComparisonExport {
-    /// How it is written.
+    /// Format of the file.
     pub format: ComparisonFormat,
-    /// Which table, where there is a choice.
+    /// Table to write, where there is a choice.
     pub table: ComparisonTable,
 }
 
@@ -108,110 +107,64 @@ impl ComparisonExport {
     }
 }
 
-/// A location with the study that it is of.
-type Located<'c> = (&'c ComparedLocation, &'c ComparedStudy);
-
 fn locations(comparison: &Comparison) -> TypedTable {
     let studies = comparison.studies.iter();
     let by_id: HashMap<&str, &ComparedStudy> = studies.map(|s| (s.id.as_str(), s)).collect();
-    let located = comparison
-        .rows
-        .iter()
-        .filter_map(|row| Some((row, *by_id.get(row.study.as_str())?)));
-    let rows = begun(comparison, Rows::of(located), |(_, study)| study)
-        .text("location", |(row, _)| Some(&row.location))
-        .integer("rank", |(row, _)| Some(row.rank))
-        .bool("rank_certain", |(row, _)| Some(row.rank_certain))
-        .integer("rank_change", |(row, _)| row.rank_change)
-        .text("rank_verdict", |(row, _)| Some(row.rank_verdict?.as_str()));
-    let rows = Direction::ALL.into_iter().fold(rows, indices);
-    rows.text("spec_sha256", |(_, study)| study.spec_sha256.as_deref())
-        .text("version", |(_, study)| study.version.as_deref())
-        .text("baseline", |_| comparison.baseline.as_deref())
-        .table()
-}
-
-fn indices<'c>(rows: Rows<Located<'c>>, direction: Direction) -> Rows<Located<'c>> {
-    let of = |(row, _): &Located<'c>| row.in_direction(direction);
-    let named = |name: &str| format!("{name}_{direction}");
-    rows.float(named("gsi_percent"), PERCENT, |row| of(row).gsi_percent)
-        .float(named("error_percent"), PERCENT, |row| of(row).error_percent)
-        .float(named("difference_percent"), PERCENT, |row| {
-            of(row).difference_percent
-        })
-        .float(named("difference_error_percent"), PERCENT, |row| {
-            of(row).difference_error_percent
-        })
-        .text(&named("verdict"), |row| Some(of(row).verdict?.as_str()))
+    let rows = comparison.rows.iter().filter_map(|row| {
+        let study = by_id.get(row.study.as_str())?;
+        Some(json!({ "row": row, "study": study, "comparison": named(comparison) }))
+    });
+    typed("compared_locations", comparison, rows.collect())
 }
 
 fn designs(comparison: &Comparison) -> TypedTable {
-    let rows = Rows::of(&comparison.studies);
-    begun(comparison, rows, |study| study)
-        .text("state", |study| Some(&study.state))
-        .text("reason", |study| study.reason.as_deref())
-        .text("level", |study| study.level.as_deref())
-        .float("reaction_n", "N", |study| study.reaction_n)
-        .float("std_strain_x", PURE, |study| study.std_strain_x)
-        .float("std_strain_y", PURE, |study| study.std_strain_y)
-        .text("best", |study| study.best.as_deref())
-        .bool("best_certain", |study| study.best_certain)
-        .float("layout_spacing_deg", "deg", |study| {
-            study.layout_spacing_deg
-        })
-        .text("layout_position", |study| study.layout_position.as_deref())
-        .integer("solves", |study| Some(study.cost.as_ref()?.solves))
-        .integer("coarser_solves", |study| {
-            Some(study.cost.as_ref()?.coarser_solves)
-        })
-        .integer("effect_solves", |study| {
-            Some(study.cost.as_ref()?.effect_solves)
-        })
-        .integer("reused", |study| Some(study.cost.as_ref()?.reused))
-        .float("wall_s", "s", |study| Some(study.cost.as_ref()?.wall_s))
-        .float("cpu_s", "s", |study| Some(study.cost.as_ref()?.cpu_s))
-        .text("spec_sha256", |study| study.spec_sha256.as_deref())
-        .text("version", |study| study.version.as_deref())
-        .text("baseline", |_| comparison.baseline.as_deref())
-        .table()
+    let studies = comparison.studies.iter();
+    let rows = studies.map(|study| json!({ "study": study, "comparison": named(comparison) }));
+    typed("designs", comparison, rows.collect())
 }
 
-/// The columns that both tables begin with: the study, its name, and each field that any design sets.
-fn begun<T>(
-    comparison: &Comparison,
-    rows: Rows<T>,
-    study: impl for<'r> Fn(&'r T) -> &'r ComparedStudy,
-) -> Rows<T> {
+/// Part of a row that is the comparison itself.
+fn named(comparison: &Comparison) -> Value {
+    json!({ "baseline": comparison.baseline })
+}
+
+/// A table that begins with the study, its name, and each field that any design sets.
+fn typed(name: &str, comparison: &Comparison, mut rows: Vec<Value>) -> TypedTable {
     let sets = comparison.studies.iter().filter_map(|s| s.set.as_ref());
     let paths: BTreeSet<&String> = sets.clone().flat_map(|set| set.keys()).collect();
-    let mut rows = rows
-        .text("study", |row| Some(&study(row).id))
-        .text("name", |row| Some(&study(row).name));
-    for path in paths {
+    let mut columns = vec![
+        Column::text("study", "/study/id"),
+        Column::text("name", "/study/name"),
+    ];
+    for (k, path) in paths.iter().enumerate() {
         let is_number = |value: &Value| value.is_number();
-        let numbers = sets.clone().filter_map(|set| set.get(path)).all(is_number);
-        let value = |row: &T| study(row).set.as_ref()?.get(path).cloned();
-        rows = if numbers {
-            rows.float(path, unit_of(path), |row| value(row)?.as_f64())
+        let at = format!("/set/{k}");
+        let mut values = sets.clone().filter_map(|set| set.get(*path));
+        columns.push(if values.all(is_number) {
+            Column::float(path, &at)
         } else {
-            rows.made_text(path, |row| value(row).map(plain))
-        };
+            Column::text(path, &at)
+        });
     }
-    rows
+    for row in &mut rows {
+        let set = |path: &&String| row["study"]["set"].get(*path).cloned().map(plain);
+        row["set"] = paths.iter().map(set).collect();
+    }
+    let described = columns::table(name);
+    columns.extend(described.exported().cloned());
+    TypedTable::of(&columns, &rows)
 }
 
-/// A value that isn't a number as people write it: a word as it is, anything else as JSON.
-fn plain(value: Value) -> String {
+/// Writes what isn't a number as people do: a word as it is, anything else as JSON.
+fn plain(value: Value) -> Value {
     match value {
-        Value::String(text) => text,
-        other => other.to_string(),
+        Value::Number(_) | Value::String(_) => value,
+        other => other.to_string().into(),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
-
     use super::super::table::Values;
     use super::*;
 

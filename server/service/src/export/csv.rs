@@ -1,6 +1,6 @@
 //! A table as comma-separated values (RFC 4180): a header and one line per row.
 
-use placement::own_model::csv_cell::cell;
+use documents::own_model::csv_cell::cell;
 
 use super::table::{TypedTable, Values};
 
@@ -40,21 +40,21 @@ fn field(values: &Values, row: usize) -> String {
 
 #[cfg(test)]
 mod tests {
+    use results::columns::Column;
+    use serde_json::json;
+
     use super::*;
-    use crate::export::table::Rows;
 
     #[test]
     fn what_users_name_can_not_break_a_row() {
         let rows = [
-            ("plain", Some(0.1)),
-            ("a,b", None),
-            ("say \"P3\"", Some(-2e-300)),
-            ("=1+1", None),
+            json!(["plain", 0.1]),
+            json!(["a,b", null]),
+            json!(["say \"P3\"", -2e-300]),
+            json!(["=1+1", null]),
         ];
-        let table = Rows::of(rows)
-            .text("two\nlines", |row| Some(row.0))
-            .float("y", "1", |row| row.1)
-            .table();
+        let columns = [Column::text("two\nlines", "/0"), Column::float("y", "/1")];
+        let table = TypedTable::of(&columns, &rows);
         let tiny = format!("-0.{}2", "0".repeat(299));
         assert_eq!(
             csv(&table),

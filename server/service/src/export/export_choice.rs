@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use utoipa::ToSchema;
 
-/// What is wanted of a study.
+/// Table of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, ToSchema, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Table {
@@ -15,18 +15,16 @@ pub enum Table {
     Layouts,
     /// Solved points: inputs, force, strains.
     Points,
-    /// What films read of loads, pressures and contact angles.
+    /// Readings of films by loads, pressures and contact angles.
     Signals,
     /// Kinds of film for layouts, by several criteria.
     Candidates,
-    /// How well each layout tells each force, by a virtual rig.
+    /// Errors of each force by each layout, with a virtual rig.
     Forces,
-    /// The published study's force errors beside a virtual rig's.
-    Published,
 }
 
 impl Table {
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 7] = [
         Self::Indices,
         Self::Locations,
         Self::Layouts,
@@ -34,7 +32,6 @@ impl Table {
         Self::Signals,
         Self::Candidates,
         Self::Forces,
-        Self::Published,
     ];
 
     /// The name in addresses and file names.
@@ -47,7 +44,6 @@ impl Table {
             Self::Signals => "signals",
             Self::Candidates => "candidates",
             Self::Forces => "forces",
-            Self::Published => "published",
         }
     }
 
@@ -57,15 +53,15 @@ impl Table {
     }
 }
 
-/// How a file is written.
+/// Format of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, ToSchema, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum FileFormat {
-    /// One table as comma-separated values.
+    /// Comma-separated values, one table.
     Csv,
     /// The whole result.
     Json,
-    /// One table with typed columns, for data frames.
+    /// Parquet, one table with typed columns, for data frames.
     Parquet,
     /// The map on the inner surface, for ParaView.
     Vtu,
@@ -120,12 +116,7 @@ pub enum ExportError {
     /// The study has no map.
     #[error("this study has no map: its document asks for no candidates.grid")]
     NoMap,
-    /// Its result is an earlier version's.
-    #[error(
-        "this result was found by a version that didn't keep where the points of a map lie: submit its document again"
-    )]
-    NoShape,
-    /// There is nothing to draw the wheel from.
+    /// A result with nothing to draw the wheel from.
     #[error(
         "no state of a mesh is stored for this study's cut point: another solver found it, or another version's mesh"
     )]

@@ -1,21 +1,21 @@
 //! A study's map as a VTU file: the inner surface at the means, with strains and indices on it.
 
-use placement::result::{IndexMap, MapLayer, StudyResult};
+use results::{IndexMap, MapLayer, StudyResult};
 use serde_json::{Map, Value};
 use vtu::{CellShape, DataArray, VtuGrid};
 
 use super::export_choice::ExportError;
 
-/// What stands where there is no number. No index, deviation or error is negative by so much, so that a threshold at zero finds it.
+/// Value that stands where there is no number. No index, deviation or error is negative by so much, so that a threshold at zero finds it.
 const MISSING: f64 = -1.0;
 
 /// The text of the file.
 ///
 /// # Errors
-/// [`ExportError::NoMap`] without a map, [`ExportError::NoShape`] when its result is of a version that didn't keep where its points lie.
+/// [`ExportError::NoMap`] without a map.
 pub fn vtu(result: &StudyResult) -> Result<String, ExportError> {
     let map = result.map.as_ref().ok_or(ExportError::NoMap)?;
-    let shape = map.shape.as_ref().ok_or(ExportError::NoShape)?;
+    let shape = &map.shape;
     let mut data = vec![DataArray::vectors(
         "displacement",
         "mm",
@@ -125,11 +125,11 @@ const READING: &str = "Points are those of the inner surface of the inflated tir
 #[cfg(test)]
 mod tests {
     use fem_client::solver::MapShape;
-    use serde_json::json;
+    use fem_client::solver::direction::Direction;
+    use results::InputReport;
     use vtu::Values;
 
     use super::*;
-    use crate::wire::examples;
 
     /// Three by three points; the middle one has no index in x, none has an error in y.
     fn result() -> StudyResult {
@@ -138,28 +138,41 @@ mod tests {
                 .map(|k| (k != 4).then_some(value))
                 .collect::<Vec<_>>()
         };
-        let layer = |direction: &str, index: Vec<Option<f64>>, error| {
-            let status = vec!["ok"; 9];
-            json!({"direction": direction, "strain": vec![0.5; 9], "std": vec![0.25; 9], "first_order": [index], "error": error, "first_order_error": [error], "status": status})
+        let layer = |direction, index: Vec<Option<f64>>, error: Vec<Option<f64>>| MapLayer {
+            direction,
+            strain: vec![0.5; 9],
+            std: vec![Some(0.25); 9],
+            first_order: vec![index],
+            error: error.clone(),
+            first_order_error: vec![error],
+            total: Vec::new(),
+            status: Vec::new(),
         };
-        let mut result = examples::result();
-        result["map"] = json!({
-            "theta_deg": [-1.0, 0.0, 1.0], "phi_deg": [-2.0, 0.0, 2.0],
-            "layers": [layer("x", gap(0.75), gap(0.125)), layer("y", vec![Some(1.0); 9], vec![None; 9])],
-        });
-        let mut result: StudyResult = serde_json::from_value(result).expect("a result");
         let grid = |scale: f64| {
             (0..9)
                 .map(|k| [scale * f64::from(k % 3), scale * f64::from(k / 3), 0.0])
                 .collect()
         };
-        if let Some(map) = &mut result.map {
-            map.shape = Some(MapShape {
-                inflated_mm: grid(1.0),
-                displacement_mm: grid(0.5),
-            });
+        StudyResult {
+            inputs: vec![InputReport {
+                name: "P3".to_owned(),
+                vary: "ground.depths_mm[2]".to_owned(),
+                distribution: Value::Null,
+            }],
+            map: Some(IndexMap {
+                theta_deg: vec![-1.0, 0.0, 1.0],
+                phi_deg: vec![-2.0, 0.0, 2.0],
+                layers: vec![
+                    layer(Direction::X, gap(0.75), gap(0.125)),
+                    layer(Direction::Y, vec![Some(1.0); 9], vec![None; 9]),
+                ],
+                shape: MapShape {
+                    inflated_mm: grid(1.0),
+                    displacement_mm: grid(0.5),
+                },
+            }),
+            ..StudyResult::default()
         }
-        result
     }
 
     #[test]
@@ -208,12 +221,8 @@ mod tests {
     }
 
     #[test]
-    fn without_a_map_or_its_shape_there_is_no_file() {
+    fn without_a_map_there_is_no_file() {
         let mut result = result();
-        if let Some(map) = &mut result.map {
-            map.shape = None;
-        }
-        assert!(matches!(vtu(&result), Err(ExportError::NoShape)));
         result.map = None;
         assert!(matches!(vtu(&result), Err(ExportError::NoMap)));
     }

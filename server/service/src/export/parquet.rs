@@ -14,7 +14,7 @@ use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::{Type, TypePtr};
 use serde_json::{Map, Value};
 
-use super::table::{Column, TypedTable, Values};
+use super::table::{TypedColumn, TypedTable, Values};
 
 /// The bytes of a file with this table. Beside `origin`, its metadata has `units`: a JSON object of column names and units.
 ///
@@ -49,7 +49,7 @@ fn entry(key: &str, value: &str) -> KeyValue {
 fn distinct(table: &TypedTable) -> Vec<String> {
     let given: HashSet<&str> = table.columns.iter().map(|c| c.name.as_str()).collect();
     let mut names: Vec<String> = Vec::new();
-    for Column { name, .. } in &table.columns {
+    for TypedColumn { name, .. } in &table.columns {
         let is_free = |name: &String| !names.contains(name);
         let numbered = (2..).map(|number| format!("{name}_{number}"));
         let mut numbered = numbered.filter(|name| is_free(name) && !given.contains(name.as_str()));
@@ -117,24 +117,26 @@ mod tests {
     use bytes::Bytes;
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::Field;
+    use results::columns::Column;
+    use serde_json::json;
 
     use super::*;
-    use crate::export::table::Rows;
 
     fn table() -> TypedTable {
         // Numbers that lose bits in other formats.
         let rows = [
-            (Some(0.1 + 0.2), Some(3), "a"),
-            (Some(-5e-324), None, "b,\"\n"),
-            (None, Some(usize::MAX >> 1), "a"),
+            json!([0.1 + 0.2, 3, true, "a"]),
+            json!([-5e-324, null, false, "b,\"\n"]),
+            json!([null, usize::MAX >> 1, true, "a"]),
         ];
-        Rows::of(rows)
-            .float("y", "mm", |row| row.0)
-            .integer("n", |row| row.1)
-            .bool("is_a", |row| Some(row.2 == "a"))
-            .text("name", |row| Some(row.2))
-            .float("y", "1", |_| None)
-            .table()
+        let columns = [
+            Column::float("y", "/0").in_unit("mm"),
+            Column::integer("n", "/1"),
+            Column::bool("is_a", "/2"),
+            Column::text("name", "/3"),
+            Column::float("y", "/4"),
+        ];
+        TypedTable::of(&columns, &rows)
     }
 
     #[test]
@@ -189,16 +191,14 @@ mod tests {
 
     #[test]
     fn columns_have_names_of_their_own() {
-        let rows = Rows::of([()]);
-        let table = ["key", "key_2", "key", "key"]
-            .into_iter()
-            .fold(rows, |rows, name| rows.constant(name, ""));
-        assert_eq!(distinct(&table.table()), ["key", "key_2", "key_3", "key_4"]);
+        let columns = ["key", "key_2", "key", "key"].map(|name| Column::text(name, "/0"));
+        let table = TypedTable::of(&columns, &[json!([""])]);
+        assert_eq!(distinct(&table), ["key", "key_2", "key_3", "key_4"]);
     }
 
     #[test]
     fn a_table_without_rows_is_a_file() {
-        let table = Rows::of(Vec::<()>::new()).constant("study", "x").table();
+        let table = TypedTable::default().constant("study", "x");
         let bytes = parquet(&table, &[]).expect("writes");
         let reader = SerializedFileReader::new(Bytes::from(bytes)).expect("a file");
         assert_eq!(reader.metadata().file_metadata().num_rows(), 0);

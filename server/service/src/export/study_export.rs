@@ -1,6 +1,6 @@
 //! A study's answer as a file.
 
-use placement::result::StudyResult;
+use results::StudyResult;
 use serde_json::json;
 use sqlx::SqliteConnection;
 use vtu::wheel_glb::glb;
@@ -8,33 +8,34 @@ use vtu::wheel_skins::WheelSkins;
 
 use crate::export::export_choice::{ExportError, FileFormat, Table};
 use crate::export::{csv, map_grid, parquet, tables};
-use crate::views::point_views::{self, EvaluationView};
+use crate::views::point_views;
 use crate::views::solved_wheel;
+use crate::wire::study_wire::EvaluationView;
 use store::StoreError;
 use store::queue::study_rows::StudyRow;
 
-/// What is exported.
+/// Export of a study.
 #[derive(Debug, Clone, Copy)]
 pub struct Export {
-    /// How it is written.
+    /// Format of the file.
     pub format: FileFormat,
-    /// Which table, where there is a choice.
+    /// Table to write, where there is a choice.
     pub table: Table,
 }
 
-/// What a file is made from.
+/// Sources of a file.
 #[derive(Debug)]
 pub struct ExportSources {
-    /// What the study found.
+    /// Result of the study.
     pub result: StudyResult,
-    /// Its points, where the file has them.
+    /// Points of the study, where the file has them.
     points: Vec<EvaluationView>,
     /// The wheel at its cut point, where the file has it.
     skins: Option<WheelSkins>,
 }
 
 impl ExportSources {
-    /// Of a file that has neither points nor the wheel.
+    /// Makes the sources of a file that has neither points nor the wheel.
     pub fn of(result: StudyResult) -> Self {
         Self {
             result,
@@ -45,7 +46,7 @@ impl ExportSources {
 }
 
 impl Export {
-    /// What this file of a study is made from, beside its result.
+    /// Reads what this file of a study is made from, beside its result.
     ///
     /// # Errors
     /// When the database can't be read, or what it holds is damaged.

@@ -1,20 +1,23 @@
-//! A table of typed columns: the one list of columns from which every format is written.
+//! A table of typed columns: what every format is written from.
+
+use results::columns::{Column, Kind, text};
+use serde_json::Value;
 
 /// Columns of the same length.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TypedTable {
-    /// In order.
-    pub columns: Vec<Column>,
+    /// Columns in order.
+    pub columns: Vec<TypedColumn>,
 }
 
-/// One column.
+/// Column of one type.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Column {
-    /// Its name, with the unit where that isn't obvious.
+pub struct TypedColumn {
+    /// Name, with the unit where that isn't obvious.
     pub name: String,
-    /// Its unit: `1` for pure numbers; `None` for texts, ranks, counts and the like, which have none.
+    /// Unit: `1` for pure numbers; `None` for texts, ranks, counts and the like, which have none.
     pub unit: Option<&'static str>,
-    /// One value a row.
+    /// Values, one a row.
     pub values: Values,
 }
 
@@ -41,82 +44,40 @@ impl Values {
             Self::Text(values) => values.len(),
         }
     }
+
+    /// A column's values. A whole number beyond 64 bits, which nothing counts up to, is left out.
+    fn of(column: &Column, rows: &[Value]) -> Self {
+        let values = rows.iter().map(|row| column.value(row));
+        match column.kind {
+            Kind::Float | Kind::Share => Self::Float(values.map(|value| value?.as_f64()).collect()),
+            Kind::Integer => Self::Integer(values.map(|value| value?.as_i64()).collect()),
+            Kind::Bool => Self::Bool(values.map(|value| value?.as_bool()).collect()),
+            Kind::Text => Self::Text(values.map(|value| value.map(text)).collect()),
+        }
+    }
 }
 
-/// What a table is made of: fills columns from one row after the other of something.
-#[derive(Debug)]
-pub struct Rows<T> {
-    rows: Vec<T>,
-    table: TypedTable,
-}
-
-impl<T> Rows<T> {
-    /// A table with one row for each of these, and no column yet.
-    pub fn of(rows: impl IntoIterator<Item = T>) -> Self {
+impl TypedTable {
+    /// Makes a table of these columns of rows.
+    pub fn of<'c>(columns: impl IntoIterator<Item = &'c Column>, rows: &[Value]) -> Self {
+        let typed = |column: &Column| TypedColumn {
+            name: column.name.clone(),
+            unit: column.unit,
+            values: Values::of(column, rows),
+        };
         Self {
-            rows: rows.into_iter().collect(),
-            table: TypedTable::default(),
+            columns: columns.into_iter().map(typed).collect(),
         }
     }
 
-    /// A column of numbers.
+    /// Adds a column that has the same text in every row.
     #[must_use]
-    pub fn float(
-        self,
-        name: impl Into<String>,
-        unit: &'static str,
-        value: impl Fn(&T) -> Option<f64>,
-    ) -> Self {
-        let values = self.rows.iter().map(value).collect();
-        self.with(name, Some(unit), Values::Float(values))
-    }
-
-    /// A column of whole numbers. One beyond 64 bits, which nothing counts up to, is left out.
-    #[must_use]
-    pub fn integer<N: TryInto<i64>>(self, name: &str, value: impl Fn(&T) -> Option<N>) -> Self {
-        let whole = |row| value(row).and_then(|number| number.try_into().ok());
-        let values = self.rows.iter().map(whole).collect();
-        self.with(name, None, Values::Integer(values))
-    }
-
-    /// A column of truth values.
-    #[must_use]
-    pub fn bool(self, name: &str, value: impl Fn(&T) -> Option<bool>) -> Self {
-        let values = self.rows.iter().map(value).collect();
-        self.with(name, None, Values::Bool(values))
-    }
-
-    /// A column of texts.
-    #[must_use]
-    pub fn text(self, name: &str, value: impl Fn(&T) -> Option<&str>) -> Self {
-        let owned = |row: &T| value(row).map(str::to_owned);
-        self.made_text(name, owned)
-    }
-
-    /// A column of texts that are made for it.
-    #[must_use]
-    pub fn made_text(self, name: &str, value: impl Fn(&T) -> Option<String>) -> Self {
-        let values = self.rows.iter().map(value).collect();
-        self.with(name, None, Values::Text(values))
-    }
-
-    /// A column with the same text in every row.
-    #[must_use]
-    pub fn constant(self, name: &str, text: &str) -> Self {
-        let values = vec![Some(text.to_owned()); self.rows.len()];
-        self.with(name, None, Values::Text(values))
-    }
-
-    /// The table.
-    pub fn table(self) -> TypedTable {
-        self.table
-    }
-
-    fn with(mut self, name: impl Into<String>, unit: Option<&'static str>, values: Values) -> Self {
-        self.table.columns.push(Column {
-            name: name.into(),
-            unit,
-            values,
+    pub fn constant(mut self, name: &str, text: &str) -> Self {
+        let rows = self.columns.first().map_or(0, |column| column.values.len());
+        self.columns.push(TypedColumn {
+            name: name.to_owned(),
+            unit: None,
+            values: Values::Text(vec![Some(text.to_owned()); rows]),
         });
         self
     }

@@ -81,7 +81,7 @@ impl<'e> EstimatedLines<'e> {
         }
     }
 
-    /// What a line tells: a line for each estimate, none for a blank line.
+    /// Estimates from a line: a line for each estimate, none for a blank line.
     ///
     /// # Errors
     /// The line's faults; a rate unlike those that were learnt from, once enough lines tell it.
@@ -208,7 +208,7 @@ pub fn apply(estimator: &Estimator, file: &str, text: &str) -> Result<String, Ve
     Ok(apply_within(estimator, file, text, unbounded)?.unwrap_or_default())
 }
 
-/// How far estimates go.
+/// Bounds of the estimates.
 #[derive(Debug, Clone, Copy)]
 pub struct Bounds<'a> {
     /// Most bytes of them.
@@ -217,7 +217,7 @@ pub struct Bounds<'a> {
     pub stop: &'a AtomicBool,
 }
 
-/// As [`apply`]; `None` when it was to stop before the end.
+/// Estimates as [`apply`] does; `None` when it was to stop before the end.
 ///
 /// # Errors
 /// As [`apply`], and when there are more estimates than there may be.

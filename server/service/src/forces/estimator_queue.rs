@@ -9,22 +9,23 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 
-use fem_client::document::fault::Fault;
+use document::fault::Fault;
 use store::content::encode;
 use store::file::upkeep;
 use store::queue::estimator_rows::{self, EstimatorRow, Part};
 use store::{Store, StoreError};
 use tokio::sync::{Notify, oneshot, watch};
 
-use crate::forces::fitting::{Fit, FitFailure, LeftOutRows, Work, fit};
+use crate::forces::fitting::{Fit, FitFailure, Work, fit};
 use crate::forces::model_file::model_text;
-use crate::forces::recipe_reader::recipe_from_value;
 use crate::forces::recorded_texts::NamedText;
 use crate::forces::submission_reader::Submission;
 use crate::shutdown::Shutdown;
+use crate::wire::estimator_wire::LeftOutRows;
 use crate::wire::estimator_wire::{FitProgress, LeftOutForces, StoredEstimator};
+use estimation::recipe::Recipe;
 
-/// How long to wait before the database is tried again.
+/// Time to wait before the database is tried again.
 const RETRY: Duration = Duration::from_secs(1);
 /// Estimators that may wait: with the largest recordings 6 GB of the database.
 pub const MOST_WAITING: u32 = 100;
@@ -47,7 +48,7 @@ struct Current {
     work: Arc<FitWork>,
 }
 
-/// What a fit and those who look at it share.
+/// State that a fit and those who look at it share.
 #[derive(Default)]
 struct FitWork {
     stop: AtomicBool,
@@ -55,13 +56,13 @@ struct FitWork {
     of: AtomicUsize,
 }
 
-/// Why an estimator was not taken in.
+/// Reason why an estimator was not taken in.
 #[derive(Debug, thiserror::Error)]
 pub enum UntakenError {
     /// The key stands for another document.
     #[error("this Idempotency-Key was used with another document")]
     KeyTaken,
-    /// So many wait that another one is not taken in.
+    /// A queue in which so many wait that another one is not taken in.
     #[error("at most {MOST_WAITING} estimators may wait: send it again when some are done")]
     TooMany,
     /// The database failed.
@@ -69,13 +70,13 @@ pub enum UntakenError {
     Store(#[from] StoreError),
 }
 
-/// How the work on an estimator ended.
+/// Ending of the work on an estimator.
 enum Ending {
-    /// With what was learnt.
+    /// Parts that were learnt.
     Learnt(Vec<(Part, String)>),
-    /// Without, a sentence.
+    /// Failure, a sentence.
     Failed(String),
-    /// Somebody asked to stop.
+    /// Stop on request.
     Stopped,
 }
 
@@ -127,7 +128,7 @@ impl EstimatorQueue {
         Ok(id)
     }
 
-    /// How far the fit of an estimator is; `None` of one that isn't being learnt.
+    /// Returns how far the fit of an estimator is; `None` of one that isn't being learnt.
     pub fn progress(&self, id: &str) -> Option<FitProgress> {
         let current = self.current.borrow();
         let current = current.as_ref().filter(|current| current.estimator == id)?;
@@ -339,7 +340,7 @@ pub async fn recover(store: &Store) -> Result<(), StoreError> {
     Ok(())
 }
 
-/// What a panic leaves: its place is in the log.
+/// Returns the ending that a panic leaves: its place is in the log.
 fn broken() -> Ending {
     Ending::Failed("the fit broke; the service's log says where".to_owned())
 }
@@ -365,7 +366,7 @@ fn ending(
         stop: &shared.stop,
         told: &told,
     };
-    let found = recipe_from_value(&stored.recipe)
+    let found = Recipe::from_value(&stored.recipe)
         .map_err(FitFailure::Input)
         .and_then(|recipe| fit(&recipe, files, work));
     match found {

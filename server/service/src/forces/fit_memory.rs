@@ -1,4 +1,4 @@
-//! How much memory a fit may take, before it begins.
+//! Memory that a fit may take, before it begins.
 
 use estimation::recipe::{Recipe, SplitKind};
 use estimation::rows::Runs;

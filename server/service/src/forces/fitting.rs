@@ -1,9 +1,9 @@
 //! Learns an estimator: every candidate of every force judged, the best learnt from all rows, on all cores.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
+use document::fault::Fault;
 use estimation::estimator::{Estimator, FORMAT, ForceModel, Stream, VERSION};
 use estimation::fit_report::{FitCost, ForceReport, Ranking, RecordingFigures, Report, promise};
 use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
@@ -14,57 +14,38 @@ use estimation::validation::{
     ANOTHER_SESSION, Candidate, Judged, LearntModel, Splits, Tested, blend, candidates, judge,
     rolled, rolled_r2,
 };
-use fem_client::document::fault::Fault;
-use serde::{Deserialize, Serialize};
+use placement::points::worker_threads::in_parallel;
 use store::content::sha256;
 
 use crate::forces::recorded_texts::{NamedText, read_runs};
+use crate::wire::estimator_wire::LeftOutRows;
 
-/// What a fit gives.
+/// Fit of an estimator.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
     /// The model.
     pub estimator: Estimator,
-    /// What was found.
+    /// Report of what was found.
     pub report: Report,
-    /// What the chosen models said of rows that they hadn't learnt from, one a force.
+    /// Predictions of the chosen models for rows that they hadn't learnt from, one list a force.
     pub left_out: Vec<LeftOutRows>,
 }
 
-/// Rows that the chosen model of a force hadn't learnt from: truth, estimate and interval.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
-pub struct LeftOutRows {
-    /// The force's column.
-    pub force: String,
-    /// Each row's run, by its place among the recordings.
-    pub run: Vec<usize>,
-    /// Each row's time, s.
-    pub time_s: Vec<f64>,
-    /// What was measured, N.
-    pub truth_n: Vec<f64>,
-    /// What was estimated, N.
-    pub estimate_n: Vec<f64>,
-    /// The interval's low end, N.
-    pub low_n: Vec<f64>,
-    /// The interval's high end, N.
-    pub high_n: Vec<f64>,
-}
-
-/// Why there is no fit.
+/// Reason why there is no fit.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FitFailure {
     /// The recipe or the recordings are wrong.
     Input(Vec<Fault>),
-    /// Somebody asked to stop.
+    /// Stop on request.
     Stopped,
-    /// Something else, a sentence.
+    /// Another reason, a sentence.
     Other(String),
 }
 
 /// Hears how many pieces of work are done, of how many.
 pub type Told<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
-/// On how many threads, until when, and who is told.
+/// Work of a fit: on how many threads, until when, and who is told.
 #[derive(Clone, Copy)]
 pub struct Work<'a> {
     /// Threads.
@@ -164,7 +145,7 @@ fn subtract_start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> Result<bool, 
         told: &|_, _| {},
         ..work
     };
-    let errors = in_parallel(pieces.len(), quiet, |piece| {
+    let errors = told_in_parallel(pieces.len(), quiet, |piece| {
         let (way, force, candidate) = pieces[piece];
         let rows = &tried[way].1[force];
         let splits = Splits::new(rows, recipe, runs.interval_s.1);
@@ -205,7 +186,7 @@ fn judged(
         .flat_map(|candidate| (0..rows.len()).map(move |force| (force, *candidate)))
         .collect();
     pieces.reverse();
-    let judged = in_parallel(pieces.len(), work, |piece| {
+    let judged = told_in_parallel(pieces.len(), work, |piece| {
         let (force, candidate) = pieces[piece];
         judge(candidate, &rows[force], &splits[force], recipe, true)
     })?;
@@ -257,7 +238,7 @@ fn learnt(
         .filter_map(|(force, ranking)| Some((force, ranking.chosen()?)))
         .flat_map(|(force, chosen)| chosen.members.iter().map(move |member| (force, *member)))
         .collect();
-    let learnt = in_parallel(members.len(), quiet, |piece| {
+    let learnt = told_in_parallel(members.len(), quiet, |piece| {
         let (force, member) = members[piece];
         (
             LearntModel::whole(member, &rows[force], recipe),
@@ -327,7 +308,7 @@ fn plural(kind: SplitKind) -> &'static str {
     }
 }
 
-/// What each recording is, as a report tells.
+/// Returns the figures of each recording, as a report tells.
 pub fn figures_of(runs: &Runs, files: &[NamedText]) -> Vec<RecordingFigures> {
     let each = runs.runs.iter().zip(files).enumerate();
     each.map(|(run, (recording, file))| figures(runs, run, recording, file))
@@ -376,37 +357,17 @@ fn left_out_rows(
     found
 }
 
-/// What `of` makes of each number below `count`, on all threads.
-fn in_parallel<T: Send>(
+/// Computes `of` of each number below `count`, on all threads.
+fn told_in_parallel<T: Send>(
     count: usize,
     work: Work<'_>,
     of: impl Fn(usize) -> T + Sync,
 ) -> Result<Vec<T>, FitFailure> {
-    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let found: Mutex<Vec<(usize, T)>> = Mutex::new(Vec::new());
-    let worker = || {
-        while !work.stop.load(Ordering::Relaxed) {
-            let piece = next.fetch_add(1, Ordering::Relaxed);
-            if piece >= count {
-                break;
-            }
-            let made = of(piece);
-            found
-                .lock()
-                .unwrap_or_else(PoisonError::into_inner)
-                .push((piece, made));
-            (work.told)(done.fetch_add(1, Ordering::Relaxed) + 1, count);
-        }
+    let done = AtomicUsize::new(0);
+    let told = |piece| {
+        let made = of(piece);
+        (work.told)(done.fetch_add(1, Ordering::Relaxed) + 1, count);
+        made
     };
-    std::thread::scope(|scope| {
-        for _ in 0..work.threads.clamp(1, count.max(1)) {
-            scope.spawn(worker);
-        }
-    });
-    let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
-    if found.len() < count {
-        return Err(FitFailure::Stopped);
-    }
-    found.sort_by_key(|(piece, _)| *piece);
-    Ok(found.into_iter().map(|(_, made)| made).collect())
+    in_parallel(count, work.threads, work.stop, told).ok_or(FitFailure::Stopped)
 }

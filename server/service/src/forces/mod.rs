@@ -1,6 +1,5 @@
 //! Forces from recordings: recipes and recordings of users in, estimators, reports and estimates out.
 //!
-//! - [`recipe_reader`]: recipes from TOML or JSON
 //! - [`recorded_texts`]: recordings from their texts
 //! - [`fit_memory`]: how much memory a fit may take
 //! - [`submission_reader`]: recipe and recordings in one document
@@ -15,7 +14,6 @@ pub mod estimator_queue;
 pub mod fit_memory;
 pub mod fitting;
 pub mod model_file;
-pub mod recipe_reader;
 pub mod recorded_texts;
 pub mod rig_recording;
 pub mod submission_reader;

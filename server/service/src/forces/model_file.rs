@@ -3,8 +3,8 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use document::fault::Fault;
 use estimation::estimator::{Estimator, FORMAT, VERSION};
-use fem_client::document::fault::Fault;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
@@ -21,7 +21,7 @@ pub fn model_text(estimator: &Estimator) -> Result<String, String> {
     Ok(text + "\n")
 }
 
-/// What is read first: a file of another version says so, whatever else it holds.
+/// Head of a model file, which is read first: a file of another version says so, whatever else it holds.
 #[derive(Deserialize)]
 struct Head {
     format: Option<String>,
@@ -64,7 +64,7 @@ pub fn read_model(text: &str) -> Result<Estimator, Vec<Fault>> {
     Ok(estimator)
 }
 
-/// In version 1 a force had one model, whose fields stood beside its factor.
+/// Reads a file of version 1: a force had one model, whose fields stood beside its factor.
 fn first_version(text: &str) -> serde_json::Result<Estimator> {
     let mut whole: Map<String, Value> = serde_json::from_str(text)?;
     whole.insert("version".to_owned(), VERSION.into());
@@ -84,7 +84,7 @@ fn first_version(text: &str) -> serde_json::Result<Estimator> {
 mod tests {
     use super::*;
 
-    /// As the first version wrote it.
+    /// File as the first version wrote it.
     const FIRST: &str = include_str!("../../../../tests/fuzz/models/ridge.json");
 
     #[test]

@@ -3,13 +3,13 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use document::fault::Fault;
 use estimation::recipe::Recipe;
 use estimation::recording::csv_recording::{header, read};
 use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::recording_fault::RecordingFault;
 use estimation::recording::{PAUSE_INTERVALS, Recording};
 use estimation::rows::{Refusal, Runs};
-use fem_client::document::fault::Fault;
 
 /// Most bytes of a recording: a million rows of 30 columns.
 pub const MOST_RECORDING_BYTES: usize = 1 << 28;
@@ -19,9 +19,9 @@ pub const MOST_ROWS: usize = 2_000_000;
 /// A file as it was given.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NamedText {
-    /// Its name, for people.
+    /// Name of the file, for people.
     pub name: String,
-    /// What it holds.
+    /// Text of the file.
     pub text: String,
 }
 

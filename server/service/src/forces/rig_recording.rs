@@ -2,12 +2,13 @@
 
 use std::sync::atomic::AtomicBool;
 
+use documents::study::plan::PlannedStudy;
+use placement::points::RunContext;
+use placement::points::RunError;
 use placement::response_table::study_table::StudyTable;
-use placement::result::StudyResult;
-use placement::rig::rig_run::RigRun;
-use placement::rig::run_csv::recipe_toml;
-use placement::run::{RunContext, RunError};
-use placement::study::plan::PlannedStudy;
+use results::StudyResult;
+use rig::rig_run::RigRun;
+use rig::run_csv::recipe_toml;
 use std::sync::Arc;
 use tokio::runtime::Handle;
 
@@ -16,13 +17,13 @@ use crate::engine::Engine;
 use crate::forces::recorded_texts::NamedText;
 use crate::solving::timekeeper::Timekeeper;
 
-/// Why there are no recordings.
+/// Reason why there are no recordings.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordFailure {
     /// The study has nothing to record.
     #[error("{0}")]
     Input(String),
-    /// It was stopped.
+    /// Stop on request.
     #[error("stopped on request")]
     Stopped,
     /// The database or the solver.
@@ -35,9 +36,9 @@ pub enum RecordFailure {
 pub struct Finished<'f> {
     /// The engine that ran it.
     pub engine: &'f Engine,
-    /// Its document and points.
+    /// Document and points of the study.
     pub planned: &'f PlannedStudy,
-    /// Its answer.
+    /// Answer of the study.
     pub result: &'f StudyResult,
     /// Runs what waits for the database.
     pub runtime: &'f Handle,

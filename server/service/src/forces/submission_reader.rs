@@ -1,18 +1,17 @@
-//! What a client sends to learn forces, or to have them estimated: a recipe and recordings in one document.
+//! Documents that a client sends to learn forces, or to have them estimated: a recipe and recordings in one.
 
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use document::fault::{Fault, entry};
+use document::fields::{Fields, shown};
 use estimation::recipe::Recipe;
 use estimation::recording::recording_fault::RecordingFault;
-use fem_client::document::fault::{Fault, entry};
-use fem_client::document::fields::{Fields, shown};
 use serde_json::{Value, json};
 use store::content::{encode, sha256};
 
 use crate::forces::fit_memory::fit_memory_bytes;
 use crate::forces::fitting::figures_of;
-use crate::forces::recipe_reader::recipe_from_value;
 use crate::forces::recorded_texts::{self, NamedText, read_runs};
 use crate::wire::estimator_wire::StoredEstimator;
 
@@ -42,7 +41,7 @@ impl Submission {
     }
 }
 
-/// What a fit may take.
+/// Limits of a fit.
 #[derive(Debug, Clone, Copy)]
 pub struct FitLimits {
     /// Threads that it has.
@@ -135,7 +134,7 @@ fn read_document(mut document: Value, faults: &mut Vec<Fault>) -> Option<Read> {
     let recipe_document = fields
         .get("recipe")
         .map_or_else(|| json!({}), |(value, _)| value.clone());
-    let recipe = match recipe_from_value(&recipe_document) {
+    let recipe = match Recipe::from_value(&recipe_document) {
         Ok(recipe) => recipe,
         Err(found) => {
             for fault in found {

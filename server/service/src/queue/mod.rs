@@ -20,7 +20,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use placement::study::Study;
+use documents::study::Study;
 use serde_json::json;
 use sqlx::{Sqlite, SqliteConnection, Transaction};
 use tokio::runtime::Handle;
@@ -38,11 +38,11 @@ use store::queue::turns;
 use store::{Store, StoreError};
 pub use submit_error::{SubmitError, TooManyDesigns};
 
-/// How long to wait before the database is tried again.
+/// Time to wait before the database is tried again.
 const RETRY: Duration = Duration::from_secs(1);
-/// How long to wait for space on the disk.
+/// Time to wait for space on the disk.
 const SPACE: Duration = Duration::from_secs(5);
-/// How often a study that runs looks whether another one waits, at least.
+/// Interval at which a study that runs looks whether another one waits, at least.
 const LOOK: Duration = Duration::from_secs(1);
 
 /// Takes studies in, runs them, cancels them.
@@ -52,7 +52,7 @@ pub struct Queue {
     most_waiting: u32,
     news: Notify,
     current: watch::Sender<Option<Current>>,
-    /// One sweep at a time goes on.
+    /// Guard by which one sweep at a time goes on.
     continuing: Mutex<()>,
     /// Whether a study waits for room in the database.
     lacks_room: AtomicBool,

@@ -14,18 +14,18 @@ use store::{Store, StoreError};
 /// A study that was cancelled lets go within a Newton iteration, or at the next output of the analysis.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// Why a study was not removed.
+/// Reason why a study was not removed.
 #[derive(Debug, thiserror::Error)]
 pub enum RemovalError {
-    /// It is a design of this sweep.
+    /// A design of a sweep.
     #[error(
         "the study is a design of the sweep {sweep}: remove that, DELETE /v1/sweeps/{sweep}?purge"
     )]
     Design {
-        /// Its identifier.
+        /// Identifier of the sweep.
         sweep: String,
     },
-    /// Its solve hasn't ended yet.
+    /// A study whose solve hasn't ended yet.
     #[error("the study is cancelled, but its last solve has not ended yet: ask again")]
     Busy,
     /// The database failed.

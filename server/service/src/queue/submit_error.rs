@@ -1,25 +1,25 @@
-//! Why something was not taken in.
+//! Reasons why something was not taken in.
 
-use placement::sweep::MOST_DESIGNS;
+use documents::sweep::MOST_DESIGNS;
 
 use store::StoreError;
 
-/// Why a study was not taken in.
+/// Reason why a study was not taken in.
 #[derive(Debug, thiserror::Error)]
 pub enum SubmitError {
     /// The key stands for another document.
     #[error("the idempotency key was used with another document")]
     KeyTaken,
-    /// So many wait that another one is not taken in.
+    /// A queue in which so many wait that another one is not taken in.
     #[error("at most {most} studies may wait: send it again when some are done")]
     TooMany {
-        /// How many may wait.
+        /// Most studies that may wait.
         most: u32,
     },
     /// The sweep would have more designs than one may.
     #[error(transparent)]
     TooManyDesigns(#[from] TooManyDesigns),
-    /// Its designs could not be read.
+    /// A sweep whose designs could not be read.
     #[error("the designs of the sweep could not be read; the log says why")]
     Broken,
     /// The database failed.
@@ -35,6 +35,6 @@ pub enum SubmitError {
 pub struct TooManyDesigns {
     /// Designs that it has.
     pub there: usize,
-    /// Those to come.
+    /// Count of the designs to come.
     pub more: usize,
 }

@@ -5,8 +5,8 @@
 
 use std::collections::HashSet;
 
-use placement::study::Study;
-use placement::sweep::{Design, MOST_DESIGNS, Sweep, nameless};
+use documents::study::Study;
+use documents::sweep::{Design, MOST_DESIGNS, Sweep, nameless};
 use sqlx::SqliteConnection;
 
 use crate::queue::submit_error::{SubmitError, TooManyDesigns};
@@ -17,7 +17,7 @@ use store::queue::study_rows::State;
 use store::queue::sweep_rows::{self, DesignRow, SweepRow};
 use store::{Store, StoreError};
 
-/// How a sweep goes on. Worked out before it is written: reading a thousand designs takes a second, for which nobody else should wait.
+/// Continuation of a sweep. Worked out before it is written: reading a thousand designs takes a second, for which nobody else should wait.
 #[derive(Debug, Default)]
 pub struct Continuation {
     /// Designs that ended without a result and are tried again as new studies, by their places; the old ones stay as they ended.

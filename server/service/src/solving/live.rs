@@ -3,15 +3,15 @@
 use std::collections::BTreeMap;
 
 use fem_client::solver::SolveProgress;
-use placement::run::Event;
+use placement::points::Event;
 use tokio::sync::watch;
 
 /// The solves of the study that has its turn.
 #[derive(Debug, Clone, Default)]
 pub struct Solves {
-    /// Its identifier; empty where none runs.
+    /// Identifier of the study; empty where none runs.
     pub study: String,
-    /// How far each solve is, by the ordinal of its point.
+    /// Progress of each solve, by the ordinal of its point.
     pub points: BTreeMap<usize, SolveProgress>,
 }
 

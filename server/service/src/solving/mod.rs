@@ -1,4 +1,4 @@
-//! Who solves, and how a solve is watched.
+//! Solvers, and how a solve is watched.
 //!
 //! - [`solver_choice`]: which solver answers
 //! - [`watched`]: solves that come to an end in time
@@ -16,7 +16,7 @@ pub mod timekeeper;
 pub mod traced;
 pub mod watched;
 
-/// What a solver around another one, its field `solver`, has that one tell of scenes.
+/// Forwards what a solver around another one, its field `solver`, has that one tell of scenes.
 macro_rules! inner_tells {
     () => {
         fn coarser(&self, scene: &fem_client::scene::Scene) -> Option<fem_client::solver::Coarser> {

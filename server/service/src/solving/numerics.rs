@@ -12,8 +12,8 @@ use fem_client::solver::{Readout, SolveError, SolveRequest, Solved, Solver};
 use crate::solving::inner_tells;
 use store::content::sha256;
 
-/// Of the version and the numerics that points were stored with before keys told numerics apart: their keys stay as they are. Any
-/// other sources of the solver have another fingerprint, and need no such exception.
+/// Fingerprint of the version and the numerics that points were stored with before keys told numerics apart: their keys stay as they are. Any other
+/// sources of the solver have another fingerprint, and need no such exception.
 const BEFORE: &str = "7ee1da29b2f5";
 /// Hexadecimal digits of a fingerprint.
 const DIGITS: usize = 12;

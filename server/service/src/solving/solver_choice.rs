@@ -1,4 +1,4 @@
-//! Which solver answers: chosen here and nowhere else.
+//! Choice of the solver: here and nowhere else.
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -9,7 +9,6 @@ use calculix::CalculixSolver;
 use fem_client::solver::Solver;
 use tire::embedded::EmbeddedSolver;
 
-use crate::previewer;
 use crate::solving::apart::child;
 use crate::solving::apart::parent::{Apart, own_program};
 use crate::solving::numerics::Fingerprinted;
@@ -20,10 +19,13 @@ pub use calculix::NotInstalled;
 /// A Newton iteration on the largest mesh that is allowed takes seconds; what hasn't ended then won't.
 const GRACE: Duration = Duration::from_secs(60);
 
-/// Who solves.
+/// A preview that takes longer is of no use to somebody who writes.
+pub const PREVIEW_LIMIT: Duration = Duration::from_secs(10);
+
+/// Name of a solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SolverName<'p> {
-    /// This program's own finite elements.
+    /// Finite elements of this program.
     Embedded,
     /// An installed CalculiX: its program.
     Calculix(&'p Path),
@@ -46,10 +48,11 @@ pub fn solver(name: SolverName<'_>, limit: Duration) -> Result<Arc<dyn Solver>, 
     Ok(Arc::new(Watched::new(solver, limit, GRACE)))
 }
 
-/// Who solves previews: this program's own finite elements, whoever solves studies. A preview's cut point isn't kept, so that its numerics need no name.
+/// Returns the solver of previews: this program's own finite elements, whoever solves studies. A preview's cut point isn't kept, so that its numerics need no
+/// name.
 pub fn preview_solver() -> Arc<dyn Solver> {
     let solver = Arc::new(EmbeddedSolver::default());
-    Arc::new(Watched::new(solver, previewer::LIMIT, GRACE))
+    Arc::new(Watched::new(solver, PREVIEW_LIMIT, GRACE))
 }
 
 /// Solves for the parent process of this one, by this program's own finite elements.

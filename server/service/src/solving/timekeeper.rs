@@ -1,10 +1,10 @@
-//! How long a study's solves take, beside what was expected of them.
+//! Times of a study's solves, beside what was expected of them.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
 use placement::estimate::Pace;
-use placement::result::Estimate;
+use results::Estimate;
 
 /// Told by whoever stores solves, asked by whoever tells what happens.
 pub struct Timekeeper {
@@ -13,7 +13,7 @@ pub struct Timekeeper {
 }
 
 impl Timekeeper {
-    /// Of a study that begins now; without a pace it says nothing.
+    /// Begins with a study that begins now; without a pace it says nothing.
     pub fn new(pace: Option<Pace>) -> Self {
         Self {
             begun: Instant::now(),
@@ -21,7 +21,7 @@ impl Timekeeper {
         }
     }
 
-    /// What was expected at first.
+    /// Returns what was expected at first.
     pub fn estimate(&self) -> Option<Estimate> {
         self.pace().as_ref().map(|pace| pace.estimate().clone())
     }
@@ -33,7 +33,7 @@ impl Timekeeper {
         }
     }
 
-    /// What is expected now, where that is far from what was said last.
+    /// Returns what is expected now, where that is far from what was said last.
     pub fn revised(&self) -> Option<Estimate> {
         let elapsed_s = self.begun.elapsed().as_secs_f64();
         self.pace().as_mut()?.revised(elapsed_s)

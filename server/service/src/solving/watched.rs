@@ -12,17 +12,17 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use fem_client::solver::{SolveError, SolveProgress, SolveRequest, Solved, Solver, Watch};
-use placement::run::usage::{cpu_s, credit};
+use placement::points::usage::{cpu_s, credit};
 
 use crate::solving::inner_tells;
 
-/// How often the caller's wish to stop is looked at. An answer is taken at once.
+/// Interval at which the caller's wish to stop is looked at. An answer is taken at once.
 const LOOK: Duration = Duration::from_millis(10);
 
-/// How long a caller that wishes to stop waits for a solve.
+/// Time that a caller that wishes to stop waits for a solve.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Between a solve's own thread and the one that waits for it.
+/// Relay between a solve's own thread and the one that waits for it.
 struct Relay {
     stop: AtomicBool,
     told: Mutex<Option<SolveProgress>>,
@@ -66,9 +66,9 @@ pub struct Watched {
 }
 
 type SolveResult = Result<Solved, SolveError>;
-/// Which of a solver's two ways it solves.
+/// Choice of a solver's two ways to solve.
 type Way = fn(&dyn Solver, &SolveRequest<'_>) -> SolveResult;
-/// What a solve gave and the processor time of its thread, s.
+/// Result of a solve, and the processor time of its thread, s.
 type Timed = (SolveResult, f64);
 
 impl Watched {

@@ -11,13 +11,13 @@ pub mod text_files;
 
 use std::path::{Path, PathBuf};
 
-use fem_client::document::fault::Fault;
-use fem_client::document::fields::nearest;
-use fem_client::document::{Format, MAX_BYTES, parse};
+use document::fault::Fault;
+use document::fields::nearest;
+use document::{Format, MAX_BYTES, parse};
+use documents::study::plan::PlannedStudy;
+use documents::study::{Study, presets};
+use documents::sweep::{changed, typed_settings};
 use fem_client::scene::PRESETS;
-use placement::study::plan::PlannedStudy;
-use placement::study::{Study, presets};
-use placement::sweep::{changed, typed_settings};
 use serde_json::Value;
 
 use crate::study_document::text_files::read_text;
@@ -28,7 +28,7 @@ use store::queue::sweep_rows::SweepRow;
 /// The study that a row of the database asks for.
 ///
 /// # Errors
-/// A sentence, when the row is damaged, or this version refuses what an earlier one stored.
+/// A sentence, when the row is damaged.
 pub fn stored_study(row: &StudyRow) -> Result<Study, String> {
     read_stored(row.document())
 }

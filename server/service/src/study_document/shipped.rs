@@ -3,15 +3,15 @@
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use fem_client::document::{Format, parse};
+use document::{Format, parse};
 use fem_client::scene::PRESETS;
 use serde_json::Value;
 
 use crate::wire::study_wire::{Preset, Presets};
 
-/// All of them.
+/// Returns the documents that ship.
 pub fn shipped() -> Presets {
-    let studies = placement::study::presets().into_iter();
+    let studies = documents::study::presets().into_iter();
     Presets {
         studies: studies.filter_map(preset).collect(),
         scenes: PRESETS.into_iter().filter_map(preset).collect(),
@@ -30,11 +30,12 @@ fn preset((name, text): (&str, &str)) -> Option<Preset> {
     })
 }
 
-/// The comment at the head of a shipped document.
+/// The comment at the head of a shipped document, without what editors read of it.
 fn comment(text: &str) -> String {
     let head = text
         .lines()
         .map_while(|line| line.strip_prefix('#'))
+        .filter(|line| !line.starts_with(":schema"))
         .map(str::trim);
     head.collect::<Vec<_>>().join(" ")
 }
@@ -46,7 +47,7 @@ mod tests {
     #[test]
     fn every_shipped_document_is_told_with_its_title() {
         let all = shipped();
-        assert_eq!(all.studies.len(), placement::study::presets().len());
+        assert_eq!(all.studies.len(), documents::study::presets().len());
         assert_eq!(all.scenes.len(), PRESETS.len());
         assert!(all.studies.iter().all(|study| study.title != study.name));
     }

@@ -7,7 +7,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use fem_client::document::fields::nearest;
+use document::fields::nearest;
 
 /// Reads a text that has at most so many bytes; of a longer one no more than that is read.
 ///

@@ -4,13 +4,13 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use fem_client::document::Format;
+use document::Format;
 use fem_client::scene::Scene;
 use fem_client::solver::Solver;
 use placement::layout::by_hand::scored_by_hand::{HandError, HandLayouts, StoredStudy};
 use placement::layout::by_hand::stored_solves::StoredSolves;
-use placement::result::LayoutFindings;
-use placement::run::archive::Outcome;
+use placement::points::archive::Outcome;
+use results::LayoutFindings;
 use serde::de::IgnoredAny;
 
 use crate::study_document::stored_plan;
@@ -18,13 +18,13 @@ use store::points::evaluations;
 use store::queue::study_rows::StudyRow;
 use store::{Store, StoreError};
 
-/// Why there are no scores.
+/// Reason why there are no scores.
 #[derive(Debug, thiserror::Error)]
 pub enum HandLayoutsError {
-    /// What is stored doesn't give them.
+    /// A study whose stored fields don't give them.
     #[error(transparent)]
     Lacking(#[from] HandError),
-    /// This version can't read the study's document.
+    /// A document that this version can't read.
     #[error("{cause}")]
     Unreadable {
         /// A sentence.
@@ -48,7 +48,7 @@ impl Drop for Waiting {
     }
 }
 
-/// What `work` makes of the study's stored fields. It is told to stop when the caller goes away.
+/// Computes `work` of the study's stored fields. It is told to stop when the caller goes away.
 ///
 /// # Errors
 /// See [`HandLayoutsError`].
@@ -79,7 +79,7 @@ pub async fn of<T: Send + 'static>(
     .await
 }
 
-/// On a thread that may be busy for long.
+/// Works on a thread that may be busy for long.
 async fn apart<T: Send + 'static>(
     work: impl FnOnce() -> Result<T, HandLayoutsError> + Send + 'static,
 ) -> Result<T, HandLayoutsError> {

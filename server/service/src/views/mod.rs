@@ -1,4 +1,4 @@
-//! What a study has solved, as a reader sees it:
+//! Views of what a study has solved, for a reader:
 //!
 //! - [`point_views`]: its points, inputs beside what came of them
 //! - [`solved_wheel`]: its wheel at the cut point

@@ -1,54 +1,23 @@
 //! The points of a study as a reader sees them: inputs beside what came of them.
 
+use documents::study::Input;
 use fem_client::scene::edit::number_in;
-use fem_client::solver::{LocationStrain, Reached};
-use placement::study::Input;
-use serde::{Deserialize, Serialize};
+use fem_client::solver::LocationStrain;
+use serde::Deserialize;
 use serde_json::Value;
 use sqlx::SqliteConnection;
-use utoipa::ToSchema;
 
 use crate::study_document::stored_study;
+use crate::wire::study_wire::EvaluationView;
 use store::StoreError;
 use store::points::evaluations::{self, Evaluation};
 use store::queue::study_rows::StudyRow;
 
-/// One point that has an outcome.
-#[derive(Debug, Serialize, Deserialize, ToSchema)]
-pub struct EvaluationView {
-    /// Its place.
-    pub ordinal: usize,
-    /// Hash of all that determines its outcome.
-    pub key: String,
-    /// Mesh level.
-    pub level: Option<String>,
-    /// The inputs' values; null when its scene hasn't one of them.
-    pub values: Option<Vec<f64>>,
-    /// Vertical force, N; null without an equilibrium.
-    pub reaction_n: Option<f64>,
-    /// How far the ground at the contact centre stands above the inflated outer radius, mm; absent without an equilibrium.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub depth_mm: Option<f64>,
-    /// Strains at P1, P2, ...; null without an equilibrium.
-    pub locations: Option<Vec<LocationStrain>>,
-    /// Newton iterations; null without an equilibrium.
-    pub newton_iterations: Option<usize>,
-    /// Wall-clock time of the solve, s.
-    pub wall_s: f64,
-    /// Why there is no equilibrium.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub reason: Option<String>,
-    /// Loads of the last equilibrium before.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub reached: Option<Reached>,
-}
-
-/// What is shown of a response.
+/// Part of a response that is shown.
 #[derive(Deserialize)]
 struct Shown {
     reaction_n: f64,
-    #[serde(default)]
-    depth_mm: Option<f64>,
+    depth_mm: f64,
     locations: Vec<LocationStrain>,
 }
 
@@ -68,7 +37,7 @@ pub async fn of(
         .collect())
 }
 
-/// What varies in a study; nothing if this version can't read its document.
+/// Returns what varies in a study; nothing if this version can't read its document.
 fn inputs_of(study: &StudyRow) -> Vec<Input> {
     let read = stored_study(study).map(|study| study.inputs);
     read.unwrap_or_default()
@@ -93,7 +62,7 @@ fn view(
         level: scene.as_ref().and_then(level),
         values: scene.as_ref().and_then(|scene| values_of(scene, inputs)),
         reaction_n: response.as_ref().map(|response| response.reaction_n),
-        depth_mm: response.as_ref().and_then(|response| response.depth_mm),
+        depth_mm: response.as_ref().map(|response| response.depth_mm),
         locations: response.map(|response| response.locations),
         newton_iterations: solved.then_some(evaluation.cost.newton_iterations),
         wall_s: evaluation.cost.wall_s,

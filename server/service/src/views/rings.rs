@@ -1,17 +1,17 @@
 //! Signals around the wheel that a study's layouts are scored by.
 
 use fem_client::solver::direction::Direction;
-use placement::result::{LayoutFindings, LayoutLoad, StrainRing};
+use results::{LayoutFindings, LayoutLoad, StrainRing};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
 /// Unit of what the wall itself shows.
 const STRAIN: &str = "strain";
 
-/// What is known around the whole wheel.
+/// Rings around the whole wheel.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Rings {
-    /// What the lists named `strain` and, by the depth, `slope` are in: `strain`, or `V` where layouts are of glued films.
+    /// Unit of the lists named `strain` and, by the depth, `slope`: `strain`, or `V` where layouts are of glued films.
     pub unit: String,
     /// A ring for each section angle that layouts have; none where the study asks for no layouts.
     pub rings: Vec<WheelRing>,
@@ -39,7 +39,7 @@ pub struct WheelRing {
 /// A load of layouts.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct RingLoad {
-    /// How far the ground stands above the inflated outer radius, mm.
+    /// Height of the ground above the inflated outer radius, mm.
     pub depth_mm: f64,
     /// Vertical force, N; null where it isn't known.
     pub load_n: Option<f64>,

@@ -1,11 +1,11 @@
 //! The map at the solved nodes of one input's line: what a slider over the input shows, without a solve.
 
-use fem_client::document::Format;
+use document::Format;
+use documents::study::Study;
+use documents::study::plan::scene_at;
 use fem_client::scene::edit::number_in;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{MapShape, Response};
-use placement::study::Study;
-use placement::study::plan::scene_at;
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -28,15 +28,15 @@ pub struct Sections {
     pub theta_deg: Vec<f64>,
     /// Angles of the rows from the crown, degrees.
     pub phi_deg: Vec<f64>,
-    /// Where the map's points lie in the inflated state at the means, mm, rows x columns; null where the study was solved by a version that didn't keep it.
-    pub inflated_mm: Option<Vec<[f64; 3]>>,
+    /// Places of the map's points in the inflated state at the means, mm, rows x columns.
+    pub inflated_mm: Vec<[f64; 3]>,
     /// The solved nodes, by value. A design of scattered points has the means alone.
     pub nodes: Vec<SectionNode>,
     /// Nodes that have no equilibrium, by value.
     pub failed: Vec<FailedNode>,
 }
 
-/// One solved node.
+/// A solved node.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct SectionNode {
     /// Value of the input.
@@ -51,9 +51,8 @@ pub struct SectionNode {
     pub strain_x: Vec<f64>,
     /// Meridional strain, rows x columns.
     pub strain_y: Vec<f64>,
-    /// From `inflated_mm` to the node's equilibrium, mm, rows x columns: also where the input changes the inflated state. Null where the study was solved by a version
-    /// that didn't keep it.
-    pub displacement_mm: Option<Vec<[f64; 3]>>,
+    /// Displacements from `inflated_mm` to the node's equilibrium, mm, rows x columns: also where the input changes the inflated state.
+    pub displacement_mm: Vec<[f64; 3]>,
 }
 
 /// A node without an equilibrium.
@@ -61,11 +60,11 @@ pub struct SectionNode {
 pub struct FailedNode {
     /// Value of the input.
     pub value: f64,
-    /// Why, a sentence.
+    /// Reason, a sentence.
     pub reason: String,
 }
 
-/// What of a result says where the sections lie.
+/// Part of a result that says where the sections lie.
 #[derive(Debug, Deserialize)]
 pub struct Sectioned {
     model: Meshed,
@@ -87,10 +86,10 @@ struct Means {
 struct Places {
     theta_deg: Vec<f64>,
     phi_deg: Vec<f64>,
-    shape: Option<MapShape>,
+    shape: MapShape,
 }
 
-/// Why there are no sections.
+/// Reason why there are no sections.
 #[derive(Debug, thiserror::Error)]
 pub enum SectionsError {
     /// The study has no map.
@@ -99,10 +98,10 @@ pub enum SectionsError {
     /// No input has this name.
     #[error("input is one of {}", .names.join(", "))]
     NoInput {
-        /// Those that there are.
+        /// Names of the inputs that there are.
         names: Vec<String>,
     },
-    /// This version can't read the study's document.
+    /// A document that this version can't read.
     #[error("{cause}")]
     Unreadable {
         /// A sentence.
@@ -125,17 +124,14 @@ pub async fn of(
 ) -> Result<Sections, SectionsError> {
     let places = found.map.ok_or(SectionsError::NoMap)?;
     let mut study = stored_study(row).map_err(|cause| SectionsError::Unreadable { cause })?;
-    let level = Level::NAMES
-        .iter()
-        .find(|(name, _)| *name == found.model.level);
-    study.scene.model.level = level.map_or(study.level, |(_, level)| *level);
+    study.scene.model.level = Level::named(&found.model.level).unwrap_or(study.level);
     let line = Line::of(&study, found.cut_point.values, input)?;
     let mut sections = Sections {
         input: study.inputs[line.index].name.clone(),
         vary: study.inputs[line.index].vary.clone(),
         theta_deg: places.theta_deg,
         phi_deg: places.phi_deg,
-        inflated_mm: places.shape.map(|shape| shape.inflated_mm),
+        inflated_mm: places.shape.inflated_mm,
         nodes: Vec::new(),
         failed: Vec::new(),
     };
@@ -145,12 +141,7 @@ pub async fn of(
     for (point, evaluation) in points.into_iter().zip(evaluations) {
         match evaluation.map(|evaluation| evaluation.outcome) {
             Some(Ok(response)) => {
-                let node = node(
-                    &point,
-                    line.mean(),
-                    response,
-                    sections.inflated_mm.as_deref(),
-                );
+                let node = node(&point, line.mean(), response, &sections.inflated_mm);
                 sections.nodes.extend(node);
             }
             Some(Err(unsolved)) => sections.failed.push(FailedNode {
@@ -188,7 +179,7 @@ struct LinePoint {
 
 impl<'s> Line<'s> {
     fn of(study: &'s Study, means: Vec<f64>, name: Option<&str>) -> Result<Self, SectionsError> {
-        let is_asked = |input: &placement::study::Input| name.is_none_or(|name| input.name == name);
+        let is_asked = |input: &documents::study::Input| name.is_none_or(|name| input.name == name);
         let index = study.inputs.iter().position(is_asked);
         let index = index.filter(|_| means.len() == study.inputs.len());
         let names = || {
@@ -209,7 +200,7 @@ impl<'s> Line<'s> {
         self.means[self.index]
     }
 
-    /// Those of a study, in the order of its plan.
+    /// Reads the points of a study, in the order of its plan.
     async fn points(
         &self,
         connection: &mut SqliteConnection,
@@ -250,13 +241,12 @@ fn node(
     point: &LinePoint,
     mean: f64,
     response: Response,
-    inflated_mm: Option<&[[f64; 3]]>,
+    inflated_mm: &[[f64; 3]],
 ) -> Option<SectionNode> {
     let map = response.map?;
-    let displacement_mm = match (map.shape, map.position_mm, inflated_mm) {
-        (Some(shape), _, _) => Some(shape.displacement_mm),
-        (None, Some(position), Some(inflated)) => Some(displacements(&position, inflated)),
-        _ => None,
+    let displacement_mm = match map.shape {
+        Some(shape) => shape.displacement_mm,
+        None => displacements(&map.position_mm?, inflated_mm),
     };
     Some(SectionNode {
         value: point.value,

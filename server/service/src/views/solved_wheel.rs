@@ -1,6 +1,6 @@
 //! The wheel of a study at its cut point, from the equilibrium that is stored there.
 
-use fem_client::document::Format;
+use document::Format;
 use fem_client::scene::Scene;
 use fem_client::solver::StartState;
 use serde::de::IgnoredAny;

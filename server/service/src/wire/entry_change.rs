@@ -1,10 +1,10 @@
-//! What of a study or a sweep is changed after it was submitted: what lists say of it.
+//! Changes of a study or a sweep after it was submitted: what lists say of it.
 
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use fem_client::document::fault::Fault;
-use fem_client::document::fields::{Fields, shown};
+use document::fault::Fault;
+use document::fields::{Fields, shown};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use store::queue::listed::RowChange;
@@ -13,7 +13,7 @@ use utoipa::ToSchema;
 /// Characters of a name, as in documents.
 const LONGEST_NAME: usize = 200;
 
-/// What lists say of a study or a sweep: `name`, `archived` or both. What is left out stays as it is.
+/// Change of what lists say of a study or a sweep: `name`, `archived` or both. What is left out stays as it is.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EntryChange {

@@ -8,8 +8,6 @@ use store::queue::estimator_rows::EstimatorRow;
 use store::queue::study_rows::State;
 use utoipa::ToSchema;
 
-use crate::forces::fitting::LeftOutRows;
-
 /// Recordings to learn forces from, and how.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
@@ -17,20 +15,23 @@ pub struct EstimatorDocument {
     /// Free text; the first recording's file where it is left out.
     #[schema(nullable = false, min_length = 1, max_length = 200)]
     pub name: Option<String>,
-    /// What is to be done, as in a recipe of `strainsite force fit`: the tables `columns`, `preprocess`, `features`, `models` and `validation`, every field with a
-    /// default.
-    #[schema(value_type = Object, nullable = false, required = false)]
+    /// Recipe, as in `strainsite force fit`: the tables `columns`, `preprocess`, `features`, `models` and `validation`, every field with a default.
+    #[schema(value_type = RecipeDocument, nullable = false, required = false)]
     pub recipe: Option<Value>,
-    /// One a run.
+    /// Recordings, one a run.
     #[schema(min_items = 1, max_items = 1000)]
     pub recordings: Vec<RecordingDocument>,
 }
+
+/// A recipe: its schema is that of the document.
+#[derive(Debug, ToSchema)]
+pub struct RecipeDocument;
 
 /// A recording as text.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RecordingDocument {
-    /// What faults, reports and plots call it.
+    /// Name that faults, reports and plots give it.
     #[schema(min_length = 1, max_length = 200)]
     pub file: String,
     /// CSV: a header, then a row a line: seconds, signals, and forces where they were measured.
@@ -44,37 +45,37 @@ pub struct EstimatorSummary {
     pub id: String,
     /// Free text.
     pub name: String,
-    /// Where it stands.
+    /// State of the estimator.
     pub state: State,
-    /// Why it failed, a sentence.
+    /// Reason why it failed, a sentence.
     pub error: Option<String>,
-    /// When it was submitted.
+    /// Time at which it was submitted.
     pub created: String,
-    /// When it was first started.
+    /// Time at which it was first started.
     pub started: Option<String>,
-    /// When it ended.
+    /// Time at which it ended.
     pub finished: Option<String>,
     /// The forces' columns, N.
     pub forces: Vec<String>,
-    /// What it is learnt from.
+    /// Recordings that it is learnt from.
     pub recordings: Vec<RecordingFigures>,
-    /// How far it is while it runs; null otherwise.
+    /// Progress while it runs; null otherwise.
     pub progress: Option<FitProgress>,
 }
 
-/// How far a fit is.
+/// Progress of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub struct FitProgress {
     /// Models judged.
     pub done: usize,
-    /// Of how many; 0 until that is known.
+    /// Models to judge; 0 until that is known.
     pub of: usize,
 }
 
 /// An estimator with its recipe.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
 pub struct EstimatorDetail {
-    /// Where it stands.
+    /// Summary of the estimator.
     #[serde(flatten)]
     pub summary: EstimatorSummary,
     /// The recipe as it was submitted.
@@ -82,35 +83,35 @@ pub struct EstimatorDetail {
     pub recipe: Value,
 }
 
-/// One page of estimators, newest first.
+/// A page of estimators, newest first.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
 pub struct EstimatorPage {
     /// The estimators.
     pub estimators: Vec<EstimatorSummary>,
-    /// Where the next page begins; null on the last one.
+    /// Cursor of the next page; null on the last one.
     pub next_cursor: Option<String>,
 }
 
 /// Rows that weren't learnt from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct LeftOutForces {
-    /// One list a force.
+    /// Rows that were left out, one list a force.
     pub forces: Vec<LeftOutRows>,
 }
 
-/// What is stored of a submission beside its recordings.
+/// Submission as it is stored, beside its recordings.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StoredEstimator {
     /// The recipe as it was submitted.
     pub recipe: Value,
     /// The forces' columns.
     pub forces: Vec<String>,
-    /// What it is learnt from.
+    /// Recordings that it is learnt from.
     pub recordings: Vec<RecordingFigures>,
 }
 
 impl StoredEstimator {
-    /// What a row of the database says.
+    /// Reads what a row of the database says.
     ///
     /// # Errors
     /// [`StoreError::Damaged`] when it can't be read.
@@ -123,7 +124,7 @@ impl StoredEstimator {
 }
 
 impl EstimatorDetail {
-    /// What a row of the database says, and how far its fit is.
+    /// Reads what a row of the database says, and adds how far its fit is.
     ///
     /// # Errors
     /// [`StoreError::Damaged`] when its document doesn't match its hash.
@@ -147,4 +148,23 @@ impl EstimatorDetail {
             recipe: stored.recipe,
         })
     }
+}
+
+/// Rows that the chosen model of a force hadn't learnt from: truth, estimate and interval.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct LeftOutRows {
+    /// The force's column.
+    pub force: String,
+    /// Each row's run, by its place among the recordings.
+    pub run: Vec<usize>,
+    /// Each row's time, s.
+    pub time_s: Vec<f64>,
+    /// Measured force, N.
+    pub truth_n: Vec<f64>,
+    /// Estimated force, N.
+    pub estimate_n: Vec<f64>,
+    /// The interval's low end, N.
+    pub low_n: Vec<f64>,
+    /// The interval's high end, N.
+    pub high_n: Vec<f64>,
 }

@@ -1,6 +1,6 @@
 //! Layouts that somebody moves by hand, on the wire.
 
-use placement::result::RankedLayout;
+use results::RankedLayout;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
@@ -18,11 +18,11 @@ pub struct HandLayoutsDocument {
 /// A layout film by film.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct HandLayout {
-    /// Its name, of at most 60 characters; its number when left out.
+    /// Name of the layout, of at most 60 characters; its number when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(min_length = 1, max_length = 60)]
     pub name: Option<String>,
-    /// Its films, each at a place of its own.
+    /// Films of the layout, each at a place of its own.
     #[schema(min_items = 1, max_items = 96)]
     pub films: Vec<HandFilm>,
 }
@@ -46,6 +46,6 @@ pub struct HandFilm {
 /// Layouts with their scores.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct ScoredLayouts {
-    /// In the order of the request.
+    /// Layouts in the order of the request.
     pub layouts: Vec<RankedLayout>,
 }

@@ -1,5 +1,6 @@
-//! What goes over the wire beside results: documents, states, estimates, previews, comparisons; with an example of each.
+//! Documents on the wire beside results: states, estimates, previews, comparisons; with an example of each.
 
+pub mod described_tables;
 pub mod entry_change;
 pub mod estimator_examples;
 pub mod estimator_wire;

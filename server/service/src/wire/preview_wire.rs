@@ -1,13 +1,13 @@
-//! What a document would find, roughly and at once.
+//! Preview of a document: what it would find, roughly and at once.
 
-use placement::result::{CutPoint, IndexMap, InputReport, RankedLocation};
+use results::{CutPoint, IndexMap, InputReport, RankedLocation};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
 /// A study's places on the draft mesh. It claims nothing: no error is known.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Preview {
-    /// `none`.
+    /// Claim of the preview: `none`.
     pub claim: String,
     /// Mesh level: `draft`.
     pub level: String,
@@ -15,9 +15,9 @@ pub struct Preview {
     pub wall_s: f64,
     /// Points that were solved.
     pub solves: usize,
-    /// What the study would have beside, whole sentences.
+    /// Parts that the study would have beside, whole sentences.
     pub left_out: Vec<String>,
-    /// What varied.
+    /// Inputs that varied.
     pub inputs: Vec<InputReport>,
     /// Ranked locations.
     pub locations: Vec<RankedLocation>,
@@ -25,6 +25,6 @@ pub struct Preview {
     pub cut_point: CutPoint,
     /// A map of 31 x 11 places at most; null where the document asks for none.
     pub map: Option<IndexMap>,
-    /// What the user must know before believing the numbers, whole sentences.
+    /// Notes that the user must know before believing the numbers, whole sentences.
     pub notes: Vec<String>,
 }

@@ -1,8 +1,8 @@
-//! Where a sweep stands.
+//! State of a sweep.
 
 use store::queue::study_rows::State;
 
-/// Where a sweep stands by its designs: at work while any is or some still wait, cancelled when any was, done when any has a result.
+/// Returns the state of a sweep by its designs: at work while any is or some still wait, cancelled when any was, done when any has a result.
 pub fn state_of(states: impl Iterator<Item = State> + Clone) -> State {
     let any = |state: State| states.clone().any(|other| other == state);
     let waits = any(State::Queued);

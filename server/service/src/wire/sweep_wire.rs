@@ -1,56 +1,23 @@
 //! The documents of sweeps: those that go in, and those that come out.
 
-use placement::result::{CountForecast, Estimate, Forecast};
+use results::{CountForecast, Estimate, Forecast};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
 
-use crate::wire::study_wire::{StudyDocument, StudySummary};
+use crate::wire::study_wire::StudySummary;
 use crate::wire::sweep_state::state_of;
 use store::StoreError;
 use store::queue::study_rows::State;
 use store::queue::sweep_rows::{DesignRow, SweepRow};
 
-/// A study, and what its designs set otherwise: `grid` or `designs`.
-#[derive(Debug, Serialize, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub struct SweepDocument {
-    /// Free text; the study's name when left out.
-    #[schema(nullable = false)]
-    pub name: Option<String>,
-    /// The study without changes.
-    pub study: StudyDocument,
-    /// Lists of values by path, as `{"geometry.wall_mm": [2.5, 3]}`: every combination is a design, the last path varying fastest.
-    #[schema(value_type = Object, nullable = false)]
-    pub grid: Option<Value>,
-    /// The designs one by one.
-    #[schema(nullable = false)]
-    pub designs: Option<Vec<DesignDocument>>,
-}
+/// A sweep: its schema is that of the document.
+#[derive(Debug, ToSchema)]
+pub struct SweepDocument;
 
-/// Further designs of a sweep: `grid` or `designs`.
-#[derive(Debug, Serialize, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub struct FurtherDesigns {
-    /// Lists of values by path.
-    #[schema(value_type = Object, nullable = false)]
-    pub grid: Option<Value>,
-    /// The designs one by one.
-    #[schema(nullable = false)]
-    pub designs: Option<Vec<DesignDocument>>,
-}
-
-/// One design.
-#[derive(Debug, Serialize, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub struct DesignDocument {
-    /// What it sets when left out, as `wall_mm = 2.5`.
-    #[schema(nullable = false)]
-    pub name: Option<String>,
-    /// Values by path: `geometry.wall_mm` for the scene's fields, `method.nodes` for the study's own.
-    #[schema(value_type = Object)]
-    pub set: Value,
-}
+/// Further designs of a sweep: their schema is that of the document.
+#[derive(Debug, ToSchema)]
+pub struct FurtherDesignsDocument;
 
 /// A sweep as far as it is. Times are RFC 3339, UTC.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
@@ -69,11 +36,11 @@ pub struct SweepSummary {
     pub points_done: i64,
     /// Priority of its studies.
     pub priority: i64,
-    /// When it was submitted.
+    /// Time at which it was submitted.
     pub created: String,
-    /// When its last design ended.
+    /// Time at which its last design ended.
     pub finished: Option<String>,
-    /// When it was archived; null unless it is.
+    /// Time at which it was archived; null unless it is.
     pub archived: Option<String>,
 }
 
@@ -95,7 +62,7 @@ pub struct DesignCounts {
 /// A sweep with its designs.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
 pub struct SweepDetail {
-    /// How far it is.
+    /// Summary of the sweep.
     #[serde(flatten)]
     pub summary: SweepSummary,
     /// The canonical document of the study without changes.
@@ -105,12 +72,12 @@ pub struct SweepDetail {
     pub designs: Vec<DesignView>,
 }
 
-/// One of the designs.
+/// A design of the sweep.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
 pub struct DesignView {
-    /// Its place.
+    /// Ordinal of the design in the sweep.
     pub ordinal: i64,
-    /// What tells it from the others.
+    /// Name that tells it from the others.
     pub name: String,
     /// Values by path.
     #[schema(value_type = Object)]
@@ -119,16 +86,16 @@ pub struct DesignView {
     pub study: StudySummary,
 }
 
-/// One page of sweeps, newest first.
+/// A page of sweeps, newest first.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
 pub struct SweepPage {
     /// The sweeps.
     pub sweeps: Vec<SweepSummary>,
-    /// Where the next page begins; null on the last one.
+    /// Cursor of the next page; null on the last one.
     pub next_cursor: Option<String>,
 }
 
-/// What a sweep would cost.
+/// Estimate of a sweep's cost.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
 pub struct SweepEstimate {
     /// Each design; what an earlier one solves is known to it.
@@ -141,17 +108,17 @@ pub struct SweepEstimate {
     pub peak_memory_bytes: u64,
 }
 
-/// What a design would cost.
+/// Estimate of a design's cost.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
 pub struct DesignEstimate {
-    /// What tells it from the others.
+    /// Name that tells it from the others.
     pub name: String,
-    /// Its estimate.
+    /// Estimate of its study.
     pub estimate: Estimate,
 }
 
 impl SweepSummary {
-    /// What the rows of the database say.
+    /// Reads what the rows of the database say.
     pub fn of(sweep: &SweepRow, designs: &[DesignRow]) -> Self {
         let states = designs.iter().map(|design| design.study.state());
         let count = |state: State| states.clone().filter(|other| *other == state).count();
@@ -179,7 +146,7 @@ impl SweepSummary {
 }
 
 impl SweepDetail {
-    /// What the rows of the database say.
+    /// Reads what the rows of the database say.
     ///
     /// # Errors
     /// When the document in them is damaged.

@@ -39,7 +39,7 @@ pub struct Compare {
     /// Write a file for other programs instead of the table
     #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]
     format: Option<ComparisonFormat>,
-    /// What CSV and Parquet hold
+    /// Content of CSV and Parquet
     #[arg(
         long,
         value_enum,
@@ -54,7 +54,7 @@ pub struct Compare {
 }
 
 impl Compare {
-    /// What it reads and writes.
+    /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
         Files::of_database(self.database.file())
             .telling(self.json.as_ref())

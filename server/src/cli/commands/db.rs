@@ -58,7 +58,7 @@ enum Task {
     },
     /// Remove old studies and sweeps, with the points that no other study has; not while the service runs
     Prune {
-        /// How long ago they ended, at least: a number of minutes, hours, days or weeks, as in 90d
+        /// Least time since they ended: a number of minutes, hours, days or weeks, as in 90d
         #[arg(long, value_name = "AGE", value_parser = age)]
         older_than: Duration,
         /// Keep the newest result, and the newest sweep, of each name
@@ -75,7 +75,7 @@ enum Task {
 }
 
 impl Db {
-    /// What it reads and writes.
+    /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
         Files::of_database(&self.db).telling(self.json.as_ref())
     }

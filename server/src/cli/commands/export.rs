@@ -4,7 +4,7 @@ use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use placement::result::StudyResult;
+use results::StudyResult;
 use sqlx::SqliteConnection;
 
 use crate::cli::commands::library::{Database, study};
@@ -13,7 +13,7 @@ use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::print;
 use crate::cli::terminal::output_place::write;
 use service::export::{self, ExportError, FileFormat, Table};
-use store::answers::result_rows;
+use store::answers::result_rows::{self, Extent};
 use store::queue::study_rows::StudyRow;
 
 /// Write a study's answer as a file: a table, the map, the wheel, or the whole result
@@ -23,10 +23,10 @@ pub struct Export {
     id: String,
     #[command(flatten)]
     database: Database,
-    /// How to write it
+    /// Format of the file
     #[arg(long, value_enum, value_name = "FORMAT", default_value = "csv")]
     format: FileFormat,
-    /// What CSV and Parquet hold
+    /// Content of CSV and Parquet
     #[arg(long, value_enum, value_name = "TABLE", default_value = "indices")]
     table: Table,
     /// File to write; standard output when absent
@@ -35,7 +35,7 @@ pub struct Export {
 }
 
 impl Export {
-    /// What it reads and writes.
+    /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
         Files::of_database(self.database.file()).writing(self.output.as_deref())
     }
@@ -95,7 +95,7 @@ async fn result(
     connection: &mut SqliteConnection,
     study: &StudyRow,
 ) -> Result<StudyResult, Failure> {
-    let found = result_rows::find(connection, &study.id).await;
+    let found = result_rows::find(connection, &study.id, Extent::Whole).await;
     let Some((result, _)) = found.map_err(Failure::other)? else {
         let why = study.error.as_deref().unwrap_or("it hasn't ended");
         return Err(Failure::Other(format!(

@@ -9,11 +9,11 @@ use std::path::{Path, PathBuf};
 use ::gsa::campaign::Campaign;
 use ::gsa::method::analysis::{Analysis, Status};
 use clap::{Args, Subcommand};
-use fem_client::document::fault::Fault;
+use document::fault::Fault;
+use documents::own_model::csv_cell::cell;
+use documents::own_model::inputs_document::Inputs;
+use documents::own_model::value_table::ValueTable;
 use ndarray::ArrayView2;
-use placement::own_model::csv_cell::cell;
-use placement::own_model::inputs_document::Inputs;
-use placement::own_model::value_table::ValueTable;
 use serde_json::{Value, json};
 
 use crate::cli::terminal::exit::Failure;
@@ -75,7 +75,7 @@ impl Gsa {
         }
     }
 
-    /// What the step reads and writes.
+    /// Returns the files that the step reads and writes.
     pub fn files(&self) -> Files {
         match &self.step {
             Step::Plan(step) => Files::default()
@@ -88,7 +88,7 @@ impl Gsa {
         }
     }
 
-    /// Where the step's JSON goes.
+    /// Returns where the step's JSON goes.
     pub fn json(&self) -> Option<JsonTarget> {
         match &self.step {
             Step::Plan(_) => None,

@@ -1,7 +1,8 @@
-//! One file or folder per command.
+//! Commands, a file or folder each.
 
 pub(crate) mod compare;
 pub(crate) mod db;
+pub(crate) mod documents;
 pub(crate) mod export;
 pub(crate) mod force;
 pub(crate) mod gsa;
@@ -12,5 +13,4 @@ pub(crate) mod shell;
 pub(crate) mod solve;
 pub(crate) mod sweep;
 pub(crate) mod trade;
-pub(crate) mod validate;
 pub(crate) mod verify;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use fem_client::document::fault::Fault;
+use document::fault::Fault;
 
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
@@ -29,7 +29,7 @@ pub struct Serve {
     #[arg(long, env = "STRAINSITE_ADDR", value_name = "IP:PORT", default_value = "127.0.0.1:8080",
           value_parser = address)]
     addr: SocketAddr,
-    /// How long a study runs before another one that waits has its turn, seconds
+    /// Time that a study runs before another one that waits has its turn, seconds
     #[arg(long, env = "STRAINSITE_TURN_S", value_name = "SECONDS", default_value = "10", value_parser = seconds)]
     turn_s: Duration,
     /// Ask every client for a token: the one in the environment variable STRAINSITE_TOKEN or in --token-file, or else one that is drawn
@@ -49,7 +49,7 @@ pub struct Serve {
     /// Event streams that may be open at once; further ones are refused with 429
     #[arg(long, env = "STRAINSITE_MAX_STREAMS", value_name = "N", default_value_t = Limits::default().event_streams)]
     max_streams: usize,
-    /// What is logged: a level, or levels of parts of the program, as in info,server::http=debug
+    /// Level of the log, or levels of parts of the program, as in info,server::http=debug
     #[arg(
         long,
         env = "STRAINSITE_LOG",
@@ -57,7 +57,7 @@ pub struct Serve {
         default_value = "info"
     )]
     log: LogFilter,
-    /// How it is logged: for people, or as one JSON object a line
+    /// Format of the log: for people, or as one JSON object a line
     #[arg(
         long,
         env = "STRAINSITE_LOG_FORMAT",
@@ -80,7 +80,7 @@ pub struct Serve {
     solver: SolverOption,
 }
 
-/// What clients have to know, and whether they know it yet.
+/// Secret that clients have to know, and whether they know it yet.
 struct Secret {
     token: Token,
     drawn: bool,
@@ -105,8 +105,7 @@ impl Serve {
         served
     }
 
-    /// What the service is made of, and a token that nobody knows yet; or every setting that can't be used with the others or on this
-    /// machine.
+    /// Returns what the service is made of, and a token that nobody knows yet; or every setting that can't be used with the others or on this machine.
     fn parts(&self) -> Result<(ServiceParts, Option<Token>), Vec<Fault>> {
         let mut faults = Vec::new();
         let mut note = |detail: String| {

@@ -36,7 +36,7 @@ pub struct Manual {
 }
 
 impl Manual {
-    /// What it writes.
+    /// Returns the files that it writes.
     pub fn files(&self) -> Files {
         Files::default().filling(self.out.as_deref(), &[])
     }

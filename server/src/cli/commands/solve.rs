@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
+use documents::sweep::typed_settings;
 use fem_client::scene::Scene;
 use fem_client::solver::direction::Direction;
 use fem_client::solver::film_comparison::compare_film;
@@ -11,7 +12,6 @@ use fem_client::solver::gauge::{Gauge, GaugeReading};
 use fem_client::solver::{
     FilmCondition, FilmSignal, FilmState, LocationStrain, Readout, SolveError, SolveRequest, Solved,
 };
-use placement::sweep::typed_settings;
 use serde_json::{Value, json};
 use vtu::solved_body::Body;
 
@@ -48,7 +48,7 @@ pub struct Solve {
 }
 
 impl Solve {
-    /// What it reads and writes.
+    /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
         Files::default()
             .reading([&self.scene])
@@ -205,9 +205,7 @@ fn report(solved: &Solved, is_dragged: bool) -> String {
     if is_dragged && let Some([x, y, _]) = response.force_n {
         let _ = writeln!(text, "force along x, y    {x:12.4} N{y:12.4} N");
     }
-    if let Some(depth) = response.depth_mm {
-        let _ = writeln!(text, "depth               {depth:12.4} mm");
-    }
+    let _ = writeln!(text, "depth               {:12.4} mm", response.depth_mm);
     let _ = writeln!(
         text,
         "inflated radius     {:12.4} mm",
@@ -237,8 +235,8 @@ fn report(solved: &Solved, is_dragged: bool) -> String {
             x.min, x.max, y.min, y.max
         );
     }
-    if let Some((film, signal)) = response.film.as_ref().and_then(|f| Some((f, f.signal?))) {
-        text.push_str(&film_signal(film, &signal));
+    if let Some(film) = &response.film {
+        text.push_str(&film_signal(film, &film.signal));
     }
     if let Some(carcass) = &response.carcass {
         let (stretch, tension) = (carcass.fibre_stretch, carcass.tension_n_per_mm);
@@ -332,8 +330,8 @@ mod tests {
     use std::sync::atomic::AtomicBool;
 
     use super::*;
+    use document::fault::Fault;
     use fem_client::closed_form::ClosedFormSolver;
-    use fem_client::document::fault::Fault;
     use fem_client::solver::{NoEquilibrium, Reached, Solver};
 
     #[test]

@@ -1,11 +1,12 @@
 //! `strainsite verify`: problems whose answer is known, solved and compared.
 
 use std::fmt::Write;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use anstyle::Style;
 use clap::Args;
+use placement::points::worker_threads::in_parallel;
 use serde_json::json;
 use verify::extremes;
 use verify::extremes::studies;
@@ -33,7 +34,7 @@ pub struct Verify {
 }
 
 impl Verify {
-    /// What it writes.
+    /// Returns the files that it writes.
     pub fn files(&self) -> Files {
         Files::default().telling(self.json.as_ref())
     }
@@ -100,29 +101,16 @@ fn all_extremes() -> Vec<Family> {
 /// Solves the families on all cores, the last and slowest first, and returns their cases in order.
 fn solve(families: &[Family], stop: &AtomicBool) -> Vec<Case> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let taken = AtomicUsize::new(0);
     let bar = counting_bar(families.len(), "families of cases");
-    let work = || {
-        let mut solved = Vec::new();
-        loop {
-            let number = taken.fetch_add(1, Ordering::Relaxed);
-            let Some(index) = families.len().checked_sub(number + 1) else {
-                return solved;
-            };
-            solved.push((index, families[index].cases(stop)));
-            bar.inc(1);
-        }
-    };
-    let mut solved: Vec<(usize, Vec<Case>)> = std::thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        let joined = workers.into_iter().map(|worker| worker.join());
-        joined
-            .flat_map(|done| done.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-            .collect()
+    // Families that are told to stop end by themselves, each with its cases.
+    let go_on = AtomicBool::new(false);
+    let solved = in_parallel(families.len(), threads, &go_on, |number| {
+        let cases = families[families.len() - 1 - number].cases(stop);
+        bar.inc(1);
+        cases
     });
     bar.finish_and_clear();
-    solved.sort_by_key(|(index, _)| *index);
-    solved.into_iter().flat_map(|(_, cases)| cases).collect()
+    solved.into_iter().flatten().rev().flatten().collect()
 }
 
 fn table(cases: &[Case]) -> String {
@@ -156,7 +144,7 @@ fn table(cases: &[Case]) -> String {
     text
 }
 
-/// Of a cell in a row, the first of which is the header.
+/// Returns the style of a cell in a row, the first of which is the header.
 fn style_of(row: usize, cell: &str) -> Style {
     match cell {
         _ if row == 0 => HEADER,
@@ -202,7 +190,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Where the expected value comes from, and how the solve ended.
+/// Says where the expected value comes from, and how the solve ended.
 fn last(case: &Case) -> String {
     match &case.detail {
         Some(detail) if case.source.is_empty() => detail.clone(),

@@ -1,9 +1,9 @@
-//! What a study would cost, and how that compares with what it took, for people.
+//! Estimate of a study's cost, and how it compares with what the study took, for people.
 
 use std::fmt::Write;
 use std::path::Path;
 
-use placement::result::{Estimate, Forecast, StudyResult};
+use results::{Estimate, Forecast, StudyResult};
 use tokio::runtime::Runtime;
 
 use crate::cli::terminal::exit::Failure;
@@ -31,7 +31,7 @@ pub fn estimated<T>(
     estimate.map_err(Failure::other)
 }
 
-/// Everything that `run --dry-run` prints.
+/// Returns all that `run --dry-run` prints.
 pub fn dry_run(name: &str, estimate: &Estimate) -> String {
     let title = painted(HEADER, name.escape_debug());
     let mut text = format!("{title}\n\n{}", solves(estimate));
@@ -58,7 +58,7 @@ pub fn dry_run(name: &str, estimate: &Estimate) -> String {
     text
 }
 
-/// Everything that `sweep --dry-run` prints.
+/// Returns all that `sweep --dry-run` prints.
 pub fn dry_sweep(name: &str, threads: usize, sweep: &SweepEstimate) -> String {
     let mut text = painted(HEADER, name.escape_debug()) + "\n\n";
     for DesignEstimate { name, estimate } in &sweep.designs {
@@ -131,14 +131,14 @@ fn megabytes(bytes: u64) -> u64 {
     bytes / 1_000_000
 }
 
-/// One line that says what a study is expected to take now, and why.
+/// Returns a line that says what a study is expected to take now, and why.
 pub fn revised(estimate: &Estimate) -> String {
     let time = estimate.wall_s.as_ref().map_or("unknown".to_owned(), range);
     let why = estimate.reasons.last().map_or("", String::as_str);
     format!("expected now: {time} in all; {why}")
 }
 
-/// One line that compares what was expected with what it took; nothing where nobody expected anything.
+/// Returns a line that compares what was expected with what it took; nothing where nobody expected anything.
 pub fn comparison(result: &StudyResult) -> String {
     let (Some(estimate), cost) = (&result.estimate, &result.cost) else {
         return String::new();

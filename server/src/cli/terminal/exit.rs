@@ -1,9 +1,9 @@
-//! Why a command failed, for people, for scripts, and as an exit code.
+//! Failures of commands, for people, for scripts, and as exit codes.
 
 use std::fmt;
 
-use fem_client::document::fault::Fault;
-use fem_client::document::visible::visible;
+use document::fault::Fault;
+use document::visible::visible;
 use serde_json::{Value, json};
 
 use crate::cli::terminal::paint::{BAD, painted};
@@ -17,19 +17,19 @@ pub enum Failure {
     Physics {
         /// `limit-point`, `self-contact` or `not-converged`.
         status: String,
-        /// Which load, how far it got.
+        /// Load, and how far it got, in words.
         detail: String,
-        /// What else is known, as members of the JSON document.
+        /// Further facts, as members of the JSON document.
         known: Value,
     },
     /// The physics has no answer to a part of what was asked, and the rest was told already: a sentence.
     Partial(String),
-    /// Anything else, a sentence.
+    /// Another failure, a sentence.
     Other(String),
 }
 
 impl Failure {
-    /// One fault of the command line itself.
+    /// Makes a fault of the command line itself.
     pub fn input(detail: impl Into<String>) -> Self {
         Self::Input(vec![Fault {
             pointer: String::new(),
@@ -37,7 +37,7 @@ impl Failure {
         }])
     }
 
-    /// Anything that has a sentence to say.
+    /// Makes a failure of a sentence.
     pub fn other(cause: impl fmt::Display) -> Self {
         Self::Other(cause.to_string())
     }
@@ -51,7 +51,7 @@ impl Failure {
         }
     }
 
-    /// What [`Display`](fmt::Display) says, painted for a terminal: what failed, or where, stands out.
+    /// Returns what [`Display`](fmt::Display) says, painted for a terminal: what failed, or where, stands out.
     pub fn painted(&self) -> String {
         let line = |text: &dyn fmt::Display| painted(BAD, text) + "\n";
         match self {

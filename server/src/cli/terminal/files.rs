@@ -6,7 +6,7 @@ use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::output::JsonTarget;
 use crate::cli::terminal::output_place::{self, Identity};
 
-/// What the command line names.
+/// Files that the command line names.
 #[derive(Debug, Default)]
 pub struct Files {
     database: Option<PathBuf>,
@@ -24,20 +24,20 @@ impl Files {
         }
     }
 
-    /// With files that it reads.
+    /// Adds files that it reads.
     pub fn reading<P: AsRef<Path>>(mut self, paths: impl IntoIterator<Item = P>) -> Self {
         let paths = paths.into_iter().map(|path| path.as_ref().to_owned());
         self.inputs.extend(paths);
         self
     }
 
-    /// With a file that it writes, if it is asked to.
+    /// Adds a file that it writes, if it is asked to.
     pub fn writing(mut self, path: Option<&Path>) -> Self {
         self.outputs.extend(path.map(Path::to_owned));
         self
     }
 
-    /// With a JSON document.
+    /// Adds a JSON document.
     pub fn telling(self, target: Option<&JsonTarget>) -> Self {
         match target {
             Some(JsonTarget::File(path)) => self.writing(Some(path)),
@@ -45,7 +45,7 @@ impl Files {
         }
     }
 
-    /// With a folder, which is made when it isn't there, and the files in it.
+    /// Adds a folder, which is made when it isn't there, and the files in it.
     pub fn filling(mut self, folder: Option<&Path>, names: &[&str]) -> Self {
         if let Some(folder) = folder {
             self.folder = Some(folder.to_owned());
@@ -85,7 +85,7 @@ impl Files {
         outputs.try_for_each(|path| output_place::check(path))
     }
 
-    /// What no output may replace.
+    /// Returns the files that no output may replace.
     fn kept(&self) -> Vec<(PathBuf, &'static str)> {
         let inputs = self.inputs.iter().cloned();
         let mut kept: Vec<(PathBuf, &'static str)> = inputs

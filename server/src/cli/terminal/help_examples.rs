@@ -1,4 +1,4 @@
-//! What `--help` shows of each command in use. A test reads every line as the program would.
+//! Examples that `--help` shows of each command in use. A test reads every line as the program would.
 
 /// Examples of `serve`.
 pub const SERVE: &str = "Examples:
@@ -110,6 +110,11 @@ pub const DB: &str = "Examples:
 /// Examples of `validate`.
 pub const VALIDATE: &str = "Examples:
   strainsite validate studies/foot-tire.toml";
+
+/// Examples of `schema`.
+pub const SCHEMA: &str = "Examples:
+  strainsite schema study
+  strainsite schema recipe";
 
 /// Examples of `verify`.
 pub const VERIFY: &str = "Examples:

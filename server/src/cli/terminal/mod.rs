@@ -1,8 +1,9 @@
-//! What is said, where, and how it looks.
+//! Terminal: what is said, where, and how it looks.
 //!
 //! - [`exit`]: why a command fails, and its exit code
 //! - `paint`, `output`: painted text, plain where paint isn't wanted; documents
 //! - `output_place`: files where users want them
+//! - `figures`: columns of tables, as results describe them
 //! - `files`: what a command reads and writes, looked at first
 //! - `progress`: bars and clocks
 //! - `signals`: Ctrl-C
@@ -12,6 +13,7 @@
 
 pub(crate) mod estimate_text;
 pub mod exit;
+pub(crate) mod figures;
 pub(crate) mod files;
 pub(crate) mod help_examples;
 pub(crate) mod output;

@@ -1,4 +1,4 @@
-//! Where results are written.
+//! Outputs of commands, and where they are written.
 
 use std::convert::Infallible;
 use std::io::{IsTerminal, Write};
@@ -10,7 +10,7 @@ use serde::Serialize;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::output_place::{is_stdout, write, write_to};
 
-/// Where `--json` goes.
+/// Target of `--json`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum JsonTarget {
     /// Standard output, which then holds this document and nothing else.

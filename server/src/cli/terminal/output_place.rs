@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::terminal::exit::Failure;
 
-/// What a path leads to.
+/// File or stream that a path leads to.
 #[derive(Debug, PartialEq, Eq)]
 enum Standing {
     /// A regular file or nothing yet, all links followed.
@@ -56,7 +56,7 @@ fn standing(path: &Path) -> io::Result<Standing> {
     Err(io::Error::other("its symbolic links lead in a circle"))
 }
 
-/// Where a link is a descriptor of Linux, such as what `/dev/stdout` leads to: its file may have been opened by a shell, which goes on writing there.
+/// Finds what a link to a descriptor of Linux leads to, such as `/dev/stdout`: its file may have been opened by a shell, which goes on writing there.
 fn open_already(link: &Path) -> Option<Standing> {
     let folder = folder_of(link).canonicalize().ok()?;
     if !folder.starts_with("/proc") || !folder.ends_with("fd") {
@@ -86,18 +86,18 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// What tells files apart, whatever they are called; none for what is no regular file.
+/// Identity that tells files apart, whatever they are called; none for what is no regular file.
 #[derive(Debug, PartialEq, Eq)]
 pub enum Identity {
     /// Device and number.
     #[cfg(unix)]
     Node(u64, u64),
-    /// Of one that isn't there yet.
+    /// Name of a file that isn't there yet.
     Name(PathBuf),
 }
 
 impl Identity {
-    /// Of the regular file that the path leads to, or will.
+    /// Returns the identity of the regular file that the path leads to, or will.
     pub fn of(path: &Path) -> Option<Self> {
         let Ok(Standing::File(file)) = standing(path) else {
             return None;

@@ -9,15 +9,15 @@ use anstyle::{AnsiColor, Style};
 
 /// A table's header, or a title.
 pub const HEADER: Style = Style::new().bold();
-/// What can be relied on: certain ranks, real differences.
+/// Style of what can be relied on: certain ranks, real differences.
 pub const STRONG: Style = Style::new().bold();
-/// What can't: uncertain ranks, differences within their error.
+/// Style of what can't: uncertain ranks, differences within their error.
 pub const FAINT: Style = Style::new().dimmed();
-/// Done, passed.
+/// Style of what is done or passed.
 pub const GOOD: Style = AnsiColor::Green.on_default();
-/// Failed.
+/// Style of what failed.
 pub const BAD: Style = AnsiColor::Red.on_default();
-/// To be looked at.
+/// Style of what is to be looked at.
 pub const WARNING: Style = AnsiColor::Yellow.on_default();
 
 /// The text in this style.
@@ -46,7 +46,7 @@ pub fn header(lines: &str) -> String {
         .collect()
 }
 
-/// Of a study's state.
+/// Returns the style of a study's state.
 pub fn of_state(state: &str) -> Style {
     match state {
         "done" => GOOD,

@@ -1,11 +1,11 @@
-//! How far a run is, on a terminal.
+//! Progress of a run, on a terminal.
 
 use std::time::Duration;
 
 use anstream::{AutoStream, ColorChoice};
 use fem_client::solver::{SolveProgress, Stage};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use placement::run::Event;
+use placement::points::Event;
 
 use crate::cli::terminal::estimate_text::revised;
 use crate::cli::terminal::paint::{BAD, painted};
@@ -54,7 +54,7 @@ fn number(count: usize) -> u64 {
     u64::try_from(count).unwrap_or(u64::MAX)
 }
 
-/// What stands there while something takes its time, of which nobody knows how much.
+/// Makes the line that stands there while something takes its time, of which nobody knows how much.
 pub fn clock(what: &str) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
     if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}, {elapsed} gone") {
@@ -78,13 +78,13 @@ fn seen_in_time(bar: ProgressBar) -> ProgressBar {
     bar
 }
 
-/// What takes less needs no bar.
+/// Least time for a bar: what takes less needs none.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// How often a bar is drawn anew when nothing else moves it.
+/// Interval at which a bar is drawn anew when nothing else moves it.
 pub const TICK: Duration = Duration::from_millis(200);
 
-/// How far the solve is that was told of last.
+/// Says how far the solve is that was told of last.
 fn solving(progress: &SolveProgress) -> String {
     let stage = match progress.stage {
         Stage::Inflating => "inflating",

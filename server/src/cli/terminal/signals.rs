@@ -13,7 +13,7 @@ pub struct Signals {
     interrupt: tokio::signal::unix::Signal,
     #[cfg(unix)]
     terminate: tokio::signal::unix::Signal,
-    /// None where whoever started the program had it ignored, as `nohup` does.
+    /// Hang-up signal; None where whoever started the program had it ignored, as `nohup` does.
     #[cfg(unix)]
     hangup: Option<tokio::signal::unix::Signal>,
 }

@@ -1,4 +1,4 @@
-//! Who is let in, where a token is asked for.
+//! Access where a token is asked for.
 //!
 //! Programs send the token with every request. A browser can't, so it is sent to an address that works once, and gets a cookie there:
 //! no script can read it, and no other site can make the browser send it.
@@ -20,16 +20,16 @@ use crate::token::{Token, TokenError};
 #[derive(Clone)]
 pub struct Access(Option<Arc<Keys>>);
 
-/// What lets in.
+/// Keys that let in.
 pub(crate) struct Keys {
     token: Token,
     cookie_name: String,
     cookie: Token,
-    /// What the address that works once has to say, and since when; gone when it was said.
+    /// Token of the address that works once, and since when; gone when it was said.
     once: Mutex<Option<(Token, Instant)>>,
 }
 
-/// How long the address that works once does so: it stands in a terminal's history, and in that of a browser.
+/// Lifetime of the address that works once: it stands in a terminal's history, and in that of a browser.
 const LINK_LIFETIME: Duration = Duration::from_secs(600);
 
 impl Access {
@@ -60,14 +60,14 @@ impl Access {
         Ok(Some(path))
     }
 
-    /// What the description of the service says of this.
+    /// Adds to the description of the service what it says of this.
     pub fn describe(&self, document: &mut Value) {
         let Some(keys) = &self.0 else {
             return;
         };
         document["components"]["securitySchemes"] = json!({
             "token": {"type": "http", "scheme": "bearer", "description": "The token that the service was started with"},
-            "cookie": {"type": "apiKey", "in": "cookie", "name": keys.cookie_name, "description": "What a browser gets at `/login`"},
+            "cookie": {"type": "apiKey", "in": "cookie", "name": keys.cookie_name, "description": "Cookie that a browser gets at `/login`"},
         });
         document["security"] = json!([{"token": []}, {"cookie": []}]);
     }
@@ -101,7 +101,7 @@ impl Keys {
     }
 }
 
-/// What follows `Bearer` in the one Authorization header.
+/// Returns what follows `Bearer` in the one Authorization header.
 fn bearer(headers: &HeaderMap) -> Option<&[u8]> {
     let mut values = headers.get_all(header::AUTHORIZATION).iter();
     let (value, None) = (values.next()?, values.next()) else {

@@ -9,24 +9,24 @@ use std::time::Duration;
 use axum::body::Body;
 use axum::extract::{FromRequest, Request};
 use axum::http::{HeaderMap, StatusCode, header};
-use fem_client::document::fault::Fault;
-use fem_client::document::{Format, MAX_BYTES, parse};
+use document::fault::Fault;
+use document::{Format, MAX_BYTES, parse};
+use documents::study::plan::{Estimable, PlannedStudy};
+use documents::sweep::Sweep;
 use http_body_util::BodyExt;
-use placement::study::plan::{Estimable, PlannedStudy};
-use placement::sweep::Sweep;
 use serde_json::Value;
 use tokio::sync::Semaphore;
 
 use crate::http::edge::problem_document::Problem;
 
-/// How much of a body is read.
+/// Limits on what is read of a body.
 #[derive(Debug, Clone, Copy)]
 pub struct BodyLimits {
-    /// What is refused beyond this many bytes, in words.
+    /// Body that is refused beyond this many bytes, in words.
     pub what: &'static str,
     /// A body that has more is refused.
     pub bytes: usize,
-    /// One that goes on beyond this is cut off.
+    /// Bytes beyond which a body is cut off.
     pub discarded: usize,
     /// A client that has not sent its document by then is refused.
     pub time: Duration,
@@ -59,7 +59,7 @@ impl<S: Send + Sync> FromRequest<S> for Document {
 }
 
 impl Document {
-    /// What a reader makes of it.
+    /// Reads it with a reader.
     ///
     /// # Errors
     /// 400 when it isn't well-formed, 422 with every fault that the reader finds.
@@ -142,7 +142,7 @@ fn no_files(path: &str) -> Result<String, String> {
     ))
 }
 
-/// How a body is written.
+/// Finds how a body is written.
 ///
 /// # Errors
 /// 415 for what isn't read.

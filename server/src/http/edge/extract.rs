@@ -52,13 +52,24 @@ impl<S: Send + Sync> FromRequestParts<S> for SweepId {
     }
 }
 
+/// A document's name in an address.
+pub struct DocumentName(pub String);
+
+impl<S: Send + Sync> FromRequestParts<S> for DocumentName {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
+        identifier(parts, state).await.map(Self)
+    }
+}
+
 /// The estimator's identifier in an address.
 pub struct EstimatorId(pub String);
 
 /// The identifier of an estimator that is to be applied: `{id}:apply` is one part of an address, and routes are told apart by whole parts.
 pub struct AppliedId(pub String);
 
-/// What an estimator's identifier ends with where it is to be applied.
+/// Ending of an estimator's identifier where it is to be applied.
 const APPLY: &str = ":apply";
 
 impl<S: Send + Sync> FromRequestParts<S> for EstimatorId {
@@ -101,7 +112,7 @@ pub async fn no_method(AnyEstimatorId(id): AnyEstimatorId) -> Response {
     wrong_method(&id)
 }
 
-/// As the router answers, which doesn't know these addresses apart.
+/// Answers as the router does, which doesn't know these addresses apart.
 fn wrong_method(id: &str) -> Response {
     let allowed = if id.ends_with(APPLY) {
         "POST"
@@ -121,7 +132,7 @@ async fn identifier<S: Send + Sync>(parts: &mut Parts, state: &S) -> Result<Stri
     found.map(|Path(id)| id).map_err(refused)
 }
 
-/// How the study's identifier is described.
+/// Description of a study's identifier.
 #[derive(Debug, IntoParams)]
 #[into_params(parameter_in = Path)]
 #[expect(dead_code, reason = "it describes; StudyId reads")]
@@ -131,7 +142,7 @@ pub struct StudyPath {
     id: String,
 }
 
-/// How the sweep's identifier is described.
+/// Description of a sweep's identifier.
 #[derive(Debug, IntoParams)]
 #[into_params(parameter_in = Path)]
 #[expect(dead_code, reason = "it describes; SweepId reads")]
@@ -141,7 +152,7 @@ pub struct SweepPath {
     id: String,
 }
 
-/// How the estimator's identifier is described.
+/// Description of an estimator's identifier.
 #[derive(Debug, IntoParams)]
 #[into_params(parameter_in = Path)]
 #[expect(dead_code, reason = "it describes; EstimatorId and AppliedId read")]

@@ -1,4 +1,4 @@
-//! Who may ask: only pages and programs that mean this service.
+//! Guard: only pages and programs that mean this service may ask.
 //!
 //! The service listens on a loopback address, but any web page that the user opens can send requests there, under a
 //! name that its owner points at 127.0.0.1. So the Host must be one of ours, and a write that a browser sends must

@@ -25,9 +25,9 @@ use service::shutdown::Shutdown;
 const HEADER_TIMEOUT: Duration = Duration::from_secs(5);
 /// A client that takes nothing of its answer for so long is dropped.
 const READ_TIMEOUT: Duration = Duration::from_secs(30);
-/// What a connection holds of a request's head, or of an answer that isn't sent yet, bytes.
+/// Bytes of a request's head, or of an answer that isn't sent yet, that a connection holds.
 const BUFFER: usize = 64 << 10;
-/// What the kernel holds of an answer, bytes: it would let that grow to megabytes for every client that doesn't read.
+/// Bytes of an answer that the kernel holds: it would let that grow to megabytes for every client that doesn't read.
 const SEND_BUFFER: u32 = 128 << 10;
 /// Connections that may wait to be accepted.
 const BACKLOG: u32 = 1024;
@@ -36,7 +36,7 @@ const GRACE: Duration = Duration::from_secs(5);
 /// A connection that makes room for another one may finish this long what it is about. Strangers arrive as often at most as they are heard, so that there are no
 /// more of these than of strangers.
 const FAREWELL: Duration = HEARING;
-/// Beyond what the service takes, so that it can say so itself: hyper's refusal has no body.
+/// Headers beyond what the service takes, so that it can say so itself: hyper's refusal has no body.
 const MAX_HEADERS: usize = 1000;
 
 /// Listens on an address.

@@ -1,4 +1,4 @@
-//! What every request passes on its way to a handler and back.
+//! Edge that every request passes on its way to a handler and back.
 //!
 //! - [`problem_document`]: what a client is told when a request can't be answered
 //! - [`request_id`]: every request has an identifier

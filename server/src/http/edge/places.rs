@@ -17,9 +17,10 @@ use tokio::time::timeout_at;
 
 /// Connections at once.
 const MOST: usize = 512;
-/// Of these, strangers.
+/// Places of these that strangers may have.
 const STRANGERS: usize = 384;
-/// How long a stranger is heard before another one may have its place. At most 1024 wait to be accepted, so that the last of them waits for three times as long.
+/// Time that a stranger is heard before another one may have its place. At most 1024 wait to be accepted, so that the last of them waits for three times as
+/// long.
 pub const HEARING: Duration = Duration::from_millis(250);
 
 /// The places of a service.
@@ -44,9 +45,9 @@ struct Taken {
 struct Connection {
     since: Instant,
     belongs: bool,
-    /// Since when it has had no request in flight; `None` while it has one.
+    /// Time since which it has had no request in flight; `None` while it has one.
     idle: Option<Instant>,
-    /// Its end asks the connection to leave.
+    /// Sender whose end asks the connection to leave.
     _stay: oneshot::Sender<()>,
 }
 
@@ -126,7 +127,7 @@ pub struct Place {
 }
 
 impl Place {
-    /// What requests of this connection change.
+    /// Returns what requests of this connection change.
     pub fn standing(&self) -> Standing {
         self.standing.clone()
     }
@@ -146,7 +147,7 @@ impl Drop for Place {
     }
 }
 
-/// What is known of a connection. Its requests carry it.
+/// Standing of a connection. Its requests carry it.
 #[derive(Debug, Clone)]
 pub struct Standing {
     id: u64,
@@ -193,7 +194,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// The same answer.
+    /// Wraps the answer.
     pub fn of(body: Body, busy: Busy) -> Self {
         Self { body, _busy: busy }
     }

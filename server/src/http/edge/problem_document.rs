@@ -1,9 +1,9 @@
-//! What a client is told when a request can't be answered: RFC 9457 problem documents.
+//! Problem documents of RFC 9457: what a client is told when a request can't be answered.
 
 use axum::Json;
 use axum::http::{HeaderName, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use fem_client::document::fault::Fault;
+use document::fault::Fault;
 use serde_json::{Value, json};
 
 use crate::http::edge::request_id;
@@ -28,7 +28,7 @@ impl Problem {
         }
     }
 
-    /// Something asked for that isn't there.
+    /// Makes the problem of something asked for that isn't there.
     pub fn not_found(detail: impl Into<String>) -> Self {
         Self::new(StatusCode::NOT_FOUND, detail)
     }
@@ -46,7 +46,7 @@ impl Problem {
         }
     }
 
-    /// The same problem with faults listed.
+    /// Adds faults to the problem.
     pub fn with_errors(mut self, errors: Vec<Fault>) -> Self {
         self.errors = errors;
         self
@@ -84,7 +84,7 @@ impl IntoResponse for Problem {
     }
 }
 
-/// What a client may do about it: how to be let in, or after how many seconds to ask again.
+/// Returns what a client may do about it: how to be let in, or after how many seconds to ask again.
 fn advice(status: StatusCode) -> Option<(HeaderName, &'static str)> {
     match status {
         StatusCode::UNAUTHORIZED => Some((header::WWW_AUTHENTICATE, "Bearer")),
@@ -97,7 +97,7 @@ fn advice(status: StatusCode) -> Option<(HeaderName, &'static str)> {
     }
 }
 
-/// Which file it was stands in the log.
+/// Sentence on a database that is gone; which file it was stands in the log.
 const GONE: &str = "the service's database was removed or replaced: nothing can be stored or answered until it is put back, or the service is \
                     stopped and started on a copy";
 

@@ -28,7 +28,7 @@ impl WhileRead {
         }
     }
 
-    /// Whatever a write came to, unless it has waited for too long.
+    /// Returns whatever a write came to, unless it has waited for too long.
     fn within_limit<T>(
         &mut self,
         context: &mut Context<'_>,

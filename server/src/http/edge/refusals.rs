@@ -19,12 +19,12 @@ use crate::http::edge::problem_document::Problem;
 #[derive(Debug)]
 pub struct Refusals<S> {
     stream: S,
-    /// What is written instead of hyper's answer, and how much of it was.
+    /// Bytes that are written instead of hyper's answer, and how many of them were.
     instead: Option<(Vec<u8>, usize)>,
 }
 
 impl<S> Refusals<S> {
-    /// The same connection.
+    /// Wraps the connection.
     pub fn on(stream: S) -> Self {
         Self {
             stream,

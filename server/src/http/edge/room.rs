@@ -24,7 +24,7 @@ use crate::http::edge::problem_document::Problem;
 const MAKING: usize = 2;
 /// Results that are read at once to be sent: the store has one connection for whole results, which the answers being made use too.
 const READING: usize = 1;
-/// As long as a client that doesn't read is waited for, so that what it held is free by then.
+/// Time that large answers wait: as long as a client that doesn't read is waited for, so that what it held is free by then.
 const PATIENCE: Duration = Duration::from_secs(30);
 /// Bytes of large answers that may wait for their readers. Pieces of results take half of it at most, and an answer that is larger than that takes half.
 const HELD: usize = 128 << 20;
@@ -79,7 +79,7 @@ impl Room {
         Piece { turn, place }
     }
 
-    /// The same bytes, counted until the last of them is dropped.
+    /// Returns the bytes, counted until the last of them is dropped.
     fn hold(&self, bytes: Bytes) -> Result<Bytes, Problem> {
         if bytes.len() <= SMALL {
             return Ok(bytes);
@@ -136,12 +136,12 @@ pub struct Piece {
 }
 
 impl Piece {
-    /// How many bytes it may have.
+    /// Returns how many bytes it may have.
     pub(crate) fn size(&self) -> usize {
         if self.place.is_some() { PIECE } else { SMALL }
     }
 
-    /// What was read, counted until it is sent. The next piece may be read.
+    /// Returns what was read, counted until it is sent. The next piece may be read.
     pub(crate) fn holding(self, bytes: Vec<u8>) -> Bytes {
         drop(self.turn);
         match self.place {

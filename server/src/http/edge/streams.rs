@@ -24,7 +24,7 @@ impl Streams {
         }
     }
 
-    /// How many are open.
+    /// Counts the open ones.
     pub fn open(&self) -> usize {
         self.most - self.places.available_permits()
     }

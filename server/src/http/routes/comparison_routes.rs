@@ -9,8 +9,8 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::StatusCode;
 use axum::response::Response;
+use documents::sweep::MOST_DESIGNS;
 use placement::compare::{Comparison, Entry, compare};
-use placement::sweep::MOST_DESIGNS;
 use serde::Deserialize;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -59,7 +59,7 @@ struct ExportQuery {
         ("studies" = Option<String>, Query, description = "Identifiers of the studies, separated by commas; or else a sweep", example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b"),
         ("sweep" = Option<String>, Query, description = "Identifier of a sweep, whose designs are compared"),
         ("baseline" = Option<String>, Query, description = "Identifier of the study to take differences from; the first that has a result when left out")),
-    responses((status = 200, description = "The table", body = Comparison, example = json!(sweep_examples::comparison())),
+    responses((status = 200, description = "The table", body = Comparison),
               (status = 400, description = "The query asks for nothing that can be compared", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent())),
               (status = 404, description = "There is no such study or sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent()))))]
 async fn compare_studies(
@@ -80,10 +80,10 @@ async fn compare_studies(
         ("sweep" = Option<String>, Query, description = "Identifier of a sweep, whose designs are compared"),
         ("baseline" = Option<String>, Query, description = "Identifier of the study to take differences from; the first that has a result when left out"),
         ("format" = Option<ComparisonFormat>, Query, description = "csv (when left out), json or parquet", example = "csv"),
-        ("table" = Option<ComparisonTable>, Query, description = "What CSV and Parquet hold: locations (when left out) or designs", example = "designs")),
+        ("table" = Option<ComparisonTable>, Query, description = "Content of CSV and Parquet: locations (when left out) or designs", example = "designs")),
     responses((status = 200, description = "The file", content(
                   (String = "text/csv", example = json!(sweep_examples::comparison_csv())),
-                  (Comparison = "application/json", example = json!(sweep_examples::comparison())),
+                  (Comparison = "application/json"),
                   (String = "application/vnd.apache.parquet", example = json!(examples::parquet())))),
               (status = 400, description = "The query asks for nothing that can be compared", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent())),
               (status = 404, description = "There is no such study or sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent()))))]

@@ -1,4 +1,4 @@
-//! What the lists of studies, sweeps and estimators share: how they are asked for.
+//! Lists of studies, sweeps and estimators: how they are asked for.
 
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -44,7 +44,7 @@ impl PageQuery {
         self.state.as_deref().map(named).transpose()
     }
 
-    /// What is looked for.
+    /// Returns what is looked for.
     pub fn listed(&self) -> Result<Listed<'_>, Problem> {
         let archived = match self.archived.as_deref() {
             None | Some("false") => Archived::Without,

@@ -174,7 +174,7 @@ impl Follower {
     }
 }
 
-/// How far the solves of a study are; `None` where none is told of.
+/// Tells how far the solves of a study are; `None` where none is told of.
 fn solving(solves: &Solves, study: &str) -> Option<Event> {
     if solves.study != study || solves.points.is_empty() {
         return None;

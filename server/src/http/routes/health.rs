@@ -24,7 +24,7 @@ pub fn router() -> OpenApiRouter<AppState> {
 ///
 /// It answers, whether or not it can work.
 #[utoipa::path(get, path = "/healthz", tag = "service", security(()),
-    responses((status = 200, description = "It is", body = Health, example = json!({"status": "ok", "version": "0.1.0"}))))]
+    responses((status = 200, description = "It is", body = Health)))]
 async fn alive() -> Json<Health> {
     Json(Health {
         status: "ok".to_owned(),
@@ -36,7 +36,7 @@ async fn alive() -> Json<Health> {
 ///
 /// Its database answers.
 #[utoipa::path(get, path = "/readyz", tag = "service", security(()),
-    responses((status = 200, description = "It can", body = Readiness, example = json!({"status": "ready"})),
+    responses((status = 200, description = "It can", body = Readiness),
               (status = 503, description = "Its database doesn't answer", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::unready()))))]
 async fn ready(State(state): State<AppState>) -> Result<Json<Readiness>, Problem> {
     let readable = async {

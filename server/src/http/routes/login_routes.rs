@@ -32,7 +32,7 @@ struct LoginQuery {
 /// dashboard.
 #[utoipa::path(get, path = "/login", tag = "service", security(()),
     params(("once" = Option<String>, Query, description = "The secret of the address", example = "af5570f5a1810b7af78caf4bc70a660f")),
-    responses((status = 303, description = "The browser is in", headers(("Location" = String, description = "The dashboard"), ("Set-Cookie" = String, description = "What lets it in from now on"))),
+    responses((status = 303, description = "The browser is in", headers(("Location" = String, description = "The dashboard"), ("Set-Cookie" = String, description = "Cookie that lets it in from now on"))),
               (status = 401, description = "The address was used, is older than ten minutes, or was never given", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::locked())),
               (status = 404, description = "This service asks for no token", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn login(

@@ -7,7 +7,7 @@ use axum::extract::{MatchedPath, Request, State};
 use axum::http::{Method, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
-use placement::run::usage::memory_bytes;
+use placement::points::usage::memory_bytes;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
@@ -16,7 +16,7 @@ use crate::http::edge::problem_document::Problem;
 use service::metrics::{MEDIA_TYPE, Metrics, Snapshot};
 use store::queue::{estimator_rows, study_rows};
 
-/// What no route answers: the dashboard's files, and what isn't there.
+/// Label of what no route answers: the dashboard's files, and what isn't there.
 const NO_ROUTE: &str = "other";
 
 /// `/metrics`.

@@ -8,6 +8,9 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::HeaderMap;
 use axum::response::Response;
+use document::json_schema::Schemas;
+use documents::schemas::DocumentKind;
+use documents::sweep::sweep_schema::further_designs_schema;
 use serde_json::{Value, json};
 use utoipa::OpenApi;
 use utoipa_axum::router::OpenApiRouter;
@@ -20,6 +23,7 @@ use crate::http::routes::{
     metric_routes, preset_routes, preview_routes, study_routes, sweep_routes,
 };
 use service::export::{ComparisonFormat, ComparisonTable, FileFormat, Table};
+use service::wire::described_tables::described_tables;
 use service::wire::examples;
 use service::wire::study_wire::{LiveSolve, ProblemDocument};
 
@@ -36,7 +40,7 @@ use service::wire::study_wire::{LiveSolve, ProblemDocument};
     components(schemas(ProblemDocument, LiveSolve, ComparisonFormat, ComparisonTable, FileFormat, Table)),
     tags(
         (name = "studies", description = "Estimate, submit, follow and cancel"),
-        (name = "answers", description = "What a study found"),
+        (name = "answers", description = "Answers of studies"),
         (name = "sweeps", description = "One study and many designs, and what differs between them"),
         (name = "estimators", description = "Forces from recorded signals: learnt, judged, applied"),
         (name = "service", description = "The service itself")
@@ -50,8 +54,47 @@ static DOCUMENT: LazyLock<Value> = LazyLock::new(|| {
     for operation in operations(&mut document) {
         operation["responses"]["default"] = problem();
     }
+    give_examples(&mut document);
+    describe_documents(&mut document);
+    document["x-tables"] = described_tables(&document["components"]["schemas"]);
     document
 });
+
+/// Answers by method and path, recorded by `lab/examples.py`.
+const RECORDED: &str = include_str!("../generated/examples.json");
+
+/// Puts recorded answers where an operation's JSON has no example of its own.
+fn give_examples(document: &mut Value) {
+    let recorded: Value = serde_json::from_str(RECORDED).unwrap_or_default();
+    let paths = document["paths"].as_object_mut().into_iter().flatten();
+    for (path, item) in paths {
+        for (method, operation) in item.as_object_mut().into_iter().flatten() {
+            let example = &recorded[format!("{method} {path}")];
+            let responses = operation["responses"].as_object_mut();
+            for (_, response) in responses.into_iter().flatten() {
+                match response.pointer_mut("/content/application~1json") {
+                    Some(content) if content["example"].is_null() => {
+                        content["example"] = example.clone();
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+}
+
+/// Puts the schemas of the documents that users write in the place of what the types of the handlers say of them.
+fn describe_documents(document: &mut Value) {
+    // Answers have schemas of the same names.
+    let mut schemas = Schemas::referred("#/components/schemas/", "Document");
+    for kind in DocumentKind::ALL {
+        kind.root(&mut schemas);
+    }
+    further_designs_schema(&mut schemas);
+    if let Some(described) = document["components"]["schemas"].as_object_mut() {
+        described.extend(schemas.definitions());
+    }
+}
 
 /// A router that only has what is said of the whole service.
 pub fn described() -> OpenApiRouter<AppState> {
@@ -121,7 +164,7 @@ fn operations(document: &mut Value) -> impl Iterator<Item = &mut Value> {
     })
 }
 
-/// What any operation may answer instead of its own answers.
+/// Describes what any operation may answer instead of its own answers.
 fn problem() -> Value {
     json!({
         "description": "A problem: 400 for what can't be read, 401 without the token where one is asked for, 403 for a foreign Host or Origin, 404, 405, 408, \
@@ -159,6 +202,17 @@ mod tests {
         let routed: BTreeSet<String> = paths(&router).difference(&own).cloned().collect();
         assert!(!routed.is_empty());
         assert_eq!(routed, described);
+    }
+
+    #[test]
+    fn every_column_is_a_described_field_of_its_row() {
+        let tables = DOCUMENT["x-tables"].as_object().expect("tables");
+        assert_eq!(tables.len(), 10);
+        for (name, table) in tables {
+            for column in table["columns"].as_array().expect("columns") {
+                assert!(column["description"].is_string(), "{name}: {column}");
+            }
+        }
     }
 
     #[test]

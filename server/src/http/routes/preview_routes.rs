@@ -6,7 +6,7 @@
 use axum::Json;
 use axum::extract::State;
 use axum::http::StatusCode;
-use placement::study::plan::Estimable;
+use documents::study::plan::Estimable;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
@@ -32,7 +32,7 @@ pub fn router() -> OpenApiRouter<AppState> {
         (StudyDocument = "application/json", example = json!(examples::study())),
         (String = "application/toml", example = json!(examples::study_toml())))),
     responses(
-        (status = 200, description = "The preview", body = Preview, example = json!(examples::preview())),
+        (status = 200, description = "The preview", body = Preview),
         (status = 409, description = "A newer preview was asked for", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::superseded())),
         (status = 422, description = "The document has faults, all of them with their JSON pointers; or it asks for too many points; or its loads have no equilibrium",
             body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults())),

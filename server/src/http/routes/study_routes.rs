@@ -7,7 +7,7 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use placement::result::Estimate;
+use results::Estimate;
 use serde::Deserialize;
 use serde_json::Value;
 use utoipa_axum::router::OpenApiRouter;
@@ -59,7 +59,7 @@ pub fn router() -> OpenApiRouter<AppState> {
                 ("events" = (operation_id = "follow", parameters(("id" = "$response.body#/id")))),
                 ("result" = (operation_id = "whole", parameters(("id" = "$response.body#/id")))),
                 ("evaluations" = (operation_id = "evaluations", parameters(("id" = "$response.body#/id"))))
-            ), example = json!(examples::summary())),
+            )),
         (status = 429, description = "Too many studies wait already; `Retry-After` says when to look again", body = ProblemDocument, content_type = "application/problem+json",
             headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(examples::crowded())),
         (status = 422, description = "The document has faults: all of them, each with its JSON pointer; or it would take more memory than there is; or the key stands for another document",
@@ -91,7 +91,7 @@ async fn submit(
     Ok(accepted(&study))
 }
 
-/// Why something was not taken in.
+/// Converts the reason why something was not taken in.
 pub(super) fn unsubmitted(error: SubmitError) -> Problem {
     match error {
         SubmitError::KeyTaken => Problem::new(
@@ -163,7 +163,7 @@ fn accepted(study: &StudyRow) -> Response {
         ("state" = Option<StudyState>, Query, description = "Studies of this state alone"),
         ("sweep" = Option<String>, Query, description = "Designs of the sweep of this identifier alone; `none`: studies that are no design of any", example = "none")),
     responses((status = 304, description = "The client has it"),
-              (status = 200, description = "A page", body = StudyPage, example = json!({"studies": [examples::summary()], "next_cursor": null}))))]
+              (status = 200, description = "A page", body = StudyPage)))]
 async fn list(
     State(state): State<AppState>,
     Params(query): Params<PageQuery>,
@@ -196,7 +196,7 @@ async fn list(
 #[utoipa::path(get, path = "/v1/studies/{id}", tag = "studies",
     params(StudyPath, ("If-None-Match" = Option<String>, Header, description = "ETag of the study as the client has it")),
     responses((status = 304, description = "The client has it"),
-              (status = 200, description = "The study", body = StudyDetail, example = json!(examples::detail())),
+              (status = 200, description = "The study", body = StudyDetail),
               (status = 404, description = "There is no such study", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn show(
     State(state): State<AppState>,
@@ -225,7 +225,7 @@ async fn show(
     request_body(description = "The change, as JSON or TOML", content(
         (EntryChange = "application/json", example = json!(entry_change::example())),
         (String = "application/toml", example = json!("archived = true\n")))),
-    responses((status = 200, description = "Changed", body = StudySummary, example = json!(examples::summary())),
+    responses((status = 200, description = "Changed", body = StudySummary),
               (status = 404, description = "There is no such study", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent())),
               (status = 422, description = "The change has faults: all of them, each with its JSON pointer", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]
 async fn change(
@@ -251,7 +251,7 @@ async fn change(
         (StudyDocument = "application/json", example = json!(examples::study())),
         (String = "application/toml", example = json!(examples::study_toml())))),
     responses(
-        (status = 200, description = "The estimate", body = Estimate, example = json!(examples::estimate())),
+        (status = 200, description = "The estimate", body = Estimate),
         (status = 422, description = "The document has faults: all of them, each with its JSON pointer",
             body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]
 async fn estimate(
@@ -279,8 +279,7 @@ pub(super) fn refused(error: ForecastError) -> Problem {
 /// One that runs ends within a Newton iteration; what it has solved is kept. Cancelling what has ended changes nothing and is no error. With `purge` the study
 /// is removed, with its result, its events and the points that no other study has: nothing brings it back.
 #[utoipa::path(delete, path = "/v1/studies/{id}", tag = "studies", params(StudyPath, RemovalQuery),
-    responses((status = 202, description = "Cancelled, or ended before", body = StudySummary, headers(("Location" = String, description = "Address of the study"), ("Retry-After" = String, description = "Seconds after which to look")),
-            example = json!(examples::summary())),
+    responses((status = 202, description = "Cancelled, or ended before", body = StudySummary, headers(("Location" = String, description = "Address of the study"), ("Retry-After" = String, description = "Seconds after which to look"))),
               (status = 204, description = "Removed"),
               (status = 409, description = "It is a design of a sweep, with which it can be removed", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::design())),
               (status = 404, description = "There is no such study", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]

@@ -7,7 +7,7 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use placement::sweep::designs_of;
+use documents::sweep::designs_of;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
@@ -27,7 +27,7 @@ use service::wire::examples::{absent, crowded, faults};
 use service::wire::study_wire::ProblemDocument;
 use service::wire::sweep_examples as examples;
 use service::wire::sweep_wire::{
-    FurtherDesigns, SweepDetail, SweepDocument, SweepEstimate, SweepPage, SweepSummary,
+    FurtherDesignsDocument, SweepDetail, SweepDocument, SweepEstimate, SweepPage, SweepSummary,
 };
 use store::Store;
 use store::queue::sweep_rows::{self, DesignRow, SweepRow};
@@ -48,7 +48,7 @@ pub fn router() -> OpenApiRouter<AppState> {
 /// once. The same document sent again under the same `Idempotency-Key` finds the same sweep.
 #[utoipa::path(post, path = "/v1/sweeps", tag = "sweeps",
     params(
-        ("priority" = Option<i64>, Query, description = "Of all its studies: those of higher priority go first, those of the same in turns; 0 when left out", minimum = -100, maximum = 100, example = 10),
+        ("priority" = Option<i64>, Query, description = "Priority of all its studies: those of a higher one go first, those of the same in turns; 0 when left out", minimum = -100, maximum = 100, example = 10),
         ("Idempotency-Key" = Option<String>, Header, description = "1 to 255 visible ASCII characters that stand for this submission", example = "walls-17")),
     request_body(description = "A sweep, as JSON or TOML", content(
         (SweepDocument = "application/json", example = json!(examples::document())),
@@ -61,7 +61,7 @@ pub fn router() -> OpenApiRouter<AppState> {
                 ("resume" = (operation_id = "resume_sweep", parameters(("id" = "$response.body#/id")))),
                 ("cancel" = (operation_id = "cancel_sweep", parameters(("id" = "$response.body#/id")))),
                 ("comparison" = (operation_id = "compare", parameters(("sweep" = "$response.body#/id"))))
-            ), example = json!(examples::detail())),
+            )),
         (status = 429, description = "Too many studies would wait; `Retry-After` says when to look again", body = ProblemDocument, content_type = "application/problem+json",
             headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(crowded())),
         (status = 422, description = "The document has faults: all of them, each with its JSON pointer; or a design would take more memory than there is; or the key stands for another document",
@@ -84,7 +84,7 @@ async fn submit_sweep(
 /// Refuses designs that would take more memory than they may.
 async fn admit_all(
     state: &AppState,
-    studies: impl Iterator<Item = &placement::study::Study>,
+    studies: impl Iterator<Item = &documents::study::Study>,
 ) -> Result<(), Problem> {
     let engine = &state.engine;
     for study in studies {
@@ -106,7 +106,7 @@ async fn admit_all(
         ("search" = Option<String>, Query, description = "Sweeps whose name has this, whatever the case of ASCII letters, or whose identifier begins so", max_length = 200, example = "two walls"),
         ("archived" = Option<String>, Query, description = "`true`: archived ones alone; `all`: those, too; when left out, or `false`, they aren't listed", pattern = "^(true|false|all)$", example = "all")),
     responses((status = 304, description = "The client has it"),
-              (status = 200, description = "A page", body = SweepPage, example = json!({"sweeps": [examples::summary()], "next_cursor": null}))))]
+              (status = 200, description = "A page", body = SweepPage)))]
 async fn list_sweeps(
     State(state): State<AppState>,
     Params(query): Params<PageQuery>,
@@ -136,7 +136,7 @@ async fn list_sweeps(
 #[utoipa::path(get, path = "/v1/sweeps/{id}", tag = "sweeps",
     params(SweepPath, ("If-None-Match" = Option<String>, Header, description = "ETag of the sweep as the client has it")),
     responses((status = 304, description = "The client has it"),
-              (status = 200, description = "The sweep", body = SweepDetail, example = json!(examples::detail())),
+              (status = 200, description = "The sweep", body = SweepDetail),
               (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent()))))]
 async fn show_sweep(
     State(state): State<AppState>,
@@ -155,7 +155,7 @@ async fn show_sweep(
     request_body(description = "The change, as JSON or TOML", content(
         (EntryChange = "application/json", example = json!(entry_change::example())),
         (String = "application/toml", example = json!("archived = true\n")))),
-    responses((status = 200, description = "Changed", body = SweepSummary, example = json!(examples::summary())),
+    responses((status = 200, description = "Changed", body = SweepSummary),
               (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent())),
               (status = 422, description = "The change has faults: all of them, each with its JSON pointer", body = ProblemDocument, content_type = "application/problem+json", example = json!(faults()))))]
 async fn change_sweep(
@@ -177,10 +177,9 @@ async fn change_sweep(
 /// Adds designs; those that it has already are left as they are, and nothing that was solved is solved again.
 #[utoipa::path(post, path = "/v1/sweeps/{id}/designs", tag = "sweeps", params(SweepPath),
     request_body(description = "Further designs, as JSON or TOML", content(
-        (FurtherDesigns = "application/json", example = json!(examples::further())),
+        (FurtherDesignsDocument = "application/json", example = json!(examples::further())),
         (String = "application/toml", example = json!("[grid]\n\"geometry.wall_mm\" = [3.5]\n")))),
-    responses((status = 202, description = "Taken in", body = SweepDetail, headers(("Location" = String, description = "Address of the sweep"), ("Retry-After" = String, description = "Seconds after which to look")),
-            example = json!(examples::detail())),
+    responses((status = 202, description = "Taken in", body = SweepDetail, headers(("Location" = String, description = "Address of the sweep"), ("Retry-After" = String, description = "Seconds after which to look"))),
               (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent())),
               (status = 422, description = "The document has faults: all of them, each with its JSON pointer", body = ProblemDocument, content_type = "application/problem+json", example = json!(faults())),
               (status = 429, description = "Too many studies would wait", body = ProblemDocument, content_type = "application/problem+json",
@@ -206,8 +205,7 @@ async fn extend_sweep(
 ///
 /// Puts designs that were cancelled or failed back into the queue, as new studies. What they had solved is kept; those with a result stay as they are.
 #[utoipa::path(post, path = "/v1/sweeps/{id}/resume", tag = "sweeps", params(SweepPath),
-    responses((status = 202, description = "Taken in", body = SweepDetail, headers(("Location" = String, description = "Address of the sweep"), ("Retry-After" = String, description = "Seconds after which to look")),
-            example = json!(examples::detail())),
+    responses((status = 202, description = "Taken in", body = SweepDetail, headers(("Location" = String, description = "Address of the sweep"), ("Retry-After" = String, description = "Seconds after which to look"))),
               (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent())),
               (status = 429, description = "Too many studies would wait", body = ProblemDocument, content_type = "application/problem+json",
             headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(crowded()))))]
@@ -226,8 +224,7 @@ async fn resume_sweep(
 /// What runs ends within a Newton iteration; what was solved is kept. Designs that have ended stay as they are. With `purge` the sweep is removed, with the
 /// studies of its designs, their results and the points that no other study has: nothing brings it back.
 #[utoipa::path(delete, path = "/v1/sweeps/{id}", tag = "sweeps", params(SweepPath, RemovalQuery),
-    responses((status = 202, description = "Cancelled, or ended before", body = SweepDetail, headers(("Location" = String, description = "Address of the sweep"), ("Retry-After" = String, description = "Seconds after which to look")),
-            example = json!(examples::detail())),
+    responses((status = 202, description = "Cancelled, or ended before", body = SweepDetail, headers(("Location" = String, description = "Address of the sweep"), ("Retry-After" = String, description = "Seconds after which to look"))),
               (status = 204, description = "Removed"),
               (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent()))))]
 async fn cancel_sweep(
@@ -252,7 +249,7 @@ async fn cancel_sweep(
     request_body(description = "A sweep, as JSON or TOML", content(
         (SweepDocument = "application/json", example = json!(examples::document())),
         (String = "application/toml", example = json!(examples::document_toml())))),
-    responses((status = 200, description = "The estimate", body = SweepEstimate, example = json!(examples::estimate())),
+    responses((status = 200, description = "The estimate", body = SweepEstimate),
               (status = 422, description = "The document has faults: all of them, each with its JSON pointer", body = ProblemDocument, content_type = "application/problem+json", example = json!(faults()))))]
 async fn estimate_sweep(
     State(state): State<AppState>,

@@ -1,19 +1,20 @@
-//! Results with their ranked rows.
+//! Results. The map, which is most of one, is kept apart, so that all else is read without it.
 
-use placement::result::{StudyCost, StudyResult};
+use results::{StudyCost, StudyResult};
 use serde::de::DeserializeOwned;
 use sqlx::sqlite::SqliteRow;
 use sqlx::{Row, SqliteConnection};
 
-use crate::answers::ranked_rows::{self, Ranked};
-use crate::answers::stored_signals;
 use crate::clock::now;
+use crate::column::{counted, whole};
 use crate::content::{encode, sha256};
 use crate::store_error::StoreError;
 
 const RESULT: &str = "the result of a study";
+/// Text that stands in a document where its map was.
+pub(super) const NO_MAP: &str = "null";
 
-/// Stores the result of a study with its ranked rows.
+/// Stores the result of a study.
 ///
 /// # Errors
 /// [`StoreError::NotFinite`] when a number isn't finite; when the database can't be written.
@@ -22,25 +23,77 @@ pub async fn insert(
     study: &str,
     result: &StudyResult,
 ) -> Result<(), StoreError> {
-    let document = encode(RESULT, result)?;
+    let mut document = encode(RESULT, result)?;
+    let map = take_map(&mut document, result);
+    let taken = map.as_ref().map(|(place, map)| Taken {
+        place: *place,
+        sha256: sha256(&[study.as_bytes(), map.as_bytes()]),
+    });
     let inserted = sqlx::query(
-        "insert into results (study, document, document_sha256, content_sha256, created) values (?, ?, ?, ?, ?)
-         on conflict do nothing",
+        "insert into results (study, document, map_place, map_sha256, document_sha256, content_sha256, created)
+         values (?, ?, ?, ?, ?, ?, ?) on conflict do nothing",
     )
     .bind(study)
     .bind(&document)
-    .bind(sha256(&[study.as_bytes(), document.as_bytes()]))
+    .bind(taken.as_ref().map(|taken| whole(taken.place)))
+    .bind(taken.as_ref().map(|taken| &taken.sha256))
+    .bind(document_sha256(study, &document, taken.as_ref()))
     .bind(content_sha256(result)?)
     .bind(now())
     .execute(&mut *connection)
     .await?;
-    if inserted.rows_affected() == 0 {
+    let Some((_, map)) = map.filter(|_| inserted.rows_affected() > 0) else {
         return Ok(());
+    };
+    sqlx::query("insert into result_maps (study, document) values (?, ?)")
+        .bind(study)
+        .bind(map)
+        .execute(connection)
+        .await?;
+    Ok(())
+}
+
+/// Takes the map out of a result's text, and returns the place where it stood.
+fn take_map(text: &mut String, result: &StudyResult) -> Option<(usize, String)> {
+    let map = serde_json::to_string(result.map.as_ref()?).ok()?;
+    let field = "\"map\":";
+    // Quotes within strings are escaped: what looks like the field is the field.
+    let place = text.find(&format!("{field}{map}"))? + field.len();
+    text.replace_range(place..place + map.len(), NO_MAP);
+    Some((place, map))
+}
+
+/// Map that was taken out of a document, as the document's hash knows it.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub(super) struct Taken {
+    /// Byte of the document where it stood.
+    pub(super) place: usize,
+    pub(super) sha256: String,
+}
+
+impl Taken {
+    /// Reads it from columns, which are null where there is no map.
+    pub(super) fn of(place: Option<i64>, sha256: Option<String>) -> Option<Self> {
+        Some(Self {
+            place: place.and_then(counted)?,
+            sha256: sha256?,
+        })
     }
-    ranked_rows::insert(connection, study, &result.locations, &result.layouts).await?;
-    match &result.signals {
-        Some(signals) => stored_signals::insert(connection, study, signals).await,
-        None => Ok(()),
+
+    pub(super) fn place_bytes(&self) -> [u8; 8] {
+        (self.place as u64).to_le_bytes()
+    }
+}
+
+/// Hashes a row of the table: study and document, and, where a map was taken out, where it stood and its own hash.
+fn document_sha256(study: &str, document: &str, taken: Option<&Taken>) -> String {
+    let parts = [study.as_bytes(), document.as_bytes()];
+    match taken {
+        Some(taken) => {
+            let map = [&taken.place_bytes()[..], taken.sha256.as_bytes()];
+            sha256(&[parts, map].concat())
+        }
+        None => sha256(&parts),
     }
 }
 
@@ -59,30 +112,19 @@ fn content_sha256(result: &StudyResult) -> Result<String, StoreError> {
     Ok(sha256(&[text.as_bytes()]))
 }
 
-/// Writes the ranked rows of results that have none, which earlier versions stored otherwise. A damaged result stays without.
-///
-/// # Errors
-/// When the database can't be written.
-pub(crate) async fn complete_rankings(connection: &mut SqliteConnection) -> Result<(), StoreError> {
-    let query = "select study from results where study not in (select study from rankings)";
-    let lacking: Vec<String> = sqlx::query_scalar(query)
-        .fetch_all(&mut *connection)
-        .await?;
-    for study in lacking {
-        match find::<Ranked>(connection, &study).await {
-            Ok(Some((ranked, _))) => {
-                ranked_rows::insert(connection, &study, &ranked.locations, &ranked.layouts).await?;
-            }
-            Ok(None) | Err(StoreError::Damaged { .. }) => {}
-            Err(error) => return Err(error),
-        }
-    }
-    Ok(())
+/// Extent of what is read of a result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// Whole result.
+    Whole,
+    /// Result without its map, which is null.
+    WithoutMap,
 }
 
 /// The row of a result, as SQLite gave it: its text is read where it lies.
 pub struct ResultRow {
     study: String,
+    extent: Extent,
     row: SqliteRow,
 }
 
@@ -93,14 +135,24 @@ pub struct ResultRow {
 pub async fn row(
     connection: &mut SqliteConnection,
     study: &str,
+    extent: Extent,
 ) -> Result<Option<ResultRow>, StoreError> {
-    let query = "select document, document_sha256, content_sha256 from results where study = ?";
+    let query = match extent {
+        Extent::Whole => {
+            "select r.document, map_place, map_sha256, document_sha256, content_sha256, m.document
+             from results r left join result_maps m using (study) where study = ?"
+        }
+        Extent::WithoutMap => {
+            "select document, map_place, map_sha256, document_sha256, content_sha256, null from results where study = ?"
+        }
+    };
     let row = sqlx::query(query)
         .bind(study)
         .fetch_optional(connection)
         .await?;
     Ok(row.map(|row| ResultRow {
         study: study.to_owned(),
+        extent,
         row,
     }))
 }
@@ -109,30 +161,47 @@ impl ResultRow {
     /// The result, or the part `R` of it, and the hash of its content.
     ///
     /// # Errors
-    /// [`StoreError::Damaged`] when the row doesn't match its hash.
+    /// [`StoreError::Damaged`] when the row, or its map, doesn't match its hash.
     pub fn read<R: DeserializeOwned>(self) -> Result<(R, String), StoreError> {
-        let [document, stored, content] = [
-            self.row.try_get::<&str, _>(0)?,
-            self.row.try_get(1)?,
-            self.row.try_get(2)?,
-        ];
-        if sha256(&[self.study.as_bytes(), document.as_bytes()]) != stored {
+        let document = self.row.try_get::<&str, _>(0)?;
+        let taken = Taken::of(self.row.try_get(1)?, self.row.try_get(2)?);
+        let [stored, content] = [self.row.try_get::<&str, _>(3)?, self.row.try_get(4)?];
+        if document_sha256(&self.study, document, taken.as_ref()) != stored {
             return Err(damaged(&self.study));
         }
-        let result = serde_json::from_str(document).map_err(|_| damaged(&self.study))?;
-        Ok((result, content.to_owned()))
+        let whole = match taken.filter(|_| self.extent == Extent::Whole) {
+            Some(taken) => Some(self.with_map(document, &taken)?),
+            None => None,
+        };
+        let result = serde_json::from_str(whole.as_deref().unwrap_or(document));
+        Ok((
+            result.map_err(|_| damaged(&self.study))?,
+            String::from(content),
+        ))
+    }
+
+    fn with_map(&self, document: &str, taken: &Taken) -> Result<String, StoreError> {
+        let map: Option<&str> = self.row.try_get(5)?;
+        let intact = |map: &&str| sha256(&[self.study.as_bytes(), map.as_bytes()]) == taken.sha256;
+        let map = map.filter(intact).ok_or_else(|| lost_map(&self.study))?;
+        let mut whole = String::with_capacity(document.len() + map.len());
+        whole.push_str(&document[..taken.place]);
+        whole.push_str(map);
+        whole.push_str(&document[taken.place + NO_MAP.len()..]);
+        Ok(whole)
     }
 }
 
-/// The result of a study, or the part `R` of it, and the hash of its content.
+/// The result of a study or the part `R` of it, and the hash of its content.
 ///
 /// # Errors
 /// [`StoreError::Damaged`] when the row doesn't match its hash; when the database can't be read.
 pub async fn find<R: DeserializeOwned>(
     connection: &mut SqliteConnection,
     study: &str,
+    extent: Extent,
 ) -> Result<Option<(R, String)>, StoreError> {
-    row(connection, study)
+    row(connection, study, extent)
         .await?
         .map(ResultRow::read)
         .transpose()
@@ -141,6 +210,13 @@ pub async fn find<R: DeserializeOwned>(
 pub(super) fn damaged(study: &str) -> StoreError {
     StoreError::Damaged {
         table: "results",
+        row: study.to_owned(),
+    }
+}
+
+pub(super) fn lost_map(study: &str) -> StoreError {
+    StoreError::Damaged {
+        table: "result_maps",
         row: study.to_owned(),
     }
 }

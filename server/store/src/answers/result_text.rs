@@ -2,76 +2,136 @@
 
 use sqlx::SqliteConnection;
 
-use crate::answers::result_rows::damaged;
+use crate::answers::result_rows::{NO_MAP, Taken, damaged, lost_map};
 use crate::column::{counted, whole};
 use crate::content::Digested;
+use crate::row::from_row;
 use crate::store_error::StoreError;
 
-/// What the row of a result says of its text, which isn't read for that.
+/// Row of a result without its text, which isn't read for that.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct ResultText {
     study: String,
     document_sha256: String,
+    document_bytes: usize,
+    map: Option<MapText>,
     /// The hash of its content.
     pub content_sha256: String,
-    /// Its length.
+    /// Length of the text with the map.
     pub bytes: usize,
+}
+
+/// Map as a part of the text.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct MapText {
+    taken: Taken,
+    bytes: usize,
 }
 
 /// The text of a study's result, when there is one.
 ///
 /// # Errors
-/// [`StoreError::Damaged`] when it is empty; when the database can't be read.
+/// [`StoreError::Damaged`] when it is empty, or without the map that it had; when the database can't be read.
 pub async fn find(
     connection: &mut SqliteConnection,
     study: &str,
 ) -> Result<Option<ResultText>, StoreError> {
-    let query = "select octet_length(document), document_sha256, content_sha256 from results where study = ?";
-    let row: Option<(i64, String, String)> = sqlx::query_as(query)
+    let query = "select octet_length(r.document) as bytes, document_sha256, content_sha256, map_place, map_sha256, octet_length(m.document) as map_bytes
+                 from results r left join result_maps m using (study) where study = ?";
+    let row: Option<TextRow> = sqlx::query_as(query)
         .bind(study)
         .fetch_optional(connection)
         .await?;
-    let Some((bytes, document_sha256, content_sha256)) = row else {
-        return Ok(None);
-    };
-    // No result is written as nothing.
-    let bytes = counted(bytes).filter(|bytes| *bytes > 0);
-    Ok(Some(ResultText {
-        bytes: bytes.ok_or_else(|| damaged(study))?,
-        study: study.to_owned(),
-        document_sha256,
-        content_sha256,
-    }))
+    row.map(|row| row.text(study)).transpose()
+}
+
+struct TextRow {
+    bytes: i64,
+    document_sha256: String,
+    content_sha256: String,
+    map_place: Option<i64>,
+    map_sha256: Option<String>,
+    map_bytes: Option<i64>,
+}
+
+from_row!(TextRow {
+    bytes,
+    document_sha256,
+    content_sha256,
+    map_place,
+    map_sha256,
+    map_bytes
+});
+
+impl TextRow {
+    fn text(self, study: &str) -> Result<ResultText, StoreError> {
+        // No result is written as nothing.
+        let bytes = counted(self.bytes).filter(|bytes| *bytes > 0);
+        let document_bytes = bytes.ok_or_else(|| damaged(study))?;
+        let map = match Taken::of(self.map_place, self.map_sha256) {
+            None => None,
+            Some(taken) => {
+                if taken.place + NO_MAP.len() > document_bytes {
+                    return Err(damaged(study));
+                }
+                let bytes = self.map_bytes.and_then(counted);
+                let bytes = bytes.ok_or_else(|| lost_map(study))?;
+                Some(MapText { taken, bytes })
+            }
+        };
+        let added = map.as_ref().map_or(0, |map| map.bytes);
+        let replaced = map.as_ref().map_or(0, |_| NO_MAP.len());
+        Ok(ResultText {
+            study: study.to_owned(),
+            document_sha256: self.document_sha256,
+            document_bytes,
+            map,
+            content_sha256: self.content_sha256,
+            bytes: document_bytes - replaced + added,
+        })
+    }
 }
 
 impl ResultText {
     /// A reading from its beginning.
     pub fn reading(&self) -> Reading {
-        let mut digested = Digested::default();
-        digested.begin(self.study.len());
-        digested.update(self.study.as_bytes());
-        digested.begin(self.bytes);
+        let begun = |bytes: usize| {
+            let mut digested = Digested::default();
+            digested.begin(self.study.len());
+            digested.update(self.study.as_bytes());
+            digested.begin(bytes);
+            digested
+        };
         Reading {
             text: self.clone(),
             at: 0,
-            digested,
+            document: begun(self.document_bytes),
+            map: begun(self.map.as_ref().map_or(0, |map| map.bytes)),
         }
     }
 }
 
-/// A text that is being read, and the hash of what was.
+/// A text that is being read, and the hashes of what was.
 #[derive(Debug)]
 pub struct Reading {
     text: ResultText,
     at: usize,
-    digested: Digested,
+    document: Digested,
+    map: Digested,
+}
+
+/// Stretch of the text that lies in one table: from which of its bytes on, and how many there are.
+struct Stretch {
+    is_map: bool,
+    from: usize,
+    bytes: usize,
 }
 
 impl Reading {
-    /// The next piece, up to so many bytes; `None` at the end. SQLite reads the whole text for each.
+    /// The next piece, up to so many bytes; `None` at the end. SQLite reads the whole document or map for each.
     ///
     /// # Errors
-    /// [`StoreError::Damaged`] instead of the last piece when the whole doesn't match its hash, and when the row is gone; when the database can't be read.
+    /// [`StoreError::Damaged`] instead of the last piece when the whole doesn't match its hashes, and when a row is gone; when the database can't be read.
     pub async fn next(
         &mut self,
         connection: &mut SqliteConnection,
@@ -80,19 +140,109 @@ impl Reading {
         if self.ended() {
             return Ok(None);
         }
-        let query = "select substr(cast(document as blob), ?, ?) from results where study = ?";
-        let piece: Option<Vec<u8>> = sqlx::query_scalar(query)
-            .bind(whole(self.at + 1))
-            .bind(whole(bytes))
+        let mut piece = Vec::new();
+        while piece.len() < bytes && !self.ended() {
+            let more = self.stretch(connection, bytes - piece.len()).await?;
+            if piece.is_empty() {
+                piece = more;
+            } else {
+                piece.extend(more);
+            }
+        }
+        if self.ended() {
+            self.compare()?;
+        }
+        Ok(Some(piece))
+    }
+
+    /// Reads what comes next of one table, up to so many bytes.
+    async fn stretch(
+        &mut self,
+        connection: &mut SqliteConnection,
+        most: usize,
+    ) -> Result<Vec<u8>, StoreError> {
+        let Stretch {
+            is_map,
+            from,
+            bytes,
+        } = self.here();
+        let query = if is_map {
+            "select substr(cast(document as blob), ?, ?) from result_maps where study = ?"
+        } else {
+            "select substr(cast(document as blob), ?, ?) from results where study = ?"
+        };
+        let read: Option<Vec<u8>> = sqlx::query_scalar(query)
+            .bind(whole(from + 1))
+            .bind(whole(most.min(bytes)))
             .bind(&self.text.study)
             .fetch_optional(connection)
             .await?;
-        let lost = || damaged(&self.text.study);
-        let piece = piece.filter(|piece| !piece.is_empty()).ok_or_else(lost)?;
-        self.at += piece.len();
-        self.digested.update(&piece);
-        let wrong = self.ended() && self.digested.clone().end() != self.text.document_sha256;
-        if wrong { Err(lost()) } else { Ok(Some(piece)) }
+        let lost = if is_map { lost_map } else { damaged };
+        let read = read.filter(|read| !read.is_empty());
+        let read = read.ok_or_else(|| lost(&self.text.study))?;
+        self.at += read.len();
+        let digested = if is_map {
+            &mut self.map
+        } else {
+            &mut self.document
+        };
+        digested.update(&read);
+        let map = self.text.map.as_ref();
+        if map.is_some_and(|map| map.taken.place == self.at) {
+            self.document.update(NO_MAP.as_bytes());
+        }
+        Ok(read)
+    }
+
+    /// Finds where the next byte lies.
+    fn here(&self) -> Stretch {
+        let (at, document) = (self.at, self.text.document_bytes);
+        let Some(MapText { taken, bytes }) = &self.text.map else {
+            return Stretch {
+                is_map: false,
+                from: at,
+                bytes: document - at,
+            };
+        };
+        let (begin, end) = (taken.place, taken.place + bytes);
+        if at < begin {
+            Stretch {
+                is_map: false,
+                from: at,
+                bytes: begin - at,
+            }
+        } else if at < end {
+            Stretch {
+                is_map: true,
+                from: at - begin,
+                bytes: end - at,
+            }
+        } else {
+            let from = at - bytes + NO_MAP.len();
+            Stretch {
+                is_map: false,
+                from,
+                bytes: document - from,
+            }
+        }
+    }
+
+    /// Compares all that was read with its hashes.
+    fn compare(&self) -> Result<(), StoreError> {
+        let mut document = self.document.clone();
+        if let Some(MapText { taken, .. }) = &self.text.map {
+            if self.map.clone().end() != taken.sha256 {
+                return Err(lost_map(&self.text.study));
+            }
+            for part in [&taken.place_bytes()[..], taken.sha256.as_bytes()] {
+                document.begin(part.len());
+                document.update(part);
+            }
+        }
+        if document.end() != self.text.document_sha256 {
+            return Err(damaged(&self.text.study));
+        }
+        Ok(())
     }
 
     /// Whether nothing is left.
@@ -148,6 +298,50 @@ mod tests {
             assert_eq!(read, TEXT.as_bytes(), "in pieces of {size} bytes");
             assert!(fault.is_none());
         }
+    }
+
+    #[tokio::test]
+    async fn a_map_that_is_kept_apart_is_read_where_it_stood() {
+        let (document, map, whole) = (
+            "{\"map\":null,\"ä\":1}",
+            "{\"é\":[2]}",
+            "{\"map\":{\"é\":[2]},\"ä\":1}",
+        );
+        let map_sha256 = sha256(&[b"a", map.as_bytes()]);
+        let place = "{\"map\":".len() as i64;
+        let parts = [document.as_bytes(), &place.to_le_bytes()];
+        let hash = sha256(&[b"a", parts[0], parts[1], map_sha256.as_bytes()]);
+        let (_folder, store) = stored(document, &hash).await;
+        let mut write = store.begin().await.expect("begins");
+        for change in [
+            sqlx::query("update results set map_place = ?, map_sha256 = ?")
+                .bind(place)
+                .bind(&map_sha256),
+            sqlx::query("insert into result_maps (study, document) values ('a', ?)").bind(map),
+        ] {
+            change.execute(&mut *write).await.expect("stores");
+        }
+        store.commit(write, 0).await.expect("commits");
+        for size in 1..=whole.len() + 1 {
+            let (read, fault) = pieces(&store, size).await;
+            assert_eq!(read, whole.as_bytes(), "in pieces of {size} bytes");
+            assert!(fault.is_none());
+        }
+
+        let mut write = store.begin().await.expect("begins");
+        let changed = sqlx::query("update result_maps set document = replace(document, '2', '3')");
+        changed.execute(&mut *write).await.expect("changes");
+        store.commit(write, 0).await.expect("commits");
+        let (read, fault) = pieces(&store, 5).await;
+        assert!(read.len() < whole.len());
+        let named = matches!(
+            fault,
+            Some(StoreError::Damaged {
+                table: "result_maps",
+                ..
+            })
+        );
+        assert!(named, "{fault:?}");
     }
 
     #[tokio::test]

@@ -70,8 +70,8 @@ pub async fn is_measured(
 
 #[cfg(test)]
 mod tests {
-    use placement::ladder::fidelity::FidelityReport;
     use placement::ladder::trade::Rung;
+    use results::FidelityReport;
 
     use super::*;
     use crate::database::tests::fresh;

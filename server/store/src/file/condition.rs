@@ -1,4 +1,4 @@
-//! What a file is, before anything is written to it: a database of this program, one of another version or program, or damaged.
+//! Condition of a file before anything is written to it: a database of this program, one of another version or program, or damaged.
 
 use std::fs::File;
 use std::io::Read;
@@ -12,16 +12,18 @@ use crate::file::place::Place;
 use crate::file::schema;
 use crate::store_error::{self, StoreError};
 
-/// `application_id` of migration 15: `stra`.
+/// `application_id` of the tables: `stra`.
 const OURS: i64 = 0x7374_7261;
 
-/// Whose a file is.
+/// Content of a file, by whose it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Content {
-    /// Nothing yet.
+    /// Empty file.
     Fresh,
     /// A database of this program, with its newest migration.
     Ours(i64),
+    /// A database of version 0.1, whose tables were others.
+    Past,
     /// A database of another program.
     Foreign,
 }
@@ -88,7 +90,7 @@ pub async fn connect(options: SqliteConnectOptions) -> Result<SqliteConnection, 
     Ok(connection)
 }
 
-/// What looks after a whole file takes its time, of which the log needn't warn.
+/// Returns the options for looking after a whole file, which takes its time: the log needn't warn of that.
 pub fn options(place: &Place) -> SqliteConnectOptions {
     SqliteConnectOptions::new()
         .filename(&place.real)
@@ -101,6 +103,7 @@ async fn fit(place: &Place, connection: &mut SqliteConnection) -> Result<(), Sto
         .map_err(|error| unreadable(place, &error))?
     {
         Content::Foreign => return Err(foreign(place)),
+        Content::Past => return Err(past(place)),
         Content::Ours(newest) if newest > schema::newest() => {
             return Err(newer(place, newest));
         }
@@ -120,7 +123,7 @@ async fn sound(place: &Place, connection: &mut SqliteConnection) -> Result<(), S
     }
 }
 
-/// Whose a database is: its `application_id` says it, and in one from before migration 15 the first migration.
+/// Finds whose a database is: its `application_id` says it, and its first migration which tables it has.
 ///
 /// # Errors
 /// When it can't be read.
@@ -145,7 +148,7 @@ pub async fn content(connection: &mut SqliteConnection) -> Result<Content, sqlx:
         sqlx::query_as("select version, checksum from _sqlx_migrations order by version")
             .fetch_all(connection)
             .await?;
-    let Some((newest, _)) = applied.last() else {
+    let (Some((first, checksum)), Some((newest, _))) = (applied.first(), applied.last()) else {
         // A first start that was killed before its first migration.
         return Ok(if tables.len() == 1 {
             Content::Fresh
@@ -153,14 +156,10 @@ pub async fn content(connection: &mut SqliteConnection) -> Result<Content, sqlx:
             Content::Foreign
         });
     };
-    let begun = applied
-        .iter()
-        .any(|(version, checksum)| schema::is_first(*version, checksum));
-    let ours = application == OURS || (application == 0 && begun);
-    Ok(if ours {
-        Content::Ours(*newest)
-    } else {
-        Content::Foreign
+    Ok(match application {
+        OURS if schema::is_first(*first, checksum) => Content::Ours(*newest),
+        OURS => Content::Past,
+        _ => Content::Foreign,
     })
 }
 
@@ -208,6 +207,14 @@ pub fn foreign(place: &Place) -> StoreError {
     )
 }
 
+/// A database of version 0.1.
+pub fn past(place: &Place) -> StoreError {
+    place.failed(
+        "strainsite 0.1 wrote it, whose databases later versions don't read, and it was left as it is: use version 0.1 to export what is in it, \
+         or start a new file with --db",
+    )
+}
+
 /// A database of a newer version.
 pub fn newer(place: &Place, newest: i64) -> StoreError {
     place.failed(format!(
@@ -217,7 +224,7 @@ pub fn newer(place: &Place, newest: i64) -> StoreError {
     ))
 }
 
-/// What SQLite said when it couldn't read the file, and what to do about it.
+/// Returns what SQLite said when it couldn't read the file, and what to do about it.
 pub fn unreadable(place: &Place, error: &sqlx::Error) -> StoreError {
     if store_error::is_corrupt(error) {
         return damaged(place, &error.to_string());

@@ -15,12 +15,12 @@ use crate::file::unfinished::{COMPANIONS, Unfinished};
 use crate::file::{opening, pools, schema, upkeep};
 use crate::store_error::StoreError;
 
-/// What becomes of the database that a copy takes the place of.
+/// Fate of the database that a copy takes the place of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Replaced {
-    /// It is kept beside, under a name with the time.
+    /// A database that is kept beside, under a name with the time.
     Kept,
-    /// It is lost.
+    /// A database that is lost.
     Discarded,
 }
 
@@ -102,7 +102,7 @@ pub async fn restore(
     Ok(kept)
 }
 
-/// A database of this program, of this version or an earlier one.
+/// A database that this program can read.
 async fn readable(source: &Place) -> Result<SqliteConnection, StoreError> {
     condition::fit_to_read(source)?;
     let mut connection = opening::connected(source).await?;
@@ -112,6 +112,7 @@ async fn readable(source: &Place) -> Result<SqliteConnection, StoreError> {
         Content::Ours(_) => return Ok(connection),
         Content::Fresh => source.failed("it is empty"),
         Content::Foreign => condition::foreign(source),
+        Content::Past => condition::past(source),
     };
     connection.close().await?;
     Err(refused)
@@ -184,6 +185,8 @@ fn remove_companions(place: &Place, kept: Option<&Path>) {
 
 #[cfg(test)]
 mod tests {
+    use sqlx::sqlite::SqliteConnectOptions;
+
     use super::*;
     use crate::Store;
     use crate::database::tests::fresh;
@@ -219,5 +222,38 @@ mod tests {
             );
         }
         assert_eq!(fs::read(&other).expect("reads"), before);
+    }
+
+    #[tokio::test]
+    async fn a_database_of_version_0_1_is_refused_with_what_to_do_and_left_as_it_is() {
+        let folder = tempfile::tempdir().expect("temp dir");
+        let path = folder.path().join("past.db");
+        let options = SqliteConnectOptions::new().filename(&path);
+        let made = SqliteConnection::connect_with(&options.create_if_missing(true)).await;
+        let mut past = made.expect("opens");
+        // Its numbered changes, of which the last tells nothing, and its mark.
+        for change in [
+            "create table _sqlx_migrations (version bigint, checksum blob)",
+            "insert into _sqlx_migrations values (1, x'00'), (23, x'17')",
+            "pragma application_id = 1937011297",
+        ] {
+            let changed = sqlx::query(change).execute(&mut past).await;
+            changed.expect("changes");
+        }
+        past.close().await.expect("closes");
+        let before = fs::read(&path).expect("reads");
+        let other = folder.path().join("other.db");
+        for refused in [
+            Store::open(&path).await.err(),
+            opening::to_read(&path).await.err(),
+            restore(&path, &other, Replaced::Kept, &|_, _| {})
+                .await
+                .err(),
+        ] {
+            let said = refused.expect("isn't read").to_string();
+            assert!(said.contains("0.1") && said.contains("--db"), "{said}");
+        }
+        assert_eq!(fs::read(&path).expect("reads"), before);
+        assert!(!other.exists());
     }
 }

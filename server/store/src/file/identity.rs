@@ -1,9 +1,9 @@
-//! Which file a name stands for, whatever other names it has.
+//! Identity of the file that a name stands for, whatever other names it has.
 
 use std::fs::Metadata;
 use std::path::Path;
 
-/// How often the list of locks is read before the holder of one counts as unknown.
+/// Number of times that the list of locks is read before the holder of one counts as unknown.
 #[cfg(target_os = "linux")]
 const LOOKS: usize = 5;
 
@@ -15,7 +15,7 @@ pub struct FileId {
 }
 
 impl FileId {
-    /// That of an open file.
+    /// Returns the identity of an open file.
     #[cfg(unix)]
     pub fn of(metadata: &Metadata) -> Self {
         use std::os::unix::fs::MetadataExt;
@@ -25,7 +25,7 @@ impl FileId {
         }
     }
 
-    /// That of an open file, which its time of birth tells from most others.
+    /// Returns the identity of an open file, which its time of birth tells from most others.
     #[cfg(not(unix))]
     pub fn of(metadata: &Metadata) -> Self {
         let born = metadata.created().ok();
@@ -36,7 +36,7 @@ impl FileId {
         }
     }
 
-    /// That of the file at this name now.
+    /// Returns the identity of the file at this name now.
     pub fn at(path: &Path) -> Option<Self> {
         std::fs::metadata(path).ok().as_ref().map(Self::of)
     }

@@ -1,4 +1,4 @@
-//! One process per database.
+//! Lock of a database, for one process.
 //!
 //! The lock is on the database file itself, so that links and mounts don't lead around it: `flock`, which doesn't meet SQLite's own locks (those
 //! are `fcntl`'s). A process loses all of `fcntl`'s locks on a file when it closes any descriptor of it. So the descriptor of the lock
@@ -12,7 +12,7 @@ use crate::file::identity::FileId;
 use crate::file::place::Place;
 use crate::store_error::StoreError;
 
-/// How often a file may be replaced between a look at it and its lock; on disks that number their files anew at every look, always.
+/// Number of times that a file may be replaced between a look at it and its lock; on disks that number their files anew at every look, always.
 const TRIES: usize = 100;
 
 /// Files that this process holds.
@@ -26,7 +26,7 @@ pub struct DatabaseLock {
 }
 
 impl DatabaseLock {
-    /// What holds the file, and what keeps others from making or replacing it under its name.
+    /// Joins what holds the file, and what keeps others from making or replacing it under its name.
     pub fn new(file: FileLock, name: NameLock) -> Self {
         Self {
             _file: file,
@@ -122,8 +122,7 @@ impl Drop for Claim {
     }
 }
 
-/// Holds the name `<database>.lock`: two processes can't make or replace one file at once, and versions that know no other lock are
-/// kept out. The file stays: removing it would let two processes lock two files of one name.
+/// Holds the name `<database>.lock`: two processes can't make or replace one file at once. The file stays: removing it would let two processes lock two files of one name.
 #[derive(Debug)]
 pub struct NameLock {
     _file: File,
@@ -163,7 +162,7 @@ fn in_use(place: &Place, process: Option<u32>) -> StoreError {
     }
 }
 
-/// What to say when a file can't be opened for writing.
+/// Returns what to say when a file can't be opened for writing.
 fn refused(place: &Place, error: &std::io::Error) -> StoreError {
     match error.kind() {
         ErrorKind::ReadOnlyFilesystem | ErrorKind::PermissionDenied => place.failed(format!(

@@ -11,7 +11,7 @@ use crate::file::place::Place;
 use crate::file::schema;
 use crate::store_error::{self, StoreError};
 
-/// What to do where no file is.
+/// Action where no file is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Missing {
     /// Make an empty one.
@@ -65,6 +65,7 @@ pub async fn to_read(path: &Path) -> Result<SqliteConnection, StoreError> {
         ),
         Content::Fresh => place.failed("it is empty: serve and run make its tables"),
         Content::Foreign => condition::foreign(&place),
+        Content::Past => condition::past(&place),
     };
     connection.close().await?;
     Err(refused)

@@ -1,4 +1,4 @@
-//! Where a database is: its file, and what SQLite and this program keep beside it.
+//! Place of a database: its file, and what SQLite and this program keep beside it.
 
 use std::path::{Path, PathBuf};
 
@@ -7,9 +7,9 @@ use crate::store_error::StoreError;
 /// A database file, there or not.
 #[derive(Debug, Clone)]
 pub struct Place {
-    /// As it was asked for, for messages.
+    /// Path as it was asked for, for messages.
     pub named: PathBuf,
-    /// From the root of the file system, links resolved: no name is special to SQLite then, and what is beside the file is found.
+    /// Path from the root of the file system, links resolved: no name is special to SQLite then, and what is beside the file is found.
     pub real: PathBuf,
 }
 
@@ -57,7 +57,7 @@ impl Place {
         beside(&self.real, ending)
     }
 
-    /// Its write-ahead log.
+    /// Returns the path of its write-ahead log.
     pub fn log(&self) -> PathBuf {
         self.beside("-wal")
     }

@@ -5,14 +5,12 @@ use std::time::Duration;
 use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, SqliteSynchronous};
 use sqlx::{Connection, SqliteConnection, SqlitePool};
 
-use crate::answers::result_rows;
 use crate::file::condition;
 use crate::file::place::Place;
 use crate::file::schema;
-use crate::points::study_points;
 use crate::store_error::StoreError;
 
-/// Before this version SQLite could corrupt a database when its write-ahead log was reset.
+/// Oldest version of SQLite: before it, a database could be corrupted when its write-ahead log was reset.
 const SQLITE_OLDEST: [u32; 3] = [3, 51, 3];
 const READERS: u32 = 4;
 /// SQLite's default size of a page, bytes.
@@ -38,10 +36,6 @@ pub async fn bootstrap(place: &Place) -> Result<(), StoreError> {
         .run(&mut connection)
         .await
         .map_err(|error| place.failed(error))?;
-    let mut transaction = connection.begin().await?;
-    result_rows::complete_rankings(&mut transaction).await?;
-    study_points::complete_hashes(&mut transaction).await?;
-    transaction.commit().await?;
     connection
         .close()
         .await
@@ -121,65 +115,11 @@ fn new_enough(version: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use sqlx::migrate::Migrator;
-
     use super::*;
-    use crate::file::condition::Content;
 
     #[test]
     fn versions_are_compared_by_number() {
         assert!(new_enough("3.51.3") && new_enough("3.100.0") && new_enough("4.0.0"));
         assert!(!new_enough("3.51.2") && !new_enough("3.6.20"));
-    }
-
-    /// The first changes of the tables alone, as an earlier version had them.
-    fn first(count: usize) -> Migrator {
-        Migrator::with_migrations(schema::MIGRATIONS.iter().take(count).cloned().collect())
-    }
-
-    async fn look(place: &Place) -> SqliteConnection {
-        condition::connect(reading(place)).await.expect("opens")
-    }
-
-    #[tokio::test]
-    async fn every_earlier_schema_is_brought_up_to_date_with_its_rows() {
-        for count in 1..=schema::MIGRATIONS.iter().count() {
-            let folder = tempfile::tempdir().expect("temp dir");
-            let place = Place::of(&folder.path().join("old.db")).expect("a place");
-            let options = writing(&place).create_if_missing(true);
-            let mut old = SqliteConnection::connect_with(&options)
-                .await
-                .expect("opens");
-            first(count).run(&mut old).await.expect("migrates");
-            let stored = sqlx::query(
-                "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', '44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a', 'queued', 't')",
-            )
-            .execute(&mut old)
-            .await;
-            stored.expect("stores");
-            old.close().await.expect("closes");
-
-            let found = condition::content(&mut look(&place).await).await;
-            let newest = schema::MIGRATIONS
-                .iter()
-                .nth(count - 1)
-                .expect("it")
-                .version;
-            assert_eq!(found.expect("reads"), Content::Ours(newest));
-
-            bootstrap(&place).await.expect("brings it up to date");
-            let mut new = SqliteConnection::connect_with(&options)
-                .await
-                .expect("opens");
-            let name: String = sqlx::query_scalar("select name from studies where id = 'a'")
-                .fetch_one(&mut new)
-                .await
-                .expect("the row is there");
-            let version: i64 = sqlx::query_scalar("select max(version) from _sqlx_migrations")
-                .fetch_one(&mut new)
-                .await
-                .expect("reads");
-            assert_eq!((name.as_str(), version), ("old", schema::newest()));
-        }
     }
 }

@@ -5,38 +5,11 @@ use std::sync::LazyLock;
 use sqlx::SqlSafeStr;
 use sqlx::migrate::{Migration, MigrationType, Migrator};
 
-/// The files of `migrations`, each by its number and name.
-macro_rules! changes {
-    ($($file:literal)+) => {
-        [$(($file, include_str!(concat!("../../../../migrations/", $file, ".sql")))),+]
-    };
-}
-
-/// All of them, in order.
-static CHANGES: &[(&str, &str)] = &changes![
-    "0001_studies"
-    "0002_evaluations"
-    "0003_results"
-    "0004_events"
-    "0005_idempotency_keys"
-    "0006_failed_evaluations"
-    "0007_trades"
-    "0008_crashes"
-    "0010_estimates"
-    "0011_turns"
-    "0012_strain_fields"
-    "0013_sweeps"
-    "0014_rankings"
-    "0015_application_id"
-    "0016_point_hashes"
-    "0017_removal"
-    "0018_own_crashes"
-    "0019_shared_ranks"
-    "0020_signals"
-    "0021_layout_details"
-    "0022_archived"
-    "0023_estimators"
-];
+/// The files of `migrations`, in order, each by its number and name.
+static CHANGES: [(&str, &str); 1] = [(
+    "0001_tables",
+    include_str!("../../../../migrations/0001_tables.sql"),
+)];
 
 /// All changes, in order.
 pub static MIGRATIONS: LazyLock<Migrator> = LazyLock::new(|| {

@@ -8,9 +8,9 @@ use crate::file::lock::FileLock;
 use crate::file::place::{Place, beside};
 use crate::store_error::StoreError;
 
-/// What a name has behind it while its file is being written.
+/// Ending of a file's name while it is being written.
 const ENDING: &str = ".unfinished";
-/// What SQLite may leave beside a file.
+/// Endings of what SQLite may leave beside a file.
 pub const COMPANIONS: [&str; 3] = ["-wal", "-shm", "-journal"];
 
 /// A file that isn't whole yet; removed when it is dropped before it has its place. What a kill leaves is written over by the next try.
@@ -52,12 +52,12 @@ impl Unfinished {
         Ok(begun)
     }
 
-    /// Where it is written.
+    /// Returns the path where it is written.
     pub fn path(&self) -> &Path {
         &self.part.real
     }
 
-    /// Where it is to be.
+    /// Returns the path where it is to be.
     pub fn target(&self) -> &Path {
         &self.target.named
     }

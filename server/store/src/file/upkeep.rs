@@ -5,13 +5,11 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use placement::result::StudyResult;
+use results::StudyResult;
 use serde::Serialize;
 use sqlx::{Connection, SqliteConnection};
 
-use crate::answers::ranked_rows;
-use crate::answers::result_rows;
-use crate::answers::stored_signals;
+use crate::answers::result_rows::{self, Extent};
 use crate::answers::trades;
 use crate::file::condition;
 use crate::file::lock::DatabaseLock;
@@ -24,12 +22,12 @@ use crate::queue::study_rows;
 use crate::queue::sweep_rows;
 use crate::store_error::StoreError;
 
-/// What a check found.
+/// Findings of a check.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct Inspection {
     /// Rows that were read, by table.
     pub rows: BTreeMap<&'static str, usize>,
-    /// What is wrong, a sentence each; none: all is well.
+    /// Faults, a sentence each; none: all is well.
     pub faults: Vec<String>,
 }
 
@@ -62,11 +60,9 @@ pub async fn inspect(
             let read = match table {
                 "evaluations" => evaluations::find(connection, &[key]).await.err(),
                 "start_states" => evaluations::find_start(connection, &key).await.err(),
-                "results" => result_rows::find::<StudyResult>(connection, &key)
+                "results" => result_rows::find::<StudyResult>(connection, &key, Extent::Whole)
                     .await
                     .err(),
-                "rankings" => ranked_rows::find(connection, &key).await.err(),
-                "signals" => stored_signals::find(connection, &key).await.err(),
                 "studies" => check_study(connection, &key).await.err(),
                 "sweeps" => check_sweep(connection, &key).await.err(),
                 "estimators" => estimator_rows::check(connection, &key).await.err(),
@@ -86,23 +82,17 @@ pub async fn inspect(
 }
 
 /// Tables whose rows have a hash, with their keys.
-const KEYED: [(&str, &str); 9] = [
+const KEYED: [(&str, &str); 7] = [
     ("evaluations", "select key from evaluations"),
     ("start_states", "select key from start_states"),
     ("results", "select study from results"),
-    // Every result has one.
-    ("rankings", "select study from results"),
-    (
-        "signals",
-        "select study from signals union select study from signal_findings",
-    ),
     ("studies", "select id from studies"),
     ("sweeps", "select id from sweeps"),
     ("estimators", "select id from estimators"),
     ("trades", "select distinct spec_sha256 from trades"),
 ];
 
-/// Its document, and which evaluations are its points.
+/// Checks its document, and which evaluations are its points.
 async fn check_study(connection: &mut SqliteConnection, id: &str) -> Result<(), StoreError> {
     if let Some(study) = study_rows::find(connection, id).await? {
         study.document()?;

@@ -1,8 +1,8 @@
-//! Which solves were in flight when the program died, and which of them crash by themselves.
+//! Crashes: which solves were in flight when the program died, and which of them crash by themselves.
 
 use std::collections::HashMap;
 
-use placement::run::archive::Crashes;
+use placement::points::archive::Crashes;
 use sqlx::SqliteConnection;
 
 use crate::clock::now;

@@ -2,11 +2,12 @@
 
 use std::collections::HashSet;
 
-use fem_client::document::Format;
+use document::Format;
 use fem_client::scene::Scene;
 use fem_client::solver::{Cost, Response, StartState};
 use placement::estimate::Sample;
-use placement::run::archive::{PointRecord, Unsolved};
+use placement::points::archive::PointRecord;
+use results::Unsolved;
 use serde::de::DeserializeOwned;
 use sqlx::SqliteConnection;
 
@@ -24,7 +25,7 @@ pub struct Evaluation<R = Response> {
     pub scene: String,
     /// Strains, forces, diagnostics; or why there is no equilibrium.
     pub outcome: Result<R, Unsolved>,
-    /// What the solve took.
+    /// Cost of the solve.
     pub cost: Cost,
 }
 
@@ -70,7 +71,7 @@ impl WholeRow {
 /// An evaluation as a point of a study.
 struct PointRow {
     ordinal: i64,
-    link_sha256: Option<String>,
+    link_sha256: String,
     row: EvaluationRow,
 }
 
@@ -100,7 +101,7 @@ impl EvaluationRow {
         Ok((row, fields))
     }
 
-    /// Of all other columns; a response alone has the hash that it had before there were failures.
+    /// Hashes all other columns that aren't null.
     fn content_sha256(&self) -> String {
         let columns = [&self.key, &self.scene, &self.response, &self.cost];
         let columns = columns.into_iter().chain(&self.failure);
@@ -225,7 +226,7 @@ pub async fn parts_of<R: DeserializeOwned>(
     parts(connection, query, study).await
 }
 
-/// The same of those points alone from whose equilibrium others start.
+/// Finds those points alone from whose equilibrium others start.
 ///
 /// # Errors
 /// As for [`find`].
@@ -250,8 +251,7 @@ async fn parts<R: DeserializeOwned>(
         .await?;
     let part = |point: PointRow| {
         let key = point.row.key.clone();
-        let stored = point.link_sha256.as_deref();
-        let ordinal = study_points::checked(study, point.ordinal, &key, stored)?;
+        let ordinal = study_points::checked(study, point.ordinal, &key, &point.link_sha256)?;
         Ok((ordinal, key, point.row.read()?))
     };
     rows.into_iter().map(part).collect()
@@ -285,7 +285,7 @@ pub async fn find_start(
         .map_err(|_| damaged())
 }
 
-/// Which of these keys have an evaluation.
+/// Returns those of these keys that have an evaluation.
 ///
 /// # Errors
 /// When the database can't be read.

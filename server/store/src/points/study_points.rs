@@ -1,4 +1,4 @@
-//! Which evaluation answers for which point of a study's plan.
+//! Evaluations that answer for the points of a study's plan.
 
 use serde_json::{Value, json};
 use sqlx::SqliteConnection;
@@ -70,12 +70,12 @@ pub async fn of(
 ) -> Result<Vec<(usize, String)>, StoreError> {
     let query =
         "select ordinal, evaluation, sha256 from study_points where study = ? order by ordinal";
-    let rows: Vec<(i64, String, Option<String>)> = sqlx::query_as(query)
+    let rows: Vec<(i64, String, String)> = sqlx::query_as(query)
         .bind(study)
         .fetch_all(connection)
         .await?;
-    let point = |(ordinal, key, stored): (i64, String, Option<String>)| {
-        let ordinal = checked(study, ordinal, &key, stored.as_deref())?;
+    let point = |(ordinal, key, stored): (i64, String, String)| {
+        let ordinal = checked(study, ordinal, &key, &stored)?;
         Ok((ordinal, key))
     };
     rows.into_iter().map(point).collect()
@@ -89,9 +89,9 @@ pub(crate) fn checked(
     study: &str,
     ordinal: i64,
     key: &str,
-    stored: Option<&str>,
+    stored: &str,
 ) -> Result<usize, StoreError> {
-    let intact = stored.is_some_and(|stored| stored == row_sha256(study, ordinal, key));
+    let intact = stored == row_sha256(study, ordinal, key);
     let found = counted(ordinal).filter(|_| intact);
     found.ok_or_else(|| StoreError::Damaged {
         table: "study_points",
@@ -101,34 +101,4 @@ pub(crate) fn checked(
 
 fn row_sha256(study: &str, ordinal: i64, key: &str) -> String {
     sha256(&[study.as_bytes(), &ordinal.to_le_bytes(), key.as_bytes()])
-}
-
-/// Gives rows of earlier versions their hashes.
-///
-/// # Errors
-/// When the database can't be written.
-pub(crate) async fn complete_hashes(connection: &mut SqliteConnection) -> Result<(), StoreError> {
-    let query = "select distinct study from study_points where sha256 is null";
-    let lacking: Vec<String> = sqlx::query_scalar(query)
-        .fetch_all(&mut *connection)
-        .await?;
-    for study in lacking {
-        let query =
-            "select ordinal, evaluation from study_points where study = ? and sha256 is null";
-        let rows: Vec<(i64, String)> = sqlx::query_as(query)
-            .bind(&study)
-            .fetch_all(&mut *connection)
-            .await?;
-        let row =
-            |(ordinal, key): &(i64, String)| json!([ordinal, row_sha256(&study, *ordinal, key)]);
-        let rows: Value = rows.iter().map(row).collect();
-        let query = "update study_points set sha256 = point.value ->> 1 from json_each(?2) point
-                     where study = ?1 and ordinal = point.value ->> 0";
-        sqlx::query(query)
-            .bind(&study)
-            .bind(rows.to_string())
-            .execute(&mut *connection)
-            .await?;
-    }
-    Ok(())
 }

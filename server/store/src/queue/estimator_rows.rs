@@ -21,13 +21,13 @@ pub struct EstimatorRow {
     document: String,
     document_sha256: String,
     state: String,
-    /// Why it failed.
+    /// Reason why it failed.
     pub error: Option<String>,
-    /// When it was submitted.
+    /// Time at which it was submitted.
     pub created: String,
-    /// When it was first started.
+    /// Time at which it was first started.
     pub started: Option<String>,
-    /// When it ended.
+    /// Time at which it ended.
     pub finished: Option<String>,
 }
 
@@ -44,7 +44,7 @@ from_row!(EstimatorRow {
 });
 
 impl EstimatorRow {
-    /// Where it stands.
+    /// Returns its state.
     ///
     /// # Panics
     /// Never: the table allows no other names.
@@ -52,7 +52,7 @@ impl EstimatorRow {
         State::named(&self.state).expect("the table's check allows known states only")
     }
 
-    /// What was asked, JSON.
+    /// Returns what was asked, JSON.
     ///
     /// # Errors
     /// [`StoreError::Damaged`] when it doesn't match its hash.
@@ -68,28 +68,28 @@ impl EstimatorRow {
 /// A recording as it was sent.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RecordingRow {
-    /// Its file, for people.
+    /// File of the recording, for people.
     pub file: String,
     /// CSV.
     pub text: String,
 }
 
-/// What a fit leaves.
+/// Part that a fit leaves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// What was found.
+    /// Report of what was found.
     Report,
     /// The model file.
     Model,
-    /// What was said of rows that weren't learnt from.
+    /// Predictions of rows that weren't learnt from.
     LeftOut,
 }
 
 impl Part {
-    /// All of them.
+    /// Parts, all of them.
     pub const ALL: [Self; 3] = [Self::Report, Self::Model, Self::LeftOut];
 
-    /// Its name in the database and in addresses.
+    /// Returns its name in the database and in addresses.
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Report => "report",
@@ -152,7 +152,7 @@ pub async fn find(
         .await?)
 }
 
-/// Its recordings, in order.
+/// Reads its recordings, in order.
 ///
 /// # Errors
 /// [`StoreError::Damaged`] when one doesn't match its hash; when the database can't be read.
@@ -176,7 +176,7 @@ pub async fn recordings(
     rows.into_iter().map(whole).collect()
 }
 
-/// Up to `limit` estimators, newest first, older than the estimator `before`; those of this state, whose names have this text.
+/// Lists up to `limit` estimators, newest first, older than the estimator `before`; those of this state, whose names have this text.
 ///
 /// # Errors
 /// When the database can't be read.
@@ -199,7 +199,7 @@ pub async fn page(
         .await?)
 }
 
-/// How many estimators are in each state.
+/// Counts the estimators in each state.
 ///
 /// # Errors
 /// When the database can't be read.
@@ -211,7 +211,7 @@ pub async fn counts(connection: &mut SqliteConnection) -> Result<Vec<(State, i64
     .await
 }
 
-/// How many estimators wait.
+/// Counts the estimators that wait.
 ///
 /// # Errors
 /// When the database can't be read.

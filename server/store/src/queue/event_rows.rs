@@ -1,4 +1,4 @@
-//! What happened to studies, in order, for replay.
+//! Events of studies, in order, for replay.
 
 use serde_json::Value;
 use sqlx::SqliteConnection;
@@ -7,16 +7,16 @@ use crate::clock::now;
 use crate::row::from_row;
 use crate::store_error::StoreError;
 
-/// One event.
+/// An event of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EventRow {
     /// Grows with time, over all studies.
     pub id: i64,
-    /// What happened: `queued`, `started`, `point-solved`, `point-failed`, `estimate-revised`, `analysing`, `done`, `failed`, `cancelled`.
+    /// Kind of event: `queued`, `started`, `point-solved`, `point-failed`, `estimate-revised`, `analysing`, `done`, `failed`, `cancelled`.
     pub kind: String,
-    /// Its particulars, a JSON object.
+    /// Particulars, a JSON object.
     pub payload: String,
-    /// When.
+    /// Time of the event.
     pub created: String,
 }
 
@@ -64,7 +64,7 @@ pub async fn latest(connection: &mut SqliteConnection) -> Result<i64, StoreError
     Ok(sqlx::query_scalar(query).fetch_one(connection).await?)
 }
 
-/// Up to `limit` events of a study after the event `after`, in order.
+/// Lists up to `limit` events of a study after the event `after`, in order.
 ///
 /// # Errors
 /// When the database can't be read.

@@ -1,14 +1,14 @@
-//! Which studies and sweeps a list shows, and what of their rows is changed for it.
+//! Listed studies and sweeps: which a list shows, and what of their rows is changed for it.
 
 /// Whether archived ones are listed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Archived {
-    /// They are left out.
+    /// Entries that aren't archived.
     #[default]
     Without,
-    /// They alone.
+    /// Archived entries alone.
     Alone,
-    /// All, archived or not.
+    /// Entries, archived or not.
     All,
 }
 
@@ -23,7 +23,7 @@ impl Archived {
     }
 }
 
-/// What is looked for in a list.
+/// Search in a list.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Listed<'l> {
     /// A part of the name, whatever the case of ASCII letters, or the beginning of the identifier.
@@ -32,7 +32,7 @@ pub struct Listed<'l> {
     pub archived: Archived,
 }
 
-/// What of a row is changed; what is `None` stays. The document and its hash stay as they were submitted.
+/// Change of a row; what is `None` stays. The document and its hash stay as they were submitted.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct RowChange {
     /// The name shown in lists.

@@ -1,4 +1,4 @@
-//! What was asked, whose turn it is, what happened.
+//! Queue: what was asked, whose turn it is, what happened.
 //!
 //! - [`study_rows`]: what was asked, and how far it got
 //! - [`turns`]: whose turn it is

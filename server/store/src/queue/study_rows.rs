@@ -1,10 +1,10 @@
-//! What was asked, and how far it got.
+//! Studies: what was asked, and how far it got.
 //!
 //! A study is `queued`, `running`, then `done`, `failed` or `cancelled`. Every change of state is guarded by the state
 //! that it starts from, so that a late writer never overwrites an end. One process holds the database, so a study
 //! that is `running` when the process starts was left behind by a crash.
 
-use placement::result::Estimate;
+use results::Estimate;
 use serde::{Deserialize, Serialize};
 use sqlx::SqliteConnection;
 
@@ -15,7 +15,7 @@ use crate::queue::listed::{Listed, RowChange};
 use crate::row::from_row;
 use crate::store_error::StoreError;
 
-/// Where a study stands.
+/// State of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum State {
@@ -43,7 +43,7 @@ impl State {
         }
     }
 
-    /// All of them.
+    /// States, all of them.
     pub const ALL: [Self; 5] = [
         Self::Queued,
         Self::Running,
@@ -73,19 +73,19 @@ pub struct StudyRow {
     pub points_total: Option<i64>,
     /// Points that have a response.
     pub points_done: i64,
-    /// Why it failed.
+    /// Reason why it failed.
     pub error: Option<String>,
-    /// When it was submitted.
+    /// Time at which it was submitted.
     pub created: String,
-    /// When it was first started.
+    /// Time at which it was first started.
     pub started: Option<String>,
-    /// When it ended.
+    /// Time at which it ended.
     pub finished: Option<String>,
-    /// What it was expected to take when it last started, JSON.
+    /// Estimate of its cost when it last started, JSON.
     pub estimate: Option<String>,
-    /// Those of higher priority go first.
+    /// Priority: studies of higher ones go first.
     pub priority: i64,
-    /// When it was archived, so that lists leave it out.
+    /// Time at which it was archived, so that lists leave it out.
     pub archived: Option<String>,
 }
 
@@ -107,7 +107,7 @@ from_row!(StudyRow {
 });
 
 impl StudyRow {
-    /// Where it stands.
+    /// Returns its state.
     ///
     /// # Panics
     /// Never: the table allows no other names.
@@ -166,18 +166,18 @@ pub async fn find(
         .await?)
 }
 
-/// Which studies are listed: all that aren't archived unless something is said.
+/// Filter of a list: all studies that aren't archived unless something is said.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Filter<'f> {
-    /// Those of this state.
+    /// State of the studies.
     pub state: Option<State>,
     /// The designs of the sweep of this identifier; for `none`, those that are no design of any.
     pub sweep: Option<&'f str>,
-    /// Those that are looked for.
+    /// Search among the studies.
     pub listed: Listed<'f>,
 }
 
-/// Up to `limit` studies, newest first, older than the study `before`.
+/// Lists up to `limit` studies, newest first, older than the study `before`.
 ///
 /// # Errors
 /// When the database can't be read.
@@ -206,7 +206,7 @@ pub async fn page(
         .await?)
 }
 
-/// Up to `limit` studies whose identifiers begin so; one that is it exactly is the only one.
+/// Lists up to `limit` studies whose identifiers begin so; one that is it exactly is the only one.
 ///
 /// # Errors
 /// When the database can't be read.
@@ -226,7 +226,7 @@ pub async fn beginning_with(
         .await?)
 }
 
-/// How many studies are in each state.
+/// Counts the studies in each state.
 ///
 /// # Errors
 /// When the database can't be read.

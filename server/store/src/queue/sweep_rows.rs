@@ -21,9 +21,9 @@ pub struct SweepRow {
     spec_sha256: String,
     /// Priority of its studies.
     pub priority: i64,
-    /// When it was submitted.
+    /// Time at which it was submitted.
     pub created: String,
-    /// When it was archived, so that lists leave it out.
+    /// Time at which it was archived, so that lists leave it out.
     pub archived: Option<String>,
 }
 
@@ -47,12 +47,12 @@ impl SweepRow {
     }
 }
 
-/// One of its designs.
+/// A design of a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignRow {
-    /// Its place in the sweep.
+    /// Place in the sweep.
     pub ordinal: i64,
-    /// What tells it from the others.
+    /// Name that tells it from the others.
     pub name: String,
     /// Values by path.
     pub set: Map<String, Value>,
@@ -140,7 +140,7 @@ pub async fn find(
         .await?)
 }
 
-/// Up to `limit` sweeps whose identifiers begin so.
+/// Lists up to `limit` sweeps whose identifiers begin so.
 ///
 /// # Errors
 /// When the database can't be read.
@@ -158,7 +158,7 @@ pub async fn beginning_with(
         .await?)
 }
 
-/// Up to `limit` of the sweeps that are looked for, newest first, older than the sweep `before`.
+/// Lists up to `limit` of the sweeps that are looked for, newest first, older than the sweep `before`.
 ///
 /// # Errors
 /// When the database can't be read.

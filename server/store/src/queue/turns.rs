@@ -1,4 +1,4 @@
-//! Whose turn it is.
+//! Turns of the studies.
 //!
 //! The waiting studies stand in a line. The foremost of those with the highest priority is claimed; when its turn is over and
 //! it hasn't ended, it goes to the end of the line. So every study has its turn before any of its priority has a second one.
@@ -19,7 +19,7 @@ pub async fn next(connection: &mut SqliteConnection) -> Result<Option<String>, S
     Ok(sqlx::query_scalar(query).fetch_optional(connection).await?)
 }
 
-/// How many studies wait.
+/// Counts the studies that wait.
 ///
 /// # Errors
 /// When the database can't be read.

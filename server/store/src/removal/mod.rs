@@ -19,13 +19,8 @@ use crate::store_error::StoreError;
 pub const BATCH: usize = 64;
 
 /// Rows that belong to one study, those that refer to others first.
-const OF_STUDY: [&str; 11] = [
-    "delete from location_scores where study = ?",
-    "delete from locations where study = ?",
-    "delete from layouts where study = ?",
-    "delete from rankings where study = ?",
-    "delete from signals where study = ?",
-    "delete from signal_findings where study = ?",
+const OF_STUDY: [&str; 6] = [
+    "delete from result_maps where study = ?",
     "delete from results where study = ?",
     "delete from study_points where study = ?",
     "delete from events where study = ?",
@@ -110,7 +105,7 @@ pub async fn remove_points(
     Ok(removed)
 }
 
-/// Up to [`BATCH`] points that no study refers to, of those whose keys come after this one, in order.
+/// Lists up to [`BATCH`] points that no study refers to, of those whose keys come after this one, in order.
 ///
 /// # Errors
 /// When the database can't be read.

@@ -10,7 +10,7 @@ use super::{BATCH, remove_points, remove_study, remove_sweep, stray_points};
 use crate::file::upkeep::alone;
 use crate::store_error::StoreError;
 
-/// What a pruning removed, or would.
+/// Rows that a pruning removed, or would.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Pruned {
     /// Sweeps.
@@ -23,7 +23,7 @@ pub struct Pruned {
     pub trades: u64,
 }
 
-/// What a pruning does with what it finds.
+/// Mode of a pruning: what it does with what it finds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// Removes it.
@@ -46,7 +46,7 @@ pub async fn prune(path: &Path, retention: &Retention, mode: Mode) -> Result<Pru
     pruned
 }
 
-/// In one transaction that isn't kept.
+/// Counts in one transaction that isn't kept.
 async fn counted(
     connection: &mut SqliteConnection,
     retention: &Retention,

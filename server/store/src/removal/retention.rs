@@ -1,13 +1,13 @@
-//! What is old enough to go.
+//! Retention: what is old enough to go.
 
 use sqlx::SqliteConnection;
 
 use crate::store_error::StoreError;
 
-/// Which studies and sweeps are old enough to go.
+/// Retention of studies and sweeps: which are old enough to go.
 #[derive(Debug, Clone)]
 pub struct Retention {
-    /// Those that ended before this time, RFC 3339, UTC.
+    /// Time before which they ended, RFC 3339, UTC.
     pub before: String,
     /// Whether the newest result of each name stays.
     pub keeps_named: bool,

@@ -3,7 +3,7 @@ use std::sync::atomic::AtomicBool;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::scene::Scene;
 use fem_client::solver::{Grid, Readout, SolveRequest, Solver};
-use placement::run::archive::PointRecord;
+use placement::points::archive::PointRecord;
 use serde_json::Map;
 
 use super::pruning::{Mode, Pruned, prune};

@@ -23,7 +23,7 @@ const MOST_STARTS: usize = 8;
 struct Trapped {
     solver: ClosedFormSolver,
     trap: fn(),
-    /// What becomes of a process in which that point is solved alone.
+    /// Process in which that point is solved alone.
     apart: Apart,
 }
 

@@ -4,7 +4,7 @@ use fem_client::closed_form::ClosedFormSolver;
 use reqwest::{Response, StatusCode};
 use serde_json::{Value, json};
 
-use crate::app::{App, Home, problem, study};
+use crate::app::{App, Home, study};
 
 async fn patch(app: &App, path: &str, change: &Value) -> Response {
     let request = app.client.patch(app.url(path)).json(change);
@@ -135,36 +135,4 @@ async fn a_sweep_is_found_renamed_and_archived() {
     assert!(names(&app, "sweeps", "").await.is_empty());
     assert_eq!(names(&app, "sweeps", "archived=true").await.len(), 1);
     assert_eq!(app.json(&path).await["archived"], archived["archived"]);
-}
-
-#[tokio::test(flavor = "multi_thread")]
-async fn what_is_wrong_with_a_change_or_a_search_is_said() {
-    let home = Home::new();
-    let app = home.start(ClosedFormSolver::new()).await;
-    let id = app.submit(&study()).await;
-    let path = format!("/v1/studies/{id}");
-    let wrong = json!({"name": "", "archived": 1, "priority": 3});
-    let refused = problem(
-        patch(&app, &path, &wrong).await,
-        StatusCode::UNPROCESSABLE_ENTITY,
-    )
-    .await;
-    assert_eq!(
-        refused["errors"].as_array().map(Vec::len),
-        Some(3),
-        "{refused}"
-    );
-    for path in ["/v1/studies/none", "/v1/sweeps/none"] {
-        let change = json!({"archived": true});
-        problem(patch(&app, path, &change).await, StatusCode::NOT_FOUND).await;
-    }
-    for query in [
-        String::from("archived=yes"),
-        format!("search={}", "x".repeat(201)),
-    ] {
-        for kind in ["studies", "sweeps"] {
-            let answer = app.get(&format!("/v1/{kind}?{query}")).await;
-            problem(answer, StatusCode::BAD_REQUEST).await;
-        }
-    }
 }

@@ -1,4 +1,4 @@
-//! What survives a stop, a crash, and a second service.
+//! Queue that survives a stop, a crash, and a second service.
 
 use fem_client::closed_form::ClosedFormSolver;
 use reqwest::StatusCode;
@@ -118,7 +118,7 @@ async fn a_point_that_another_study_solved_is_not_solved_again() {
     );
 }
 
-/// The same study with other depths, so that it shares no point with the first.
+/// Returns the study with other depths, so that it shares no point with the first.
 fn other_study(largest_mm: f64) -> Value {
     let mut other = study();
     for input in other["inputs"].as_array_mut().expect("inputs") {

@@ -67,6 +67,7 @@ async fn a_removed_study_takes_only_what_is_its_own() {
         "results",
         "events",
         "location_scores",
+        "result_maps",
     ] {
         assert_eq!(rows(&mut sql, table).await, 0, "{table}");
     }

@@ -226,59 +226,6 @@ async fn a_design_without_an_equilibrium_is_told_and_the_others_go_on() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn what_is_wrong_with_a_sweep_is_said_and_nothing_of_it_is_stored() {
-    let home = Home::new();
-    let app = home.start(ClosedFormSolver::new()).await;
-    let mut wrong =
-        json!({"study": study(), "grid": {"geometry.wall_mm": [2.5, -1], "geometry.wal_mm": [1]}});
-    let body = problem(
-        post(&app, "/v1/sweeps", &wrong).await,
-        StatusCode::UNPROCESSABLE_ENTITY,
-    )
-    .await;
-    let pointers: Vec<&str> = body["errors"]
-        .as_array()
-        .expect("a list")
-        .iter()
-        .filter_map(|fault| fault["pointer"].as_str())
-        .collect();
-    assert_eq!(
-        pointers,
-        ["/grid/geometry.wal_mm/0", "/grid/geometry.wall_mm/1"]
-    );
-    wrong["study"]["method"] = json!({"nodes": 0});
-    let body = problem(
-        post(&app, "/v1/sweeps", &wrong).await,
-        StatusCode::UNPROCESSABLE_ENTITY,
-    )
-    .await;
-    assert_eq!(body["errors"][0]["pointer"], "/study/method/nodes");
-    assert_eq!(app.json("/v1/sweeps").await["sweeps"], json!([]));
-    assert_eq!(app.json("/v1/studies").await["studies"], json!([]));
-
-    problem(app.get("/v1/sweeps/none").await, StatusCode::NOT_FOUND).await;
-    problem(app.get("/v1/comparison").await, StatusCode::BAD_REQUEST).await;
-    problem(
-        app.get("/v1/comparison?studies=none").await,
-        StatusCode::NOT_FOUND,
-    )
-    .await;
-    let sweep = submit(&app, json!({"grid": {"geometry.wall_mm": [2.5]}})).await;
-    let body = post(
-        &app,
-        &address(&sweep, "/designs"),
-        &json!({"grid": {"geometry.wall_mm": [0]}}),
-    )
-    .await;
-    problem(body, StatusCode::UNPROCESSABLE_ENTITY).await;
-    let path = format!(
-        "/v1/comparison?sweep={}&baseline=other",
-        sweep["id"].as_str().expect("an id")
-    );
-    problem(app.get(&path).await, StatusCode::BAD_REQUEST).await;
-}
-
-#[tokio::test(flavor = "multi_thread")]
 async fn the_same_sweep_under_the_same_key_is_taken_in_once() {
     let home = Home::new();
     let app = home.start(ClosedFormSolver::new()).await;

@@ -1,4 +1,4 @@
-//! What accuracy costs, and accuracy that is asked for.
+//! Accuracy that is asked for, and what it costs.
 
 use serde_json::Value;
 

@@ -40,12 +40,14 @@ async fn every_line_says_for_which_study_and_which_request_it_is() {
     let service = Served::start(folder.path(), &arguments, &[]);
     let id = service.run(&study()).await;
     let missing = Client::new().get(format!("{}/v1/studies/none", service.url));
+    let missing = missing.header("x-request-id", "forged");
     let missing = missing.send().await.expect("an answer");
     assert_eq!(missing.status(), StatusCode::NOT_FOUND);
     let request = missing.headers()["x-request-id"]
         .to_str()
         .expect("text")
         .to_owned();
+    assert_ne!(request, "forged");
     let log = service.log();
     let read =
         |line: &str| serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}"));

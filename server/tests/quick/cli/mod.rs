@@ -174,76 +174,14 @@ fn one_equilibrium_is_solved_and_changed_by_its_keys() {
 }
 
 #[test]
-fn every_fault_of_the_changes_to_a_scene_is_told_at_once() {
-    let folder = tempfile::tempdir().expect("temp dir");
-    let scene = format!("{REPOSITORY}/scenes/foot-tire.toml");
-    let sets = ["pressure", "geometry.wall_mm=2", "geometry.wall_mm=3"];
-    let sets = sets.iter().flat_map(|set| ["--set", set]);
-    let arguments: Vec<&str> = ["solve", &scene].into_iter().chain(sets).collect();
-    let output = strainsite(folder.path(), &arguments);
-    assert_eq!(output.status.code(), Some(2));
-    let lines: Vec<&str> = text(&output.stderr).lines().collect();
-    assert_eq!(lines.len(), 2, "{lines:?}");
-    assert!(lines[0].contains("\"pressure\": it has no ="), "{lines:?}");
-    assert!(lines[1].contains("its key stands twice"), "{lines:?}");
-}
-
-#[test]
-fn wrong_input_ends_with_2_and_every_fault_on_a_line_of_its_own() {
-    let folder = tempfile::tempdir().expect("temp dir");
-    std::fs::write(
-        folder.path().join("scene.toml"),
-        "[pressure]\ninternal_mpa = -1\n[carcass]\nposition = 2\n",
-    )
-    .expect("writes");
-    for command in ["validate", "solve"] {
-        let output = strainsite(folder.path(), &[command, "scene.toml"]);
-        assert_eq!(output.status.code(), Some(2), "{command}");
-        let lines: Vec<&str> = text(&output.stderr).lines().collect();
-        assert_eq!(lines.len(), 2, "{lines:?}");
-        assert!(
-            lines
-                .iter()
-                .any(|line| line.starts_with("/pressure/internal_mpa: ")),
-            "{lines:?}"
-        );
-        assert!(
-            lines
-                .iter()
-                .any(|line| line.starts_with("/carcass/position: ")),
-            "{lines:?}"
-        );
-        assert!(output.stdout.is_empty());
-    }
-    for arguments in [
-        vec!["validate", "absent.toml"],
-        vec!["run", "absent.toml"],
-        vec!["run", "scene.toml"],
-        vec!["solve", "scene.toml", "--set", "pressure"],
-        vec!["serve", "--addr", "0.0.0.0:8080"],
-        vec!["fly"],
-    ] {
-        let output = strainsite(folder.path(), &arguments);
-        assert_eq!(
-            output.status.code(),
-            Some(2),
-            "{arguments:?}: {}",
-            text(&output.stderr)
-        );
-        assert!(!output.stderr.is_empty());
-    }
-    assert!(
-        !folder.path().join("strainsite.db").exists(),
-        "a refused study makes no database"
-    );
-}
-
-#[test]
 fn shipped_documents_are_valid() {
     let folder = tempfile::tempdir().expect("temp dir");
     for kind in ["studies", "scenes"] {
         for file in std::fs::read_dir(format!("{REPOSITORY}/{kind}")).expect("the folder ships") {
             let path = file.expect("an entry").path();
+            if path.extension().is_none_or(|kind| kind != "toml") {
+                continue;
+            }
             let output = strainsite(folder.path(), &["validate", &path.to_string_lossy()]);
             assert_eq!(
                 output.status.code(),

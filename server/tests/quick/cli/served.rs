@@ -11,7 +11,7 @@ use serde_json::Value;
 
 use crate::program::command;
 
-/// Far beyond what a draft study takes.
+/// Time far beyond what a draft study takes.
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// The running program, its address and what it prints; killed when dropped.
@@ -50,7 +50,7 @@ impl Served {
         rest.unwrap_or_else(|| panic!("{line:?}")).to_owned()
     }
 
-    /// What the list of studies answers to who says this token.
+    /// Returns what the list of studies answers to who says this token.
     pub async fn status(&self, token: &str) -> StatusCode {
         let request = Client::new().get(format!("{}/v1/studies", self.url));
         let answer = request.bearer_auth(token).send().await;

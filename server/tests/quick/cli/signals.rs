@@ -1,4 +1,4 @@
-//! What ends a run or the service from outside.
+//! Signals that end a run or the service from outside.
 
 use std::io::{BufRead, BufReader};
 use std::process::{Child, ChildStdout, Command, Stdio};
@@ -16,7 +16,7 @@ fn send(signal: &str, child: &Child) {
     assert!(sent.success());
 }
 
-/// What a program prints first, and the pipe, which it may go on to print to.
+/// Returns what a program prints first, and the pipe, which it may go on to print to.
 fn first_line(program: &mut Child) -> (BufReader<ChildStdout>, String) {
     let mut stdout = BufReader::new(program.stdout.take().expect("a pipe"));
     let mut line = String::new();

@@ -1,4 +1,4 @@
-//! What people see on a terminal, and what programs read from a pipe.
+//! Terminals and pipes: what people see on the one, and programs read from the other.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -11,7 +11,7 @@ use crate::program::{strainsite, text};
 /// Variables that choose between paint and none.
 const CHOICES: [&str; 4] = ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "CI"];
 
-/// What stands on a terminal when the program has run there, its exit code aside.
+/// Returns what stands on a terminal when the program has run there, its exit code aside.
 fn on_terminal(folder: &Path, arguments: &[&str], choice: &[(&str, &str)]) -> String {
     let quoted = |word: &str| format!("'{word}'");
     let program = [env!("CARGO_BIN_EXE_strainsite")];
@@ -46,7 +46,7 @@ fn piped(folder: &Path, arguments: &[&str], choice: &[(&str, &str)]) -> (String,
     (text(&ran.stdout).to_owned(), text(&ran.stderr).to_owned())
 }
 
-/// The same sweep as a table of every kind: a design with a result, and one without.
+/// Sweeps a table of every kind: a design with a result, and one without.
 fn swept(folder: &Path) -> String {
     let study = draft(folder);
     let grid = "carcass.stiffness_n_per_mm=1,100,120";
@@ -139,7 +139,7 @@ fn tables_are_painted_on_a_terminal_alone_and_their_columns_stay_where_they_are(
     }
 }
 
-/// What only people need: scripts take a line for a study.
+/// Head of a list, which only people need: scripts take a line for a study.
 const HEAD_OF_LIST: &str = "study                                 state      points            created                   name\n";
 
 #[test]

@@ -57,7 +57,7 @@ fn verification_compares_with_known_answers_and_shows_its_convergence() {
     assert_eq!(unknown.status.code(), Some(2));
 }
 
-/// What may be asked at the ends, and the page that shows it.
+/// Extremes, as they may be asked for, and the page that shows them.
 #[test]
 fn extremes_end_right_or_with_a_reason_and_the_page_shows_them_all() {
     let folder = tempfile::tempdir().expect("temp dir");
@@ -69,7 +69,7 @@ fn extremes_end_right_or_with_a_reason_and_the_page_shows_them_all() {
     let cases = document["cases"].as_array().expect("cases");
     let page = std::fs::read_to_string(concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../docs/verification/extremes.md"
+        "/../docs/proof/extremes.md"
     ))
     .expect("the page");
     let rows = page.lines().filter(|line| line.starts_with("| "));
@@ -86,14 +86,14 @@ fn extremes_end_right_or_with_a_reason_and_the_page_shows_them_all() {
         let name = case["name"].as_str().expect("a name");
         assert!(
             shown.contains(&name),
-            "docs/verification/extremes.md lacks {name:?}"
+            "docs/proof/extremes.md lacks {name:?}"
         );
     }
     // Beside the cases the table has its head and the line below it.
     assert_eq!(
         shown.len(),
         cases.len() + 2,
-        "docs/verification/extremes.md shows cases that aren't there any more"
+        "docs/proof/extremes.md shows cases that aren't there any more"
     );
     let unknown = strainsite(folder.path(), &["verify", "--extremes", "--only", "cook"]);
     assert_eq!(unknown.status.code(), Some(2));

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use sqlx::sqlite::{SqliteConnectOptions, SqliteConnection};
 
-/// Far beyond what a few points of a draft study take.
+/// Time far beyond what a few points of a draft study take.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// The program with these arguments.
@@ -45,12 +45,12 @@ pub fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).expect("UTF-8")
 }
 
-/// How many points of studies have their outcome in a database; none while there is no database.
+/// Counts the points of studies that have their outcome in a database; none while there is no database.
 pub async fn stored_points(database: &Path) -> i64 {
     rows(database, "select count(*) from study_points").await
 }
 
-/// How many trades a database has.
+/// Counts the trades of a database.
 pub async fn stored_trades(database: &Path) -> i64 {
     rows(database, "select count(*) from trades").await
 }

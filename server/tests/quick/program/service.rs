@@ -5,13 +5,13 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use fem_client::document::{Format, parse};
+use document::{Format, parse};
 use reqwest::{Client, Response, StatusCode};
 use serde_json::{Value, json};
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{Connection, SqliteConnection};
 
-/// Far beyond what a draft study takes.
+/// Time far beyond what a draft study takes.
 const PATIENCE: Duration = Duration::from_secs(300);
 
 /// The running program; killed when dropped.
@@ -66,7 +66,7 @@ impl Program {
         self.child.id()
     }
 
-    /// Where it listens, IP:PORT.
+    /// Returns where it listens, IP:PORT.
     pub fn address(&self) -> &str {
         self.url.strip_prefix("http://").expect("an address")
     }
@@ -139,7 +139,7 @@ impl Drop for Program {
 
 /// The shipped study on the coarsest mesh, without its map and layouts.
 pub fn draft() -> Value {
-    let (_, text) = placement::study::presets()[0];
+    let (_, text) = documents::study::presets()[0];
     let mut document = parse(text, Format::Toml).expect("shipped studies are well-formed");
     document["candidates"] = json!({"points": "P1-P5"});
     document["layouts"] = json!({"spacings_deg": []});
@@ -155,7 +155,7 @@ pub async fn sql(database: &Path) -> SqliteConnection {
         .expect("the database opens")
 }
 
-/// What SQLite says of a database: `ok` when it is whole.
+/// Returns what SQLite says of a database: `ok` when it is whole.
 pub async fn integrity(database: &Path) -> String {
     sqlx::query_scalar("pragma integrity_check")
         .fetch_one(&mut sql(database).await)

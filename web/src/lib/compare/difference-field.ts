@@ -1,6 +1,6 @@
 /** Layers of several studies on one scale, and their differences with the errors of these. */
 
-import { diverging } from "../colour.ts";
+import { diverging } from "../chart/colour.ts";
 import { cornersAt, interpolate, type Corner } from "../tire/map/map-grid.ts";
 import type { Field, Scale } from "../tire/map/surface-field.ts";
 import { trustOf } from "../tire/map/trust.ts";
@@ -43,7 +43,12 @@ export function differenceField(field: Field, base: Field): Field {
 function scaleOf(field: Field): Scale {
   const peak = (isCounted: (k: number) => boolean): number =>
     field.values.reduce<number>((most, value, k) => (value !== null && isCounted(k) ? Math.max(most, Math.abs(value)) : most), 0);
-  const evidence = (k: number) => ({ value: field.values[k] ?? null, error: field.errors[k] ?? null, deviation: field.deviations[k] ?? null, noise: field.noise });
+  const evidence = (k: number) => ({
+    value: field.values[k] ?? null,
+    error: field.errors[k] ?? null,
+    deviation: field.deviations[k] ?? null,
+    noise: field.noise,
+  });
   const high = peak((k) => trustOf("difference", evidence(k)) > 0) || peak(() => true) || 1;
   return { low: -high, high, colour: diverging, unit: field.scale.unit };
 }

@@ -15,7 +15,7 @@ export interface LayoutRank {
 }
 
 /** A layout in all of them; null where a study hasn't scored it. */
-export interface RankedRow {
+interface RankedRow {
   layout: string;
   ranks: (LayoutRank | null)[];
 }
@@ -26,10 +26,12 @@ export function layoutRanks(studies: readonly (readonly RankedLayout[])[], basel
   const base = named[baseline] ?? new Map<string, RankedLayout>();
   const names = new Set([...named.keys()].flatMap((k) => [...(named[k]?.entries() ?? [])].filter(([, { rank }]) => rank <= most).map(([name]) => name)));
   const rankOf = (name: string): number => base.get(name)?.rank ?? Number.POSITIVE_INFINITY;
-  return [...names].sort((a, b) => (rankOf(a) === rankOf(b) ? 0 : rankOf(a) - rankOf(b))).map((layout) => ({
-    layout,
-    ranks: named.map((layouts, k) => rankIn(layouts.get(layout), studies[k] ?? [], k === baseline ? undefined : base.get(layout))),
-  }));
+  return [...names]
+    .sort((a, b) => (rankOf(a) === rankOf(b) ? 0 : rankOf(a) - rankOf(b)))
+    .map((layout) => ({
+      layout,
+      ranks: named.map((layouts, k) => rankIn(layouts.get(layout), studies[k] ?? [], k === baseline ? undefined : base.get(layout))),
+    }));
 }
 
 function rankIn(layout: RankedLayout | undefined, all: readonly RankedLayout[], base: RankedLayout | undefined): LayoutRank | null {

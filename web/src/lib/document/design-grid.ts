@@ -38,16 +38,19 @@ export function readGrid(text: string): Grid {
   return grid;
 }
 
+/** Adds a line, or what is wrong with it. */
 function readLine(grid: Grid, content: string, span: Span): void {
-  const fault = (detail: string): void => void grid.faults.push({ pointer: `#${span.line}`, detail });
+  const fault = (detail: string): number => grid.faults.push({ pointer: `#${span.line}`, detail });
   const equals = content.indexOf("=");
   const path = content.slice(0, equals).trim();
-  if (equals < 0 || path === "") return fault("A line is a path, = and values with commas between them: geometry.wall_mm = 2.5, 3");
-  if (path in grid.document) return fault(`${path} stands in an earlier line already.`);
   const values = split(content, equals + 1, span.start);
-  if (values.some(({ start, end }) => start === end)) return fault("A value is missing beside a comma, or after the =.");
-  grid.document[path] = values.map(({ value }) => value);
-  grid.lines.push({ path, values, span });
+  if (equals < 0 || path === "") fault("A line is a path, = and values with commas between them: geometry.wall_mm = 2.5, 3");
+  else if (path in grid.document) fault(`${path} stands in an earlier line already.`);
+  else if (values.some(({ start, end }) => start === end)) fault("A value is missing beside a comma, or after the =.");
+  else {
+    grid.document[path] = values.map(({ value }) => value);
+    grid.lines.push({ path, values, span });
+  }
 }
 
 /** At commas outside of brackets and quotes, as on the command line. */

@@ -3,7 +3,8 @@ import { test } from "node:test";
 import { changedName, changesSince, comparedFields, differences, differenceWords, named } from "./document-differences.ts";
 
 const FIRST = {
-  name: "X", scene: { geometry: { wall_mm: 4 }, ground: { depths_mm: [1, 1] } },
+  name: "X",
+  scene: { geometry: { wall_mm: 4 }, ground: { depths_mm: [1, 1] } },
   inputs: [{ name: "P1", distribution: { kind: "uniform", min: 0.7, max: 1.3 } }],
 };
 
@@ -16,8 +17,10 @@ test("a difference is told by its field, the new value and the old one", () => {
 
 test("inputs go by their names, entries of lists by their place, what is new or gone by none", () => {
   const changed = {
-    ...FIRST, scene: { geometry: {}, ground: { depths_mm: [1, 2] } },
-    inputs: [{ name: "P1", distribution: { kind: "uniform", min: 0.7, max: 2 } }], method: { nodes: 3 },
+    ...FIRST,
+    scene: { geometry: {}, ground: { depths_mm: [1, 2] } },
+    inputs: [{ name: "P1", distribution: { kind: "uniform", min: 0.7, max: 2 } }],
+    method: { nodes: 3 },
   };
   const labels = differences(FIRST, changed).map(({ label }) => label);
   assert.deepEqual(labels, ["wall_mm", "depths_mm[1]", "P1 max", "method"]);
@@ -26,7 +29,10 @@ test("inputs go by their names, entries of lists by their place, what is new or 
 
 test("a list of another length is one difference", () => {
   const found = differences({ units: [4, 5] }, { units: [4] });
-  assert.deepEqual(found.map(({ pointer }) => pointer), ["/units"]);
+  assert.deepEqual(
+    found.map(({ pointer }) => pointer),
+    ["/units"],
+  );
 });
 
 test("a name says what differs, and says it once however often a study is run again", () => {
@@ -51,7 +57,11 @@ test("a draft that only spells its scene otherwise differs in nothing, and its w
 });
 
 test("documents are compared field by field, and what one has otherwise as a whole is one field", () => {
-  const documents = [{ name: "a", wall_mm: 3, layouts: { units: [4] } }, { name: "b", wall_mm: 4, layouts: { units: [5] } }, { name: "c", wall_mm: 3 }];
+  const documents = [
+    { name: "a", wall_mm: 3, layouts: { units: [4] } },
+    { name: "b", wall_mm: 4, layouts: { units: [5] } },
+    { name: "c", wall_mm: 3 },
+  ];
   assert.deepEqual(comparedFields(documents), [
     { pointer: "/wall_mm", label: "wall_mm", values: ["3", "4", "3"] },
     { pointer: "/layouts", label: "layouts", values: ["a table", "a table", "none"] },

@@ -53,7 +53,7 @@ export function changesSince(origin: { document: unknown } | null, document: unk
 
 /** The document to submit: where its writer left the name of the first, the name says what differs. */
 export function named(document: unknown, origin: { name: string; document: unknown } | null, scenes: readonly SceneOfName[]): unknown {
-  if (origin === null || !isTable(document) || document["name"] !== origin.name) return document;
+  if (origin === null || !isTable(document) || document.name !== origin.name) return document;
   return withValue(document, "/name", changedName(origin.name, changesSince(origin, document, scenes)));
 }
 
@@ -76,10 +76,15 @@ const LONGEST_NAME = 200;
 export function changedName(original: string, found: readonly Difference[]): string {
   if (found.length === 0) return original;
   const [base = original, ...tail] = original.split(MARK);
-  const settings = new Map(tail.join(MARK).split(", ").flatMap((part) => {
-    const [label, value] = part.split(" = ");
-    return label === undefined || value === undefined ? [] : [[label, value] as const];
-  }));
+  const settings = new Map(
+    tail
+      .join(MARK)
+      .split(", ")
+      .flatMap((part) => {
+        const [label, value] = part.split(" = ");
+        return label === undefined || value === undefined ? [] : [[label, value] as const];
+      }),
+  );
   for (const { label, after } of found) settings.set(label, shown(after));
   const words = [...settings].slice(0, MOST_LISTED).map(([label, value]) => `${label} = ${value}`);
   const suffix = `${MARK}${words.join(", ")}${furtherWords(settings.size)}`;
@@ -90,7 +95,7 @@ function furtherWords(count: number): string {
   return count > MOST_LISTED ? ` and ${count - MOST_LISTED} more` : "";
 }
 
-export interface ComparedField {
+interface ComparedField {
   pointer: string;
   label: string;
   /** As words, one of each document. */

@@ -45,7 +45,7 @@ function replaced(node: unknown, [key, ...rest]: string[], value: unknown): unkn
 /** The document with its scene in full: a shipped scene that it names, its own tables laid over. As it is where the scene isn't known here. */
 export function resolved(document: unknown, scenes: readonly SceneOfName[]): unknown {
   const scene = valueAt(document, "/scene");
-  const name = typeof scene === "string" ? scene : isTable(scene) ? scene["preset"] : undefined;
+  const name = typeof scene === "string" ? scene : isTable(scene) ? scene.preset : undefined;
   const base = scenes.find((known) => known.name === name)?.document;
   if (base === undefined) return document;
   if (!isTable(scene)) return withValue(document, "/scene", base);
@@ -55,15 +55,11 @@ export function resolved(document: unknown, scenes: readonly SceneOfName[]): unk
 
 /** A shipped scene without what the tables laid over it exclude, as the service reads them: a force and depths, parameters of another law. */
 function forgetful(base: unknown, overrides: Table): unknown {
-  let scene = base;
-  const forget = (pointer: string): void => void (scene = withValue(scene, pointer, undefined));
   const has = (pointer: string): boolean => valueAt(overrides, pointer) !== undefined;
-  if (has("/ground/load_n")) ["depths_mm", "stations"].forEach((field) => forget(`/ground/${field}`));
-  if (has("/ground/depths_mm")) ["load_n", "stations"].forEach((field) => forget(`/ground/${field}`));
-  if (has("/material/model") && valueAt(overrides, "/material/model") !== valueAt(base, "/material/model")) {
-    scene = withValue(scene, "/material", { d1_per_mpa: valueAt(base, "/material/d1_per_mpa") });
-  }
-  return scene;
+  const ground = [...(has("/ground/load_n") ? ["depths_mm", "stations"] : []), ...(has("/ground/depths_mm") ? ["load_n", "stations"] : [])];
+  const scene = ground.reduce((left, field) => withValue(left, `/ground/${field}`, undefined), base);
+  const isOtherLaw = has("/material/model") && valueAt(overrides, "/material/model") !== valueAt(base, "/material/model");
+  return isOtherLaw ? withValue(scene, "/material", { d1_per_mpa: valueAt(base, "/material/d1_per_mpa") }) : scene;
 }
 
 function laidOver(base: unknown, over: unknown): unknown {
@@ -73,12 +69,7 @@ function laidOver(base: unknown, over: unknown): unknown {
   return merged;
 }
 
-/** The pointer of a field that an input varies: `ground.depths_mm[0]` -> `/scene/ground/depths_mm/0`. */
-export function pointerOfPath(path: string): string {
-  return `/scene/${path.replaceAll(/\[(\d+)\]/g, ".$1").split(".").join("/")}`;
-}
-
-/** The other way: what an input calls the field at a pointer in the scene. */
+/** What an input calls the field at a pointer in the scene: `/scene/ground/depths_mm/0` -> `ground.depths_mm[0]`. */
 export function pathOfPointer(pointer: string): string {
   return pointerKeys(pointer)
     .slice(1)

@@ -1,5 +1,7 @@
 /** The document being written: its text, and what the form's own controls change in it. */
 
+import { isTable, valueAt } from "./document-values.ts";
+
 export const ACCURACIES = ["draft", "coarse", "standard", "reference"] as const;
 export type Accuracy = (typeof ACCURACIES)[number];
 
@@ -24,19 +26,13 @@ export function parseDraft(text: string): { document: unknown } | { fault: Synta
 /** The preset of the draft's accuracy; null when it has a tolerance or a budget instead, or isn't JSON. */
 export function accuracyOf(text: string): Accuracy | null {
   const parsed = parseDraft(text);
-  if ("fault" in parsed || !isRecord(parsed.document)) return null;
-  const accuracy = parsed.document["accuracy"];
-  const preset = isRecord(accuracy) ? accuracy["preset"] : undefined;
+  const preset = "fault" in parsed ? undefined : valueAt(parsed.document, "/accuracy/preset");
   return ACCURACIES.find((name) => name === preset) ?? null;
 }
 
 /** The draft with another accuracy preset; unchanged while it isn't JSON. */
 export function withAccuracy(text: string, preset: Accuracy): string {
   const parsed = parseDraft(text);
-  if ("fault" in parsed || !isRecord(parsed.document)) return text;
+  if ("fault" in parsed || !isTable(parsed.document)) return text;
   return textOf({ ...parsed.document, accuracy: { preset } });
-}
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
 }

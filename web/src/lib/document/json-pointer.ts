@@ -92,7 +92,8 @@ class Scanner {
       const character = this.text[at] as string;
       if (character === '"') at = this.endOfString(at) - 1;
       else if ("{[".includes(character)) depth += 1;
-      else if ("}]".includes(character) && (depth -= 1) === 0) return at + 1;
+      else if ("}]".includes(character)) depth -= 1;
+      if (depth === 0) return at + 1;
     }
     return this.text.length;
   }

@@ -1,6 +1,6 @@
 /** One job at a time: of those that come while one is under way only the newest waits. */
 
-export interface NewestWaits<T> {
+interface NewestWaits<T> {
   offer(job: T): void;
   /** Forgets the one that waits. */
   drop(): void;

@@ -1,6 +1,7 @@
 /** Truth, estimate and 95 % band over time, as lines to be drawn. */
 
-import { fixed } from "../format.ts";
+import { closedPath, linePath, type Point } from "../chart/paths.ts";
+import { type Ends, room } from "../chart/scales.ts";
 import type { LeftOutRows } from "../../wire.ts";
 
 export interface BandRow {
@@ -63,10 +64,10 @@ export function stretches(rows: readonly BandRow[]): BandRow[][] {
   return parts;
 }
 
-export type Scale = (value: number) => number;
+type Scale = (value: number) => number;
 
 /** The paths of an SVG. */
-export interface BandPaths {
+interface BandPaths {
   band: string;
   truth: string;
   estimate: string;
@@ -74,52 +75,28 @@ export interface BandPaths {
 
 export function bandPaths(rows: readonly BandRow[], x: Scale, y: Scale): BandPaths {
   const parts = stretches(rows);
-  const line = (of: (row: BandRow) => number | null): string => parts.map((part) => pathOf(part, x, y, of)).join("");
-  const band = parts.map((part) => {
-    const there = points(part, x, y, (row) => row.high_n);
-    const back = points([...part].reverse(), x, y, (row) => row.low_n);
-    return `M${[...there, ...back].join("L")}Z`;
-  });
+  const points = (part: readonly BandRow[], of: (row: BandRow) => number | null): Point[] =>
+    part.flatMap((row) => {
+      const value = of(row);
+      return value === null ? [] : [[x(row.time_s), y(value)]];
+    });
+  const line = (of: (row: BandRow) => number | null): string => parts.map((part) => linePath(points(part, of))).join("");
+  const band = parts.map((part) => closedPath([...points(part, (row) => row.high_n), ...points(part, (row) => row.low_n).reverse()]));
   return { band: band.join(""), truth: line((row) => row.truth_n), estimate: line((row) => row.estimate_n) };
 }
 
-function pathOf(rows: readonly BandRow[], x: Scale, y: Scale, of: (row: BandRow) => number | null): string {
-  const there = points(rows, x, y, of);
-  return there.length < 2 ? "" : `M${there.join("L")}`;
-}
-
-function points(rows: readonly BandRow[], x: Scale, y: Scale, of: (row: BandRow) => number | null): string[] {
-  return rows.flatMap((row) => {
-    const value = of(row);
-    return value === null ? [] : [`${short(x(row.time_s))} ${short(y(value))}`];
-  });
-}
-
-const short = (value: number): string => String(Math.round(10 * value) / 10);
-
-/** From the least to the greatest of all that is drawn, with a little room; the same for all runs, so that heights compare. */
-export function forceRange(runs: readonly BandRun[]): [number, number] {
+/** From the least to the greatest of all that is drawn, nothing among it; the same for all runs, so that heights compare. */
+export function forceRange(runs: readonly BandRun[]): Ends {
   let [low, high] = [0, 0];
   for (const { rows } of runs) {
-    for (const row of rows) {
-      low = Math.min(low, row.low_n, row.truth_n ?? row.low_n);
-      high = Math.max(high, row.high_n, row.truth_n ?? row.high_n);
+    for (const { low_n, high_n, truth_n } of rows) {
+      low = Math.min(low, low_n, truth_n ?? low_n);
+      high = Math.max(high, high_n, truth_n ?? high_n);
     }
   }
-  if (!(high > low)) return [low - 1, high + 1];
-  const beside = BESIDE * (high - low);
-  return [low - beside, high + beside];
+  return room([low, high]);
 }
 
-/** Share of the height that is left free above and below. */
-const BESIDE = 0.04;
-
-/** A round number of an axis whose steps are so long, without decimals that say nothing. */
-export function tickText(value: number, step: number): string {
-  return fixed(value, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
-}
-
-export function timeRange(rows: readonly BandRow[]): [number, number] {
-  const [first, last] = [rows[0]?.time_s ?? 0, rows.at(-1)?.time_s ?? 1];
-  return last > first ? [first, last] : [first, first + 1];
+export function timeRange(rows: readonly BandRow[]): Ends {
+  return [rows[0]?.time_s ?? 0, rows.at(-1)?.time_s ?? 1];
 }

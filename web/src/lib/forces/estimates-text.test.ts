@@ -3,8 +3,13 @@ import { test } from "node:test";
 import { leftOutText, readEstimates } from "./estimates-text.ts";
 
 test("estimates are read with every force, and rows outside what was learnt are counted", () => {
-  const found = readEstimates('time_s,fx_n,fx_n_low,fx_n_high,"f, z","f, z_low","f, z_high",outside\n0.0,1.5,1.0,2.0,-3.0,-4.0,-2.0,0\n0.1,1.6,1.1,2.1,-3e-1,-4.0,-2.0,1\n');
-  assert.deepEqual(found?.forces.map(({ force }) => force), ["fx_n", "f, z"]);
+  const found = readEstimates(
+    'time_s,fx_n,fx_n_low,fx_n_high,"f, z","f, z_low","f, z_high",outside\n0.0,1.5,1.0,2.0,-3.0,-4.0,-2.0,0\n0.1,1.6,1.1,2.1,-3e-1,-4.0,-2.0,1\n',
+  );
+  assert.deepEqual(
+    found?.forces.map(({ force }) => force),
+    ["fx_n", "f, z"],
+  );
   assert.deepEqual(found?.forces[1]?.rows[1], { time_s: 0.1, truth_n: null, estimate_n: -0.3, low_n: -4, high_n: -2 });
   assert.deepEqual([found?.rows, found?.outside], [2, 1]);
 });

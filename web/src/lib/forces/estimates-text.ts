@@ -41,7 +41,7 @@ export function leftOutText(all: readonly LeftOutRows[], files: readonly string[
       [quoted(left.force), quoted(files[left.run[k] ?? -1] ?? ""), time_s, left.truth_n[k], left.estimate_n[k], left.low_n[k], left.high_n[k]].join(","),
     ),
   );
-  return ["force,recording,time_s,truth_n,estimate_n,low_n,high_n", ...lines].join("\r\n") + "\r\n";
+  return `${["force,recording,time_s,truth_n,estimate_n,low_n,high_n", ...lines].join("\r\n")}\r\n`;
 }
 
 const quoted = (text: string): string => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);

@@ -4,10 +4,22 @@ import { forceAnswer, noteWords } from "./force-words.ts";
 import type { Kind, ModelReport, SplitReport } from "../../wire.ts";
 
 const error = (rmse_n: number): SplitReport => ({
-  by: "run", rmse_n, rmse_interval_n: [rmse_n - 0.1, rmse_n + 0.2], nrmse_percent: 3.339, mean_nrmse_percent: 20.59, r2: 0.97, coverage: 0.9585, width_n: 5.203,
+  by: "run",
+  rmse_n,
+  rmse_interval_n: [rmse_n - 0.1, rmse_n + 0.2],
+  nrmse_percent: 3.339,
+  mean_nrmse_percent: 20.59,
+  r2: 0.97,
+  coverage: 0.9585,
+  width_n: 5.203,
 });
 const model = (kind: Kind, rmse_n: number, better_than_mean: boolean): ModelReport => ({
-  model: kind, features: "slopes", validation: error(rmse_n), splits: { run: error(rmse_n) }, leak_factor: 2, better_than_mean,
+  model: kind,
+  features: "slopes",
+  validation: error(rmse_n),
+  splits: { run: error(rmse_n) },
+  leak_factor: 2,
+  better_than_mean,
 });
 
 test("a force that is known has its error with the bootstrap's interval, on what was left out", () => {
@@ -30,7 +42,13 @@ test("a force that no model knows is called useless, with the best of the models
 });
 
 test("a blend is said by its members", () => {
-  const blend: ModelReport = { ...model("blend", 1, true), members: [{ model: "gpr", features: "slopes" }, { model: "ann", features: "raw" }] };
+  const blend: ModelReport = {
+    ...model("blend", 1, true),
+    members: [
+      { model: "gpr", features: "slopes" },
+      { model: "ann", features: "raw" },
+    ],
+  };
   const answer = forceAnswer({ force: "f", chosen: "blend", chosen_features: "slopes", models: [blend] });
   assert.deepEqual(answer.facts[0], ["Model", "median of 2 models: Gaussian process (slopes), neural network (raw)"]);
 });
@@ -47,6 +65,9 @@ test("notes are sentences, and names of forces stay as they are", () => {
 
 test("an error without its interval, and a force without a model, are said plainly", () => {
   const bare = { ...model("gpr", 0.5, true), validation: { by: "random" as const, rmse_n: 0.5 } };
-  assert.equal(forceAnswer({ force: "f", chosen: "gpr", chosen_features: "raw", models: [bare] }).sentence, "off by 0.500 N on rows drawn at random among those that it learnt from");
+  assert.equal(
+    forceAnswer({ force: "f", chosen: "gpr", chosen_features: "raw", models: [bare] }).sentence,
+    "off by 0.500 N on rows drawn at random among those that it learnt from",
+  );
   assert.equal(forceAnswer({ force: "f", chosen: "mean", chosen_features: "raw", models: [] }).sentence, "no model was judged");
 });

@@ -3,9 +3,20 @@
 import { fixed, significant } from "../format.ts";
 import type { FeatureSet, ForceReport, Kind, ModelReport, SplitKind, SplitReport } from "../../wire.ts";
 
-export const MODELS: Record<Kind, string> = { mean: "training mean", ridge: "ridge regression", gpr: "Gaussian process", ann: "neural network", blend: "blend" };
+export const MODELS: Record<Kind, string> = {
+  mean: "training mean",
+  ridge: "ridge regression",
+  gpr: "Gaussian process",
+  ann: "neural network",
+  blend: "blend",
+};
 
-export const FEATURES: Record<FeatureSet, string> = { raw: "signals", slopes: "signals, slopes", rolling: "signals, rolling means and variances", all: "signals, slopes, rolling means and variances" };
+const FEATURES: Record<FeatureSet, string> = {
+  raw: "signals",
+  slopes: "signals, slopes",
+  rolling: "signals, rolling means and variances",
+  all: "signals, slopes, rolling means and variances",
+};
 
 /** What a split left out, as a sentence ends. */
 const LEFT_OUT: Record<SplitKind, string> = {
@@ -20,7 +31,7 @@ const LEFT_OUT: Record<SplitKind, string> = {
 const FEW = 0.9;
 
 /** The answer of one force. */
-export interface ForceAnswer {
+interface ForceAnswer {
   force: string;
   isUseful: boolean;
   /** The error, or that there is no use in it. */

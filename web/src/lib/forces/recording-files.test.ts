@@ -14,6 +14,15 @@ test("many columns are told by the first and the last", () => {
 });
 
 test("a file of the same name takes the earlier one's place, and runs stand in their order", () => {
-  const files = withFiles([{ file: "run10.csv", text: "a" }, { file: "run2.csv", text: "b" }], [{ file: "run2.csv", text: "c" }]);
-  assert.deepEqual(files, [{ file: "run2.csv", text: "c" }, { file: "run10.csv", text: "a" }]);
+  const files = withFiles(
+    [
+      { file: "run10.csv", text: "a" },
+      { file: "run2.csv", text: "b" },
+    ],
+    [{ file: "run2.csv", text: "c" }],
+  );
+  assert.deepEqual(files, [
+    { file: "run2.csv", text: "c" },
+    { file: "run10.csv", text: "a" },
+  ]);
 });

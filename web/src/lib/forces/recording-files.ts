@@ -9,7 +9,12 @@ export interface RecordingFile {
 /** What a glance at a recording shows: its columns and how many rows it has. */
 export function glance({ text }: RecordingFile): { columns: string[]; rows: number } {
   const head = text.slice(0, text.indexOf("\n") < 0 ? text.length : text.indexOf("\n"));
-  const columns = head.replace(/^\uFEFF/, "").trim().split(",").map((name) => name.trim().replace(/^"|"$/g, "")).filter((name) => name !== "");
+  const columns = head
+    .replace(/^\uFEFF/, "")
+    .trim()
+    .split(",")
+    .map((name) => name.trim().replace(/^"|"$/g, ""))
+    .filter((name) => name !== "");
   let lines = 0;
   for (let at = text.indexOf("\n"); at >= 0; at = text.indexOf("\n", at + 1)) lines += 1;
   return { columns, rows: Math.max(0, text.endsWith("\n") || text === "" ? lines - 1 : lines) };

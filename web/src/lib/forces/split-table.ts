@@ -1,47 +1,16 @@
 /** Models side by side on every split. */
 
+import { type ForceReport, type ModelReport, MODELS_COLUMNS, type SplitKind } from "../../wire.ts";
 import { fixed } from "../format.ts";
-import type { ForceReport, ModelReport, SplitKind } from "../../wire.ts";
-import { MODELS, newtons, share } from "./force-words.ts";
+import { type Column, view } from "../study/figures/columns.ts";
+import { newtons } from "./force-words.ts";
 
-export const SPLITS: readonly { split: SplitKind; title: string }[] = [
-  { split: "random", title: "Random rows" },
-  { split: "cycle", title: "Cycles" },
-  { split: "run", title: "Runs" },
-  { split: "time", title: "Later rows" },
-  { split: "frequency", title: "Frequencies" },
-];
+/** Columns of each split's error, and of what the choosing split and the strictest one say. */
+export const SPLITS = view(MODELS_COLUMNS, "splits");
+export const JUDGED = view(MODELS_COLUMNS, "judged", "leak");
 
-export interface SplitRow {
-  key: string;
-  model: string;
-  features: string;
-  isChosen: boolean;
-  /** RMSE of each split, in their order, N. */
-  errors: string[];
-  /** RMSE of the training mean isn't among the splits: this is its NRMSE, and the model's own, on the split that chooses. */
-  nrmse: string;
-  mean_nrmse: string;
-  leak: string;
-  coverage: string;
-  width: string;
-}
-
-/** The chosen model first, then by error, as the service sends them. */
-export function splitRows({ models }: ForceReport): SplitRow[] {
-  return models.map((model, place) => ({
-    key: `${model.model} ${model.features}`,
-    model: MODELS[model.model],
-    features: model.model === "mean" ? "" : model.features,
-    isChosen: place === 0,
-    errors: SPLITS.map(({ split }) => newtons(model.splits[split]?.rmse_n)),
-    nrmse: fixed(model.validation.nrmse_percent, 1),
-    mean_nrmse: fixed(model.validation.mean_nrmse_percent, 1),
-    leak: fixed(model.leak_factor, 2),
-    coverage: share(model.validation.coverage),
-    width: newtons(model.validation.width_n),
-  }));
-}
+/** The split that a column is of: `run` of `/model/splits/run/rmse_n`. */
+export const splitOf = ({ at }: Column): string | undefined => at.split("/").at(-2);
 
 /** The split that chose; null without a model. */
 export function chosenBy({ models }: ForceReport): SplitKind | null {

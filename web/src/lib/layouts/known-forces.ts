@@ -35,5 +35,5 @@ export function floorOf(known: KnownForce[], price: ForcePrice): number | null |
 }
 
 function films({ layout }: KnownForce): number {
-  return layout.film_count ?? layout.units;
+  return layout.film_count;
 }

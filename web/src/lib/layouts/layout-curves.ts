@@ -6,7 +6,7 @@ import { filmSet, isPapers } from "./layout-words.ts";
 /** The layouts' worst loads, or one of the loads by its place in the list. */
 export type ShownLoad = "worst" | number;
 
-export interface CurvePoint {
+interface CurvePoint {
   layout: RankedLayout;
   units: number;
   spacing_deg: number;
@@ -49,7 +49,7 @@ export function curves(layouts: RankedLayout[], load: ShownLoad): LayoutCurve[] 
 
 /** A layout's score at a load; at its worst load, the one that it is ranked by. */
 export function scoreAt(layout: RankedLayout, load: ShownLoad): LayoutScore | null {
-  return load === "worst" ? layout.score : (layout.loads?.[load]?.score ?? null);
+  return load === "worst" ? layout.score : (layout.loads[load]?.score ?? null);
 }
 
 function pointOf(layout: RankedLayout, load: ShownLoad): CurvePoint | null {
@@ -77,22 +77,12 @@ export function errorRange(all: LayoutCurve[]): [number, number] {
   return [low, HALF_TURN_DEG];
 }
 
-/** 1, 2 and 5 times powers of ten within a range. */
-export function logTicks([low, high]: [number, number]): number[] {
-  const powers: number[] = [];
-  for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); power += 1) powers.push(power);
-  const steps = powers.flatMap((power) => [1, 2, 5].map((factor) => Number(`${factor}e${power}`)));
-  return steps.filter((step) => step >= low * 0.999 && step <= high);
-}
-
-/** Numbers of units that are written at the axis: those that stand a share of its length apart, six units before others. */
-export function unitTicks(all: LayoutCurve[], apart: number): number[] {
-  const units = [...new Set(all.flatMap((curve) => curve.points.map((point) => point.units)))].sort((a, b) => a - b);
-  const [first, last] = [units[0] ?? 1, units.at(-1) ?? 1];
-  const length = Math.log(last / first) || 1;
+/** Numbers of units that are written at the axis: those that stand so far apart there, six units before others. */
+export function unitTicks(all: readonly number[], at: (units: number) => number, apart: number): number[] {
+  const units = [...new Set(all)].sort((a, b) => a - b);
   const kept: number[] = [];
   for (const unit of [...units.filter((count) => count === 6), ...units]) {
-    if (kept.every((other) => Math.abs(Math.log(unit / other)) / length >= apart)) kept.push(unit);
+    if (kept.every((other) => Math.abs(at(unit) - at(other)) >= apart)) kept.push(unit);
   }
   return kept.sort((a, b) => a - b);
 }

@@ -47,11 +47,11 @@ export function sizeWord({ length_mm, width_mm }: Pick<CandidateFilm, "length_mm
 }
 
 /** `Glued films of 25 × 10 mm, read in V.`: what layouts' films are. */
-export function filmsWords(size_mm: number[] | null | undefined, unit: string | undefined): string {
+export function filmsWords(size_mm: number[] | null | undefined, unit: string): string {
   const [length_mm, width_mm] = size_mm ?? [];
   const film = unit === "V" ? "Glued films" : "Bare films";
   const size = length_mm == null || width_mm == null ? ", as points" : ` of ${sizeWord({ length_mm, width_mm })} mm`;
-  return `${film}${size}, read in ${unit ?? "strain"}.`;
+  return `${film}${size}, read in ${unit}.`;
 }
 
 /** `x+y`, `x+y staggered`: what the films of a unit are. */
@@ -76,7 +76,7 @@ export function loadWords({ depth_mm, load_n }: Pick<LayoutLoad, "depth_mm" | "l
 /** The load whose scores a layout is ranked by. */
 export function worstLoad(layout: RankedLayout): LoadScore | null {
   const ranked = JSON.stringify(layout.score);
-  return layout.loads?.find(({ score }) => JSON.stringify(score) === ranked) ?? null;
+  return layout.loads.find(({ score }) => JSON.stringify(score) === ranked) ?? null;
 }
 
 /** The paper's: six units of x and y around the crown. */
@@ -88,7 +88,7 @@ export function isPapers({ units, spacing_deg, position, films, staggered }: Ran
 /** Of the layouts with so many films at most, the one whose error is least. */
 export function bestOfFew(layouts: RankedLayout[], films: number): RankedLayout | null {
   const error = ({ score }: RankedLayout): number => score.simulated_p95_angle_error_deg ?? Infinity;
-  const few = layouts.filter((layout) => (layout.film_count ?? Infinity) <= films && error(layout) < Infinity);
+  const few = layouts.filter((layout) => layout.film_count <= films && error(layout) < Infinity);
   return few.reduce<RankedLayout | null>((best, layout) => (best === null || error(layout) < error(best) ? layout : best), null);
 }
 

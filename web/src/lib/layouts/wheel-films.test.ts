@@ -4,16 +4,24 @@ import type { RankedLayout } from "../../wire.ts";
 import { apartOf, filmsOf, innerRadius, onWheel, shapeOf } from "./wheel-films.ts";
 
 function layout(change: Partial<RankedLayout> = {}): RankedLayout {
-  return { rank: 1, spacing_deg: 180, units: 2, position: "crown", films: ["x", "y"], score: { noise_strain: 1e-3 }, ...change };
+  return { rank: 1, spacing_deg: 180, units: 2, position: "crown", films: ["x", "y"], film_count: 4, loads: [], score: { noise_strain: 1e-3 }, ...change };
 }
 
 test("a film of each direction in every unit", () => {
   const places = filmsOf(layout({ position: "shoulder" })).map(({ theta_deg, section_deg, angle_deg }) => [theta_deg, section_deg, angle_deg]);
-  assert.deepEqual(places, [[0, 45, 0], [0, 45, 90], [180, 45, 0], [180, 45, 90]]);
+  assert.deepEqual(places, [
+    [0, 45, 0],
+    [0, 45, 90],
+    [180, 45, 0],
+    [180, 45, 90],
+  ]);
 });
 
 test("staggered films stand between two units", () => {
-  assert.deepEqual(filmsOf(layout({ staggered: true })).map(({ theta_deg }) => theta_deg), [0, 90, 180, 270]);
+  assert.deepEqual(
+    filmsOf(layout({ staggered: true })).map(({ theta_deg }) => theta_deg),
+    [0, 90, 180, 270],
+  );
 });
 
 test("a position may be an angle, a direction too; one without an angle has no place", () => {

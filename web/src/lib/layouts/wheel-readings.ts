@@ -84,7 +84,7 @@ export function angleBound(all: readonly Reading[], noise: number): number | nul
 }
 
 /** A contact angle with the bound there. */
-export interface WorstAngle {
+interface WorstAngle {
   contact_deg: number;
   bound_deg: number | null;
 }

@@ -9,5 +9,11 @@ test("a file is named by study and figure in plain letters", () => {
 });
 
 test("cells with commas and quotes are quoted, minus signs are plain", () => {
-  assert.equal(csvOf([["a", 'say "b", c'], ["−1.5", " two\n lines "]]), 'a,"say ""b"", c"\r\n-1.5,two lines\r\n');
+  assert.equal(
+    csvOf([
+      ["a", 'say "b", c'],
+      ["−1.5", " two\n lines "],
+    ]),
+    'a,"say ""b"", c"\r\n-1.5,two lines\r\n',
+  );
 });

@@ -3,10 +3,10 @@
 import { SECTIONS, type Route, type Section } from "../route.ts";
 
 /** What a key does. */
-export type KeyAction = { does: "help" } | { does: "open"; section: Section };
+type KeyAction = { does: "help" } | { does: "open"; section: Section };
 
 /** What is pressed, and where. */
-export interface Pressed {
+interface Pressed {
   key: string;
   /** Control, Alt or the system's key is held. */
   isModified: boolean;

@@ -1,7 +1,7 @@
 /** One Tab stop for a group of links and buttons, arrow keys within it, as ARIA's practices have it for composite widgets. */
 
 /** Where the focus is: a row, and a place in it. */
-export interface Spot {
+interface Spot {
   row: number;
   at: number;
 }

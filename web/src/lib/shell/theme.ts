@@ -1,6 +1,6 @@
 /** Light or dark: as the system has it, unless the reader chose. */
 
-export type Theme = "light" | "dark";
+type Theme = "light" | "dark";
 /** What the reader chose; `system` follows the preference of the system. */
 export type ThemeChoice = Theme | "system";
 

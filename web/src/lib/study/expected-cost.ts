@@ -3,7 +3,7 @@
 import type { Estimate, StudyCost } from "../../wire.ts";
 import { bytes, duration } from "../format.ts";
 
-export interface Expectation {
+interface Expectation {
   what: string;
   expected: string;
   took: string;

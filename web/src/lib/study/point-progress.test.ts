@@ -5,14 +5,27 @@ import { advance, elapsedSeconds, fromSummary, newtonIterations, secondsLeft, sh
 import type { StudyEvent } from "./stream-events.ts";
 
 const queued: StudySummary = {
-  id: "1", name: "n", state: "queued", spec_sha256: "b", priority: 0, points_total: null, points_done: 0,
-  created: "2026-01-01T00:00:00Z", started: null, finished: null, error: null,
+  id: "1",
+  name: "n",
+  state: "queued",
+  spec_sha256: "b",
+  priority: 0,
+  points_total: null,
+  points_done: 0,
+  created: "2026-01-01T00:00:00Z",
+  started: null,
+  finished: null,
+  error: null,
 };
 const solved = (ordinal: number, done: number): StudyEvent => ({
-  kind: "point-solved", ordinal, done, of: 31, wall_s: 2, newton_iterations: 9,
+  kind: "point-solved",
+  ordinal,
+  done,
+  of: 31,
+  wall_s: 2,
+  newton_iterations: 9,
 });
-const after = (events: StudyEvent[], now = 10_000): Progress =>
-  events.reduce((progress, event) => advance(progress, event, now), fromSummary(queued));
+const after = (events: StudyEvent[], now = 10_000): Progress => events.reduce((progress, event) => advance(progress, event, now), fromSummary(queued));
 
 test("a study starts, solves points and is done", () => {
   const running = after([{ kind: "queued" }, { kind: "started", points: 31, reused: 1 }, solved(1, 2), solved(2, 3)]);
@@ -66,7 +79,10 @@ test("failed points are kept in order with their causes", () => {
     { kind: "point-failed", ordinal: 4, done: 4, of: 31, cause: "no convergence" },
     { kind: "failed", error: "two points have no response" },
   ]);
-  assert.deepEqual(progress.failures.map((failure) => failure.ordinal), [4, 9]);
+  assert.deepEqual(
+    progress.failures.map((failure) => failure.ordinal),
+    [4, 9],
+  );
   assert.equal(progress.error, "two points have no response");
 });
 

@@ -3,7 +3,6 @@ import type { StudyEvent } from "./stream-events.ts";
 
 /** How far a study is, from the list entry and the events of its stream. Pure: time comes in as a number. */
 
-
 /** One failed point as the stream told it; its inputs come with the end of the study. */
 export interface PointFailure {
   ordinal: number;
@@ -97,9 +96,8 @@ export function advance(progress: Progress, event: StudyEvent, now_ms: number): 
       return {
         ...progress,
         solves: without(progress.solves, event.ordinal),
-        // Events of earlier versions don't say how far the study was.
-        total: event.of ?? progress.total,
-        done: Math.max(progress.done, event.done ?? 0),
+        total: event.of,
+        done: Math.max(progress.done, event.done),
         failures: failuresOf(progress.failures, event),
       };
     case "analysing":

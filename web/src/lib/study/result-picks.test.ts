@@ -5,14 +5,33 @@ import { paperPercent } from "./paper/paper-table.ts";
 import { bars, byRank, centreName, centreOutput, isRanked, largest, locationNames, mdrmGap, paperGap, productFormBroken, scoreOf } from "./result-picks.ts";
 
 const output = (location: string, direction: "x" | "y"): Output => ({
-  location, direction, mean: 0.01, std: 0.001, first_order: [0.1, 0.8, 0.1], total: [0.1, 0.8, 0.1],
-  method: direction === "x" ? "additive" : "mdrm", status: direction === "x" ? "product-form-broken" : "ok",
+  location,
+  direction,
+  mean: 0.01,
+  std: 0.001,
+  first_order: [0.1, 0.8, 0.1],
+  total: [0.1, 0.8, 0.1],
+  method: direction === "x" ? "additive" : "mdrm",
+  status: direction === "x" ? "product-form-broken" : "ok",
   error: { mesh: 0.01, quadrature: 0.001, decomposition: 0.009, total: 0.02 },
 });
 const location = (name: string, rank: number, gsi: number): RankedLocation => ({
-  name, rank, gsi_x_percent: gsi, gsi_y_percent: null, gsi_x_error_percent: gsi / 20, gsi_y_error_percent: null, mean_gsi_x_percent: 33, mean_gsi_y_percent: 33,
-  own_gsi_x_percent: 50, own_gsi_y_percent: 50, mdrm_gsi_x_percent: gsi / 2, mdrm_gsi_y_percent: null,
-  rank_x: rank, rank_y: rank, rank_certain: true,
+  name,
+  input: name,
+  rank,
+  gsi_x_percent: gsi,
+  gsi_y_percent: null,
+  gsi_x_error_percent: gsi / 20,
+  gsi_y_error_percent: null,
+  mean_gsi_x_percent: 33,
+  mean_gsi_y_percent: 33,
+  own_gsi_x_percent: 50,
+  own_gsi_y_percent: 50,
+  mdrm_gsi_x_percent: gsi / 2,
+  mdrm_gsi_y_percent: null,
+  rank_x: rank,
+  rank_y: rank,
+  rank_certain: true,
 });
 const result = {
   outputs: ["P1", "P2", "P3"].flatMap((name) => [output(name, "x"), output(name, "y")]),
@@ -46,13 +65,19 @@ test("a broken product form is seen per direction", () => {
 
 test("the largest value of a column skips what doesn't exist", () => {
   assert.equal(largest(byRank(result), (row) => scoreOf(row, "gsi", "x"))?.name, "P2");
-  assert.equal(largest(byRank(result), (row) => scoreOf(row, "gsi", "y")), null);
+  assert.equal(
+    largest(byRank(result), (row) => scoreOf(row, "gsi", "y")),
+    null,
+  );
 });
 
 test("the paper's table is largest at P3 in both directions and knows five locations", () => {
   const names = ["P1", "P2", "P3", "P4", "P5"];
   for (const direction of ["x", "y"] as const) {
-    assert.equal(largest(names, (name) => paperPercent(name, direction)), "P3");
+    assert.equal(
+      largest(names, (name) => paperPercent(name, direction)),
+      "P3",
+    );
   }
   assert.equal(paperPercent("P6", "x"), null);
 });

@@ -26,7 +26,7 @@ export function centreName(result: StudyResult): string | null {
   return names[Math.floor(names.length / 2)] ?? null;
 }
 
-export function outputOf(result: StudyResult, location: string | null, direction: Direction): Output | null {
+function outputOf(result: StudyResult, location: string | null, direction: Direction): Output | null {
   return result.outputs.find((output) => output.location === location && output.direction === direction) ?? null;
 }
 
@@ -77,7 +77,7 @@ export function largest<T>(rows: readonly T[], value: (row: T) => number | null)
 }
 
 /** How far two columns lie from the paper's, largest difference over the locations, percentage points. */
-export interface PaperGap {
+interface PaperGap {
   mdrm: number;
   valid: number;
 }

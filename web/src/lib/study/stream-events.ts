@@ -7,7 +7,7 @@ export type StudyEvent =
   | { kind: "started"; points: number; reused: number }
   | { kind: "solving"; solves: LiveSolve[] }
   | { kind: "point-solved"; ordinal: number; done: number; of: number; wall_s: number; newton_iterations: number }
-  | { kind: "point-failed"; ordinal: number; done?: number; of?: number; cause: string }
+  | { kind: "point-failed"; ordinal: number; done: number; of: number; cause: string }
   | { kind: "analysing" }
   | { kind: "done" }
   | { kind: "failed"; error: string; failed_points?: FailedPoint[] }

@@ -4,19 +4,42 @@ import type { ComparedIndex, ComparedLocation, ComparedStudy, Comparison } from 
 import { designAxis, matrixOf, realDifferences, strips } from "./comparison-matrix.ts";
 
 const NOTHING: ComparedIndex = {
-  gsi_percent: null, error_percent: null, difference_percent: null, difference_error_percent: null, verdict: null,
+  gsi_percent: null,
+  error_percent: null,
+  difference_percent: null,
+  difference_error_percent: null,
+  verdict: null,
 };
 
 function study(id: string, change: Partial<ComparedStudy> = {}): ComparedStudy {
   return {
-    id, name: `design ${id}`, state: "done", reason: null, level: "coarse", reaction_n: 13, std_strain_x: 1e-3, std_strain_y: 1e-3, best: "P3",
-    best_certain: true, layout_spacing_deg: 30, layout_position: "crown", cost: null, ...change,
+    id,
+    name: `design ${id}`,
+    state: "done",
+    reason: null,
+    level: "coarse",
+    reaction_n: 13,
+    std_strain_x: 1e-3,
+    std_strain_y: 1e-3,
+    best: "P3",
+    best_certain: true,
+    layout_spacing_deg: 30,
+    layout_position: "crown",
+    cost: null,
+    ...change,
   };
 }
 
 function row(id: string, location: string, x: Partial<ComparedIndex>): ComparedLocation {
   return {
-    study: id, location, rank: 1, rank_certain: true, rank_change: null, rank_verdict: null, x: { ...NOTHING, ...x }, y: NOTHING,
+    study: id,
+    location,
+    rank: 1,
+    rank_certain: true,
+    rank_change: null,
+    rank_verdict: null,
+    x: { ...NOTHING, ...x },
+    y: NOTHING,
   };
 }
 
@@ -35,7 +58,13 @@ const comparison: Comparison = {
 test("designs with a result stand by locations, with their numbers in the sweep", () => {
   const matrix = matrixOf(comparison);
   assert.deepEqual(matrix.locations, ["P3", "P10"]);
-  assert.deepEqual(matrix.rows.map((entry) => [entry.number, entry.cells.map((cell) => cell?.x.gsi_percent)]), [[1, [70, 2]], [3, [73.5, 2.5]]]);
+  assert.deepEqual(
+    matrix.rows.map((entry) => [entry.number, entry.cells.map((cell) => cell?.x.gsi_percent)]),
+    [
+      [1, [70, 2]],
+      [3, [73.5, 2.5]],
+    ],
+  );
   assert.deepEqual(realDifferences(matrix, "x"), { real: 1, of: 2 });
   assert.deepEqual(realDifferences(matrix, "y"), { real: 0, of: 0 });
 });
@@ -53,7 +82,13 @@ test("one percentage point is as high in every strip, and bars fit with their er
 
 test("differences are drawn with errors of their own, the baseline at nothing", () => {
   const [p3] = strips(matrixOf(comparison), "x", "difference");
-  assert.deepEqual(p3?.marks.map((mark) => [mark.number, mark.value, mark.error, mark.verdict]), [[1, 0, null, null], [3, 3.5, 1, "real"]]);
+  assert.deepEqual(
+    p3?.marks.map((mark) => [mark.number, mark.value, mark.error, mark.verdict]),
+    [
+      [1, 0, null, null],
+      [3, 3.5, 1, "real"],
+    ],
+  );
   assert.equal(p3?.reference, 0);
 });
 

@@ -101,9 +101,7 @@ function reachOf(marks: readonly DesignMark[]): [number, number] {
 
 /** How many differences of a direction are real, and of how many. */
 export function realDifferences(matrix: Matrix, direction: Direction): { real: number; of: number } {
-  const verdicts = matrix.rows.flatMap((row) =>
-    row.cells.flatMap((cell) => (cell === null ? [] : (cell[direction].verdict ?? []))),
-  );
+  const verdicts = matrix.rows.flatMap((row) => row.cells.flatMap((cell) => (cell === null ? [] : (cell[direction].verdict ?? []))));
   return { real: verdicts.filter((verdict) => verdict === "real").length, of: verdicts.length };
 }
 

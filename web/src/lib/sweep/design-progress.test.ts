@@ -2,15 +2,34 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { DesignView, StudySummary, SweepDetail } from "../../wire.ts";
 import {
-  countsText, designsOf, designsOver, designsToResume, nameSaysAll, settingsText, sweepSecondsLeft, sweepShare, variedPaths, workedSeconds,
+  countsText,
+  designsOf,
+  designsOver,
+  designsToResume,
+  nameSaysAll,
+  settingsText,
+  sweepSecondsLeft,
+  sweepShare,
+  variedPaths,
+  workedSeconds,
 } from "./design-progress.ts";
 
 const second = (seconds: number): string => new Date(1000 * seconds).toISOString();
 
 function design(ordinal: number, study: Partial<StudySummary>, change: Partial<DesignView> = {}): DesignView {
   const summary: StudySummary = {
-    id: `s${ordinal}`, name: "n", state: "queued", spec_sha256: "b", priority: 0, points_total: null, points_done: 0, created: second(0), started: null, finished: null,
-    error: null, ...study,
+    id: `s${ordinal}`,
+    name: "n",
+    state: "queued",
+    spec_sha256: "b",
+    priority: 0,
+    points_total: null,
+    points_done: 0,
+    created: second(0),
+    started: null,
+    finished: null,
+    error: null,
+    ...study,
   };
   return { ordinal, name: `wall_mm = ${ordinal}`, set: { "geometry.wall_mm": ordinal }, study: summary, ...change };
 }

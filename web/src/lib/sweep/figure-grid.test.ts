@@ -8,7 +8,10 @@ function design(id: string, set: Record<string, unknown>, state = "done", study:
 }
 
 const comparison = {
-  studies: [{ id: "a", best: "P3", best_certain: true }, { id: "b", best: null, reason: "no depth varies" }],
+  studies: [
+    { id: "a", best: "P3", best_certain: true },
+    { id: "b", best: null, reason: "no depth varies" },
+  ],
   rows: [
     { study: "a", location: "P2", x: { gsi_percent: 1 }, y: {} },
     { study: "a", location: "P3", x: { gsi_percent: 72.34, error_percent: 2.06 }, y: { gsi_percent: 50 } },
@@ -18,8 +21,20 @@ const comparison = {
 test("two fields make a grid, the first down and the second across, with gaps where no design is", () => {
   const designs = [design("a", { wall: 2, cord: 50 }), design("b", { wall: 2, cord: 60 }), design("c", { wall: 3, cord: 60, kept: 1 })];
   const grid = designGrid(designs);
-  assert.deepEqual([grid?.rows, grid?.columns], [{ path: "wall", values: ["2", "3"] }, { path: "cord", values: ["50", "60"] }]);
-  assert.deepEqual(grid?.designs.map((row) => row.map((each) => each?.name ?? null)), [["a", "b"], [null, "c"]]);
+  assert.deepEqual(
+    [grid?.rows, grid?.columns],
+    [
+      { path: "wall", values: ["2", "3"] },
+      { path: "cord", values: ["50", "60"] },
+    ],
+  );
+  assert.deepEqual(
+    grid?.designs.map((row) => row.map((each) => each?.name ?? null)),
+    [
+      ["a", "b"],
+      [null, "c"],
+    ],
+  );
 });
 
 test("one field stays a list, and so do three", () => {
@@ -36,7 +51,10 @@ test("a cell has its figure with its error, or how far it is", () => {
   assert.deepEqual(cellOf(a, "index-y", comparison, none), { words: "50.0", sure: "± ?", value: 50 });
   assert.equal(cellOf(b, "index-x", comparison, none).value, null);
   assert.equal(cellOf(a, "index-x", null, none).words, "…");
-  const layouts = new Map([["a", { angle_error_deg: 3.21, error_deg: 0.4 } as LayoutAnswer], ["b", null]]);
+  const layouts = new Map([
+    ["a", { angle_error_deg: 3.21, error_deg: 0.4 } as LayoutAnswer],
+    ["b", null],
+  ]);
   assert.deepEqual(cellOf(a, "angle-error", comparison, layouts), { words: "3.2", sure: "± 0.4", value: 3.21 });
   assert.equal(cellOf(b, "angle-error", comparison, layouts).sure, "no layout");
   const running = design("c", {}, "running", { points_done: 3, points_total: 26 });

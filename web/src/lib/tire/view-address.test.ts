@@ -10,7 +10,12 @@ test("what is seen and its address are the same thing", () => {
     PLAIN_SIGHT,
     ...VIEW_NAMES.map((eye): Sight => ({ ...PLAIN_SIGHT, eye })),
     {
-      layout: 2, value: 0.8125, scale: [-0.002, 0.0035], pin: { theta_deg: -12.5, phi_deg: 40 }, factor: 2.5, isCut: false,
+      layout: 2,
+      value: 0.8125,
+      scale: [-0.002, 0.0035],
+      pin: { theta_deg: -12.5, phi_deg: 40 },
+      factor: 2.5,
+      isCut: false,
       eye: { azimuth_deg: -100.5, elevation_deg: 12, distance_mm: 2.9, target: [0, 0, -0.38] },
     },
   ];
@@ -28,8 +33,22 @@ test("a turned eye is written as finely as it is seen, and written again alike",
 
 test("nonsense falls back to what is seen at first", () => {
   const queries = [
-    "layout=0", "layout=1.5", "layout=x", "at=", "at=1e999", "scale=2,1", "scale=1", "pin=1,2,3", "pin=a,b", "factor=-1", "factor=99", "cut=maybe",
-    "eye=moon", "eye=1,2,3", "eye=0,95,2,0", "eye=0,5,0,0",
+    "layout=0",
+    "layout=1.5",
+    "layout=x",
+    "at=",
+    "at=1e999",
+    "scale=2,1",
+    "scale=1",
+    "pin=1,2,3",
+    "pin=a,b",
+    "factor=-1",
+    "factor=99",
+    "cut=maybe",
+    "eye=moon",
+    "eye=1,2,3",
+    "eye=0,95,2,0",
+    "eye=0,5,0,0",
   ];
   for (const query of queries) assert.deepEqual(read(query), PLAIN_SIGHT, query);
 });

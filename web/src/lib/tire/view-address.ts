@@ -30,7 +30,11 @@ export const PLAIN_SIGHT: Sight = { layout: null, value: null, scale: null, pin:
 
 /** Reads it from an address' query; what makes no sense there is at its default. */
 export function readSight(values: URLSearchParams): Sight {
-  const [layout, value, factor] = ["layout", "at", "factor"].map((name) => numbersIn(values, name, 1)?.[0] ?? null) as [number | null, number | null, number | null];
+  const [layout, value, factor] = ["layout", "at", "factor"].map((name) => numbersIn(values, name, 1)?.[0] ?? null) as [
+    number | null,
+    number | null,
+    number | null,
+  ];
   const [low, high] = numbersIn(values, "scale", 2) ?? [];
   const [theta_deg, phi_deg] = numbersIn(values, "pin", 2) ?? [];
   return {
@@ -67,7 +71,10 @@ export function eyeText(eye: Eye): string {
   if (typeof eye === "string") return eye;
   const { azimuth_deg, elevation_deg, distance_mm, target } = eye;
   return [
-    rounded(wrapped(azimuth_deg), ANGLE_DECIMALS), rounded(elevation_deg, ANGLE_DECIMALS), rounded(distance_mm, RADII_DECIMALS), rounded(target[2], RADII_DECIMALS),
+    rounded(wrapped(azimuth_deg), ANGLE_DECIMALS),
+    rounded(elevation_deg, ANGLE_DECIMALS),
+    rounded(distance_mm, RADII_DECIMALS),
+    rounded(target[2], RADII_DECIMALS),
   ].join();
 }
 

@@ -9,7 +9,7 @@ import { partOf, type Store } from "../store.ts";
 /** Long enough that a word is typed in one go. */
 const PAUSE_MS = 300;
 
-export interface DraftCheckActions {
+interface DraftCheckActions {
   /** The draft may have changed. */
   look(): void;
 }
@@ -27,7 +27,8 @@ export function createDraftCheck(store: Store): DraftCheckActions {
     asked?.abort();
     const parsed = parseDraft(text);
     if ("fault" in parsed) {
-      return set({ text, asking: false, estimate: null, problem: { title: "The document can't be read.", status: 0, detail: parsed.fault.detail } });
+      set({ text, asking: false, estimate: null, problem: { title: "The document can't be read.", status: 0, detail: parsed.fault.detail } });
+      return;
     }
     // What was known stays in view until the answer comes.
     set({ text, asking: true });

@@ -7,7 +7,7 @@ import type { Origin, StudyPreview } from "../app-state.ts";
 import { answerTo } from "../loadable.ts";
 import { partOf, type Store } from "../store.ts";
 
-export interface StudyPreviewActions {
+interface StudyPreviewActions {
   /** The draft may have changed. */
   look(): void;
 }
@@ -32,8 +32,8 @@ export function createStudyPreview(store: Store): StudyPreviewActions {
     if (preview.get().isOffered === false || text === "" || text === looked) return;
     looked = text;
     const parsed = parseDraft(text);
-    if ("fault" in parsed) return edits.drop();
-    edits.offer({ text, document: parsed.document, origin });
+    if ("fault" in parsed) edits.drop();
+    else edits.offer({ text, document: parsed.document, origin });
   }
 
   async function ask({ text, document, origin }: Edit): Promise<void> {

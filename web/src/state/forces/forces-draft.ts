@@ -22,7 +22,8 @@ export function createForcesDraft(store: Store, onSubmitted: (route: Route) => v
 
   async function add(files: readonly File[]): Promise<void> {
     const read = await answerTo(Promise.all(files.map(async (file): Promise<RecordingFile> => ({ file: file.name, text: await file.text() }))));
-    if (read.status === "failed") return set({ problem: { title: "A file can't be read.", status: 0, detail: `A file can't be read. ${read.problem.detail ?? ""}` } });
+    if (read.status === "failed")
+      return set({ problem: { title: "A file can't be read.", status: 0, detail: `A file can't be read. ${read.problem.detail ?? ""}` } });
     changed({ files: withFiles(draft.get().files, read.value) });
   }
 

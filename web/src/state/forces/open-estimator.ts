@@ -3,7 +3,7 @@
 import * as api from "../../api.ts";
 import { isOver } from "../../lib/study/point-progress.ts";
 import { openedEstimator, type OpenEstimator } from "../app-state.ts";
-import { createInView, type InView } from "../in-view.ts";
+import { createInView, createPolling, type InView } from "../in-view.ts";
 import { answerTo } from "../loadable.ts";
 import { partOf, type Store } from "../store.ts";
 
@@ -16,13 +16,8 @@ export interface OpenEstimatorActions extends Pick<InView<OpenEstimator>, "open"
 }
 
 export function createOpenEstimator(store: Store, onChanged: () => void): OpenEstimatorActions {
-  const inView = createInView(partOf(store, "openEstimator"), { begin: openedEstimator, load, stop });
-  let timer: number | null = null;
-
-  function stop(): void {
-    if (timer !== null) window.clearTimeout(timer);
-    timer = null;
-  }
+  const inView = createInView(partOf(store, "openEstimator"), { begin: openedEstimator, load, stop: () => polling.end() });
+  const polling = createPolling(load, POLL_MS);
 
   async function load(id: string): Promise<void> {
     const answer = await answerTo(api.estimator(id));
@@ -36,12 +31,7 @@ export function createOpenEstimator(store: Store, onChanged: () => void): OpenEs
   }
 
   function poll(id: string): void {
-    if (inView.get()?.id !== id || inView.get()?.detail.status !== "ready") return;
-    stop();
-    timer = window.setTimeout(() => {
-      if (document.visibilityState === "visible") void load(id);
-      else poll(id);
-    }, POLL_MS);
+    if (inView.get()?.id === id && inView.get()?.detail.status === "ready") polling.again(id);
   }
 
   async function loadReport(id: string): Promise<void> {

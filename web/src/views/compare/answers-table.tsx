@@ -1,26 +1,18 @@
 import { microstrain, significant } from "../../lib/format.ts";
 import { formatRoute, studyRoute } from "../../lib/route.ts";
 import type { ComparedStudy } from "../../wire.ts";
-import { ScrollTable } from "../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../shared/scroll-table.tsx";
 
 /** What each study found, in a row. */
 export function AnswersTable({ studies }: { studies: ComparedStudy[] }) {
   return (
     <section class="panel" aria-labelledby="answers-title">
       <h2 id="answers-title">What they found</h2>
-      <ScrollTable name="Answers of the studies" kind="answers">
-        <thead>
-          <tr>
-            <th scope="col">#</th>
-            <th scope="col" class="words">Study</th>
-            <th scope="col" class="words">Best place</th>
-            <th scope="col" class="words">Best layout</th>
-            <th scope="col">Force, N</th>
-            <th scope="col">Signal x, µε</th>
-            <th scope="col">Signal y, µε</th>
-            <th scope="col" class="words">Mesh</th>
-          </tr>
-        </thead>
+      <ScrollTable
+        name="Answers of the studies"
+        kind="answers"
+        columns={["#", words("Study"), words("Best place"), words("Best layout"), "Force, N", "Signal x, µε", "Signal y, µε", words("Mesh")]}
+      >
         <tbody>
           {studies.map((study, index) => (
             <tr key={study.id}>

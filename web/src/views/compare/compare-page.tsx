@@ -5,7 +5,7 @@ import type { Actions } from "../../state/actions.ts";
 import type { AppState, OpenComparison } from "../../state/app-state.ts";
 import type { StudyDetail } from "../../wire.ts";
 import { Loaded } from "../shared/loaded.tsx";
-import { ScrollTable } from "../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../shared/scroll-table.tsx";
 import { ComparisonPanel } from "../sweep/comparison-panel.tsx";
 import { AnswersTable } from "./answers-table.tsx";
 import { ComparedTires } from "./tires/compared-tires.tsx";
@@ -53,10 +53,20 @@ export function ComparePage({ state, route, actions }: Props) {
 }
 
 /** What all differences on the page are taken from: kept in the address. */
-function BaselineChoice({ route, baseline, names, onChoose }: { route: CompareRoute; baseline: string | null; names: readonly string[]; onChoose: (study: string) => void }) {
+function BaselineChoice({
+  route,
+  baseline,
+  names,
+  onChoose,
+}: {
+  route: CompareRoute;
+  baseline: string | null;
+  names: readonly string[];
+  onChoose: (study: string) => void;
+}) {
   return (
     <p>
-      <label class="inline">
+      <label>
         Baseline{" "}
         <select value={baseline ?? ""} onChange={(event) => onChoose(event.currentTarget.value)}>
           {route.studies.map((id, k) => (
@@ -85,19 +95,12 @@ function Documents({ details }: { details: StudyDetail[] }) {
       {fields.length === 0 ? (
         <p>Nothing but, perhaps, their names.</p>
       ) : (
-        <ScrollTable name="Documents, field by field" kind="document-fields" isTall>
-          <thead>
-            <tr>
-              <th scope="col" class="words">
-                Field
-              </th>
-              {details.map(({ id, name }, index) => (
-                <th key={id} scope="col" class="words" title={name}>
-                  {index + 1}
-                </th>
-              ))}
-            </tr>
-          </thead>
+        <ScrollTable
+          name="Documents, field by field"
+          kind="document-fields"
+          isTall
+          columns={[words("Field"), ...details.map(({ name }, index) => ({ text: index + 1, class: "words", title: name }))]}
+        >
           <tbody>
             {fields.map(({ pointer, label, values }) => (
               <tr key={pointer}>

@@ -2,7 +2,7 @@ import { MISSING } from "../../lib/format.ts";
 import { layoutRanks, type LayoutRank } from "../../lib/compare/layout-ranks.ts";
 import type { Loadable } from "../../state/loadable.ts";
 import type { StudyResult } from "../../wire.ts";
-import { ScrollTable } from "../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../shared/scroll-table.tsx";
 
 /** Layouts of each study that are followed. */
 const MOST = 5;
@@ -17,24 +17,31 @@ interface Props {
 export function LayoutRanks({ layers, answers, baseline }: Props) {
   const layouts = answers.map((answer) => (answer.status === "ready" ? answer.value.layouts : []));
   if (layouts.every((list) => list.length === 0)) return null;
-  const rows = layoutRanks(layouts, layers.findIndex(({ id }) => id === baseline), MOST);
+  const rows = layoutRanks(
+    layouts,
+    layers.findIndex(({ id }) => id === baseline),
+    MOST,
+  );
   return (
     <section class="panel" aria-labelledby="layout-ranks-title">
       <h2 id="layout-ranks-title">Ranks of layouts</h2>
-      <ScrollTable name="Ranks of layouts" kind="layout-ranks" isTall>
-        <thead>
-          <tr>
-            <th scope="col" class="words">
-              Layout
-            </th>
-            {layers.map(({ id, number, name }) => (
-              <th key={id} scope="col" title={name}>
+      <ScrollTable
+        name="Ranks of layouts"
+        kind="layout-ranks"
+        isTall
+        columns={[
+          words("Layout"),
+          ...layers.map(({ id, number, name }) => ({
+            text: (
+              <>
                 {number}
                 {id === baseline && <span class="error"> baseline</span>}
-              </th>
-            ))}
-          </tr>
-        </thead>
+              </>
+            ),
+            title: name,
+          })),
+        ]}
+      >
         <tbody>
           {rows.map(({ layout, ranks }) => (
             <tr key={layout}>

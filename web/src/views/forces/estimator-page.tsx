@@ -41,7 +41,7 @@ export function EstimatorPage({ state, route, actions }: Props) {
   return (
     <Loaded of={open.detail} what="the estimator" onRetry={actions.openEstimator.reopen}>
       {(estimator) => (
-        <article class="study">
+        <article>
           <header class="study-head">
             <h1>{estimator.name}</h1>
             <StateBadge state={estimator.state} />
@@ -108,7 +108,9 @@ const filesOf = ({ recordings }: EstimatorDetail): string[] => recordings.map(({
 
 function ForceChoice({ forces, chosen, onChoose }: { forces: readonly ForceReport[]; chosen: ForceReport; onChoose: (force: string) => void }) {
   if (forces.length < 2) return null;
-  return <RadioChoice name="force" legend="Force" options={forces.map(({ force }) => ({ value: force, label: force }))} chosen={chosen.force} onChoose={onChoose} />;
+  return (
+    <RadioChoice name="force" legend="Force" options={forces.map(({ force }) => ({ value: force, label: force }))} chosen={chosen.force} onChoose={onChoose} />
+  );
 }
 
 function Notes({ report }: { report: Report }) {
@@ -129,7 +131,8 @@ function Notes({ report }: { report: Report }) {
 /** What can be taken away: the model for the command line, the report, and the rows that were left out. */
 function Files({ estimator, leftOut }: { estimator: EstimatorDetail; leftOut: Loadable<LeftOutRows[]> | null }) {
   const { id, name } = estimator;
-  const saveLeftOut = (forces: readonly LeftOutRows[]): void => save(new Blob([leftOutText(forces, filesOf(estimator))], { type: "text/csv" }), fileName(name, "left out", "csv"));
+  const saveLeftOut = (forces: readonly LeftOutRows[]): void =>
+    save(new Blob([leftOutText(forces, filesOf(estimator))], { type: "text/csv" }), fileName(name, "left out", "csv"));
   return (
     <p class="provenance">
       as JSON:{" "}

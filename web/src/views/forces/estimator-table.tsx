@@ -1,30 +1,14 @@
 import { ago, integer, moment } from "../../lib/format.ts";
 import type { EstimatorSummary } from "../../wire.ts";
 import { estimatorRoute, formatRoute } from "../../lib/route.ts";
-import { ScrollTable } from "../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../shared/scroll-table.tsx";
 import { StateBadge } from "../shared/state-badge.tsx";
 
 /** Newest first. */
 export function EstimatorTable({ estimators, now_ms }: { estimators: readonly EstimatorSummary[]; now_ms: number }) {
   const now = new Date(now_ms);
   return (
-    <ScrollTable name="Estimators" kind="designs">
-      <thead>
-        <tr>
-          <th scope="col" class="words">
-            Name
-          </th>
-          <th scope="col" class="state">
-            State
-          </th>
-          <th scope="col" class="words">
-            Forces
-          </th>
-          <th scope="col">Runs</th>
-          <th scope="col">Rows</th>
-          <th scope="col">Submitted</th>
-        </tr>
-      </thead>
+    <ScrollTable name="Estimators" kind="designs" columns={[words("Name"), { text: "State", class: "state" }, words("Forces"), "Runs", "Rows", "Submitted"]}>
       <tbody>
         {estimators.map(({ id, name, state, error, forces, recordings, created, progress }) => (
           <tr key={id}>
@@ -33,7 +17,12 @@ export function EstimatorTable({ estimators, now_ms }: { estimators: readonly Es
             </th>
             <td class="state">
               <StateBadge state={state} />
-              {progress != null && progress.of > 0 && <span class="error"> {progress.done} of {progress.of}</span>}
+              {progress != null && progress.of > 0 && (
+                <span class="error">
+                  {" "}
+                  {progress.done} of {progress.of}
+                </span>
+              )}
             </td>
             <td class={error == null ? "words" : "words reason"}>{error ?? forces.join(", ")}</td>
             <td>{recordings.length}</td>

@@ -17,14 +17,21 @@ export function FitForm({ draft, actions }: { draft: ForcesDraft; actions: Force
       <h2 id="fit-title">Learn forces from recordings</h2>
       <form class="fit-form" onSubmit={submit}>
         <p>
-          A recording is a CSV file of one run: a header, then in each row the time in seconds, the signals, and the forces where they were measured.
-          Forces are columns like <code>fx_n</code>, <code>fy_n</code>, <code>fz_n</code>; all other columns are signals. Of two runs or more, each is
-          estimated by models that learnt from the others alone.
+          A recording is a CSV file of one run: a header, then in each row the time in seconds, the signals, and the forces where they were measured. Forces are
+          columns like <code>fx_n</code>, <code>fy_n</code>, <code>fz_n</code>; all other columns are signals. Of two runs or more, each is estimated by models
+          that learnt from the others alone.
         </p>
         <FileDrop title="Drop CSV files here, one for each run" isMany onFiles={(chosen) => void actions.add(chosen)} />
         <FileList files={files} onLeaveOut={actions.leaveOut} />
         <label for="fit-name">Name, the first file's when empty</label>
-        <input id="fit-name" class="line" autocomplete="off" maxLength={200} value={draft.name} onInput={(event) => actions.edit({ name: event.currentTarget.value })} />
+        <input
+          id="fit-name"
+          class="line"
+          autocomplete="off"
+          maxLength={200}
+          value={draft.name}
+          onInput={(event) => actions.edit({ name: event.currentTarget.value })}
+        />
         <details open={draft.recipe !== ""}>
           <summary>Recipe: columns, preprocessing, features, models, validation</summary>
           <label for="recipe">TOML or JSON; what is left out has its default</label>

@@ -15,13 +15,16 @@ interface Props {
 /** How far a fit is, or why it has no model. */
 export function FitStanding({ estimator, lost, now_ms, actions }: Props) {
   const { state, error, progress, started } = estimator;
-  if (state === "failed") return <ProblemBox problem={{ title: "Nothing was learnt.", status: 0, detail: error ?? "Nothing was learnt; the service gave no reason." }} />;
+  if (state === "failed")
+    return <ProblemBox problem={{ title: "Nothing was learnt.", status: 0, detail: error ?? "Nothing was learnt; the service gave no reason." }} />;
   if (isOver(state)) return <p class="notice">Cancelled: nothing was learnt. Submit the recordings again under Forces.</p>;
   const { done, of } = progress ?? { done: 0, of: 0 };
   const total = of > 0 ? of : null;
   return (
     <section class="panel" aria-label="Progress">
-      <p role="status">{state === "queued" ? "Waiting for its turn." : "Judging models on rows that they didn't learn from, then learning the best from all rows."}</p>
+      <p role="status">
+        {state === "queued" ? "Waiting for its turn." : "Judging models on rows that they didn't learn from, then learning the best from all rows."}
+      </p>
       <progress class="wide" max={1} value={share({ done, total })} aria-label="Models judged">
         {done} of {total ?? "?"}
       </progress>

@@ -1,27 +1,13 @@
 import type { RecordingFigures } from "../../wire.ts";
 import { integer, significant } from "../../lib/format.ts";
-import { ScrollTable } from "../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../shared/scroll-table.tsx";
 
 /** What was learnt from. */
 export function RecordingsTable({ recordings }: { recordings: readonly RecordingFigures[] }) {
   return (
     <section class="panel" aria-labelledby="recordings-title">
       <h2 id="recordings-title">Recordings</h2>
-      <ScrollTable name="Recordings" kind="recordings">
-        <thead>
-          <tr>
-            <th scope="col" class="words">
-              File
-            </th>
-            <th scope="col">Rows</th>
-            <th scope="col">With forces</th>
-            <th scope="col">Cycles</th>
-            <th scope="col">Rows a second</th>
-            <th scope="col" class="words">
-              SHA-256
-            </th>
-          </tr>
-        </thead>
+      <ScrollTable name="Recordings" kind="recordings" columns={[words("File"), "Rows", "With forces", "Cycles", "Rows a second", words("SHA-256")]}>
         <tbody>
           {recordings.map(({ file, rows, labelled, cycles, rate_hz, sha256 }, k) => (
             <tr key={k}>

@@ -1,7 +1,9 @@
 import type { ComponentChildren } from "preact";
-import type { ForceReport } from "../../wire.ts";
-import { chosenBy, leakWords, splitRows, SPLITS } from "../../lib/forces/split-table.ts";
+import { MODELS } from "../../lib/forces/force-words.ts";
+import { chosenBy, JUDGED, leakWords, SPLITS, splitOf } from "../../lib/forces/split-table.ts";
 import { fixed } from "../../lib/format.ts";
+import { type Column, heading, shown } from "../../lib/study/figures/columns.ts";
+import type { ForceReport } from "../../wire.ts";
 import { ScrollTable } from "../shared/scroll-table.tsx";
 
 /** Models of a force side by side on every split. */
@@ -25,7 +27,7 @@ export function SplitPanel({ force, choice }: { force: ForceReport; choice: Comp
 
 function SplitTable({ force }: { force: ForceReport }) {
   const by = chosenBy(force);
-  const kindOf = (split: string): string => (split === by ? "choosing" : "");
+  const kindOf = (column: Column): string => (splitOf(column) === by ? "choosing" : "");
   return (
     <ScrollTable name={`Models of ${force.force}`} kind="splits">
       <thead>
@@ -39,48 +41,38 @@ function SplitTable({ force }: { force: ForceReport }) {
           <th scope="colgroup" colSpan={SPLITS.length} class="group">
             RMSE, N, left out:
           </th>
-          <th scope="col" rowSpan={2} class="group">
-            Leak
-          </th>
-          <th scope="col" rowSpan={2}>
-            NRMSE %
-          </th>
-          <th scope="col" rowSpan={2}>
-            Mean's NRMSE %
-          </th>
-          <th scope="col" rowSpan={2}>
-            Covered %
-          </th>
-          <th scope="col" rowSpan={2}>
-            Width N
-          </th>
+          {JUDGED.map((column, k) => (
+            <th key={column.at} scope="col" rowSpan={2} class={k === 0 ? "group" : undefined} title={heading(column).title}>
+              {heading(column).text}
+            </th>
+          ))}
         </tr>
         <tr>
-          {SPLITS.map(({ split, title }, k) => (
-            <th key={split} scope="col" class={k === 0 ? `group ${kindOf(split)}` : kindOf(split)}>
-              {title}
+          {SPLITS.map((column, k) => (
+            <th key={column.at} scope="col" class={k === 0 ? `group ${kindOf(column)}` : kindOf(column)} title={heading(column).title}>
+              {column.title}
             </th>
           ))}
         </tr>
       </thead>
       <tbody>
-        {splitRows(force).map((row) => (
-          <tr key={row.key} class={row.isChosen ? "chosen-row" : undefined}>
+        {force.models.map((model, place) => (
+          <tr key={`${model.model} ${model.features}`} class={place === 0 ? "chosen-row" : undefined}>
             <th scope="row" class="words">
-              {row.model}
-              {row.isChosen && <span class="error">chosen</span>}
+              {MODELS[model.model]}
+              {place === 0 && <span class="error">chosen</span>}
             </th>
-            <td class="words">{row.features}</td>
-            {row.errors.map((error, k) => (
-              <td key={SPLITS[k]?.split} class={k === 0 ? `group ${kindOf(SPLITS[k]?.split ?? "")}` : kindOf(SPLITS[k]?.split ?? "")}>
-                {error}
+            <td class="words">{model.model === "mean" ? "" : model.features}</td>
+            {SPLITS.map((column, k) => (
+              <td key={column.at} class={k === 0 ? `group ${kindOf(column)}` : kindOf(column)}>
+                {shown(column, { model })}
               </td>
             ))}
-            <td class="group">{row.leak}</td>
-            <td>{row.nrmse}</td>
-            <td>{row.mean_nrmse}</td>
-            <td>{row.coverage}</td>
-            <td>{row.width}</td>
+            {JUDGED.map((column, k) => (
+              <td key={column.at} class={k === 0 ? "group" : undefined}>
+                {shown(column, { model })}
+              </td>
+            ))}
           </tr>
         ))}
       </tbody>

@@ -7,7 +7,13 @@ export interface TextProps {
 }
 
 /** The box that a document is typed in. */
-export function DocumentText({ language, value, area, isWrong, onEdit }: Omit<TextProps, "draft"> & { language: string; value: string; onEdit: (text: string) => void }) {
+export function DocumentText({
+  language,
+  value,
+  area,
+  isWrong,
+  onEdit,
+}: Omit<TextProps, "draft"> & { language: string; value: string; onEdit: (text: string) => void }) {
   return (
     <>
       <label class="document-label" for="document">

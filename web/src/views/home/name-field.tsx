@@ -27,7 +27,9 @@ export function NameField({ document, origin, scenes, onName }: Props) {
         onInput={(event) => onName(event.currentTarget.value)}
       />
       <p id="study-differs" class="quiet">
-        {words === null || origin === null ? `Nothing differs from ${origin === null ? "the start" : `“${origin.name}”`} yet.` : `Differs from “${origin.name}”: ${words}.`}
+        {words === null || origin === null
+          ? `Nothing differs from ${origin === null ? "the start" : `“${origin.name}”`} yet.`
+          : `Differs from “${origin.name}”: ${words}.`}
         {words !== null && isKept && ` Will be called “${changedName(origin.name, changes)}”.`}
       </p>
     </div>

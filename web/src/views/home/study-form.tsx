@@ -58,7 +58,7 @@ export function StudyForm({ state, actions }: { state: AppState; actions: Action
     <>
       <h1>New study</h1>
       <form class="new-study" onSubmit={submit}>
-        <div class="new-study-fields">
+        <div>
           <section class="panel" aria-label="Document">
             <Loaded of={presets} what="the presets" onRetry={() => void actions.studyDraft.reloadPresets()}>
               {(value) => <PresetChoice presets={value.studies} chosen={draft.preset} onChoose={actions.studyDraft.choosePreset} />}
@@ -127,7 +127,7 @@ function Fields({ written, faults, onEdit }: { written: Written | null; faults: 
   const replace = (next: unknown): void => onEdit(textOf(next));
   const props = { document, full, faults, replace, write: (pointer: string, value: unknown) => replace(withValue(document, pointer, value)) };
   return (
-    <div class="form-groups">
+    <div>
       <SceneForm {...props} />
       <LayoutsForm {...props} />
     </div>

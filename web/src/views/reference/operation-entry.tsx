@@ -58,7 +58,10 @@ function Bodies({ what, contents }: { what: string; contents: Record<string, Con
               {kind}
               {document !== null && (
                 <>
-                  : <a href={`#${document}`} onClick={() => unfold(document)}>{document}</a>
+                  :{" "}
+                  <a href={`#${document}`} onClick={() => unfold(document)}>
+                    {document}
+                  </a>
                 </>
               )}
             </p>

@@ -48,8 +48,7 @@ function Described({ description }: { description: Description }) {
       <section aria-labelledby="all-title">
         <h2 id="all-title">All of them</h2>
         <label class="reference-filter">
-          Filter{" "}
-          <input type="search" value={filter} placeholder="layouts, POST, export …" onInput={(event) => setFilter(event.currentTarget.value)} />
+          Filter <input type="search" value={filter} placeholder="layouts, POST, export …" onInput={(event) => setFilter(event.currentTarget.value)} />
         </label>
         <p class="quiet" role="status">
           {shown.length} of {all.length} operations

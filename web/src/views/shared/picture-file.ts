@@ -2,7 +2,17 @@
 
 /** What style gives a shape or a text; as attributes, since the page's policy allows no inline style. */
 const STYLES = [
-  "fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "font-size", "font-weight", "font-family", "text-anchor", "paint-order", "background-color",
+  "fill",
+  "stroke",
+  "stroke-width",
+  "stroke-dasharray",
+  "opacity",
+  "font-size",
+  "font-weight",
+  "font-family",
+  "text-anchor",
+  "paint-order",
+  "background-color",
 ] as const;
 /** Pixels of a PNG for one of the page: sharp in print. */
 const PNG_SCALE = 3;
@@ -10,7 +20,10 @@ const PNG_SCALE = 3;
 /** The drawing by itself, as text; over what a canvas below it shows, if there is one. */
 export function svgText(svg: SVGSVGElement, below: HTMLCanvasElement | null = null): string {
   const copy = svg.cloneNode(true) as SVGSVGElement;
-  const [from, to] = [[svg, ...svg.querySelectorAll("*")], [copy, ...copy.querySelectorAll("*")]];
+  const [from, to] = [
+    [svg, ...svg.querySelectorAll("*")],
+    [copy, ...copy.querySelectorAll("*")],
+  ];
   from.forEach((element, k) => writeStyle(element, to[k]));
   const { width, height } = svg.getBoundingClientRect();
   copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");

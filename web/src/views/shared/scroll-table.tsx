@@ -3,8 +3,16 @@ import { useRef } from "preact/hooks";
 import { csvOf, fileName } from "../../lib/shell/file-names.ts";
 import { save } from "./picture-file.ts";
 
+/** What stands above a column of figures, or of something else. */
+export type Column = string | { text: ComponentChildren; class?: string; title?: string };
+
+/** Above a column of words. */
+export const words = (text: ComponentChildren): Column => ({ text, class: "words" });
+
 interface Props {
   name: string;
+  /** One row of heads; left out where there are more, which the children have. */
+  columns?: readonly Column[];
   /** Class of the table. */
   kind?: string;
   /** Long, with a head that stays in view. */
@@ -15,7 +23,7 @@ interface Props {
 }
 
 /** A table that is scrolled by itself, with the keyboard too, so that the page never is wider than its window. */
-export function ScrollTable({ name, kind, isTall = false, csv, children }: Props) {
+export function ScrollTable({ name, columns, kind, isTall = false, csv, children }: Props) {
   const table = useRef<HTMLTableElement>(null);
 
   function saveShown(): void {
@@ -27,6 +35,7 @@ export function ScrollTable({ name, kind, isTall = false, csv, children }: Props
     <>
       <div class={isTall ? "scroll tall" : "scroll"} tabIndex={0} role="group" aria-label={`${name}, scrolled sideways`}>
         <table ref={table} class={kind} aria-label={name}>
+          {columns !== undefined && <Heads of={columns} />}
           {children}
         </table>
       </div>
@@ -42,5 +51,22 @@ export function ScrollTable({ name, kind, isTall = false, csv, children }: Props
         )}
       </p>
     </>
+  );
+}
+
+function Heads({ of }: { of: readonly Column[] }) {
+  return (
+    <thead>
+      <tr>
+        {of.map((column, k) => {
+          const { text, ...head } = typeof column === "string" ? { text: column } : column;
+          return (
+            <th key={k} scope="col" {...head}>
+              {text}
+            </th>
+          );
+        })}
+      </tr>
+    </thead>
   );
 }

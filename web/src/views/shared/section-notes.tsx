@@ -4,12 +4,17 @@ import type { GradedNote, StudyResult } from "../../wire.ts";
 
 /** Where notes stand: with what they are about. */
 const TOPICS: Record<Section, readonly GradedNote["about"][]> = {
-  answer: [], tire: ["map"], layouts: ["layout", "signals"], indices: ["place", "indices"], trade: [], run: ["cost", "model"],
+  answer: [],
+  tire: ["map"],
+  layouts: ["layout", "signals"],
+  indices: ["place", "indices"],
+  trade: [],
+  run: ["cost", "model"],
 };
 
 /** What bears on the figures of a section; at the end of the run what is for the record alone. */
 export function SectionNotes({ result, section }: { result: StudyResult; section: Section }) {
-  const notes = result.graded_notes ?? [];
+  const notes = result.graded_notes;
   const isRecord = ({ grade }: GradedNote): boolean => grade === "for-the-record";
   const here = notes.filter((note) => !isRecord(note) && TOPICS[section].includes(note.about));
   const record = section === "run" ? notes.filter(isRecord) : [];

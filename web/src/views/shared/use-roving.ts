@@ -36,8 +36,12 @@ export function useRoving<T extends HTMLElement>(rows: string | null): RefObject
       const all = lines();
       const row = all.findIndex((line) => line.some((each) => each === event.target));
       if (row < 0) return;
-      const at = all[row]?.findIndex((each) => each === event.target) ?? 0;
-      const spot = movedTo({ row, at }, all.map((line) => line.length), event.key);
+      const at = all[row]?.indexOf(event.target as HTMLElement) ?? 0;
+      const spot = movedTo(
+        { row, at },
+        all.map((line) => line.length),
+        event.key,
+      );
       if (spot === null) return;
       event.preventDefault();
       all[spot.row]?.[spot.at]?.focus();

@@ -32,7 +32,7 @@ export function StudyPage({ state, route, actions }: Props) {
   return (
     <Loaded of={open.detail} what="the study" onRetry={actions.openStudy.reopen}>
       {(study) => (
-        <article class="study">
+        <article>
           <header class="study-head">
             <h1>{study.name}</h1>
             <StateBadge state={open.progress?.state ?? study.state} />

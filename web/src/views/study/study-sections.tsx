@@ -4,21 +4,31 @@ import { later } from "../shared/later.tsx";
 import { SectionNotes } from "../shared/section-notes.tsx";
 import { useRoving } from "../shared/use-roving.ts";
 import { AnswerView } from "./answer/answer-view.tsx";
-import { IndicesView } from "./indices/indices-view.tsx";
 import { RunView } from "./run/run-view.tsx";
 import type { SectionProps } from "./section-props.ts";
 import { SectionTerms } from "./section-terms.tsx";
 
 const SECTION_NAMES: Record<Section, string> = {
-  answer: "Answer", tire: "Tire", layouts: "Layouts", indices: "Indices", trade: "Trade", run: "Run",
+  answer: "Answer",
+  tire: "Tire",
+  layouts: "Layouts",
+  indices: "Indices",
+  trade: "Trade",
+  run: "Run",
 };
 
+const IndicesView = later("the indices", async () => (await import("./indices/indices-view.tsx")).IndicesView);
 const LayoutsView = later("the layouts", async () => (await import("./layouts/layouts-view.tsx")).LayoutsView);
 const TireView = later("the tire", async () => (await import("./tire/tire-view.tsx")).TireView);
 const TradeView = later("the trade", async () => (await import("./trade/trade-view.tsx")).TradeView);
 
 const VIEWS: Record<Section, (props: SectionProps) => JSX.Element> = {
-  answer: AnswerView, tire: TireView, layouts: LayoutsView, indices: IndicesView, trade: TradeView, run: RunView,
+  answer: AnswerView,
+  tire: TireView,
+  layouts: LayoutsView,
+  indices: IndicesView,
+  trade: TradeView,
+  run: RunView,
 };
 
 /** Links to the sections of a study, one Tab stop. */

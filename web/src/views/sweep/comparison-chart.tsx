@@ -1,13 +1,15 @@
+import { linear, linearTicks, places, placeTicks, type Ends, type Linear } from "../../lib/chart/scales.ts";
 import { directionName, type Direction } from "../../lib/direction.ts";
-import { fixed, MISSING, signed, ticks } from "../../lib/format.ts";
+import { fixed, MISSING, signed } from "../../lib/format.ts";
 import type { Shown } from "../../lib/route.ts";
 import { strips, type DesignAxis, type DesignMark, type Matrix, type Strip } from "../../lib/sweep/comparison-matrix.ts";
+import { Axis } from "../shared/chart/axis.tsx";
+import { ErrorBar } from "../shared/chart/marks.tsx";
+import { KeyEntry } from "../shared/chart/key.tsx";
 
-const STRIP = 84;
-const GAP = 14;
-const TOP = 6;
-const FOOT = 34;
-const AXIS = 58;
+const [STRIP, GAP, TOP, FOOT, AXIS] = [84, 14, 6, 40, 58];
+/** Numbers beside a strip, about. */
+const MARKS = 3;
 /** Least width of a design; what doesn't fit is scrolled to. */
 const COLUMN = 14;
 
@@ -20,25 +22,28 @@ interface Props {
 
 /** One strip for each location, the designs side by side in it. Widths are shares, so that text stays as large in any window. */
 export function ComparisonChart({ matrix, axis, direction, shown }: Props) {
-  const drawn = strips(matrix, direction, shown);
-  const bottom = TOP + (STRIP + GAP) * drawn.length;
+  const drawn = strips(matrix, direction, shown).map((strip, index) => ({ strip, y: scaleOf(strip, TOP + (STRIP + GAP) * index) }));
+  const bottom = TOP + (STRIP + GAP) * drawn.length - GAP;
   const what = shown === "index" ? "First-order indices" : "Differences from the baseline";
   const name = `${what} of ${axis.labels.length} designs, strain ${directionName(direction)}; the table below has the figures`;
+  const across = designPlaces(axis);
   return (
     <figure class="comparison-chart">
-      <figcaption>Strain {directionName(direction)}, {shown === "index" ? "percent" : "percentage points"}</figcaption>
+      <figcaption>
+        Strain {directionName(direction)}, {shown === "index" ? "percent" : "percentage points"}
+      </figcaption>
       <div class="chart-body">
         <svg width={AXIS} height={bottom + FOOT} aria-hidden="true">
-          {drawn.map((strip, index) => (
-            <Scale key={strip.location} strip={strip} top={topOf(index)} shown={shown} />
+          {drawn.map(({ strip, y }) => (
+            <StripAxis key={strip.location} name={strip.location} y={y} shown={shown} />
           ))}
         </svg>
         <div class="chart-scroll" tabIndex={0} role="region" aria-label={`Designs, strain ${direction}`}>
           <svg width="100%" height={bottom + FOOT} style={{ minWidth: `${COLUMN * axis.labels.length}px` }} role="img" aria-label={name}>
-            {drawn.map((strip, index) => (
-              <Marks key={strip.location} strip={strip} top={topOf(index)} designs={axis.labels.length} shown={shown} />
+            {drawn.map(({ strip, y }) => (
+              <Marks key={strip.location} strip={strip} x={across.at} y={y} shown={shown} />
             ))}
-            <Designs axis={axis} bottom={bottom} />
+            <Axis side="bottom" frame={{ ...WHOLE, bottom, height: bottom + FOOT }} {...across} lines="none" title={axis.title} titlePlace="start" />
           </svg>
         </div>
       </div>
@@ -46,54 +51,59 @@ export function ComparisonChart({ matrix, axis, direction, shown }: Props) {
   );
 }
 
-const topOf = (index: number): number => TOP + (STRIP + GAP) * index;
+const WHOLE = { width: AXIS, left: 0, right: "100%", top: 0 };
 
-const heightOf = (strip: Strip, top: number, value: number): number =>
-  top + (STRIP * (strip.high - value)) / (strip.high - strip.low);
+const scaleOf = ({ low, high }: Strip, top: number): Linear => linear([low, high], [top + STRIP, top]);
 
-const percent = (share: number): string => `${100 * share}%`;
+/** Designs by their numbers, where they stand as shares, and what is written below them. */
+function designPlaces({ labels, every }: DesignAxis) {
+  const ticks = placeTicks(
+    places(
+      labels.map((_, index) => index + 1),
+      [0, 100],
+    ),
+  );
+  const values = ticks.values.filter((_, index) => index % every === 0);
+  return { values, at: (design: number) => `${ticks.at(design)}%`, text: (design: number) => labels[design - 1] ?? "" };
+}
 
-const marksOf = (strip: Strip): number[] => ticks(strip.low, strip.high, 4);
-
-function Scale({ strip, top, shown }: { strip: Strip; top: number; shown: Shown }) {
-  const values = marksOf(strip);
-  const decimals = values.every(Number.isInteger) ? 0 : 1;
+function StripAxis({ name, y, shown }: { name: string; y: Linear; shown: Shown }) {
+  const [bottom = 0, top = 0] = y.range();
+  const ticks = linearTicks(y, MARKS);
+  const text = (value: number): string => (shown === "difference" && value > 0 ? `+${ticks.text(value)}` : ticks.text(value));
   return (
-    <g class="axis">
-      <text class="bar-name" x={0} y={top + STRIP / 2 + 4}>
-        {strip.location}
+    <g>
+      <Axis side="left" frame={{ width: AXIS, height: bottom, left: AXIS, right: AXIS, top, bottom }} {...ticks} text={text} lines="none" />
+      <text class="strip-name" x={0} y={(top + bottom) / 2 + 4}>
+        {name}
       </text>
-      {values.map((value) => (
-        <text key={value} x={AXIS - 6} y={heightOf(strip, top, value) + 4} text-anchor="end">
-          {shown === "index" || value === 0 ? fixed(value, decimals) : signed(value, decimals)}
-        </text>
+    </g>
+  );
+}
+
+function Marks({ strip, x, y, shown }: { strip: Strip; x: (design: number) => string; y: Linear; shown: Shown }) {
+  const { reference } = strip;
+  const [bottom = 0, top = 0] = y.range();
+  return (
+    <g>
+      <rect class="strip" x="0" y={top} width="100%" height={STRIP} />
+      <Axis side="left" frame={{ ...WHOLE, top, bottom, height: bottom }} {...linearTicks(y, MARKS)} text={null} />
+      {reference !== null && <line class="reference" x1="0" x2="100%" y1={y(reference)} y2={y(reference)} />}
+      {strip.marks.map((mark) => (
+        <svg key={mark.number} x={x(mark.number)} y={y(mark.value)} overflow="visible">
+          <title>{`${mark.number}: ${mark.name}, ${strip.location}: ${figure(mark, shown)}`}</title>
+          {(mark.error ?? 0) !== 0 && <ErrorBar class={`reach reach-${toneOf(mark)}`} at={0} ends={reachOf(y, mark)} cap={3} />}
+          <MarkShape tone={toneOf(mark)} />
+        </svg>
       ))}
     </g>
   );
 }
 
-function Marks({ strip, top, designs, shown }: { strip: Strip; top: number; designs: number; shown: Shown }) {
-  const { reference } = strip;
-  return (
-    <g>
-      <rect class="strip" x="0" y={top} width="100%" height={STRIP} />
-      <g class="axis">
-        {marksOf(strip).map((value) => (
-          <line key={value} x1="0" x2="100%" y1={heightOf(strip, top, value)} y2={heightOf(strip, top, value)} />
-        ))}
-      </g>
-      {reference !== null && (
-        <line class="reference" x1="0" x2="100%" y1={heightOf(strip, top, reference)} y2={heightOf(strip, top, reference)} />
-      )}
-      {strip.marks.map((mark) => (
-        <svg key={mark.number} x={percent((mark.number - 0.5) / designs)} y={heightOf(strip, top, mark.value)} overflow="visible">
-          <title>{`${mark.number}: ${mark.name}, ${strip.location}: ${figure(mark, shown)}`}</title>
-          <ErrorBar reach={((mark.error ?? 0) * STRIP) / (strip.high - strip.low)} tone={toneOf(mark)} />
-          <Symbol tone={toneOf(mark)} />
-        </svg>
-      ))}
-    </g>
-  );
+/** Ends of its error bar, seen from the mark. */
+function reachOf(y: Linear, { error }: DesignMark): Ends {
+  const reach = y(error ?? 0) - y(0);
+  return [reach, -reach];
 }
 
 type Tone = "baseline" | "real" | "noise" | "unknown";
@@ -106,13 +116,8 @@ function figure(mark: DesignMark, shown: Shown): string {
   return mark.verdict === null ? `${text} ± ${error}, the baseline` : `${text} ± ${error}, ${mark.verdict}`;
 }
 
-function ErrorBar({ reach, tone }: { reach: number; tone: Tone }) {
-  if (reach === 0) return null;
-  return <path class={`reach reach-${tone}`} d={`M0 ${-reach}V${reach}M-3 ${-reach}H3M-3 ${reach}H3`} />;
-}
-
 /** Told apart by shape as well as by colour. */
-function Symbol({ tone }: { tone: Tone }) {
+function MarkShape({ tone }: { tone: Tone }) {
   switch (tone) {
     case "baseline":
       return <rect class="mark-baseline" x={-4} y={-4} width={8} height={8} />;
@@ -123,24 +128,6 @@ function Symbol({ tone }: { tone: Tone }) {
     case "unknown":
       return <path class="mark-unknown" d="M-4 -4L4 4M-4 4L4 -4" />;
   }
-}
-
-function Designs({ axis, bottom }: { axis: DesignAxis; bottom: number }) {
-  const count = axis.labels.length;
-  return (
-    <g class="axis">
-      {axis.labels.map((label, index) =>
-        index % axis.every === 0 ? (
-          <text key={label} x={percent((index + 0.5) / count)} y={bottom + 8} text-anchor="middle">
-            {label}
-          </text>
-        ) : null,
-      )}
-      <text x="0" y={bottom + 26}>
-        {axis.title}
-      </text>
-    </g>
-  );
 }
 
 const KEYS: readonly { tone: Tone; text: string }[] = [
@@ -155,12 +142,9 @@ export function MarkKey({ shown }: { shown: Shown }) {
   return (
     <p class="key">
       {KEYS.map(({ tone, text }) => (
-        <span key={tone}>
-          <svg viewBox="-7 -7 14 14" aria-hidden="true">
-            <Symbol tone={tone} />
-          </svg>
-          {text}
-        </span>
+        <KeyEntry key={tone} text={text} box="-7 -7 14 14">
+          <MarkShape tone={tone} />
+        </KeyEntry>
       ))}
       <span>
         {shown === "index"

@@ -42,14 +42,7 @@ export function ComparisonPanel({ comparison, designs, shown, onBaseline, onShow
           <h2 id="comparison-title">What differs</h2>
           <div class="controls">
             {onBaseline !== undefined && <BaselineChoice matrix={matrix} onChoose={onBaseline} />}
-            <RadioChoice
-              name="shown"
-              legend="Charts show"
-              isLegendHidden
-              options={SHOWN}
-              chosen={shown}
-              onChoose={onShown}
-            />
+            <RadioChoice name="shown" legend="Charts show" isLegendHidden options={SHOWN} chosen={shown} onChoose={onShown} />
           </div>
           <Summary matrix={matrix} />
           <div class="charts">{charts}</div>
@@ -63,7 +56,7 @@ export function ComparisonPanel({ comparison, designs, shown, onBaseline, onShow
 
 function BaselineChoice({ matrix, onChoose }: { matrix: Matrix; onChoose: (study: string) => void }) {
   return (
-    <label class="inline">
+    <label>
       Differences from{" "}
       <select value={matrix.baseline ?? ""} onChange={(event) => onChoose(event.currentTarget.value)}>
         {matrix.baseline === null && (
@@ -114,9 +107,7 @@ function Tables({ matrix }: { matrix: Matrix }) {
       </p>
       <h3>Ranking</h3>
       <RankTable matrix={matrix} />
-      <p class="quiet">
-        1 is best. ★ ↑ and ↓ are places gained and lost since the baseline, only where the errors leave no doubt about either rank.
-      </p>
+      <p class="quiet">1 is best. ★ ↑ and ↓ are places gained and lost since the baseline, only where the errors leave no doubt about either rank.</p>
       <TermLine names={["first-order index", "real difference", "x and y", "crown", "shoulder", "sidewall"]} />
     </>
   );

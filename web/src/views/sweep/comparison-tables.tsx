@@ -4,7 +4,7 @@ import { fixed, MISSING, rankWords, signed } from "../../lib/format.ts";
 import { formatRoute, studyRoute } from "../../lib/route.ts";
 import type { DesignRow, Matrix } from "../../lib/sweep/comparison-matrix.ts";
 import type { ComparedIndex, ComparedLocation, Verdict } from "../../wire.ts";
-import { ScrollTable } from "../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../shared/scroll-table.tsx";
 
 /** Designs by locations: the index, and below it its difference from the baseline. */
 export function DifferenceTable({ matrix, direction }: { matrix: Matrix; direction: Direction }) {
@@ -23,20 +23,7 @@ type Cell = (location: ComparedLocation, all: readonly ComparedLocation[]) => Co
 function ByLocation(props: { matrix: Matrix; name: string; cell: Cell }) {
   const { matrix, name, cell } = props;
   return (
-    <ScrollTable name={name} kind="designs" isTall>
-      <thead>
-        <tr>
-          <th scope="col">#</th>
-          <th scope="col" class="words">
-            Design
-          </th>
-          {matrix.locations.map((location) => (
-            <th key={location} scope="col">
-              {location}
-            </th>
-          ))}
-        </tr>
-      </thead>
+    <ScrollTable name={name} kind="designs" isTall columns={["#", words("Design"), ...matrix.locations]}>
       <tbody>
         {matrix.rows.map((row) => (
           <Row key={row.study.id} row={row} isBaseline={row.study.id === matrix.baseline} cell={cell} />

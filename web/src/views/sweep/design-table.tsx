@@ -2,7 +2,7 @@ import { fixed, integer, MISSING } from "../../lib/format.ts";
 import { formatRoute, studyRoute } from "../../lib/route.ts";
 import { nameSaysAll, settingsText } from "../../lib/sweep/design-progress.ts";
 import type { ComparedStudy, Comparison, DesignView } from "../../wire.ts";
-import { ScrollTable } from "../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../shared/scroll-table.tsx";
 import { StateBadge } from "../shared/state-badge.tsx";
 
 /** Columns that only a design with a result fills. */
@@ -23,23 +23,7 @@ interface Props extends Ticking {
 export function DesignTable({ designs, comparison, ticked, onTick }: Props) {
   const compared = new Map(comparison?.studies.map((study) => [study.id, study]));
   return (
-    <ScrollTable name="Designs" kind="designs" isTall>
-      <thead>
-        <tr>
-          <th scope="col">#</th>
-          <th scope="col" class="words">
-            Design
-          </th>
-          <th scope="col" class="state">
-            State
-          </th>
-          {FIGURES.map((title) => (
-            <th key={title} scope="col">
-              {title}
-            </th>
-          ))}
-        </tr>
-      </thead>
+    <ScrollTable name="Designs" kind="designs" isTall columns={["#", words("Design"), { text: "State", class: "state" }, ...FIGURES]}>
       <tbody>
         {designs.map((design) => (
           <Row key={design.ordinal} design={design} compared={compared.get(design.study.id)} ticked={ticked} onTick={onTick} />
@@ -57,7 +41,11 @@ function Row({ design, compared, ticked, onTick }: { design: DesignView; compare
       <th scope="row" class="words">
         {study.state === "done" && (
           <input
-            type="checkbox" class="design-tick" title="Compare" aria-label={`Compare ${design.name}`} checked={ticked.includes(study.id)}
+            type="checkbox"
+            class="design-tick"
+            title="Compare"
+            aria-label={`Compare ${design.name}`}
+            checked={ticked.includes(study.id)}
             onChange={(event) => onTick(study.id, event.currentTarget.checked)}
           />
         )}

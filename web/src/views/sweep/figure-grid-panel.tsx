@@ -1,14 +1,17 @@
 import * as api from "../../api.ts";
-import { css, inkOn, sequential } from "../../lib/colour.ts";
+import { css, inkOn, sequential } from "../../lib/chart/colour.ts";
 import { CELL_FIGURES, formatRoute, studyRoute, type CellFigure } from "../../lib/route.ts";
 import { cellOf, valueRange, type DesignGrid, type GridCell } from "../../lib/sweep/figure-grid.ts";
 import { useAsked } from "../../state/use-asked.ts";
 import type { Comparison, DesignView, LayoutAnswer } from "../../wire.ts";
 import { RadioChoice } from "../shared/radio-choice.tsx";
-import { ScrollTable } from "../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../shared/scroll-table.tsx";
 
 const NAMES: Record<CellFigure, string> = {
-  answer: "Best place", "index-x": "Its index x, %", "index-y": "Its index y, %", "angle-error": "Best layout's angle error, °",
+  answer: "Best place",
+  "index-x": "Its index x, %",
+  "index-y": "Its index y, %",
+  "angle-error": "Best layout's angle error, °",
 };
 
 interface Props {
@@ -28,22 +31,25 @@ export function FigureGridPanel({ grid, comparison, figure, onFigure }: Props) {
       <h2 id="grid-title">The two fields as a grid</h2>
       <div class="controls">
         <RadioChoice
-          name="cell-figure" legend="Each cell shows" options={CELL_FIGURES.map((value) => ({ value, label: NAMES[value] }))} chosen={figure} onChoose={onFigure}
+          name="cell-figure"
+          legend="Each cell shows"
+          options={CELL_FIGURES.map((value) => ({ value, label: NAMES[value] }))}
+          chosen={figure}
+          onChoose={onFigure}
         />
       </div>
-      <ScrollTable name="Designs by two fields" kind="figure-grid">
-        <thead>
-          <tr>
-            <th scope="col" class="words">
+      <ScrollTable
+        name="Designs by two fields"
+        kind="figure-grid"
+        columns={[
+          words(
+            <>
               <code>{grid.rows.path}</code> down, <code>{grid.columns.path}</code> across
-            </th>
-            {grid.columns.values.map((value) => (
-              <th key={value} scope="col">
-                {value}
-              </th>
-            ))}
-          </tr>
-        </thead>
+            </>,
+          ),
+          ...grid.columns.values,
+        ]}
+      >
         <tbody>
           {cells.map((row, k) => (
             <tr key={grid.rows.values[k]}>
@@ -55,7 +61,9 @@ export function FigureGridPanel({ grid, comparison, figure, onFigure }: Props) {
           ))}
         </tbody>
       </ScrollTable>
-      <p class="quiet">{WORDS[figure]} {figure !== "answer" && "± ? isn't known, as of a draft. "}Each cell leads to its study.</p>
+      <p class="quiet">
+        {WORDS[figure]} {figure !== "answer" && "± ? isn't known, as of a draft. "}Each cell leads to its study.
+      </p>
     </section>
   );
 }
@@ -64,7 +72,8 @@ const WORDS: Record<CellFigure, string> = {
   answer: "First of the ranking, and whether the errors leave no doubt about that.",
   "index-x": "First-order index of the best place's own depth for the x strain at the contact's centre, with its error; dark is least, light is most.",
   "index-y": "First-order index of the best place's own depth for the y strain at the contact's centre, with its error; dark is least, light is most.",
-  "angle-error": "95 of 100 simulated contacts are estimated better than this by the first of the layouts, at the worst load, with the error of that; dark is least, light is most.",
+  "angle-error":
+    "95 of 100 simulated contacts are estimated better than this by the first of the layouts, at the worst load, with the error of that; dark is least, light is most.",
 };
 
 function Cell({ design, cell, range }: { design: DesignView; cell: GridCell; range: [number, number] | null }) {

@@ -27,14 +27,13 @@ export function SweepPage({ state, route, actions }: Props) {
   return (
     <Loaded of={open.detail} what="the sweep" onRetry={actions.openSweep.reopen}>
       {(sweep) => (
-        <article class="study">
+        <article>
           <header class="study-head">
             <h1>{sweep.name}</h1>
             <StateBadge state={sweep.state} />
           </header>
           <p class="provenance">
-            as JSON: <a href={sweepAddress(sweep.id)}>the sweep</a>,{" "}
-            <a href={comparisonAddress(sweep.id, route.baseline)}>the comparison</a>; its locations as{" "}
+            as JSON: <a href={sweepAddress(sweep.id)}>the sweep</a>, <a href={comparisonAddress(sweep.id, route.baseline)}>the comparison</a>; its locations as{" "}
             <a href={comparisonExport(sweep.id, route.baseline, "format=csv")}>CSV</a> or{" "}
             <a href={comparisonExport(sweep.id, route.baseline, "format=parquet")}>Parquet</a>, its designs as{" "}
             <a href={comparisonExport(sweep.id, route.baseline, "format=csv&table=designs")}>CSV</a>
@@ -79,7 +78,10 @@ interface DesignsProps extends Ticking {
 
 function Designs({ sweep, comparison, ticked, onTick }: DesignsProps) {
   // The page's clock ticks every second, the table needn't.
-  const table = useMemo(() => <DesignTable designs={sweep.designs} comparison={comparison} ticked={ticked} onTick={onTick} />, [sweep.designs, comparison, ticked]);
+  const table = useMemo(
+    () => <DesignTable designs={sweep.designs} comparison={comparison} ticked={ticked} onTick={onTick} />,
+    [sweep.designs, comparison, ticked],
+  );
   return (
     <section class="panel" aria-labelledby="designs-title">
       <h2 id="designs-title">Designs</h2>
@@ -87,12 +89,16 @@ function Designs({ sweep, comparison, ticked, onTick }: DesignsProps) {
       {table}
       {ticked.length > 0 && (
         <p class="compare-ticked">
-          {ticked.length === 1 ? "Tick another design or study to compare." : <a href={formatRoute(compareRoute([...ticked]))}>Compare the {ticked.length} ticked</a>}
+          {ticked.length === 1 ? (
+            "Tick another design or study to compare."
+          ) : (
+            <a href={formatRoute(compareRoute([...ticked]))}>Compare the {ticked.length} ticked</a>
+          )}
         </p>
       )}
       <p class="quiet">
-        Force: vertical, at the means of the inputs. Signal: standard deviation of the strain at the centre, in microstrain (µε, 10⁻⁶), x circumferential
-        and y meridional. Best: the first of the ranking, and whether its errors leave no doubt about that. Each design links to its study.
+        Force: vertical, at the means of the inputs. Signal: standard deviation of the strain at the centre, in microstrain (µε, 10⁻⁶), x circumferential and y
+        meridional. Best: the first of the ranking, and whether its errors leave no doubt about that. Each design links to its study.
       </p>
     </section>
   );

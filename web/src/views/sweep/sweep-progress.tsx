@@ -60,9 +60,7 @@ function Cancel({ open, actions }: { open: OpenSweep; actions: Actions }) {
       <button type="button" onClick={() => void actions.openSweep.cancel()}>
         Cancel sweep
       </button>
-      <p class="quiet">
-        Points solved so far stay stored. {open.lost && "The service doesn't answer; asking again every two seconds."}
-      </p>
+      <p class="quiet">Points solved so far stay stored. {open.lost && "The service doesn't answer; asking again every two seconds."}</p>
     </div>
   );
 }
@@ -76,8 +74,7 @@ function Resume({ sweep, actions }: { sweep: SweepDetail; actions: Actions }) {
         Resume {count} {count === 1 ? "design" : "designs"}
       </button>
       <p class="quiet">
-        Puts designs that were cancelled or failed back into the queue. What they had solved is kept; a load without an
-        equilibrium stays without one.
+        Puts designs that were cancelled or failed back into the queue. What they had solved is kept; a load without an equilibrium stays without one.
       </p>
     </div>
   );

@@ -7,7 +7,7 @@ use super::pressing::{self, Press};
 use super::reading::{Reading, reaction};
 use super::{Figures, figures};
 
-/// One depth.
+/// Figures at a depth.
 #[derive(Debug)]
 pub struct Finest {
     pub figures: Figures,
@@ -38,7 +38,7 @@ pub struct Ours {
     pub scalars: Scalars,
 }
 
-/// What the other code printed, one entry a depth.
+/// Reads what the other code printed, an entry a depth.
 pub fn finest() -> Vec<Finest> {
     let crown_line = numbers(include_str!("crown_line.csv"));
     let scalars = numbers(include_str!("finest_mesh.csv"));

@@ -17,14 +17,14 @@ const STATIONS: usize = 5;
 const MEAN_DEPTH: f64 = 1.0;
 const NODES: usize = 5;
 
-/// One study of the other code.
+/// A study of the other code.
 #[derive(Debug)]
 pub struct Study {
     pub name: String,
     plan: MeshPlan,
     scene: Scene,
     half_range: f64,
-    /// What it printed: kind of row, output, and one value for each point or depth.
+    /// Rows that it printed: kind of row, output, and one value for each point or depth.
     pub rows: Vec<Row>,
 }
 
@@ -98,8 +98,8 @@ fn study(rows: &[Vec<&str>]) -> Study {
     }
 }
 
-/// Its description names the bricks and, for the quadratic mesh, the 25 degrees; that the linear one has them too, and the growth
-/// of 2 of the former, were found by trying.
+/// Returns the other code's mesh. Its description names the bricks and, for the quadratic mesh, the 25 degrees; that the linear one has them too, and
+/// the growth of 2 of the former, were found by trying.
 fn plan(mesh: &str) -> MeshPlan {
     let (order, [fine, coarse, meridional, layers], meridional_growth) = match mesh {
         "Q2" => (Order::Quadratic, [10, 5, 8, 2], 2.0),

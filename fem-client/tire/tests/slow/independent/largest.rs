@@ -39,7 +39,7 @@ pub fn least_volume_ratio(model: &TireModel, state: &State) -> f64 {
     bricks.fold(f64::INFINITY, f64::min)
 }
 
-/// How far the contact points that lie below the ground reach along and across the wheel, mm.
+/// Returns how far the contact points that lie below the ground reach along and across the wheel, mm.
 pub fn patch(model: &TireModel, pressed: &Pressed) -> [f64; 2] {
     let mesh = &model.problem.mesh;
     let contact = model.problem.contact.as_ref().expect("a tire has a tread");

@@ -1,7 +1,7 @@
 //! The reference tire as an independent code solved it, solved here on the same mesh, with its contact law and its readout.
 //!
 //! That code reads raw strains at nodes, and its bricks grow towards the bead: neither is in its description, both were found
-//! by trying, see `docs/verification/independent.md`.
+//! by trying, see `docs/proof/independent.md`.
 
 // Each target that includes this module uses a part of it.
 #![allow(dead_code)]
@@ -30,7 +30,7 @@ const SPACING: f64 = 4.0;
 /// Stick at any contact force.
 const STICK: f64 = 1e6;
 
-/// One equilibrium of the other code.
+/// An equilibrium of the other code.
 #[derive(Debug, Clone)]
 pub struct Figures {
     pub case: String,
@@ -50,7 +50,7 @@ impl Figures {
     }
 }
 
-/// What both codes answer.
+/// Figures that both codes answer.
 #[derive(Debug, Clone, Copy)]
 pub struct Solution {
     pub inflated_radius_mm: f64,

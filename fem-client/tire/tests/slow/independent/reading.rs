@@ -2,7 +2,7 @@
 //! neighbouring bricks at each node of the crown line, linear between nodes. An 8-node brick has one meridional stretch along
 //! a meridian: at the crown that code takes the even parabola in the section angle through the middles of the first two.
 //!
-//! Its description says nothing of this, we found it by trying: see `docs/verification/independent.md`.
+//! Its description says nothing of this, we found it by trying: see `docs/proof/independent.md`.
 
 use fem::cell::element::{Order, brick_gradients};
 use fem::cell::mesh::SurfacePoint;

@@ -15,7 +15,7 @@ use crate::attack::draw::{Draw, uniform, x};
 use crate::attack::exact::{of, on_grid, on_grid_of, sum_of_products};
 use crate::known::Known;
 
-/// One model of every kind.
+/// Draws a model of every kind.
 pub fn all(d: &mut Draw) -> Vec<Known> {
     let mut models = structures(d);
     models.extend(fluids_and_circuits(d));
@@ -31,7 +31,7 @@ fn gaussian(mean: f64, std: f64) -> Distribution {
     Distribution::normal(mean, std).expect("a valid law")
 }
 
-/// By mean and standard deviation of the variable itself.
+/// Makes a lognormal law of the mean and standard deviation of the variable itself.
 fn lognormal(mean: f64, std: f64) -> Distribution {
     let square = (std / mean).powi(2).ln_1p();
     Distribution::lognormal(mean.ln() - 0.5 * square, square.sqrt()).expect("a valid law")

@@ -8,7 +8,7 @@ mod surfaces;
 use super::draw::Draw;
 use crate::known::Known;
 
-/// One model of every family for a seed.
+/// Draws a model of every family for a seed.
 pub fn all(seed: u64) -> Vec<Known> {
     let mut d = Draw::new(seed + 7000);
     let mut models = engineering::all(&mut d);

@@ -7,7 +7,7 @@ use crate::attack::draw::{Draw, normal, uniform};
 use crate::attack::exact::{Factor, Term, of, on_grid, sum_of_products};
 use crate::known::Known;
 
-/// One model of every kind.
+/// Draws a model of every kind.
 pub fn all(d: &mut Draw) -> Vec<Known> {
     vec![
         on_normals(d),
@@ -50,7 +50,7 @@ impl Waves {
     }
 }
 
-/// On standard normals E\[cos(w.x + p)\] = cos(p) exp(-|w|^2/2), and every moment of two waves is one of their sum and difference.
+/// Waves on standard normals: E\[cos(w.x + p)\] = cos(p) exp(-|w|^2/2), and every moment of two waves is one of their sum and difference.
 fn on_normals(d: &mut Draw) -> Known {
     let n = d.count(2, 6);
     let sample = Waves::draw(d, n, 3.0);
@@ -194,7 +194,7 @@ fn boxes(d: &mut Draw) -> Known {
     sum_of_products("boxes", uniform(0.0, 1.0, n), &ends, terms)
 }
 
-/// One of nine shapes on \[0, 1\].
+/// Returns a shape of nine on \[0, 1\].
 fn shape(kind: usize, input: usize) -> Factor {
     match kind {
         0 => of(input, |x| x),

@@ -16,7 +16,7 @@ use crate::attack::draw::{Draw, uniform, x};
 use crate::attack::exact::{Factor, Term, of, on_grid, sum_of_products};
 use crate::known::Known;
 
-/// One model of every surface.
+/// Draws a model of every surface.
 pub fn all(d: &mut Draw) -> Vec<Known> {
     let mut models = products_and_sums(d);
     models.extend(dette_pepelyshev());

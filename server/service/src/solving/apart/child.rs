@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use std::thread;
 
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
-use placement::run::usage::cpu_s;
+use placement::points::usage::cpu_s;
 
 use super::messages::{Answer, Order};
 

@@ -1,19 +1,19 @@
-//! Who is to blame for a process's end.
+//! Blame for a process's end.
 
 use std::process::ExitStatus;
 
-/// Who is to blame for the end of a process that was to solve.
+/// Blame for the end of a process that was to solve.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Blame {
-    /// Nobody: it ended by itself, with or without an answer.
+    /// Blame on nobody: it ended by itself, with or without an answer.
     Nobody,
-    /// What it solved: what ended it.
+    /// Blame on what it solved: what ended it.
     Itself(&'static str),
-    /// Somebody else, by the signal of this number.
+    /// Blame on somebody else, by the signal of this number.
     Outside(i32),
 }
 
-/// How often the system has ended a process for lack of memory since it was started; None where it doesn't tell.
+/// Counts how often the system has ended a process for lack of memory since it was started; None where it doesn't tell.
 pub(super) fn memory_kills() -> Option<u64> {
     let counts = std::fs::read_to_string("/proc/vmstat").ok()?;
     let count = counts
@@ -22,7 +22,7 @@ pub(super) fn memory_kills() -> Option<u64> {
     count?.trim().parse().ok()
 }
 
-/// Who ended a process, and whether the system ended any for lack of memory meanwhile.
+/// Finds who ended a process, and whether the system ended any for lack of memory meanwhile.
 pub(super) fn blame(status: ExitStatus, lacked_memory: bool) -> Blame {
     let Some(signal) = signal(status) else {
         return Blame::Nobody;

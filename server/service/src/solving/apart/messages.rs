@@ -1,8 +1,8 @@
-//! What the two processes tell each other: one line of JSON each way.
+//! Messages between the two processes: a line of JSON each way.
 //!
 //! Floats are written with as many digits as read back to the bit, states as the bytes in which they are stored.
 
-use fem_client::document::fault::Fault;
+use document::fault::Fault;
 use fem_client::hexadecimal::{from_hexadecimal, hexadecimal};
 use fem_client::scene::Scene;
 use fem_client::solver::{
@@ -11,7 +11,7 @@ use fem_client::solver::{
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-/// What is to be solved, as [`SolveRequest`] has it.
+/// Order to solve, as [`SolveRequest`] has it.
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Order {
     scene: Value,
@@ -38,7 +38,7 @@ impl Order {
     }
 }
 
-/// What came of it.
+/// Answer to an order.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Answer {

@@ -7,16 +7,16 @@ use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
 
-use fem_client::document::visible::visible;
+use document::visible::visible;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver, Watch};
-use placement::run::usage::credit;
+use placement::points::usage::credit;
 
 use super::child::ARGUMENT;
 use super::ending::{Blame, blame, memory_kills};
 use super::messages::{Answer, Order};
 use crate::solving::inner_tells;
 
-/// How often it is looked whether the process has ended or is to end.
+/// Interval at which it is looked whether the process has ended or is to end.
 const LOOK: Duration = Duration::from_millis(10);
 /// Bytes of a process's last words that are repeated.
 const LAST_WORDS: usize = 500;
@@ -44,7 +44,7 @@ impl Apart {
     }
 }
 
-/// This program, to solve for its parent.
+/// Returns the command of this program, to solve for its parent.
 pub fn own_program() -> Command {
     // Linux knows it even after its file was replaced by another version, whose numbers may be others.
     let program = match cfg!(target_os = "linux") {
@@ -90,10 +90,10 @@ impl Solver for Apart {
 /// A process that has ended.
 struct Ended {
     status: ExitStatus,
-    /// Because the caller wished so.
+    /// Whether the caller wished for it.
     stopped: bool,
     answer: Vec<u8>,
-    /// What it wrote to standard error.
+    /// Bytes that it wrote to standard error.
     words: Vec<u8>,
 }
 
@@ -175,7 +175,7 @@ fn read(pipe: Option<impl Read>) -> Vec<u8> {
     bytes
 }
 
-/// How the process ended, and whether it was for the caller's wish.
+/// Waits for the process; returns how it ended, and whether it was for the caller's wish.
 fn wait(child: &mut Child, watch: &dyn Watch) -> io::Result<(ExitStatus, bool)> {
     loop {
         if let Some(status) = child.try_wait()? {
@@ -189,7 +189,7 @@ fn wait(child: &mut Child, watch: &dyn Watch) -> io::Result<(ExitStatus, bool)> 
     }
 }
 
-/// What a process said last, on one line.
+/// Returns what a process said last, on one line.
 fn last_words(words: &[u8]) -> String {
     let from = words.len().saturating_sub(LAST_WORDS);
     let text = String::from_utf8_lossy(&words[from..]);
@@ -207,7 +207,7 @@ mod tests {
     use fem_client::scene::Scene;
     use fem_client::solver::Readout;
 
-    /// What comes of a process that does this instead of solving.
+    /// Asks a process that does this instead of solving.
     fn ask(script: &'static str, stop: &AtomicBool) -> SolveResult {
         let shell = move || {
             let mut command = Command::new("sh");

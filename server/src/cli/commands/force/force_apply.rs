@@ -31,7 +31,7 @@ pub struct Apply {
 }
 
 impl Apply {
-    /// What it reads and writes.
+    /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
         let run = (!self.is_streamed()).then_some(&self.run);
         Files::default()
@@ -47,7 +47,7 @@ impl Apply {
     /// Estimates, and writes `time_s`, each force with its interval, `outside`.
     pub fn execute(&self) -> Result<(), Failure> {
         let text = read_text(&self.model, MOST_MODEL_BYTES).map_err(Failure::input)?;
-        let named = |mut faults: Vec<fem_client::document::fault::Fault>| {
+        let named = |mut faults: Vec<document::fault::Fault>| {
             for fault in &mut faults {
                 fault.detail = format!("{}: {}", self.model.display(), fault.detail);
             }

@@ -3,15 +3,15 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use estimation::recipe::Recipe;
 use service::forces::fitting::{Fit as Found, FitFailure, Work, fit};
 use service::forces::model_file::model_text;
-use service::forces::recipe_reader::recipe_from_text;
 use service::forces::recorded_texts::{MOST_RECORDING_BYTES, NamedText};
 use service::study_document::text_files::read_text;
 use service::study_document::{format_of, read_file};
 use tokio::runtime::Runtime;
 
-use crate::cli::commands::force::force_table::table;
+use crate::cli::commands::force::force_table::report_text;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
@@ -21,7 +21,7 @@ use crate::cli::terminal::signals::stop_flag;
 
 #[derive(Debug, Args)]
 pub struct Fit {
-    /// What is to be done, TOML or JSON; an empty file has all defaults
+    /// Recipe of what is to be done, TOML or JSON; an empty file has all defaults
     recipe: PathBuf,
     /// Recordings, CSV, one a run: a header, then seconds, signals, and forces where they were measured
     #[arg(required = true)]
@@ -38,7 +38,7 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// What it reads and writes.
+    /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
         Files::default()
             .reading([&self.recipe])
@@ -50,7 +50,7 @@ impl Fit {
     /// Learns, writes model and report, prints what was found.
     pub fn execute(&self) -> Result<(), Failure> {
         let recipe = read_file(&self.recipe)
-            .and_then(|text| recipe_from_text(&text, format_of(&self.recipe)));
+            .and_then(|text| Recipe::from_text(&text, format_of(&self.recipe)));
         let (files, unread) = self.recordings();
         let mut faults = recipe.as_ref().err().cloned().unwrap_or_default();
         faults.extend(
@@ -73,7 +73,7 @@ impl Fit {
         if let Some(target) = &self.json {
             target.write(&found.report)?;
         }
-        tell(&table(&found.report), self.json.as_ref())
+        tell(&report_text(&found.report), self.json.as_ref())
     }
 
     /// The recordings that can be read, and why others can't.
@@ -92,11 +92,7 @@ impl Fit {
         (files, unread)
     }
 
-    fn fit(
-        &self,
-        recipe: &estimation::recipe::Recipe,
-        files: &[NamedText],
-    ) -> Result<Found, Failure> {
+    fn fit(&self, recipe: &Recipe, files: &[NamedText]) -> Result<Found, Failure> {
         let runtime = Runtime::new().map_err(Failure::other)?;
         let stop = stop_flag(&runtime)?;
         let bar = counting_bar(0, "models judged");

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::Args;
-use placement::result::StudyResult;
-use placement::study::plan::PlannedStudy;
+use documents::study::plan::PlannedStudy;
+use results::StudyResult;
 use service::forces::recorded_texts::NamedText;
 use service::forces::rig_recording::{Finished, RECIPE, RecordFailure, run_name};
 use service::study_document::{named_files, read_changed};
@@ -38,7 +38,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// What it reads and writes.
+    /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
         Files::of_database(&self.config.db)
             .reading(named_files(&self.study))

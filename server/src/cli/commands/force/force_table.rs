@@ -1,14 +1,21 @@
-//! What a fit found, for people: the answer first, then how sure it is, then every model beside it.
+//! Findings of a fit, for people: the answer first, then how sure it is, then every model beside it.
 
 use std::fmt::Write as _;
 
-use estimation::fit_report::{ForceReport, ModelReport, Report, SplitReport};
+use estimation::fit_report::{ForceReport, ModelReport, Report};
 use estimation::recipe::Kind;
 
-use crate::cli::terminal::paint::{BAD, GOOD, HEADER, painted};
+use results::columns::table;
+use serde_json::json;
+
+use crate::cli::terminal::figures::Figures;
+use crate::cli::terminal::paint::{BAD, GOOD, painted};
+
+/// Characters of a model's name and its features.
+const NAMED: usize = 16;
 
 /// The report as text.
-pub fn table(report: &Report) -> String {
+pub fn report_text(report: &Report) -> String {
     let mut text = String::new();
     for force in &report.forces {
         text.push_str(&answer(force));
@@ -73,54 +80,26 @@ fn chosen(model: &ModelReport) -> String {
     }
 }
 
+/// Models beside each other: on the split that chooses, on every split, and how far a random split would have misled.
 fn models(force: &ForceReport) -> String {
-    let head = format!(
-        "{:<8}{:<9}{:>9}{:>8}{:>8}{:>7}{:>9}{:>9}   {:>8}{:>8}{:>8}{:>8}{:>8}{:>7}",
-        force.force,
-        "features",
-        "RMSE N",
-        "NRMSE %",
-        "mean %",
-        "R2",
-        "covered",
-        "width N",
-        "random",
-        "cycle",
-        "run",
-        "time",
-        "freq.",
-        "leak"
-    );
-    let rows: String = force.models.iter().map(row).collect();
-    format!("{}\n{rows}\n", painted(HEADER, head))
-}
-
-fn row(model: &ModelReport) -> String {
-    let figures = &model.validation;
-    let number =
-        |x: Option<f64>, digits: usize| x.map_or("-".to_owned(), |x| format!("{x:.digits$}"));
-    let split =
-        |report: &Option<SplitReport>| number(report.as_ref().map(|report| report.rmse_n), 3);
-    let splits = &model.splits;
-    format!(
-        "{:<8}{:<9}{:>9.3}{:>8}{:>8}{:>7}{:>9}{:>9}   {:>8}{:>8}{:>8}{:>8}{:>8}{:>7}\n",
-        model.model.as_str(),
-        if model.model == Kind::Mean {
-            "-"
-        } else {
-            model.features.as_str()
-        },
-        figures.rmse_n,
-        number(figures.nrmse_percent, 2),
-        number(figures.mean_nrmse_percent, 2),
-        number(figures.r2, 3),
-        number(figures.coverage, 2),
-        number(figures.width_n, 3),
-        split(&splits.random),
-        split(&splits.cycle),
-        split(&splits.run),
-        split(&splits.time),
-        split(&splits.frequency),
-        number(model.leak_factor, 2),
-    )
+    let row = |model: &ModelReport| json!({ "force": { "force": force.force }, "model": model });
+    let rows: Vec<_> = force.models.iter().map(row).collect();
+    let table = table("models");
+    let columns = ["judged", "splits", "leak"].map(|view| table.view(view));
+    let figures = Figures::of(&columns.concat(), &rows);
+    let names = format!("{:<8}features", force.force);
+    let mut text = figures.head(&names, NAMED, "");
+    for (row, model) in force.models.iter().enumerate() {
+        let features = match model.model {
+            Kind::Mean => "-",
+            _ => model.features.as_str(),
+        };
+        let _ = writeln!(
+            text,
+            "{:<8}{features:<8}{}",
+            model.model.as_str(),
+            figures.row(row)
+        );
+    }
+    text + "\n"
 }

@@ -47,7 +47,7 @@ impl Force {
         }
     }
 
-    /// What the step reads and writes.
+    /// Returns the files that the step reads and writes.
     pub fn files(&self) -> Files {
         match &self.step {
             Step::Fit(step) => step.files(),
@@ -56,7 +56,7 @@ impl Force {
         }
     }
 
-    /// Where the step's JSON goes.
+    /// Returns where the step's JSON goes.
     pub fn json(&self) -> Option<JsonTarget> {
         match &self.step {
             Step::Fit(step) => step.json.clone(),

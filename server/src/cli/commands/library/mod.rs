@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use placement::result::StudyResult;
+use results::StudyResult;
 use serde_json::{Value, json};
 use sqlx::SqliteConnection;
 use tokio::runtime::Runtime;
@@ -21,7 +21,7 @@ use crate::cli::terminal::progress::clock;
 use crate::cli::terminal::report::report;
 use service::wire::study_wire::StudySummary;
 use service::wire::sweep_wire::SweepSummary;
-use store::answers::result_rows;
+use store::answers::result_rows::{self, Extent};
 use store::file::opening;
 use store::queue::listed::{Archived, Listed};
 use store::queue::study_rows::{self, Filter, State, StudyRow};
@@ -41,7 +41,7 @@ pub struct Database {
 }
 
 impl Database {
-    /// Its file.
+    /// Returns its file.
     pub fn file(&self) -> &Path {
         &self.db
     }
@@ -68,7 +68,7 @@ pub async fn study(connection: &mut SqliteConnection, id: &str) -> Result<StudyR
     the_only(found.map_err(Failure::other)?, "study", id)
 }
 
-/// What was found under the beginning of an identifier, where that is one.
+/// Returns what was found under the beginning of an identifier, where that is one.
 pub fn the_only<T>(mut found: Vec<T>, kind: &str, beginning: &str) -> Result<T, Failure> {
     match (found.pop(), found.is_empty()) {
         (Some(one), true) => Ok(one),
@@ -92,7 +92,7 @@ pub struct List {
     /// List the sweeps instead
     #[arg(long, conflicts_with = "state")]
     sweeps: bool,
-    /// Those alone whose name has this text, in small or capital letters, or whose identifier begins so
+    /// Part of the name, in small or capital letters, or beginning of the identifier, of those that are listed alone
     #[arg(long, value_name = "TEXT")]
     search: Option<String>,
     /// List what was archived, which is left out otherwise
@@ -112,7 +112,7 @@ fn state(name: &str) -> Result<State, String> {
 }
 
 impl List {
-    /// What it reads and writes.
+    /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
         Files::of_database(self.database.file()).telling(self.json.as_ref())
     }
@@ -169,7 +169,7 @@ impl List {
     }
 }
 
-/// What a list says of a study or a sweep.
+/// Line of a list on a study or a sweep.
 struct Line<'r> {
     id: &'r str,
     state: &'static str,
@@ -248,7 +248,7 @@ pub struct Show {
 }
 
 impl Show {
-    /// What it reads and writes.
+    /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
         Files::of_database(self.database.file()).telling(self.json.as_ref())
     }
@@ -257,7 +257,7 @@ impl Show {
     pub fn execute(&self) -> Result<(), Failure> {
         let (row, found) = self.database.read(async |connection| {
             let row = study(connection, &self.id).await?;
-            let found = result_rows::find(connection, &row.id).await;
+            let found = result_rows::find(connection, &row.id, Extent::Whole).await;
             Ok((row, found.map_err(Failure::other)?))
         })?;
         let found: Option<StudyResult> = found.map(|(result, _)| result);

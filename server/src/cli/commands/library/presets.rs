@@ -18,7 +18,7 @@ pub struct Presets {
 }
 
 impl Presets {
-    /// What it writes.
+    /// Returns the files that it writes.
     pub fn files(&self) -> Files {
         Files::default().telling(self.json.as_ref())
     }

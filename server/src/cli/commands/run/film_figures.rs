@@ -3,14 +3,16 @@
 //! Each panel is of one tire and one direction of the films, with a curve for each position, each reading with its error: coupled films solid, bare ones dashed and
 //! on an axis of their own, because they read some fifty times as much.
 
+use documents::parts::film_model::FilmModel;
 use fem_client::solver::Position;
 use fem_client::solver::direction::Direction;
-use placement::result::{FilmModel, SignalAxis, SignalRow, Signals};
-use placement::study::POSITIONS;
 use plotters::coord::Shift;
 use plotters::prelude::*;
+use results::SignalAxis;
+use results::SignalRow;
+use results::Signals;
 
-/// Of a panel, pixels.
+/// Width and height of a panel, pixels.
 const PANEL: (u32, u32) = (500, 280);
 /// Height of the legend, and width of one of its letters, at most, pixels.
 const HEAD: u32 = 28;
@@ -79,7 +81,7 @@ fn draw(
     area.present()
 }
 
-/// What colours and dashes mean.
+/// Draws what colours and dashes mean.
 fn draw_legend(area: &Area<'_>) -> Drawn {
     let mut x = 12;
     let mut entry = |text: &str, style: ShapeStyle, dashed: bool| -> Drawn {
@@ -94,8 +96,8 @@ fn draw_legend(area: &Area<'_>) -> Drawn {
         x += 44 + LETTER * text.len() as i32;
         Ok(())
     };
-    for (name, position) in POSITIONS {
-        entry(name, colour(position).stroke_width(2), false)?;
+    for position in Position::ALL {
+        entry(position.as_str(), colour(position).stroke_width(2), false)?;
     }
     entry("bare", BLACK.stroke_width(1), true)?;
     entry("coupled", BLACK.stroke_width(1), false)
@@ -106,21 +108,21 @@ fn draw_panel(area: &Area<'_>, title: &str, axis: SignalAxis, rows: &[&SignalRow
     let curve = |film: FilmModel, position: Position| -> Vec<Point> {
         let of_curve = |row: &&&SignalRow| row.position == position && row.film == film;
         let points = rows.iter().filter(of_curve);
-        let mut points: Vec<Point> = points.filter_map(|row| point(row, axis)).collect();
+        let mut points: Vec<Point> = points.filter_map(|row| point(row)).collect();
         points.sort_by(|a, b| a.at.total_cmp(&b.at));
         points
     };
     let all = |film| {
-        POSITIONS
+        Position::ALL
             .into_iter()
-            .flat_map(move |(_, position)| curve(film, position))
+            .flat_map(move |position| curve(film, position))
     };
     let volts = |film| {
         let ends = all(film).flat_map(|p| [p.volts - p.error, p.volts + p.error]);
         room(ends.chain([0.0]))
     };
     let [coupled, bare] = [FilmModel::Coupled, FilmModel::Bare];
-    let along = room(rows.iter().map(|row| place(row, axis)));
+    let along = room(rows.iter().map(|row| row.along()));
     let mut chart = ChartBuilder::on(area)
         .caption(title, ("sans-serif", 14))
         .margin(8)
@@ -140,7 +142,7 @@ fn draw_panel(area: &Area<'_>, title: &str, axis: SignalAxis, rows: &[&SignalRow
         .light_line_style(WHITE)
         .draw()?;
     chart.configure_secondary_axes().y_desc("bare, V").draw()?;
-    for (_, position) in POSITIONS {
+    for position in Position::ALL {
         let style = colour(position).stroke_width(2);
         let points = curve(coupled, position);
         let line = points.iter().map(|p| (p.at, p.volts));
@@ -163,27 +165,19 @@ struct Point {
 }
 
 impl Point {
-    /// From the least that it may be to the most.
+    /// Draws a bar from the least that it may be to the most.
     fn bar(self, style: ShapeStyle) -> PathElement<(f64, f64)> {
         let ends = [self.volts - self.error, self.volts + self.error];
         PathElement::new(ends.map(|volts| (self.at, volts)), style)
     }
 }
 
-fn point(row: &SignalRow, axis: SignalAxis) -> Option<Point> {
+fn point(row: &SignalRow) -> Option<Point> {
     Some(Point {
-        at: place(row, axis),
+        at: row.along(),
         volts: row.open_circuit_v?,
         error: row.error.map_or(0.0, |error| error.open_circuit_v),
     })
-}
-
-fn place(row: &SignalRow, axis: SignalAxis) -> f64 {
-    match axis {
-        SignalAxis::Load => row.load_n,
-        SignalAxis::Pressure => row.pressure_mpa,
-        SignalAxis::Contact => row.contact_deg,
-    }
 }
 
 /// A range that holds all values and a little more.
@@ -211,29 +205,16 @@ fn colour(position: Position) -> RGBColor {
 
 #[cfg(test)]
 mod tests {
+    use serde_json::json;
+
     use super::*;
 
     fn row(film: FilmModel, over: SignalAxis, at: f64, volts: Option<f64>) -> SignalRow {
-        SignalRow {
-            tire: "own".to_owned(),
-            film,
-            position: Position::Crown,
-            direction: Direction::X,
-            over,
-            load_n: at,
-            pressure_mpa: at,
-            contact_deg: at,
-            depth_mm: None,
-            strain: None,
-            tension_1_n_per_mm: None,
-            charge_nc: None,
-            open_circuit_v: volts,
-            output_v: volts,
-            output_std_v: None,
-            state: None,
-            error: None,
-            reason: None,
-        }
+        let row = json!({
+            "tire": "own", "film": film, "position": "crown", "direction": "x", "over": over,
+            "load_n": at, "pressure_mpa": at, "contact_deg": at, "open_circuit_v": volts,
+        });
+        serde_json::from_value(row).expect("a row")
     }
 
     #[test]

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::Args;
-use placement::result::StudyResult;
-use placement::study::plan::PlannedStudy;
+use documents::study::plan::PlannedStudy;
+use results::StudyResult;
 use tokio::runtime::Runtime;
 
 use crate::cli::commands::run::study_runner::StudyRunner;
@@ -48,7 +48,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// What it reads and writes.
+    /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
         Files::of_database(&self.config.db)
             .reading(named_files(&self.study))

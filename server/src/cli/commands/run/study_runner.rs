@@ -3,10 +3,10 @@
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use documents::study::Study;
+use documents::study::plan::PlannedStudy;
 use fem_client::solver::NoEquilibrium;
-use placement::result::{FailedPoint, StudyResult};
-use placement::study::Study;
-use placement::study::plan::PlannedStudy;
+use results::{FailedPoint, StudyResult};
 use serde_json::json;
 use tokio::runtime::Runtime;
 
@@ -23,7 +23,7 @@ use store::queue::study_rows::{self, StudyRow};
 use store::queue::turns;
 use store::{Store, StoreError};
 
-/// What runs a study, with its database open.
+/// Runner of studies, with its database open.
 pub struct StudyRunner<'c> {
     config: &'c Config,
     /// Runs what waits.

@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use fem_client::solver::Solver;
 use indicatif::ProgressBar;
 use placement::estimate::Workload;
-use placement::run::Event;
+use placement::points::Event;
 use tokio::runtime::Handle;
 
 use crate::cli::terminal::exit::Failure;
@@ -23,7 +23,7 @@ use store::StoreError;
 use store::queue::sweep_rows::DesignRow;
 use store::queue::turns;
 
-/// What designs are run with.
+/// Crew that runs designs.
 pub struct Crew<'c> {
     pub runtime: &'c Handle,
     pub engine: &'c Engine,
@@ -116,7 +116,7 @@ impl Crew<'_> {
     }
 }
 
-/// What a design asks of a solver; what can't be planned fails by itself.
+/// Returns what a design asks of a solver; what can't be planned fails by itself.
 fn workload(design: &DesignRow, solver: &dyn Solver) -> Option<Workload> {
     let planned = stored_plan(&design.study).ok()?;
     Some(Workload::of(&planned, solver))

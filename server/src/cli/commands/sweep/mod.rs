@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::Args;
+use documents::study::Study;
+use documents::sweep::{self as placed, Design, Sweep as Plan, sweep_of, typed_grid};
 use placement::compare::{Comparison, compare};
-use placement::study::Study;
-use placement::sweep::{self as placed, Design, Sweep as Plan, sweep_of, typed_grid};
 use serde_json::json;
 use tokio::runtime::Runtime;
 
@@ -49,7 +49,7 @@ pub struct Sweep {
     /// Go on with a sweep of the database, and with the designs of --grid beside its own
     #[arg(long, value_name = "ID")]
     resume: Option<String>,
-    /// What the sweep is called; like its study when absent
+    /// Name of the sweep; like its study when absent
     #[arg(long, value_name = "NAME", conflicts_with = "resume")]
     name: Option<String>,
     #[command(flatten)]
@@ -65,7 +65,7 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// What it reads and writes.
+    /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
         let study = self.study.as_deref().map(named_files);
         Files::of_database(&self.config.db)

@@ -8,13 +8,13 @@ use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
+use documents::study::Study;
 use fem_client::scene::Level;
 use gsa::method::Kind;
 use placement::ladder::fidelity::Fidelity;
 use placement::ladder::trade::{Trade as Measured, answer, compare};
-use placement::result::StudyResult;
-use placement::run::RunError;
-use placement::study::Study;
+use placement::points::RunError;
+use results::StudyResult;
 use tokio::runtime::Runtime;
 
 use crate::cli::solver_option::SolverOption;
@@ -44,11 +44,11 @@ pub struct Trade {
     solver: SolverOption,
     /// Finest mesh level of the ladder
     #[arg(long, value_name = "LEVEL", default_value = "reference",
-          value_parser = PossibleValuesParser::new(Level::NAMES.map(|(name, _)| name)))]
+          value_parser = PossibleValuesParser::new(Level::ALL.map(Level::as_str)))]
     up_to: String,
     /// Mesh level of the reference
     #[arg(long, value_name = "LEVEL", default_value = "reference",
-          value_parser = PossibleValuesParser::new(Level::NAMES.map(|(name, _)| name)))]
+          value_parser = PossibleValuesParser::new(Level::ALL.map(Level::as_str)))]
     reference_level: String,
     /// Method of the reference, with 5 nodes for each input
     #[arg(long, value_name = "KIND", default_value = "bivariate",
@@ -70,7 +70,7 @@ const PLOT: &str = "trade.svg";
 const REFERENCE_NODES: usize = 5;
 
 impl Trade {
-    /// What it reads and writes.
+    /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
         Files::of_database(&self.config.db)
             .reading(named_files(&self.study))
@@ -147,7 +147,7 @@ impl Trade {
         }
     }
 
-    /// One rung, with a solver that has seen nothing yet.
+    /// Answers a study on one rung, with a solver that has seen nothing yet.
     fn answer(
         &self,
         study: &Study,
@@ -174,8 +174,7 @@ async fn keep(store: &Store, trade: &Measured) -> Result<(), StoreError> {
 
 /// The level of this name, which the command line has checked.
 fn level(name: &str) -> Level {
-    let named = Level::NAMES.iter().find(|(known, _)| *known == name);
-    named.map_or(Level::Reference, |(_, level)| *level)
+    Level::named(name).unwrap_or(Level::Reference)
 }
 
 fn stopped() -> Failure {

@@ -3,52 +3,51 @@
 use std::fmt::Write;
 
 use placement::ladder::trade::{Rung, Trade};
+use results::columns::table;
+use serde_json::{Value, json};
+use service::export;
 
-use crate::cli::terminal::paint::{BAD, GOOD, HEADER, header, left, painted};
+use crate::cli::terminal::figures::Figures;
+use crate::cli::terminal::paint::{BAD, GOOD, HEADER, left, painted};
 
-/// Everything that `trade` prints.
+/// Characters of a rung's name.
+const NAMED: usize = 24;
+
+/// Returns all that `trade` prints.
 pub fn report(trade: &Trade) -> String {
     let mut text = painted(HEADER, trade.study.escape_debug()) + "\n\n";
-    text.push_str(&header("                          wall      CPU            largest error of an index     claims that\n"));
-    text.push_str(&header("mesh, method, nodes          s        s   solves   true        claimed           hold, %      ranking   front\n"));
-    for rung in &trade.rungs {
-        text.push_str(&row(rung));
+    let figures = Figures::of(&table("rungs").view("rungs"), &rows(&trade.rungs));
+    text.push_str(&figures.head("mesh, method, nodes", NAMED, "  ranking   front"));
+    for (row, rung) in trade.rungs.iter().enumerate() {
+        text.push_str(&line(rung, &figures.row(row)));
     }
+    let claimed = trade.reference.error_claimed;
+    let claimed = claimed.map_or_else(|| "-".to_owned(), |error| format!("{error:.4}"));
     let _ = writeln!(
         text,
         "\nTrue errors are differences from {} ({} solves, {:.1} s), whose own claim is {}. Errors are absolute; an index lies between 0 and 1. A draft claims nothing: it doesn't know what its mesh does.",
-        trade.reference.label,
-        trade.reference.solves,
-        trade.reference.wall_s,
-        error(trade.reference.error_claimed).trim()
+        trade.reference.label, trade.reference.solves, trade.reference.wall_s, claimed
     );
     text.push_str(&verdict(trade));
     text
 }
 
-fn row(rung: &Rung) -> String {
-    let covered = rung
-        .covered
-        .map_or_else(|| "-".to_owned(), |share| format!("{:.0}", 100.0 * share));
+fn rows<'r>(rungs: impl IntoIterator<Item = &'r Rung>) -> Vec<Value> {
+    let row = |rung| json!({ "rung": rung });
+    rungs.into_iter().map(row).collect()
+}
+
+fn line(rung: &Rung, figures: &str) -> String {
     let (style, ranking) = match rung.ranking_agrees {
         true => (GOOD, "agrees"),
         false => (BAD, "differs"),
     };
+    let front = if rung.pareto { "*" } else { "" };
     format!(
-        "{:24} {:7.2}  {:7.2}  {:6}   {}   {}   {covered:>10}         {} {}\n",
+        "{:<NAMED$}{figures}  {}  {front}\n",
         rung.label,
-        rung.wall_s,
-        rung.cpu_s,
-        rung.solves,
-        error(rung.error_true),
-        error(rung.error_claimed),
-        left(style, ranking, 8),
-        if rung.pareto { "*" } else { "" },
+        left(style, ranking, 8)
     )
-}
-
-fn error(value: Option<f64>) -> String {
-    value.map_or_else(|| format!("{:>9}", "-"), |value| format!("{value:9.4}"))
 }
 
 /// The cheapest rung that ranks as the reference does.
@@ -65,29 +64,8 @@ fn verdict(trade: &Trade) -> String {
     }
 }
 
-/// One line per rung, the reference last.
+/// Writes a line per rung, the reference last.
 pub fn csv(trade: &Trade) -> String {
-    let mut text = "label,level,method,nodes,check_points,wall_s,cpu_s,solves,error_true,error_claimed,covered,ranking_agrees,pareto\n".to_owned();
-    for rung in trade.rungs.iter().chain([&trade.reference]) {
-        let number = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
-        let fidelity = &rung.fidelity;
-        let _ = writeln!(
-            text,
-            "{},{},{},{},{},{},{},{},{},{},{},{},{}",
-            rung.label,
-            fidelity.level,
-            fidelity.method,
-            fidelity.nodes,
-            fidelity.check_points,
-            rung.wall_s,
-            rung.cpu_s,
-            rung.solves,
-            number(rung.error_true),
-            number(rung.error_claimed),
-            number(rung.covered),
-            rung.ranking_agrees,
-            rung.pareto,
-        );
-    }
-    text
+    let rungs = trade.rungs.iter().chain([&trade.reference]);
+    export::csv_of(&table("rungs"), &rows(rungs))
 }

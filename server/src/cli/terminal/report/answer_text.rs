@@ -1,8 +1,8 @@
 //! The answer, how sure it is, and what could overturn it, for people.
 
 use anstyle::Style;
-use fem_client::document::visible::visible;
-use placement::result::{Answer, Certainty, StudyResult};
+use document::visible::visible;
+use results::{Answer, Certainty, StudyResult};
 
 use crate::cli::terminal::paint::{GOOD, STRONG, WARNING, painted};
 use crate::cli::terminal::wrapping::{labelled, wrapped};

@@ -1,19 +1,20 @@
-//! How well forces are known by layouts' films, for people: a line for each layout and force that its films tell.
+//! Forces by layouts' films, and how well they are known, for people: a line for each layout and force that its films tell.
 
 use std::fmt::Write;
 
-use fem_client::document::visible::visible;
-use placement::result::{
+use document::visible::visible;
+use results::columns::{table, table_rows};
+use results::{
     FilmAnglesReport, ForceError, ForceFindings, RankedLayout, StudyResult, TableReport,
 };
 
-use crate::cli::terminal::paint::{HEADER, header};
-use crate::cli::terminal::report::layout_table::{DESCRIBED, described, number};
+use crate::cli::terminal::figures::Figures;
+use crate::cli::terminal::paint::HEADER;
+use crate::cli::terminal::report::layout_table::{DESCRIBED, NAMED, described};
 use crate::cli::terminal::wrapping::{labelled, wrapped};
 
 const QUESTION: &str = "how far off are they, learnt from a virtual rig, on runs with other films?";
-const HEAD: &str = "                                                                                  one  films\n                                              force   off by  NRMSE                dead    off\n\
-                    rank  layout                                          N      %     R2  covered      N      N\n";
+const NAMES: &str = "rank  layout";
 /// Lines of layouts that are printed.
 const SHOWN: usize = 12;
 const AXES: [&str; 3] = ["fx", "fy", "fz"];
@@ -36,16 +37,29 @@ pub fn forces(result: &StudyResult) -> String {
         })
         .collect();
     let useful = told.iter().filter(|(_, force)| force.useful);
-    let lines: Vec<String> = useful.map(|(layout, force)| line(layout, force)).collect();
-    if !lines.is_empty() {
-        text.push_str(&header(HEAD));
-        text.extend(lines.iter().take(SHOWN).map(String::as_str));
+    let useful: Vec<_> = useful.collect();
+    let shown = &useful[..useful.len().min(SHOWN)];
+    if !shown.is_empty() {
+        let row =
+            |(layout, force): &&(&RankedLayout, &ForceError)| table_rows::force(layout, force);
+        let rows: Vec<_> = shown.iter().map(row).collect();
+        let figures = Figures::of(&table("forces").view("known"), &rows);
+        text.push_str(&figures.head(NAMES, NAMED, ""));
+        for (row, (layout, _)) in shown.iter().enumerate() {
+            let _ = writeln!(
+                text,
+                "{:>4}  {:<DESCRIBED$}{}",
+                layout.rank,
+                described(layout),
+                figures.row(row)
+            );
+        }
     }
-    if lines.len() > SHOWN {
+    if useful.len() > SHOWN {
         let _ = writeln!(
             text,
             "{} more are in the result: --json -",
-            lines.len() - SHOWN
+            useful.len() - SHOWN
         );
     }
     text.push_str(&untold(&told));
@@ -55,20 +69,8 @@ pub fn forces(result: &StudyResult) -> String {
     text
 }
 
-fn line(layout: &RankedLayout, force: &ForceError) -> String {
-    let dead = force.dead.and_then(|dead| dead.error.rmse_n);
-    format!(
-        "{:>4}  {:<DESCRIBED$}{:>5}{:>9}{:>7}{:>7}{:>9}{:>7}{:>7}\n",
-        layout.rank,
-        described(layout),
-        force.axis,
-        number(force.fresh.rmse_n, 2),
-        number(force.fresh.nrmse_percent, 1),
-        number(force.fresh.r2, 2),
-        number(force.fresh.coverage, 2),
-        number(dead, 2),
-        number(force.askew.error.rmse_n, 2),
-    )
+fn number(value: Option<f64>, digits: usize) -> String {
+    value.map_or("-".to_owned(), |value| format!("{value:.digits$}"))
 }
 
 /// Forces that no layout's films tell.
@@ -93,7 +95,7 @@ fn untold(told: &[(&RankedLayout, &ForceError)]) -> String {
     }
 }
 
-/// What each force's error costs in films, beside what no estimator can be better than.
+/// Says what each force's error costs in films, beside what no estimator can be better than.
 fn prices(findings: &ForceFindings, told: &[(&RankedLayout, &ForceError)]) -> String {
     let of_axis = |axis: &str| {
         let own = findings.price.iter().filter(|price| price.axis == axis);
@@ -120,7 +122,7 @@ fn prices(findings: &ForceFindings, told: &[(&RankedLayout, &ForceError)]) -> St
     AXES.iter().filter_map(|axis| of_axis(axis)).collect()
 }
 
-/// The same estimators on other tires.
+/// Says how the same estimators fare on other tires.
 fn elsewhere(told: &[(&RankedLayout, &ForceError)]) -> String {
     let useful = || told.iter().filter(|(_, force)| force.useful);
     let mut tires: Vec<&str> = Vec::new();
@@ -155,7 +157,7 @@ fn elsewhere(told: &[(&RankedLayout, &ForceError)]) -> String {
     tires.iter().map(of_tire).collect()
 }
 
-/// How far the table is off that the rig reads, and what is missing.
+/// Says how far the table is off that the rig reads, and what is missing.
 fn below(findings: &ForceFindings) -> String {
     let error = |table: &TableReport| {
         let error = table.error?;
@@ -183,7 +185,7 @@ fn below(findings: &ForceFindings) -> String {
             .collect::<String>()
 }
 
-/// How far the volts of glued films are off beside the contact.
+/// Says how far the volts of glued films are off beside the contact.
 fn glued(films: &FilmAnglesReport) -> String {
     let off = match (films.signal_worst, films.signal_rms) {
         (Some(worst), Some(rms)) => format!(

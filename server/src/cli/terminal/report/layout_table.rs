@@ -2,18 +2,23 @@
 
 use std::fmt::Write;
 
-use fem_client::document::visible::visible;
-use placement::result::{LayoutScore, RankedLayout, StudyResult};
+use document::visible::visible;
+use documents::layouts::layout_settings::VOLT_UNIT;
+use results::columns::{Table, table, table_rows};
+use results::{RankedLayout, StudyResult};
 
-use crate::cli::terminal::paint::{FAINT, GOOD, HEADER, header, painted};
+use crate::cli::terminal::figures::Figures;
+use crate::cli::terminal::paint::{FAINT, GOOD, HEADER, painted};
 use crate::cli::terminal::report::shared_rank::rank_cell;
 use crate::cli::terminal::wrapping::{cut, labelled, wrapped};
 
-const HEAD: &str = "                                                    angle error, deg          lost  force\n\
-                    rank  layout                                   films     95 % below  bound      %      N  rank is\n";
-/// What layouts are ordered by.
+/// Sentence on what layouts are ordered by.
 const ORDER: &str =
     "The order goes by the angle's error at the worst load times the root of the number of films.";
+/// Words above ranks and layouts.
+const NAMES: &str = "rank  layout";
+/// Columns of ranks and layouts.
+pub(super) const NAMED: usize = DESCRIBED + 6;
 /// Columns of what a layout is.
 pub(super) const DESCRIBED: usize = 40;
 /// Layouts that are printed, beside the paper's.
@@ -28,14 +33,17 @@ pub fn layouts(result: &StudyResult) -> String {
     };
     let question = format!("how well is the contact known{}?", loads(result));
     let mut text = format!("\n{}", labelled(HEADER, "layouts", &question));
-    text.push_str(&header(HEAD));
     let paper = result.layouts.iter().position(is_the_papers);
     let beyond = paper.filter(|paper| *paper >= SHOWN);
     let shown = (0..result.layouts.len().min(SHOWN)).chain(beyond);
     let shown: Vec<&RankedLayout> = shown.map(|row| &result.layouts[row]).collect();
     let ranks = || result.layouts.iter().map(|layout| layout.rank);
-    for layout in &shown {
-        text.push_str(&row(layout, &rank_cell(layout.rank, ranks())));
+    let table = table("layouts");
+    let figures = figures(&table, "ranked", &shown);
+    text.push_str(&figures.head(NAMES, NAMED, "  rank is"));
+    for (row, layout) in shown.iter().enumerate() {
+        let rank = rank_cell(layout.rank, ranks());
+        text.push_str(&ranked(layout, &rank, &figures.row(row)));
     }
     let rest = result
         .layouts
@@ -53,24 +61,26 @@ pub fn layouts(result: &StudyResult) -> String {
     {
         text.push_str(&wrapped(&visible(reason), 0));
     }
-    text.push_str(&dead(&shown));
-    text.push_str(&shear(&shown, &result.layouts));
+    text.push_str(&dead(&table, &shown));
+    text.push_str(&shear(&table, &shown, &result.layouts));
     text.push_str(&films(result));
     text.push_str(&knees(result));
     text
 }
 
-/// Which films they are, where they aren't points that read strains.
+/// Says which films they are, where they aren't points that read strains.
 fn films(result: &StudyResult) -> String {
     let findings = result.layout_findings.as_ref();
     let sized = findings.and_then(|findings| Some((findings.size_mm?, &findings.unit)));
-    let noise = result
-        .layouts
-        .first()
-        .map(|layout| layout.score.noise_strain);
+    let score = result.layouts.first().map(|layout| &layout.score);
+    let noise = score.and_then(|score| score.noise_strain.or(score.noise_v));
     match (sized, noise.filter(|noise| *noise > 0.0)) {
         (Some(([length, width], unit)), Some(noise)) => {
-            let film = if unit == "V" { "glued films" } else { "films" };
+            let film = if unit == VOLT_UNIT {
+                "glued films"
+            } else {
+                "films"
+            };
             let unit = unit.escape_debug();
             format!("{film} of {length} x {width} mm, noise {noise:.3e} {unit}\n")
         }
@@ -78,7 +88,7 @@ fn films(result: &StudyResult) -> String {
     }
 }
 
-/// At which loads, the worst of which is shown.
+/// Says at which loads, the worst of which is shown.
 fn loads(result: &StudyResult) -> String {
     let findings = result.layout_findings.as_ref();
     let loads = findings.map_or(&[][..], |findings| &findings.loads);
@@ -93,91 +103,80 @@ fn loads(result: &StudyResult) -> String {
     }
 }
 
-fn row(layout: &RankedLayout, rank: &str) -> String {
-    let score = &layout.score;
+/// Figures of a view of layouts.
+fn figures(table: &Table, view: &str, layouts: &[&RankedLayout]) -> Figures {
+    let row = |layout: &&RankedLayout| table_rows::layout(layout, None);
+    let rows: Vec<_> = layouts.iter().map(row).collect();
+    Figures::of(&table.view(view), &rows)
+}
+
+fn ranked(layout: &RankedLayout, rank: &str, figures: &str) -> String {
     let certain = match layout.rank_certain {
         Some(true) => painted(GOOD, "certain"),
         _ => painted(FAINT, "uncertain"),
     };
     format!(
-        "{rank} {:<DESCRIBED$}{:>6} {:>15}{:>7}{:>7}{:>7}  {certain}\n",
-        described(layout),
-        number(layout.film_count.map(|films| films as f64), 0),
-        with_error(score),
-        number(score.worst_angle_error_deg, 2),
-        number(score.lost_share.map(|share| 100.0 * share), 1),
-        number(score.force_error_n, 2),
+        "{rank} {:<DESCRIBED$}{figures}  {certain}\n",
+        described(layout)
     )
 }
 
-pub(super) fn number(value: Option<f64>, digits: usize) -> String {
-    value.map_or("-".to_owned(), |value| format!("{value:.digits$}"))
-}
-
-/// What is left of those shown without the film whose loss costs most; nothing where that wasn't asked for.
-fn dead(shown: &[&RankedLayout]) -> String {
-    let mut text = String::new();
-    for layout in shown {
-        let Some(dead) = &layout.score.dead else {
-            continue;
-        };
-        if text.is_empty() {
-            text.push_str(&header(
-                "\nrank  without the film whose loss costs most    angle error, deg: 95 % below\n",
-            ));
-        }
+/// A further view of some layouts below the table, with remarks below their lines; nothing without layouts.
+fn further(
+    table: &Table,
+    view: &str,
+    names: &str,
+    layouts: &[&RankedLayout],
+    remark: impl Fn(&RankedLayout) -> Option<&str>,
+) -> String {
+    if layouts.is_empty() {
+        return String::new();
+    }
+    let figures = figures(table, view, layouts);
+    let mut text = format!("\n{}", figures.head(names, NAMED, ""));
+    for (row, layout) in layouts.iter().enumerate() {
         let _ = writeln!(
             text,
-            "{:>4}  {:<DESCRIBED$}{:>34}",
+            "{:>4}  {:<DESCRIBED$}{}",
             layout.rank,
             described(layout),
-            number(dead.simulated_p95_angle_error_deg, 2)
+            figures.row(row)
         );
+        if let Some(remark) = remark(layout) {
+            let remark = wrapped(&format!("      {}", visible(remark)), 6);
+            text.push_str(&painted(FAINT, remark));
+        }
     }
     text
 }
 
+/// Says what is left of those shown without the film whose loss costs most; nothing where that wasn't asked for.
+fn dead(table: &Table, shown: &[&RankedLayout]) -> String {
+    let asked = shown.iter().filter(|layout| layout.score.dead.is_some());
+    let asked: Vec<&RankedLayout> = asked.copied().collect();
+    let names = "rank  without the film whose loss costs most";
+    further(table, "dead", names, &asked, |_| None)
+}
+
 /// Bounds with forces along and across the wheel unknown, too, of those shown and of the best one that tells them; nothing where that wasn't asked for.
-fn shear(shown: &[&RankedLayout], all: &[RankedLayout]) -> String {
+fn shear(table: &Table, shown: &[&RankedLayout], all: &[RankedLayout]) -> String {
     let tells = |layout: &&RankedLayout| {
         let shear = layout.score.shear.as_ref();
         shear.is_some_and(|shear| shear.reason.is_none())
     };
     let best = all.iter().find(tells);
     let best = best.filter(|best| !shown.iter().any(|layout| std::ptr::eq(*layout, *best)));
-    let mut text = String::new();
-    for layout in shown.iter().copied().chain(best) {
-        let Some(shear) = &layout.score.shear else {
-            continue;
-        };
-        if text.is_empty() {
-            text.push_str(&header(
-                "\nrank  with forces along and across unknown: bounds    angle, deg  along, N  across, N     up, N\n",
-            ));
-        }
-        let force =
-            |axis: usize| number(shear.worst_force_error_n.and_then(|forces| forces[axis]), 2);
-        let _ = writeln!(
-            text,
-            "{:>4}  {:<46}{:>12}{:>10}{:>11}{:>10}",
-            layout.rank,
-            described(layout),
-            number(shear.worst_angle_error_deg, 2),
-            force(0),
-            force(1),
-            force(2)
-        );
-        if let Some(reason) = &shear.reason {
-            text.push_str(&painted(
-                FAINT,
-                wrapped(&format!("      {}", visible(reason)), 6),
-            ));
-        }
-    }
-    text
+    let asked = shown.iter().copied().chain(best);
+    let asked: Vec<_> = asked
+        .filter(|layout| layout.score.shear.is_some())
+        .collect();
+    let names = "rank  forces along and across unknown: bounds";
+    further(table, "shear", names, &asked, |layout| {
+        layout.score.shear.as_ref()?.reason.as_deref()
+    })
 }
 
-/// What a layout is, in a few words.
+/// Describes a layout in a few words.
 pub(super) fn described(layout: &RankedLayout) -> String {
     if let Some(name) = &layout.name {
         return cut(name.escape_debug().to_string(), DESCRIBED);
@@ -194,18 +193,6 @@ pub(super) fn described(layout: &RankedLayout) -> String {
     cut(words, DESCRIBED)
 }
 
-fn with_error(score: &LayoutScore) -> String {
-    let Some(value) = score.simulated_p95_angle_error_deg else {
-        return "-".to_owned();
-    };
-    let error = score.error.as_ref();
-    let error = error.and_then(|error| error.simulated_p95_angle_error_deg);
-    error.map_or_else(
-        || format!("{value:.2}"),
-        |error| format!("{value:.2} +-{error:.2}"),
-    )
-}
-
 fn is_the_papers(layout: &RankedLayout) -> bool {
     layout.units == PAPER_UNITS
         && layout.name.is_none()
@@ -214,12 +201,12 @@ fn is_the_papers(layout: &RankedLayout) -> bool {
         && !layout.staggered
 }
 
-/// From how many units on more bring no more than their number, for each load.
+/// Says for each load from how many units on more bring no more than their number.
 fn knees(result: &StudyResult) -> String {
     let Some(findings) = &result.layout_findings else {
         return String::new();
     };
-    let of_load = |load: &placement::result::LayoutLoad| {
+    let of_load = |load: &results::LayoutLoad| {
         let knee = load.knees.first()?;
         let units = knee.units?;
         Some(format!("{units} at {:.1} N", load.load_n?))
@@ -259,7 +246,8 @@ mod tests {
         assert!(!is_the_papers(&layout) && described(&layout).ends_with("staggered"));
         layout.staggered = false;
         assert!(is_the_papers(&layout));
-        assert!(row(&layout, "   1 ").contains(" - "));
+        let figures = figures(&table("layouts"), "ranked", &[&layout]);
+        assert!(ranked(&layout, "   1 ", &figures.row(0)).contains(" - "));
         layout.name = Some("mine".to_owned());
         assert_eq!(described(&layout), "mine");
     }

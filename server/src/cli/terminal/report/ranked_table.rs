@@ -2,16 +2,16 @@
 
 use std::fmt::Write;
 
-use fem_client::document::visible::visible;
+use document::visible::visible;
 use fem_client::solver::direction::PerDirection;
-use placement::result::{RankedLocation, StudyResult};
-use placement::score::location_scores::{GSI, MEAN_GSI, OWN_GSI};
+use results::location_scores::{GSI, MEAN_GSI, OWN_GSI};
+use results::{RankedLocation, StudyResult};
 
 use crate::cli::terminal::paint::{FAINT, HEADER, STRONG, header, painted};
 use crate::cli::terminal::report::shared_rank::rank_cell;
 use crate::cli::terminal::wrapping::{COLUMNS, cut};
 
-/// One row per location, best first; equal ones share their rank. Global sensitivity indices in percent; the first pair with its error.
+/// Returns a row per location, best first; equal ones share their rank. Global sensitivity indices in percent; the first pair with its error.
 pub fn ranked(result: &StudyResult) -> String {
     let name = cut(visible(&result.study.name), COLUMNS);
     let mut text = painted(HEADER, name) + "\n\n";
@@ -47,7 +47,7 @@ fn row(location: &RankedLocation, rank: &str) -> String {
     text
 }
 
-/// In seven columns; a dash where there is none.
-pub fn percent(number: Option<f64>) -> String {
+/// Writes percent in seven columns; a dash where there is none.
+fn percent(number: Option<f64>) -> String {
     number.map_or_else(|| format!("{:>7}", "-"), |number| format!("{number:7.2}"))
 }

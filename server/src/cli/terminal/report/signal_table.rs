@@ -1,11 +1,15 @@
-//! What holds of films' voltages, for people: a block for each tire, a line for each film's place.
+//! Table of films' voltages, and what holds of them, for people: a block for each tire, a line for each film's place.
 
 use std::fmt::Write;
 
-use placement::result::{
-    Claim, ClaimRow, FilmModel, Holds, SignalAxis, SignalCurve, Signals, StudyResult,
-};
-use placement::study::position_name;
+use documents::parts::film_model::FilmModel;
+use results::Claim;
+use results::ClaimRow;
+use results::Holds;
+use results::SignalAxis;
+use results::SignalCurve;
+use results::Signals;
+use results::StudyResult;
 
 use crate::cli::terminal::paint::{BAD, FAINT, GOOD, HEADER, header, left};
 use crate::cli::terminal::wrapping::labelled;
@@ -63,12 +67,7 @@ fn block(signals: &Signals, claims: &[ClaimRow]) -> String {
     }
     for (position, direction) in places {
         let of_place = |row: &&ClaimRow| (row.position, row.direction) == (position, direction);
-        let _ = write!(
-            text,
-            "{:<11}{:<3}",
-            position_name(position),
-            direction.as_str()
-        );
+        let _ = write!(text, "{:<11}{:<3}", position.as_str(), direction.as_str());
         for film in &films {
             let of_film = claims
                 .iter()

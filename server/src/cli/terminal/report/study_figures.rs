@@ -1,6 +1,6 @@
 //! The way to the accuracy asked for, and what it all took, for people.
 
-use placement::result::StudyResult;
+use results::StudyResult;
 
 use crate::cli::terminal::paint::{BAD, GOOD, painted};
 use crate::cli::terminal::wrapping::wrapped;

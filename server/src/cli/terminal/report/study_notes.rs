@@ -1,17 +1,14 @@
-//! What to know before believing the numbers, by what it does to the answer, for people.
+//! Notes to know before believing the numbers, by what they do to the answer, for people.
 
 use std::collections::BTreeMap;
 
-use placement::result::{Grade, GradedNote, StudyResult, Topic};
+use results::{Grade, GradedNote, StudyResult, Topic};
 
 use crate::cli::terminal::paint::header;
 use crate::cli::terminal::wrapping::wrapped;
 
-/// The notes of a result under what they do; those of earlier versions have no grade.
+/// The notes of a result under what they do.
 pub fn notes(result: &StudyResult) -> String {
-    if result.graded_notes.is_empty() {
-        return result.notes.iter().fold(String::from("\n"), with_line);
-    }
     let without = without_index(result);
     let said = result
         .answer
@@ -38,7 +35,7 @@ fn with_line(text: String, note: &String) -> String {
     text + &wrapped(&format!("- {note}"), 2)
 }
 
-/// Why dashes stand in the table: each reason why outputs have no index, with how many they are.
+/// Says why dashes stand in the table: each reason why outputs have no index, with how many they are.
 fn without_index(result: &StudyResult) -> Vec<GradedNote> {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     let outputs = result.outputs.iter();

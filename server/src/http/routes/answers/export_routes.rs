@@ -1,4 +1,4 @@
-//! What a study found, as a file for other programs.
+//! Exports of what a study found, as a file for other programs.
 
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -6,7 +6,7 @@
 use axum::extract::State;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use placement::result::StudyResult;
+use results::StudyResult;
 use serde::Deserialize;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -15,7 +15,7 @@ use crate::http::app_state::AppState;
 use crate::http::edge::extract::{Params, StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
 use crate::http::edge::room::Making;
-use crate::http::routes::answers::result_routes::part;
+use crate::http::routes::answers::result_routes::with_map;
 use crate::http::routes::study_routes::known;
 use service::export::{Export, ExportError, FileFormat, Table};
 use service::wire::examples;
@@ -40,10 +40,10 @@ struct ExportQuery {
 /// GLB, glTF 2.0 for any viewer, both skins of the whole wheel, pressed as at the means by the morph target `contact`.
 #[utoipa::path(get, path = "/v1/studies/{id}/export", tag = "answers", params(StudyPath,
         ("format" = Option<FileFormat>, Query, description = "csv (when left out), json, parquet, vtu or glb", example = "csv"),
-        ("table" = Option<Table>, Query, description = "What CSV and Parquet hold: indices (when left out), locations, layouts, points, signals, candidates, forces or published", example = "points")),
+        ("table" = Option<Table>, Query, description = "Content of CSV and Parquet: indices (when left out), locations, layouts, points, signals, candidates or forces", example = "points")),
     responses((status = 200, description = "The file", content(
                   (String = "text/csv", example = json!(examples::csv())),
-                  (StudyResult = "application/json", example = json!(examples::result())),
+                  (StudyResult = "application/json"),
                   (String = "application/vnd.apache.parquet", example = json!(examples::parquet())),
                   (String = "application/xml", example = json!(examples::vtu())),
                   (String = "model/gltf-binary", example = json!(examples::glb())))),
@@ -55,7 +55,7 @@ async fn export(
     _making: Making,
 ) -> Result<Response, Problem> {
     let wanted = wanted(&query)?;
-    let result: StudyResult = part(&state.store, &id).await?;
+    let result: StudyResult = with_map(&state.store, &id).await?;
     let study = known(&state.store, &id).await?;
     let mut connection = state.store.read().await?;
     let sources = wanted.sources(&mut connection, &study, result).await?;
@@ -85,7 +85,7 @@ fn wanted(query: &ExportQuery) -> Result<Export, Problem> {
 
 const FORMATS: &str = "format is one of csv, json, parquet, vtu, glb";
 const TABLES: &str =
-    "table is one of indices, locations, layouts, points, signals, candidates, forces, published";
+    "table is one of indices, locations, layouts, points, signals, candidates, forces";
 
 /// The format and the table that a query names, or what each that names nothing could be.
 pub fn both<F, T>(format: (Option<F>, &str), table: (Option<T>, &str)) -> Result<(F, T), Problem> {
@@ -101,9 +101,7 @@ pub fn both<F, T>(format: (Option<F>, &str), table: (Option<T>, &str)) -> Result
 impl From<ExportError> for Problem {
     fn from(error: ExportError) -> Self {
         let status = match error {
-            ExportError::NoMap | ExportError::NoShape | ExportError::NoMesh => {
-                StatusCode::NOT_FOUND
-            }
+            ExportError::NoMap | ExportError::NoMesh => StatusCode::NOT_FOUND,
             _ => StatusCode::INTERNAL_SERVER_ERROR,
         };
         Self::new(status, error.to_string())

@@ -7,7 +7,7 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::Response;
-use placement::result::LayoutFindings;
+use results::LayoutFindings;
 use serde::Deserialize;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -17,7 +17,7 @@ use crate::http::edge::conditional::{has, tagged};
 use crate::http::edge::extract::{Params, StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
 use crate::http::edge::room::Making;
-use crate::http::routes::answers::result_routes::{hashed_part, part};
+use crate::http::routes::answers::result_routes::{hashed_part, part, with_map};
 use crate::http::routes::study_routes::known;
 use service::export::{ExportError, surface_file};
 use service::views::rings::Rings;
@@ -34,7 +34,7 @@ pub fn router() -> OpenApiRouter<AppState> {
         .routes(routes!(rings))
 }
 
-/// What a result says of its mesh.
+/// Part of a result on its mesh.
 #[derive(Deserialize)]
 struct Meshed {
     model: Level,
@@ -89,7 +89,7 @@ struct SectionsQuery {
 /// is shown there is interpolated.
 #[utoipa::path(get, path = "/v1/studies/{id}/sections", tag = "answers", params(StudyPath,
         ("input" = Option<String>, Query, description = "Name of the input; the first one when left out", example = "P3")),
-    responses((status = 200, description = "The nodes", body = Sections, example = json!(examples::sections())),
+    responses((status = 200, description = "The nodes", body = Sections),
               (status = 400, description = "No input has this name", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent())),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn sections(
@@ -98,7 +98,7 @@ async fn sections(
     Params(query): Params<SectionsQuery>,
     _making: Making,
 ) -> Result<Json<Sections>, Problem> {
-    let found = part(&state.store, &id).await?;
+    let found = with_map(&state.store, &id).await?;
     let study = known(&state.store, &id).await?;
     let mut connection = state.store.read().await?;
     let input = query.input.as_deref();
@@ -119,7 +119,7 @@ impl From<SectionsError> for Problem {
     }
 }
 
-/// What a result says of its layouts.
+/// Part of a result on its layouts.
 #[derive(Deserialize)]
 struct Found {
     layout_findings: Option<LayoutFindings>,
@@ -129,7 +129,7 @@ struct Found {
 ///
 /// What films of the study's layouts read around the whole wheel at the load in the middle, and its derivative by the depth; no ring where the document asks for no layouts.
 #[utoipa::path(get, path = "/v1/studies/{id}/rings", tag = "answers", params(StudyPath),
-    responses((status = 200, description = "The rings", body = Rings, example = json!(examples::rings())),
+    responses((status = 200, description = "The rings", body = Rings),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn rings(
     State(state): State<AppState>,

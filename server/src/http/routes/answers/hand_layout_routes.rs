@@ -10,9 +10,9 @@ use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode};
 use axum::response::Response;
 use placement::layout::by_hand::film_fields::FilmFields;
+use placement::layout::by_hand::hand_layout_reader;
 use placement::layout::by_hand::scored_by_hand::HandError;
-use placement::result::LayoutFindings;
-use placement::study::hand_layout_reader;
+use results::LayoutFindings;
 use serde::Deserialize;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -38,7 +38,7 @@ pub fn router() -> OpenApiRouter<AppState> {
         .routes(routes!(fields))
 }
 
-/// What a result says of its layouts.
+/// Part of a result on its layouts.
 #[derive(Deserialize)]
 struct Found {
     layout_findings: Option<LayoutFindings>,
@@ -53,7 +53,7 @@ struct Found {
         (HandLayoutsDocument = "application/json", example = json!(examples::hand_layouts())),
         (String = "application/toml", example = json!(examples::hand_layouts_toml())))),
     responses(
-        (status = 200, description = "The scores", body = ScoredLayouts, example = json!(examples::scored_layouts())),
+        (status = 200, description = "The scores", body = ScoredLayouts),
         (status = 404, description = "There is no such study, or it isn't done yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent())),
         (status = 409, description = "The study asked for no layouts, or their solves are no longer stored", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::no_layouts())),
         (status = 422, description = "The document has faults, all of them with their JSON pointers; a film of a kind that isn't stored is one", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::faults()))))]
@@ -93,7 +93,7 @@ async fn score(
     params(StudyPath, ("If-None-Match" = Option<String>, Header, description = "ETag of the fields that the client has")),
     responses(
         (status = 304, description = "The client has it"),
-        (status = 200, description = "The fields", body = FilmFields, example = json!(examples::film_fields())),
+        (status = 200, description = "The fields", body = FilmFields),
         (status = 404, description = "There is no such study, or it isn't done yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent())),
         (status = 409, description = "The study asked for no layouts, or their solves are no longer stored", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::no_layouts()))))]
 async fn fields(

@@ -1,4 +1,4 @@
-//! What a study found:
+//! Answers of a study:
 //!
 //! - [`result_routes`], [`sent_result`]: result, locations, layouts, evaluations, map
 //! - [`field_routes`]: the wheel at the means
@@ -15,7 +15,7 @@ use utoipa_axum::router::OpenApiRouter;
 
 use crate::http::app_state::AppState;
 
-/// All of them.
+/// Returns the routes of all of them.
 pub fn router() -> OpenApiRouter<AppState> {
     result_routes::router()
         .merge(field_routes::router())

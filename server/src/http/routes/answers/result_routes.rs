@@ -1,4 +1,4 @@
-//! What a study found: the result, its ranked rows, its points, its map.
+//! Results of a study: its ranked rows, its points, its map.
 
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -10,7 +10,7 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::Response;
 use fem_client::solver::direction::Direction;
 use placement::ladder::trade::Trade;
-use placement::result::{LayoutFindings, MapLayer, Signals, StudyResult};
+use results::{LayoutFindings, MapLayer, RankedLayout, Signals, StudyResult};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use sqlx::SqliteConnection;
@@ -29,10 +29,8 @@ use service::wire::examples;
 use service::wire::study_wire::{
     Candidates, Evaluations, Layouts, Locations, MapView, ProblemDocument,
 };
-use store::answers::ranked_rows::{self, Ranked};
-use store::answers::result_rows;
+use store::answers::result_rows::{self, Extent};
 use store::answers::result_text;
-use store::answers::stored_signals;
 use store::answers::trades;
 use store::queue::study_rows::StudyRow;
 use store::{Store, StoreError};
@@ -59,7 +57,7 @@ pub fn router() -> OpenApiRouter<AppState> {
         ("map" = Option<bool>, Query, description = "Whether the map is sent; true when left out", example = "false"),
         ("If-None-Match" = Option<String>, Header, description = "ETag of the result that the client has")),
     responses((status = 304, description = "The client has it"),
-              (status = 200, description = "The answer", body = StudyResult, example = json!(examples::result())),
+              (status = 200, description = "The answer", body = StudyResult),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn whole(
     State(state): State<AppState>,
@@ -122,10 +120,6 @@ async fn without_map(
     }
     let _making = state.room.make().await?;
     let result: StudyResult = part(&state.store, id).await?;
-    let result = StudyResult {
-        map: None,
-        ..result
-    };
     Ok(tagged(headers, &tag, "no-cache", Json(result)))
 }
 
@@ -133,36 +127,41 @@ async fn without_map(
 ///
 /// Best first.
 #[utoipa::path(get, path = "/v1/studies/{id}/locations", tag = "answers", params(StudyPath),
-    responses((status = 200, description = "The answer", body = Locations, example = json!({"locations": [examples::location()]})),
+    responses((status = 200, description = "The answer", body = Locations),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn locations(
     State(state): State<AppState>,
     StudyId(id): StudyId,
 ) -> Result<Json<Locations>, Problem> {
-    let Ranked { locations, .. } = ranked(&state.store, &id).await?;
-    Ok(Json(Locations { locations }))
+    Ok(Json(part(&state.store, &id).await?))
 }
 
 /// Get the ranked layouts
 ///
 /// Best first.
 #[utoipa::path(get, path = "/v1/studies/{id}/layouts", tag = "answers", params(StudyPath),
-    responses((status = 200, description = "The answer", body = Layouts, example = json!({"layouts": [examples::layout()], "findings": examples::layout_findings()})),
+    responses((status = 200, description = "The answer", body = Layouts),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn layouts(
     State(state): State<AppState>,
     StudyId(id): StudyId,
     _making: Making,
 ) -> Result<Json<Layouts>, Problem> {
-    let Ranked { layouts, .. } = ranked(&state.store, &id).await?;
-    let Found { layout_findings } = part(&state.store, &id).await?;
-    Ok(Json(Layouts {
+    let Ranked {
         layouts,
-        findings: layout_findings,
-    }))
+        layout_findings: findings,
+    } = part(&state.store, &id).await?;
+    Ok(Json(Layouts { layouts, findings }))
 }
 
-/// What a result says of its layouts.
+/// Part of a result on its layouts.
+#[derive(Deserialize)]
+struct Ranked {
+    layouts: Vec<RankedLayout>,
+    layout_findings: Option<LayoutFindings>,
+}
+
+/// Part of a result on what its layouts show together.
 #[derive(Deserialize)]
 struct Found {
     layout_findings: Option<LayoutFindings>,
@@ -170,9 +169,9 @@ struct Found {
 
 /// Get the kinds of film for layouts
 ///
-/// Every section angle and direction by several criteria, and how far these order them alike.
+/// Every section angle and direction by several criteria.
 #[utoipa::path(get, path = "/v1/studies/{id}/candidates", tag = "answers", params(StudyPath),
-    responses((status = 200, description = "The answer", body = Candidates, example = json!(examples::candidates())),
+    responses((status = 200, description = "The answer", body = Candidates),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn candidates(
     State(state): State<AppState>,
@@ -185,43 +184,36 @@ async fn candidates(
     })?;
     Ok(Json(Candidates {
         candidates: found.candidates,
-        agreement: found.agreement,
     }))
-}
-
-/// What a study ranks, or 404 with what became of it.
-async fn ranked(store: &Store, id: &str) -> Result<Ranked, Problem> {
-    let found = ready(store, id, async |connection| {
-        ranked_rows::find(connection, id).await
-    });
-    found.await
 }
 
 /// Get the films' signals
 ///
 /// What each film reads of each load, pressure and contact angle, with its error, and what the curves show.
 #[utoipa::path(get, path = "/v1/studies/{id}/signals", tag = "answers", params(StudyPath),
-    responses((status = 200, description = "The answer", body = Signals, example = json!(examples::signals())),
+    responses((status = 200, description = "The answer", body = Signals),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn signals(
     State(state): State<AppState>,
     StudyId(id): StudyId,
 ) -> Result<Json<Signals>, Problem> {
-    let found = ready(&state.store, &id, async |connection| {
-        let signals = stored_signals::find(connection, &id).await?;
-        let result = result_rows::sha256_of(connection, &id).await?;
-        Ok(result.map(|_| signals))
-    });
-    found.await?.map(Json).ok_or_else(|| {
+    let Read { signals } = part(&state.store, &id).await?;
+    signals.map(Json).ok_or_else(|| {
         Problem::not_found("this study has no signals: its document asks for none, or its budget left no time for them")
     })
+}
+
+/// Part of a result on films' signals.
+#[derive(Deserialize)]
+struct Read {
+    signals: Option<Signals>,
 }
 
 /// Get the solved points
 ///
 /// Those that have an outcome so far, while the study runs too. Of one without an equilibrium the numbers are null, and `reason` says why.
 #[utoipa::path(get, path = "/v1/studies/{id}/evaluations", tag = "answers", params(StudyPath),
-    responses((status = 200, description = "The answer", body = Evaluations, example = json!({"evaluations": [examples::evaluation()]})),
+    responses((status = 200, description = "The answer", body = Evaluations),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn evaluations(
     State(state): State<AppState>,
@@ -248,7 +240,7 @@ struct MapQuery {
         ("direction" = Option<String>, Query, description = "x circumferential, y meridional; x when left out", example = "x"),
         ("input" = Option<String>, Query, description = "Name of the input; the first one when left out", example = "P3"),
         ("index" = Option<String>, Query, description = "first-order, or total for both; first-order when left out", example = "total")),
-    responses((status = 200, description = "The answer", body = MapView, example = json!(examples::map())),
+    responses((status = 200, description = "The answer", body = MapView),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn map(
     State(state): State<AppState>,
@@ -264,7 +256,7 @@ async fn map(
             return Err(Problem::new(StatusCode::BAD_REQUEST, detail));
         }
     };
-    let result: StudyResult = part(&state.store, &id).await?;
+    let result: StudyResult = with_map(&state.store, &id).await?;
     let Some(map) = &result.map else {
         return Err(Problem::not_found(
             "this study has no map: its document asks for no candidates.grid",
@@ -303,7 +295,11 @@ async fn map(
         total: layer.total.get(index).filter(|_| has_total).cloned(),
         std: layer.std.clone(),
         strain: layer.strain.clone(),
-        error: layer.errors_of(index).to_vec(),
+        error: layer
+            .first_order_error
+            .get(index)
+            .cloned()
+            .unwrap_or_default(),
         status: layer
             .status
             .iter()
@@ -317,7 +313,7 @@ async fn map(
 ///
 /// The newest trade that `strainsite trade` measured for the same document.
 #[utoipa::path(get, path = "/v1/studies/{id}/trade", tag = "answers", params(StudyPath),
-    responses((status = 200, description = "The answer", body = Trade, example = json!(examples::trade())),
+    responses((status = 200, description = "The answer", body = Trade),
               (status = 404, description = "There is no such study, or it hasn't this yet; the detail says which", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn trade(
     State(state): State<AppState>,
@@ -333,25 +329,38 @@ async fn trade(
     })
 }
 
-/// The result of a study or the part `R` of it, or 404 with what became of it.
+/// The part `R` of a study's result that isn't of its map, or 404 with what became of it.
 pub(super) async fn part<R: DeserializeOwned>(store: &Store, id: &str) -> Result<R, Problem> {
     Ok(hashed_part(store, id).await?.0)
 }
 
-/// The same, and the hash of the whole result's content.
+/// Returns that part, and the hash of the whole result's content.
 pub(super) async fn hashed_part<R: DeserializeOwned>(
     store: &Store,
     id: &str,
 ) -> Result<(R, String), Problem> {
+    read(store, id, Extent::WithoutMap).await
+}
+
+/// A study's result, or a part `R` of it that is of its map, too.
+pub(super) async fn with_map<R: DeserializeOwned>(store: &Store, id: &str) -> Result<R, Problem> {
+    Ok(read(store, id, Extent::Whole).await?.0)
+}
+
+async fn read<R: DeserializeOwned>(
+    store: &Store,
+    id: &str,
+    extent: Extent,
+) -> Result<(R, String), Problem> {
     let study = known(store, id).await?;
     let mut connection = store.read_whole().await?;
-    let found = result_rows::row(&mut connection, id).await?;
+    let found = result_rows::row(&mut connection, id, extent).await?;
     // Others may read while this one is worked on.
     drop(connection);
     Ok(found.ok_or_else(|| without_result(&study))?.read()?)
 }
 
-/// What is found of a study's result, or 404 with what became of the study.
+/// Returns what is found of a study's result, or 404 with what became of the study.
 pub(super) async fn ready<R>(
     store: &Store,
     id: &str,

@@ -19,7 +19,7 @@ use store::{Store, StoreError};
 const AT_ONCE: usize = 16 << 20;
 /// A text up to this size is read once, and sent at once.
 const SHORT: usize = 1 << 20;
-/// For so long a text isn't compared again before it is sent: what damages it meanwhile ends the answer early instead of refusing it.
+/// Time for which a text isn't compared again before it is sent: what damages it meanwhile ends the answer early instead of refusing it.
 const LATELY: Duration = Duration::from_secs(5);
 
 /// Texts that were intact lately: a crowd that asks for one result compares it once.

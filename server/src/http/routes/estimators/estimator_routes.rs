@@ -52,7 +52,7 @@ pub fn router() -> OpenApiRouter<AppState> {
                 ("model" = (operation_id = "estimator_model", parameters(("id" = "$response.body#/id")))),
                 ("left-out" = (operation_id = "estimator_left_out", parameters(("id" = "$response.body#/id")))),
                 ("apply" = (operation_id = "apply_estimator", parameters(("id" = "$response.body#/id"))))
-            ), example = json!(examples::summary())),
+            )),
         (status = 413, description = "The document has more than 64 MiB", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::too_large())),
         (status = 429, description = "Too many estimators wait already; `Retry-After` says when to look again", body = ProblemDocument, content_type = "application/problem+json",
             headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(examples::crowded())),
@@ -97,7 +97,7 @@ async fn accepted(state: &AppState, id: &str) -> Result<Response, Problem> {
         ("search" = Option<String>, Query, description = "Estimators whose name has this, whatever the case of ASCII letters, or whose identifier begins so", max_length = 200, example = "rig"),
         ("state" = Option<StudyState>, Query, description = "Estimators of this state alone")),
     responses((status = 304, description = "The client has it"),
-              (status = 200, description = "A page", body = EstimatorPage, example = json!({"estimators": [examples::summary()], "next_cursor": null}))))]
+              (status = 200, description = "A page", body = EstimatorPage)))]
 async fn list_estimators(
     State(state): State<AppState>,
     Params(query): Params<PageQuery>,
@@ -127,7 +127,7 @@ async fn list_estimators(
 #[utoipa::path(get, path = "/v1/estimators/{id}", tag = "estimators",
     params(EstimatorPath, ("If-None-Match" = Option<String>, Header, description = "ETag of the estimator as the client has it")),
     responses((status = 304, description = "The client has it"),
-              (status = 200, description = "The estimator", body = EstimatorDetail, example = json!(examples::detail())),
+              (status = 200, description = "The estimator", body = EstimatorDetail),
               (status = 404, description = "There is no such estimator", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn show_estimator(
     State(state): State<AppState>,
@@ -144,8 +144,7 @@ async fn show_estimator(
 /// One that is being learnt ends with the models that it is judging. Cancelling what has ended changes nothing and is no error. With `purge` the estimator is removed, with
 /// its recordings and what was learnt: nothing brings it back.
 #[utoipa::path(delete, path = "/v1/estimators/{id}", tag = "estimators", params(EstimatorPath, RemovalQuery),
-    responses((status = 202, description = "Cancelled, or ended before", body = EstimatorSummary, headers(("Location" = String, description = "Address of the estimator"), ("Retry-After" = String, description = "Seconds after which to look")),
-            example = json!(examples::summary())),
+    responses((status = 202, description = "Cancelled, or ended before", body = EstimatorSummary, headers(("Location" = String, description = "Address of the estimator"), ("Retry-After" = String, description = "Seconds after which to look"))),
               (status = 204, description = "Removed"),
               (status = 404, description = "There is no such estimator", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn cancel_estimator(

@@ -1,4 +1,4 @@
-//! What was learnt from recordings: report, model, rows that were left out; and estimates by it.
+//! Results of learning from recordings: report, model, rows that were left out; and estimates by it.
 
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -11,8 +11,8 @@ use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::post;
+use document::fault::Fault;
 use estimation::fit_report::Report;
-use fem_client::document::fault::Fault;
 use tokio::sync::Semaphore;
 use tokio::time::timeout;
 use utoipa::OpenApi;
@@ -45,7 +45,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 /// Recordings estimated at once. A process takes some milliseconds for a row, so that a long recording takes minutes: other answers have places of their own.
 static APPLIERS: Semaphore = Semaphore::const_new(2);
 
-/// What is below `/v1/estimators/{id}`, and `/v1/estimators/{id}:apply`.
+/// Returns the routes below `/v1/estimators/{id}`, and `/v1/estimators/{id}:apply`.
 pub fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::with_openapi(Applying::openapi())
         .routes(routes!(estimator_report))
@@ -69,7 +69,7 @@ struct Applying;
 #[utoipa::path(get, path = "/v1/estimators/{id}/report", tag = "estimators",
     params(EstimatorPath, ("If-None-Match" = Option<String>, Header, description = "ETag of the report that the client has")),
     responses((status = 304, description = "The client has it"),
-              (status = 200, description = "The report", body = Report, example = json!(examples::report())),
+              (status = 200, description = "The report", body = Report),
               (status = 404, description = "There is no such estimator", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent())),
               (status = 409, description = "It isn't done; the detail says what became of it", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::unlearnt()))))]
 async fn estimator_report(
@@ -106,7 +106,7 @@ async fn estimator_model(
 #[utoipa::path(get, path = "/v1/estimators/{id}/left-out", tag = "estimators",
     params(EstimatorPath, ("If-None-Match" = Option<String>, Header, description = "ETag of the rows that the client has")),
     responses((status = 304, description = "The client has it"),
-              (status = 200, description = "The rows", body = LeftOutForces, example = json!(examples::left_out())),
+              (status = 200, description = "The rows", body = LeftOutForces),
               (status = 404, description = "There is no such estimator", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent())),
               (status = 409, description = "It isn't done; the detail says what became of it", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::unlearnt()))))]
 async fn estimator_left_out(
@@ -166,7 +166,7 @@ impl Drop for Waiting {
     }
 }
 
-/// Why there are no estimates.
+/// Reason why there are no estimates.
 enum Unestimated {
     /// The recording is wrong.
     Input(Vec<Fault>),

@@ -9,8 +9,8 @@ use std::time::Duration;
 
 use axum::extract::{FromRequest, Request};
 use axum::http::StatusCode;
-use fem_client::document::fault::Fault;
-use fem_client::document::{Format, parse_long_texts};
+use document::fault::Fault;
+use document::{Format, parse_long_texts};
 use serde_json::Value;
 use tokio::sync::{Semaphore, SemaphorePermit};
 use tokio::time::timeout;
@@ -82,7 +82,7 @@ impl<S: Send + Sync> FromRequest<S> for RecordingsBody {
 }
 
 impl RecordingsBody {
-    /// What a reader makes of it, with the room that it takes.
+    /// Reads it with a reader, and returns the room that it takes.
     ///
     /// # Errors
     /// 400 when it isn't well-formed, 422 with every fault that the reader finds, 503 when others' documents took too long.

@@ -5,9 +5,9 @@ use fem_client::scene::Scene;
 use fem_client::solver::{
     Grid, NoEquilibrium, Reached, Readout, Response, RingLine, SolveRequest, Solver,
 };
-use placement::run::archive::Unsolved;
+use results::Unsolved;
 
-use placement::run::archive::Outcome;
+use placement::points::archive::Outcome;
 
 use super::*;
 use crate::database::tests::fresh;
@@ -182,33 +182,6 @@ async fn strain_fields_that_are_lost_changed_or_too_short_are_found() {
         );
         assert!(named, "{damage}");
     }
-}
-
-#[tokio::test]
-async fn a_response_stored_with_its_strain_fields_inside_is_read_as_ever() {
-    let (_folder, store) = fresh().await;
-    let mut tx = store.begin().await.expect("begins");
-    let (outcome, cost, _) = solved();
-    let mut row = EvaluationRow {
-        key: "k".to_owned(),
-        scene: "{}".to_owned(),
-        response: serde_json::to_string(&outcome.clone().ok()).expect("is JSON"),
-        failure: None,
-        cost: serde_json::to_string(&cost).expect("is JSON"),
-        sha256: String::new(),
-    };
-    row.sha256 = row.content_sha256();
-    sqlx::query("insert into evaluations (key, scene, response, cost, sha256, created) values (?, ?, ?, ?, ?, '')")
-        .bind(&row.key)
-        .bind(&row.scene)
-        .bind(&row.response)
-        .bind(&row.cost)
-        .bind(&row.sha256)
-        .execute(&mut *tx)
-        .await
-        .expect("stores");
-    let stored = found(&mut tx).await.expect("reads").expect("is there");
-    assert_eq!((stored.outcome, stored.cost), (outcome, cost));
 }
 
 #[tokio::test]

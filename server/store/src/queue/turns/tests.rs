@@ -11,7 +11,7 @@ use crate::queue::study_rows::{self, State};
 /// Sequences that are tried; the variable `STRAINSITE_QUEUE_SEQUENCES` asks for more.
 const SEQUENCES: u32 = 2000;
 
-/// What happens to the line. A number picks one of the studies so far.
+/// Event in the line. A number picks one of the studies so far.
 #[derive(Debug, Clone)]
 enum Step {
     Submit { priority: i64 },

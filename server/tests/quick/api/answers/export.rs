@@ -7,7 +7,7 @@ use parquet::record::Field;
 use reqwest::StatusCode;
 use serde_json::{Value, json};
 
-use crate::app::{App, Home, problem, study, study_of_layouts};
+use crate::app::{App, Home, study, study_of_layouts};
 
 /// A table as another program reads it, by columns.
 struct Columns {
@@ -247,40 +247,6 @@ async fn vtu_has_the_map_on_its_surface() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn what_can_not_be_exported_is_refused() {
-    let home = Home::new();
-    let app = home.start(ClosedFormSolver::new()).await;
-    let id = app.submit(&study()).await;
-    app.wait_for(&id, "done").await;
-    for (query, named) in [("format=xls", "format"), ("table=all", "table")] {
-        let answer = app.get(&format!("/v1/studies/{id}/export?{query}")).await;
-        let body = problem(answer, StatusCode::BAD_REQUEST).await;
-        assert!(body["detail"].as_str().expect("text").contains(named));
-    }
-    let both = app
-        .get(&format!("/v1/studies/{id}/export?format=xls&table=all"))
-        .await;
-    let both = problem(both, StatusCode::BAD_REQUEST).await;
-    let detail = both["detail"].as_str().expect("text");
-    assert!(
-        detail.contains("format") && detail.contains("table"),
-        "{detail}"
-    );
-    let unmapped = app
-        .get(&format!("/v1/studies/{id}/export?format=vtu"))
-        .await;
-    let unmapped = problem(unmapped, StatusCode::NOT_FOUND).await;
-    assert!(
-        unmapped["detail"]
-            .as_str()
-            .expect("text")
-            .contains("candidates.grid")
-    );
-    let absent = app.get("/v1/studies/none/export").await;
-    problem(absent, StatusCode::NOT_FOUND).await;
-}
-
-#[tokio::test(flavor = "multi_thread")]
 async fn a_comparison_is_a_table_of_its_own() {
     let home = Home::new();
     let app = home.start(ClosedFormSolver::new()).await;
@@ -336,17 +302,4 @@ async fn a_comparison_is_a_table_of_its_own() {
     assert_eq!(designs.metadata().file_metadata().num_rows(), 2);
     let whole: Value = file("format=json").await.json().await.expect("JSON");
     assert_eq!(whole, compared);
-
-    let wrong = problem(
-        file("format=vtu&table=points").await,
-        StatusCode::BAD_REQUEST,
-    );
-    assert_eq!(
-        wrong.await["detail"],
-        "format is one of csv, json, parquet; table is one of locations, designs"
-    );
-    let nobody = app.get("/v1/comparison/export?format=csv").await;
-    problem(nobody, StatusCode::BAD_REQUEST).await;
-    let absent = app.get("/v1/comparison/export?studies=none").await;
-    problem(absent, StatusCode::NOT_FOUND).await;
 }

@@ -11,7 +11,7 @@ use service::solving::solver_choice::{SolverName, solver};
 
 use crate::app::{App, Home, problem, study, study_of_layouts};
 
-/// Far beyond what a draft takes.
+/// Time far beyond what a draft takes.
 const LIMIT: Duration = Duration::from_secs(600);
 
 fn embedded() -> Arc<dyn Solver> {

@@ -1,10 +1,10 @@
 //! Layouts moved by hand: scored as the study's own, from what it has stored.
 
 use fem_client::closed_form::ClosedFormSolver;
-use reqwest::{Response, StatusCode};
+use reqwest::Response;
 use serde_json::{Value, json};
 
-use crate::app::{App, Home, problem, study, study_of_layouts};
+use crate::app::{App, Home, study_of_layouts};
 
 /// Six units of x and y at the crown, every 60 degrees, film by film.
 fn pairs() -> Value {
@@ -137,56 +137,4 @@ async fn fields_are_of_every_kind_and_the_rings_in_full() {
         let apart = exact.as_f64().expect("a number") - rounded.as_f64().expect("a number");
         assert!(apart.abs() <= 0.5000001e-9, "{exact} {rounded}");
     }
-}
-
-#[tokio::test(flavor = "multi_thread")]
-async fn faults_come_at_once_and_studies_without_layouts_say_so() {
-    let home = Home::new();
-    let app = home.start(ClosedFormSolver::new()).await;
-    let id = done(&app, &study_of_layouts()).await;
-    let film = json!({"phi_deg": 3.0, "angle_deg": 90.0});
-    let body = json!({"layouts": [{"films": [film]}, {"films": []}, {"film": 2, "films": [{"theta_deg": "far"}]}]});
-    let refused = problem(
-        score(&app, &id, &body).await,
-        StatusCode::UNPROCESSABLE_ENTITY,
-    )
-    .await;
-    let errors = refused["errors"].as_array().expect("faults");
-    let pointers: Vec<&Value> = errors.iter().map(|fault| &fault["pointer"]).collect();
-    assert_eq!(
-        pointers,
-        [
-            "/layouts/0/films/0",
-            "/layouts/1/films",
-            "/layouts/2/film",
-            "/layouts/2/films/0/theta_deg"
-        ]
-    );
-    let kinds = errors[0]["detail"].as_str().expect("a sentence");
-    assert!(kinds.contains("0 x, 0 y"), "{kinds}");
-    let five = json!({"layouts": vec![json!({"films": pairs()}); 5], "simulated": true});
-    let refused = problem(
-        score(&app, &id, &five).await,
-        StatusCode::UNPROCESSABLE_ENTITY,
-    )
-    .await;
-    assert_eq!(refused["errors"][0]["pointer"], "/simulated");
-    let many = json!({"layouts": vec![json!({"films": pairs()}); 51]});
-    problem(
-        score(&app, &id, &many).await,
-        StatusCode::UNPROCESSABLE_ENTITY,
-    )
-    .await;
-
-    let id = done(&app, &study()).await;
-    let body = json!({"layouts": [{"films": pairs()}]});
-    let none = problem(score(&app, &id, &body).await, StatusCode::CONFLICT).await;
-    assert!(
-        none["detail"]
-            .as_str()
-            .is_some_and(|detail| detail.contains("no layouts")),
-        "{none}"
-    );
-    let fields = app.get(&format!("/v1/studies/{id}/layouts/fields")).await;
-    problem(fields, StatusCode::CONFLICT).await;
 }

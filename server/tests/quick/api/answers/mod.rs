@@ -1,4 +1,4 @@
-//! What a study found, as the service answers it.
+//! Answers of a study, as the service gives them.
 
 mod export;
 mod fields;

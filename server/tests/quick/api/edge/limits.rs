@@ -1,5 +1,6 @@
-//! How much a client can make the service hold, and what it needn't send again.
+//! Limits on what a client can make the service hold, and what it needn't send again.
 
+use fem_client::closed_form::ClosedFormSolver;
 use reqwest::{Response, StatusCode};
 use serde_json::{Value, json};
 use server::running::{Limits, Outside};
@@ -207,4 +208,26 @@ async fn a_study_that_would_not_fit_is_refused_with_its_estimate() {
     );
     let list = app.json("/v1/studies").await;
     assert_eq!(list["studies"].as_array().map(Vec::len), Some(1));
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_client_that_does_not_finish_its_headers_is_dropped() {
+    use tokio::io::{AsyncReadExt, AsyncWriteExt};
+    let home = Home::new();
+    let app = home.start(ClosedFormSolver::new()).await;
+    let mut stream = tokio::net::TcpStream::connect(app.service.address())
+        .await
+        .expect("connects");
+    stream
+        .write_all(b"GET /healthz HTTP/1.1\r\nHost: local")
+        .await
+        .expect("writes");
+    let mut answer = Vec::new();
+    // The limit is five seconds; a loaded machine may be late.
+    let closed = tokio::time::timeout(
+        std::time::Duration::from_secs(15),
+        stream.read_to_end(&mut answer),
+    )
+    .await;
+    assert!(closed.is_ok(), "the connection is still open");
 }

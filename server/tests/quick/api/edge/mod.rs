@@ -1,5 +1,4 @@
-//! Who is let in, and how much a client can ask for.
+//! Edge of the service: who is let in, and how much a client can ask for.
 
 mod access;
-mod guard;
 mod limits;

@@ -5,7 +5,8 @@ import { depthFields, GEOMETRY, numberFields, numberIn, rangeWords, sliderRange 
 
 const DOCUMENT = {
   scene: {
-    geometry: { wall_mm: 3 }, material: { model: "mooney-rivlin", c10_mpa: 0.144, c01_mpa: 0.036, d1_per_mpa: 0 },
+    geometry: { wall_mm: 3 },
+    material: { model: "mooney-rivlin", c10_mpa: 0.144, c01_mpa: 0.036, d1_per_mpa: 0 },
     ground: { stations: 3, depths_mm: [1, 1, 1] },
   },
   inputs: [{ name: "P1", vary: "ground.depths_mm[0]", distribution: { kind: "uniform", min: 0.7, max: 1.3 } }],
@@ -44,14 +45,19 @@ test("every kind is made with all of its parameters", () => {
   for (const [kind, parameters] of Object.entries(PARAMETERS)) {
     const made = withKind({ kind: "uniform", min: 0.7, max: 1.3 }, kind);
     assert.deepEqual(Object.keys(made).sort(), ["kind", ...parameters].sort(), kind);
-    assert.ok(parameters.every((name) => Number.isFinite(made[name])), kind);
+    assert.ok(
+      parameters.every((name) => Number.isFinite(made[name])),
+      kind,
+    );
   }
 });
 
 test("a further input varies a field that doesn't yet, about its value", () => {
   const fields = numberFields(DOCUMENT);
   assert.deepEqual(furtherInput(DOCUMENT, fields), {
-    name: "wall_mm", vary: "geometry.wall_mm", distribution: { kind: "uniform", min: 2.1, max: 3.9 },
+    name: "wall_mm",
+    vary: "geometry.wall_mm",
+    distribution: { kind: "uniform", min: 2.1, max: 3.9 },
   });
   const depths = depthFields(DOCUMENT);
   assert.equal(furtherInput(DOCUMENT, depths)?.vary, "ground.depths_mm[1]");
@@ -71,7 +77,10 @@ test("contact depths that share a spread are moved together, other inputs aren't
   const inputs = [depth(0), depth(1), { name: "wall", vary: "geometry.wall_mm", distribution: { kind: "uniform", min: 2, max: 4 } }];
   assert.deepEqual(commonDepths(inputs), { centre: 1, half: 0.3 });
   const moved = withCommonDepths(inputs, { centre: 2, half: 0.5 });
-  assert.deepEqual(moved.slice(0, 2), [0, 1].map((index) => ({ ...depth(index), distribution: { kind: "uniform", min: 1.5, max: 2.5 } })));
+  assert.deepEqual(
+    moved.slice(0, 2),
+    [0, 1].map((index) => ({ ...depth(index), distribution: { kind: "uniform", min: 1.5, max: 2.5 } })),
+  );
   assert.equal(moved[2], inputs[2]);
   assert.equal(commonDepths([depth(0)]), null);
   assert.equal(commonDepths([depth(0), { ...depth(1), distribution: { kind: "uniform", min: 0, max: 1.3 } }]), null);

@@ -5,8 +5,15 @@ import type { NumberField } from "./scene-fields.ts";
 
 /** The parameters of each distribution, in the order in which people say them. */
 export const PARAMETERS: Readonly<Record<string, readonly string[]>> = {
-  uniform: ["min", "max"], normal: ["mean", "std"], lognormal: ["mu", "sigma"], exponential: ["rate"], gamma: ["shape", "scale"],
-  weibull: ["shape", "scale"], beta: ["alpha", "beta", "min", "max"], gumbel: ["location", "scale"], triangular: ["min", "mode", "max"],
+  uniform: ["min", "max"],
+  normal: ["mean", "std"],
+  lognormal: ["mu", "sigma"],
+  exponential: ["rate"],
+  gamma: ["shape", "scale"],
+  weibull: ["shape", "scale"],
+  beta: ["alpha", "beta", "min", "max"],
+  gumbel: ["location", "scale"],
+  triangular: ["min", "mode", "max"],
 };
 
 export interface InputRow {
@@ -18,10 +25,12 @@ export interface InputRow {
 /** The inputs of a document, as far as they are some. */
 export function inputsOf(document: unknown): InputRow[] {
   const inputs = valueAt(document, "/inputs");
-  return !Array.isArray(inputs) ? [] : inputs.map((input) => {
-    const { name, vary, distribution } = isTable(input) ? input : {};
-    return { name: String(name ?? ""), vary: String(vary ?? ""), distribution: isTable(distribution) ? distribution : {} };
-  });
+  return !Array.isArray(inputs)
+    ? []
+    : inputs.map((input) => {
+        const { name, vary, distribution } = isTable(input) ? input : {};
+        return { name: String(name ?? ""), vary: String(vary ?? ""), distribution: isTable(distribution) ? distribution : {} };
+      });
 }
 
 /** Where a distribution lies and how far it reaches about there: of a uniform one half its width, of a normal one its standard deviation. */
@@ -31,15 +40,15 @@ export interface Spread {
 }
 
 export function spreadOf(distribution: Table): Spread | null {
-  const [first, second] = distribution["kind"] === "uniform" ? ["min", "max"] : distribution["kind"] === "normal" ? ["mean", "std"] : [];
+  const [first, second] = distribution.kind === "uniform" ? ["min", "max"] : distribution.kind === "normal" ? ["mean", "std"] : [];
   const [a, b] = [distribution[first ?? ""], distribution[second ?? ""]];
   if (typeof a !== "number" || typeof b !== "number") return null;
-  return distribution["kind"] === "uniform" ? { centre: tidy((a + b) / 2), half: tidy((b - a) / 2) } : { centre: a, half: b };
+  return distribution.kind === "uniform" ? { centre: tidy((a + b) / 2), half: tidy((b - a) / 2) } : { centre: a, half: b };
 }
 
 /** A distribution of the same kind with another spread; all else that it says stays. */
 export function withSpread(distribution: Table, { centre, half }: Spread): Table {
-  const ends = distribution["kind"] === "uniform" ? { min: tidy(centre - half), max: tidy(centre + half) } : { mean: centre, std: half };
+  const ends = distribution.kind === "uniform" ? { min: tidy(centre - half), max: tidy(centre + half) } : { mean: centre, std: half };
   return { ...distribution, ...ends };
 }
 

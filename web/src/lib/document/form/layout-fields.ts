@@ -5,7 +5,10 @@ import { numberIn } from "./scene-fields.ts";
 export type DirectionSets = "both" | "x" | "y" | "all";
 
 const SETS: Readonly<Record<DirectionSets, readonly (readonly string[])[]>> = {
-  both: [["x", "y"]], x: [["x"]], y: [["y"]], all: [["x", "y"], ["y"], ["x"]],
+  both: [["x", "y"]],
+  x: [["x"]],
+  y: [["y"]],
+  all: [["x", "y"], ["y"], ["x"]],
 };
 
 /** Which of the usual sets of directions a document asks for; `own` where it is another. Left out, units have both. */

@@ -1,6 +1,7 @@
 /** The number fields of the form: where they stand, their units, the ranges that the service takes and those that are usual. */
 
 import { grouped } from "../../format.ts";
+import { RANGES } from "../../../wire.ts";
 import { isTable, valueAt } from "../document-values.ts";
 
 export interface NumberField {
@@ -8,62 +9,59 @@ export interface NumberField {
   label: string;
   /** As the label shows it; empty for plain numbers. */
   unit: string;
-  /** What the service takes; tests/browser/form.test.mjs compares it with its refusals. */
+  /** What the service takes. */
   low: number;
   high: number;
   /** Of the slider: from, to, step. */
   usual: readonly [number, number, number];
 }
 
-const LENGTH = { unit: "mm", low: 0.001, high: 10_000 };
-const MODULUS = { unit: "MPa", low: 1e-6, high: 1e6 };
-const MODULUS_OR_ZERO = { unit: "MPa", low: 0, high: 1e6 };
-const WEIGHT = { unit: "MPa", low: -1e6, high: 1e6 };
-const SHARE = { unit: "", low: 0, high: 1 };
+type Place = keyof typeof RANGES;
 
-function field(pointer: string, label: string, range: Pick<NumberField, "unit" | "low" | "high">, usual: NumberField["usual"]): NumberField {
-  return { pointer: `/scene/${pointer}`, label, ...range, usual };
+function field(place: Place, label: string, unit: string, usual: NumberField["usual"]): NumberField {
+  const [low, high] = RANGES[place];
+  return { pointer: `/scene/${place}`, label, unit, low, high, usual };
 }
 
 export const GEOMETRY: readonly NumberField[] = [
-  field("geometry/wall_mm", "Wall thickness", LENGTH, [1, 6, 0.1]),
-  field("geometry/outer_radius_mm", "Outer radius", LENGTH, [20, 120, 1]),
-  field("geometry/section_radius_mm", "Section radius, outside", LENGTH, [5, 30, 0.5]),
-  field("geometry/bead_angle_deg", "Bead angle, from the crown", { unit: "degrees", low: 60, high: 150 }, [60, 150, 1]),
+  field("geometry/wall_mm", "Wall thickness", "mm", [1, 6, 0.1]),
+  field("geometry/outer_radius_mm", "Outer radius", "mm", [20, 120, 1]),
+  field("geometry/section_radius_mm", "Section radius, outside", "mm", [5, 30, 0.5]),
+  field("geometry/bead_angle_deg", "Bead angle, from the crown", "degrees", [60, 150, 1]),
 ];
 
-export const PRESSURE: NumberField = field("pressure/internal_mpa", "Pressure inside", { unit: "MPa", low: 0, high: 10_000 }, [0, 0.4, 0.005]);
+export const PRESSURE: NumberField = field("pressure/internal_mpa", "Pressure inside", "MPa", [0, 0.4, 0.005]);
 
-const C10 = field("material/c10_mpa", "C10", MODULUS, [0.02, 1, 0.002]);
-const D1 = field("material/d1_per_mpa", "D1, 2 over the bulk modulus", { unit: "1/MPa", low: 0, high: 1e6 }, [0, 1, 0.01]);
+const C10 = field("material/c10_mpa", "C10", "MPa", [0.02, 1, 0.002]);
+const D1 = field("material/d1_per_mpa", "D1, 2 over the bulk modulus", "1/MPa", [0, 1, 0.01]);
 
 /** What each law of rubber has; those of Ogden are a list, written as text. */
 export const LAWS: Readonly<Record<string, { title: string; fields: readonly NumberField[] }>> = {
-  "mooney-rivlin": { title: "Mooney-Rivlin", fields: [C10, field("material/c01_mpa", "C01", MODULUS_OR_ZERO, [0, 0.5, 0.002]), D1] },
+  "mooney-rivlin": { title: "Mooney-Rivlin", fields: [C10, field("material/c01_mpa", "C01", "MPa", [0, 0.5, 0.002]), D1] },
   "neo-hookean": { title: "neo-Hooke", fields: [C10, D1] },
   yeoh: {
     title: "Yeoh",
-    fields: [C10, field("material/c20_mpa", "C20", WEIGHT, [-0.1, 0.1, 0.001]), field("material/c30_mpa", "C30", WEIGHT, [-0.1, 0.1, 0.001]), D1],
+    fields: [C10, field("material/c20_mpa", "C20", "MPa", [-0.1, 0.1, 0.001]), field("material/c30_mpa", "C30", "MPa", [-0.1, 0.1, 0.001]), D1],
   },
   ogden: { title: "Ogden, terms as text", fields: [D1] },
 };
 
 export const CARCASS: readonly NumberField[] = [
-  field("carcass/angle_deg", "Cord angle, to the circumference", { unit: "degrees", low: 0, high: 90 }, [0, 90, 1]),
-  field("carcass/stiffness_n_per_mm", "Stiffness of each family", { unit: "N/mm", low: 0, high: 1e9 }, [0, 400, 5]),
-  field("carcass/position", "Place in the wall, 0 is inside", SHARE, [0, 1, 0.05]),
-  field("carcass/compression_ratio", "Stiffness when compressed, share", SHARE, [0, 1, 0.01]),
+  field("carcass/angle_deg", "Cord angle, to the circumference", "degrees", [0, 90, 1]),
+  field("carcass/stiffness_n_per_mm", "Stiffness of each family", "N/mm", [0, 400, 5]),
+  field("carcass/position", "Place in the wall, 0 is inside", "", [0, 1, 0.05]),
+  field("carcass/compression_ratio", "Stiffness when compressed, share", "", [0, 1, 0.01]),
 ];
 
-export const FRICTION: NumberField = field("contact/friction", "Friction", { unit: "", low: 0, high: 10 }, [0, 1, 0.05]);
-export const STATION_SPACING: NumberField = field("ground/station_spacing_mm", "Distance of the stations", LENGTH, [1, 15, 0.5]);
-export const LOAD: NumberField = field("ground/load_n", "Force on flat ground", { unit: "N", low: 0, high: 1e9 }, [0, 60, 0.5]);
+export const FRICTION: NumberField = field("contact/friction", "Friction", "", [0, 1, 0.05]);
+export const STATION_SPACING: NumberField = field("ground/station_spacing_mm", "Distance of the stations", "mm", [1, 15, 0.5]);
+export const LOAD: NumberField = field("ground/load_n", "Force on flat ground", "N", [0, 60, 0.5]);
 
 export const FILM: readonly NumberField[] = [
-  field("film/modulus_mpa", "Modulus", MODULUS, [1, 4000, 10]),
-  field("film/thickness_mm", "Thickness", LENGTH, [0.01, 0.3, 0.005]),
-  field("film/length_mm", "Length", LENGTH, [1, 30, 0.5]),
-  field("film/width_mm", "Width", LENGTH, [1, 30, 0.5]),
+  field("film/modulus_mpa", "Modulus", "MPa", [1, 4000, 10]),
+  field("film/thickness_mm", "Thickness", "mm", [0.01, 0.3, 0.005]),
+  field("film/length_mm", "Length", "mm", [1, 30, 0.5]),
+  field("film/width_mm", "Width", "mm", [1, 30, 0.5]),
 ];
 
 /** The depth of each station of a scene; none where a force presses. */
@@ -71,7 +69,8 @@ export function depthFields(document: unknown): NumberField[] {
   const depths = valueAt(document, "/scene/ground/depths_mm");
   if (!Array.isArray(depths)) return [];
   // The service says what the section's radius forbids; the range of a number alone stands here.
-  return depths.map((_, index) => field(`ground/depths_mm/${index}`, `Depth at P${index + 1}`, { unit: "mm", low: 0, high: 10_000 }, [0, 3, 0.05]));
+  const depth = field("ground/depths_mm/*", "", "mm", [0, 3, 0.05]);
+  return depths.map((_, index) => ({ ...depth, pointer: `/scene/ground/depths_mm/${index}`, label: `Depth at P${index + 1}` }));
 }
 
 /** All number fields that a document has by its scene. */
@@ -80,8 +79,14 @@ export function numberFields(document: unknown): NumberField[] {
   const optional = (pointer: string, fields: readonly NumberField[]): readonly NumberField[] => (isTable(valueAt(document, pointer)) ? fields : []);
   const ground = valueAt(document, "/scene/ground/load_n") === undefined ? depthFields(document) : [LOAD];
   return [
-    ...GEOMETRY, PRESSURE, ...(LAWS[String(law)]?.fields ?? []), ...optional("/scene/carcass", CARCASS),
-    FRICTION, STATION_SPACING, ...ground, ...optional("/scene/film", FILM),
+    ...GEOMETRY,
+    PRESSURE,
+    ...(LAWS[String(law)]?.fields ?? []),
+    ...optional("/scene/carcass", CARCASS),
+    FRICTION,
+    STATION_SPACING,
+    ...ground,
+    ...optional("/scene/film", FILM),
   ];
 }
 

@@ -1,10 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { contactOutline, groundHeight, pathOf, sectionOutline } from "./tire-drawing.ts";
+import { contactOutline, groundHeight, sectionOutline } from "./tire-drawing.ts";
 
 const DOCUMENT = {
   scene: {
-    geometry: { outer_radius_mm: 50, section_radius_mm: 12.5, wall_mm: 3, bead_angle_deg: 120 }, carcass: { position: 0.5 },
+    geometry: { outer_radius_mm: 50, section_radius_mm: 12.5, wall_mm: 3, bead_angle_deg: 120 },
+    carcass: { position: 0.5 },
     ground: { stations: 5, station_spacing_mm: 5.5, station_functions: "bspline", depths_mm: [1, 1, 1, 1, 1] },
   },
   inputs: [{ name: "P3", vary: "ground.depths_mm[2]", distribution: { kind: "uniform", min: 1, max: 3 } }],
@@ -32,13 +33,12 @@ test("equal depths are flat ground, far out too, by either function", () => {
 
 test("stations stand at their distances, a depth that varies at its mean with its range", () => {
   const outline = contactOutline(DOCUMENT);
-  assert.deepEqual(outline?.stations.map(({ x_mm }) => x_mm), [-11, -5.5, 0, 5.5, 11]);
+  assert.deepEqual(
+    outline?.stations.map(({ x_mm }) => x_mm),
+    [-11, -5.5, 0, 5.5, 11],
+  );
   assert.deepEqual(outline?.stations[2], { name: "P3", x_mm: 0, depth_mm: 2, half_mm: 1 });
   nearly(outline?.tire[60]?.[1], 0);
   nearly(outline?.inner[60]?.[1], 3);
   assert.equal(contactOutline({ scene: { ...DOCUMENT.scene, ground: { load_n: 13 } } }), null);
-});
-
-test("a path goes through its points", () => {
-  assert.equal(pathOf([[0, 0], [1, 2]], ([x, z]) => [10 * x, -z], true), "M0.0 0.0L10.0 -2.0Z");
 });

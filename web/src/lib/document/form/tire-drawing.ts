@@ -1,9 +1,8 @@
-/** The undeformed section of the tire and the ground below it as lines to draw, mm. Pure geometry of the document's own numbers. */
+/** The undeformed section of the tire and the ground below it as lines to draw, x and z in mm. Pure geometry of the document's own numbers. */
 
+import type { Point } from "../../chart/paths.ts";
 import { valueAt } from "../document-values.ts";
 import { meanAt } from "./input-laws.ts";
-
-export type Point = readonly [x_mm: number, z_mm: number];
 
 export interface SectionOutline {
   /** Closed, from bead to bead outside and back inside; crown at z = 0, the axle above. */
@@ -35,7 +34,7 @@ function arc(middle: number, radius: number, bead_deg: number): Point[] {
   });
 }
 
-export interface StationMark {
+interface StationMark {
   name: string;
   x_mm: number;
   depth_mm: number;
@@ -76,7 +75,14 @@ export function contactOutline(document: unknown): ContactOutline | null {
   return {
     tire: along((x) => outer - Math.sqrt(outer ** 2 - x ** 2)),
     inner: along((x) => outer - Math.sqrt(Math.max(0, (outer - wall) ** 2 - x ** 2))),
-    ground: along((x) => groundHeight(stations.map(({ depth_mm }) => depth_mm), spacing, isHat, x)),
+    ground: along((x) =>
+      groundHeight(
+        stations.map(({ depth_mm }) => depth_mm),
+        spacing,
+        isHat,
+        x,
+      ),
+    ),
     stations,
   };
 }
@@ -101,13 +107,4 @@ function cubicSpline(t: number): number {
   const s = Math.abs(t);
   if (s >= 2) return 0;
   return s < 1 ? 2 / 3 - s ** 2 + s ** 3 / 2 : (2 - s) ** 3 / 6;
-}
-
-/** Points as an SVG path, by a scale. */
-export function pathOf(points: readonly Point[], scale: (point: Point) => Point, isClosed = false): string {
-  const steps = points.map((point, index) => {
-    const [x, y] = scale(point);
-    return `${index === 0 ? "M" : "L"}${x.toFixed(1)} ${y.toFixed(1)}`;
-  });
-  return `${steps.join("")}${isClosed ? "Z" : ""}`;
 }

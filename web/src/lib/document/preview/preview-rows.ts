@@ -2,7 +2,6 @@
 
 import type { Preview } from "../../../wire.ts";
 
-
 export interface PreviewRow {
   name: string;
   rank: number;

@@ -2,7 +2,14 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { readToml, tomlOf } from "./toml-text.ts";
 
-const DOCUMENT = { name: "wall", scene: { preset: "foot-tire", geometry: { wall_mm: 2.5 } }, inputs: [{ name: "P2", vary: "ground.depths_mm[1]" }, { name: "P3", vary: "x" }] };
+const DOCUMENT = {
+  name: "wall",
+  scene: { preset: "foot-tire", geometry: { wall_mm: 2.5 } },
+  inputs: [
+    { name: "P2", vary: "ground.depths_mm[1]" },
+    { name: "P3", vary: "x" },
+  ],
+};
 
 test("a document goes to TOML and back as it was", () => {
   const toml = tomlOf(JSON.stringify(DOCUMENT), null);

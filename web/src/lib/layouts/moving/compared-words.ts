@@ -7,7 +7,9 @@ const SAME = 1e-9;
 
 /** Of worst bounds of the contact angle, degrees; infinite where it can't be told, null where it isn't known. */
 export function comparedWords(now: number, before: number | null): string {
-  const told = Number.isFinite(now) ? `At its worst load and angle the contact is known to ${short(now, 2)}° at best` : "There is a contact that these films can't tell";
+  const told = Number.isFinite(now)
+    ? `At its worst load and angle the contact is known to ${short(now, 2)}° at best`
+    : "There is a contact that these films can't tell";
   return `${told}${before === null ? "" : `: ${changeWords(now, before)}`}.`;
 }
 

@@ -11,7 +11,9 @@ const bell = Array.from({ length: 360 }, (_, k) => Math.exp(-0.5 * ((k - 180) / 
 /** A Gaussian contact that grows with the depth, h = d exp(-u^2 / 2 s^2), at a depth of 1 mm. */
 function fields(noise: Partial<FilmFields["noise"]> = {}): FilmFields {
   return {
-    unit: "strain", size_mm: null, noise: { floor: NOISE, gain_std: 0, place_std_deg: 0, ...noise },
+    unit: "strain",
+    size_mm: null,
+    noise: { floor: NOISE, gain_std: 0, place_std_deg: 0, ...noise },
     kinds: [{ phi_deg: 0, angle_deg: 90 }],
     loads: [{ depth_mm: 1, load_n: 13, force_slope_n_per_mm: 13, signals: [bell], slopes_per_mm: [bell] }],
   };

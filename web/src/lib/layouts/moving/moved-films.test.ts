@@ -1,7 +1,19 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  added, areTwice, begunWith, changed, dropped, filmsFrom, filmsText, freeLayoutToml, movedTo, nearestTo, turnedInto, undone, withFreeLayout,
+  added,
+  areTwice,
+  begunWith,
+  changed,
+  dropped,
+  filmsFrom,
+  filmsText,
+  freeLayoutToml,
+  movedTo,
+  nearestTo,
+  turnedInto,
+  undone,
+  withFreeLayout,
 } from "./moved-films.ts";
 
 const film = (theta_deg: number, angle_deg = 90, phi_deg = 0) => ({ theta_deg, phi_deg, angle_deg });
@@ -39,7 +51,10 @@ test("a document takes the layout beside those that it has", () => {
   const once = withFreeLayout({ name: "a", layouts: { units: [12] } }, FILMS);
   assert.deepEqual(once, { name: "a", layouts: { units: [12], free: [{ name: "by hand", films: FILMS }] } });
   const twice = withFreeLayout(once, [film(1)]) as { layouts: { free: { name: string }[] } };
-  assert.deepEqual(twice.layouts.free.map(({ name }) => name), ["by hand", "by hand 2"]);
+  assert.deepEqual(
+    twice.layouts.free.map(({ name }) => name),
+    ["by hand", "by hand 2"],
+  );
 });
 
 test("TOML to copy is a free layout", () => {

@@ -1,6 +1,7 @@
 /** Films that a reader moves: what is done to them, and how they are written down. */
 
 import type { FilmKindPlace, FilmPlace } from "../../../wire.ts";
+import { isTable, valueAt, withValue } from "../../document/document-values.ts";
 import { apartOf } from "../wheel-films.ts";
 import { wrapped } from "./film-turn.ts";
 
@@ -85,19 +86,15 @@ export function freeLayoutToml(name: string, films: readonly FilmPlace[]): strin
 /** A study's document with one more layout, under a name that no other has. */
 export function withFreeLayout(document: unknown, films: readonly FilmPlace[]): unknown {
   if (!isTable(document)) return document;
-  const layouts = isTable(document["layouts"]) ? document["layouts"] : {};
-  const free: unknown[] = Array.isArray(layouts["free"]) ? layouts["free"] : [];
-  const names = free.map((layout) => (isTable(layout) ? layout["name"] : null));
+  const written = valueAt(document, "/layouts/free");
+  const free: unknown[] = Array.isArray(written) ? written : [];
+  const names = free.map((layout) => valueAt(layout, "/name"));
   let number = 1;
   while (names.includes(nameOf(number))) number += 1;
-  return { ...document, layouts: { ...layouts, free: [...free, { name: nameOf(number), films }] } };
+  return withValue(document, "/layouts/free", [...free, { name: nameOf(number), films }]);
 }
 
 /** What a layout that was moved by hand is called. */
 export function nameOf(number: number): string {
   return number === 1 ? "by hand" : `by hand ${number}`;
-}
-
-function isTable(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
 }

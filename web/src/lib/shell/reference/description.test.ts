@@ -18,7 +18,10 @@ test("a filter needs all of its words, anywhere", () => {
   const all = operations(described);
   const found = matching(all, "POST  studies estimate").map(({ method, path }) => `${method} ${path}`);
   assert.ok(found.includes("POST /v1/studies:estimate"), found.join(", "));
-  assert.ok(found.every((name) => name.startsWith("POST")), found.join(", "));
+  assert.ok(
+    found.every((name) => name.startsWith("POST")),
+    found.join(", "),
+  );
   assert.deepEqual(matching(all, ""), all);
   assert.deepEqual(matching(all, "no such thing anywhere"), []);
 });

@@ -10,7 +10,7 @@ export interface Description {
 
 export type Schema = Record<string, unknown>;
 
-export interface DescribedOperation {
+interface DescribedOperation {
   operationId?: string;
   tags?: string[];
   summary?: string;

@@ -6,7 +6,10 @@ import { short } from "../../layouts/layout-words.ts";
 
 /** With the signs of print for those of a terminal. */
 export function typeset(sentence: string): string {
-  return sentence.replaceAll("+-", "±").replace(/(\d) degrees/g, "$1°").replace(/(\d) mm\b/g, "$1\u00a0mm");
+  return sentence
+    .replaceAll("+-", "±")
+    .replace(/(\d) degrees/g, "$1°")
+    .replace(/(\d) mm\b/g, "$1\u00a0mm");
 }
 
 /** What a reason comes to, without the figures behind its colon. */
@@ -42,6 +45,11 @@ export function layoutStanding({ units, tied_with }: LayoutAnswer): string {
 /** What a study that ranks nothing tells. */
 export function unrankedWords({ inputs, signals, layouts }: Pick<StudyResult, "inputs" | "signals" | "layouts">): string {
   const names = inputs.map(({ name }) => name).join(", ");
-  const tells = signals != null ? "what films read" : layouts.length > 0 ? "bounds of layouts" : `how much ${names} ${inputs.length === 1 ? "changes" : "change"} the strain at each place`;
+  const tells =
+    signals != null
+      ? "what films read"
+      : layouts.length > 0
+        ? "bounds of layouts"
+        : `how much ${names} ${inputs.length === 1 ? "changes" : "change"} the strain at each place`;
   return `This study ranks no place and no layout. It tells ${tells}.`;
 }

@@ -7,7 +7,6 @@ import type { WheelShape } from "../../layouts/wheel-films.ts";
  * P2's two figures are read with four decimals each, as all the others have.
  */
 
-
 const TABLE_2: Record<string, Record<Direction, number>> = {
   P1: { x: 1.4719, y: 0.0662 },
   P2: { x: 6.1071, y: 9.491 },

@@ -6,17 +6,27 @@ import { advance, fromSummary, type Progress } from "../point-progress.ts";
 
 const uniform = { kind: "uniform", min: 0, max: 2 };
 const DOCUMENT = {
-  inputs: [{ name: "P1", vary: "a", distribution: uniform }, { name: "P2", vary: "b", distribution: uniform }],
-  method: { kind: "mdrm", nodes: 5, check_points: 3 }, accuracy: { preset: "standard" },
+  inputs: [
+    { name: "P1", vary: "a", distribution: uniform },
+    { name: "P2", vary: "b", distribution: uniform },
+  ],
+  method: { kind: "mdrm", nodes: 5, check_points: 3 },
+  accuracy: { preset: "standard" },
 };
 const estimate = (own: number, coarser = own): Estimate => ({ solves: { own, coarser } }) as unknown as Estimate;
 const summary = { state: "running", points_total: null, points_done: 0 } as unknown as StudySummary;
 const solved = (...ordinals: number[]): Progress =>
-  ordinals.reduce((progress, ordinal) => advance(progress, { kind: "point-solved", ordinal, done: 1, of: 24, wall_s: 1, newton_iterations: 3 }, 0), fromSummary(summary));
+  ordinals.reduce(
+    (progress, ordinal) => advance(progress, { kind: "point-solved", ordinal, done: 1, of: 24, wall_s: 1, newton_iterations: 3 }, 0),
+    fromSummary(summary),
+  );
 
 test("each input has a line of its nodes about the point at the means, on both meshes", () => {
   const blocks = dotBlocks(DOCUMENT, estimate(12), solved(0, 1, 6, 13));
-  assert.deepEqual(blocks?.map(({ title }) => title), ["The standard mesh", "A coarser mesh, for the mesh's error"]);
+  assert.deepEqual(
+    blocks?.map(({ title }) => title),
+    ["The standard mesh", "A coarser mesh, for the mesh's error"],
+  );
   const [own, coarser] = blocks ?? [];
   assert.equal(own?.cut, "solved");
   assert.deepEqual(own?.rows, [
@@ -30,7 +40,7 @@ test("each input has a line of its nodes about the point at the means, on both m
 });
 
 test("failed points are told apart, and all are solved when the study is done", () => {
-  const failed = advance(solved(0), { kind: "point-failed", ordinal: 2, cause: "buckles" }, 0);
+  const failed = advance(solved(0), { kind: "point-failed", ordinal: 2, done: 1, of: 31, cause: "buckles" }, 0);
   assert.equal(dotBlocks(DOCUMENT, estimate(12), failed)?.[0]?.rows[0]?.dots[1], "failed");
   const done = advance(solved(0), { kind: "done" }, 0);
   assert.equal(countDots(dotBlocks(DOCUMENT, estimate(12), done) ?? [], "open"), 0);

@@ -77,5 +77,8 @@ function blockOf(title: string, first: number, count: number, { names, nodes }: 
 
 /** How many dots are solved or failed. */
 export function countDots(blocks: readonly DotBlock[], kind: Dot): number {
-  return blocks.reduce((sum, { cut, rows }) => sum + Number(cut === kind) + rows.reduce((all, { dots }) => all + dots.filter((dot) => dot === kind).length, 0), 0);
+  return blocks.reduce(
+    (sum, { cut, rows }) => sum + Number(cut === kind) + rows.reduce((all, { dots }) => all + dots.filter((dot) => dot === kind).length, 0),
+    0,
+  );
 }

@@ -1,12 +1,13 @@
 /** Films' readings as curves to draw: a panel for each tire and direction, a curve for each position and model of the film. */
 
+import { room, type Ends } from "../../chart/scales.ts";
 import type { SignalAxis, SignalRow } from "../../../wire.ts";
 
 /** Models that are drawn; what a transfer gives lies on the coupled film's curve. */
 export const DRAWN = ["coupled", "bare"] as const;
 export type Drawn = (typeof DRAWN)[number];
 
-export interface FilmPoint {
+interface FilmPoint {
   /** Load, pressure or contact angle. */
   at: number;
   /** Of the open circuit, V. */
@@ -27,9 +28,9 @@ export interface Panel {
   over: SignalAxis;
   curves: FilmCurve[];
   /** Ends of the scale along the curves. */
-  range: [number, number];
+  range: Ends;
   /** Ends of the voltage's scale, for each model. */
-  volts: Record<Drawn, [number, number]>;
+  volts: Record<Drawn, Ends>;
 }
 
 /** A panel for each tire, direction and axis, in the order of the rows. */
@@ -46,14 +47,16 @@ export function panels(rows: SignalRow[], axes: readonly SignalAxis[]): Panel[] 
 function panel(rows: SignalRow[], tire: string, direction: string, over: SignalAxis): Panel {
   const curves = different(rows.map((row) => row.position)).flatMap((position) =>
     DRAWN.map((film) => ({
-      position, film,
+      position,
+      film,
       points: pointsOf(rows.filter((row) => row.position === position && row.film === film)),
     })),
   );
-  const ends = (film: Drawn): [number, number] =>
-    room([0, ...curves.filter((curve) => curve.film === film).flatMap((curve) => curve.points.flatMap(endsOf))]);
+  const ends = (film: Drawn): Ends => room([0, ...curves.filter((curve) => curve.film === film).flatMap((curve) => curve.points.flatMap(endsOf))]);
   return {
-    tire, direction, over,
+    tire,
+    direction,
+    over,
     curves: curves.filter((curve) => curve.points.length > 0),
     range: room(rows.map(placeOf)),
     volts: { bare: ends("bare"), coupled: ends("coupled") },
@@ -63,9 +66,7 @@ function panel(rows: SignalRow[], tire: string, direction: string, over: SignalA
 /** Those that have a voltage, in order. */
 function pointsOf(rows: SignalRow[]): FilmPoint[] {
   const points = rows.flatMap((row) =>
-    row.open_circuit_v == null
-      ? []
-      : [{ at: placeOf(row), volts: row.open_circuit_v, error: row.error?.open_circuit_v ?? null }],
+    row.open_circuit_v == null ? [] : [{ at: placeOf(row), volts: row.open_circuit_v, error: row.error?.open_circuit_v ?? null }],
   );
   return points.sort((a, b) => a.at - b.at);
 }
@@ -81,14 +82,6 @@ function placeOf(row: SignalRow): number {
     case "contact":
       return row.contact_deg;
   }
-}
-
-/** A range that holds all values and a little more. */
-export function room(values: number[]): [number, number] {
-  if (values.length === 0) return [0, 1];
-  const [low, high] = [Math.min(...values), Math.max(...values)];
-  const margin = 0.05 * (high - low) || 1;
-  return [low - margin, high + margin];
 }
 
 export function different<T>(values: T[]): T[] {

@@ -5,7 +5,7 @@ import { duration, significant } from "../../format.ts";
 import { front } from "./trade-marks.ts";
 
 /** Mesh and method of a study. */
-export interface Fidelity {
+interface Fidelity {
   level: string;
   method: string;
   nodes: number;

@@ -1,13 +1,13 @@
 /** Names beside the points of a plot, placed where they cover neither each other nor a point. */
 
 /** A point with its name, in the plot's units. */
-export interface Named {
+interface Named {
   x: number;
   y: number;
   text: string;
 }
 
-export interface PlacedLabel extends Named {
+interface PlacedLabel extends Named {
   anchor: "start" | "end";
 }
 

@@ -1,13 +1,22 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Rung, Trade } from "../../../wire.ts";
-import { cheapest, decades, front, LEAST_ERROR, marks } from "./trade-marks.ts";
+import { cheapest, front, LEAST_ERROR, marks } from "./trade-marks.ts";
 
 function rung(label: string, wall_s: number, change: Partial<Rung> = {}): Rung {
   return {
-    label, fidelity: { level: "coarse", method: "mdrm", nodes: 5, check_points: 0 }, indices: [],
-    wall_s, cpu_s: wall_s, solves: 1, error_true: 0.1, error_claimed: 0.2, covered: 1, ranking_agrees: true,
-    pareto: false, ...change,
+    label,
+    fidelity: { level: "coarse", method: "mdrm", nodes: 5, check_points: 0 },
+    indices: [],
+    wall_s,
+    cpu_s: wall_s,
+    solves: 1,
+    error_true: 0.1,
+    error_claimed: 0.2,
+    covered: 1,
+    ranking_agrees: true,
+    pareto: false,
+    ...change,
   };
 }
 
@@ -15,21 +24,20 @@ function trade(rungs: Rung[]): Trade {
   return { study: "a", spec_sha256: "b", reference: rung("best", 100), rungs };
 }
 
-test("decades hold all values", () => {
-  assert.deepEqual(decades([0.2, 43]), [-1, 2]);
-  assert.deepEqual(decades([1, 10]), [0, 1]);
-  assert.deepEqual(decades([1]), [0, 1]);
-  assert.deepEqual(decades([]), [-1, 0]);
-});
-
 test("a rung without an error has no mark, and an error of zero has the least", () => {
   const found = marks(trade([rung("a", 1, { error_true: null }), rung("b", 2, { error_true: 0 })]), "error_true");
-  assert.deepEqual(found.map((mark) => [mark.rung.label, mark.error]), [["b", LEAST_ERROR]]);
+  assert.deepEqual(
+    found.map((mark) => [mark.rung.label, mark.error]),
+    [["b", LEAST_ERROR]],
+  );
 });
 
 test("the front goes from fast to slow", () => {
   const rungs = [rung("slow", 9, { pareto: true }), rung("beaten", 5), rung("fast", 1, { pareto: true })];
-  assert.deepEqual(front(trade(rungs)).map((mark) => mark.rung.label), ["fast", "slow"]);
+  assert.deepEqual(
+    front(trade(rungs)).map((mark) => mark.rung.label),
+    ["fast", "slow"],
+  );
 });
 
 test("the cheapest is the fastest that ranks as the reference", () => {

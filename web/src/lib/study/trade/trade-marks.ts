@@ -2,17 +2,8 @@ import type { Rung, Trade } from "../../../wire.ts";
 
 /** What accuracy costs, as coordinates of a picture with two logarithmic axes. */
 
-
 /** Errors below this are drawn there: a logarithm has no zero. */
 export const LEAST_ERROR = 1e-5;
-
-/** Whole powers of ten around all values, at least one decade; the values must be positive. */
-export function decades(values: readonly number[]): [number, number] {
-  if (values.length === 0) return [-1, 0];
-  const low = Math.floor(Math.log10(Math.min(...values)));
-  const high = Math.ceil(Math.log10(Math.max(...values)));
-  return [low, Math.max(high, low + 1)];
-}
 
 /** A point of the plot: time in seconds, error absolute. */
 export interface RungMark {

@@ -22,7 +22,10 @@ test("the next step is the fastest on the front that is nearer", () => {
   assert.equal(nextRung(TRADE, TRADE.rungs[0] as Rung)?.label, "standard mdrm 5");
   assert.equal(nextRung(TRADE, TRADE.rungs[2] as Rung), null);
   assert.equal(stepWords(TRADE, null), "No rung has the mesh and method of this study.");
-  assert.match(stepWords(TRADE, TRADE.rungs[0] as Rung), /^This study is draft mdrm 5: 0.2 s, off by 0.020\. The next step, standard mdrm 5, takes 50 times as long \(10 s\)/);
+  assert.match(
+    stepWords(TRADE, TRADE.rungs[0] as Rung),
+    /^This study is draft mdrm 5: 0.2 s, off by 0.020\. The next step, standard mdrm 5, takes 50 times as long \(10 s\)/,
+  );
   assert.match(stepWords(TRADE, TRADE.rungs[2] as Rung), /No measured rung/);
 });
 

@@ -12,7 +12,11 @@ test("the place that is looked at is in the middle", () => {
 });
 
 test("a place along a pixel's line of sight has that pixel", () => {
-  for (const [x, y] of [[0, 0], [599, 20], [123.5, 377]] as const) {
+  for (const [x, y] of [
+    [0, 0],
+    [599, 20],
+    [123.5, 377],
+  ] as const) {
     const { origin, direction } = rayThrough(camera, x, y);
     const place = origin.map((value, i) => value + 77 * (direction[i] as number)) as Vec3;
     const pixel = pixelOf(camera, place);

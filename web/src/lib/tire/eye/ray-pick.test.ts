@@ -12,7 +12,13 @@ const all = (): boolean => true;
 const towards = (origin: Vec3, target: Vec3): Ray => ({ origin, direction: unit(minus(target, origin)) });
 
 test("a place that is looked at from the wheel's centre is picked, though the tire is deformed", () => {
-  for (const [theta_deg, phi_deg] of [[0, 0], [12.4, 3.3], [-80.1, -20.7], [170, 15], [-33.3, 24]] as const) {
+  for (const [theta_deg, phi_deg] of [
+    [0, 0],
+    [12.4, 3.3],
+    [-80.1, -20.7],
+    [170, 15],
+    [-33.3, 24],
+  ] as const) {
     const place = placeOn(wheel, points, { theta_deg, phi_deg });
     assert.ok(place);
     const hit = pick(wheel, points, triangles, towards([0, 0, 0], place), all);

@@ -8,7 +8,7 @@ export interface Ray {
   direction: Vec3;
 }
 
-export interface Hit extends SurfacePoint {
+interface Hit extends SurfacePoint {
   /** In lengths of the ray's direction. */
   distance: number;
   position: Vec3;

@@ -33,7 +33,7 @@ test("marks lead back to their angles, beyond the ends too", () => {
 });
 
 test("without a shape the marks are the angles themselves", () => {
-  const plain = rulersOf(grid, null);
+  const plain = rulersOf(grid, undefined);
   assert.equal(plain.unit, "°");
   assert.equal(markAt(plain.along, 7), 7);
 });

@@ -19,7 +19,7 @@ export interface Rulers {
   unit: "mm" | "°";
 }
 
-export function rulersOf(grid: MapGrid, shape: MapShape | null | undefined): Rulers {
+export function rulersOf(grid: MapGrid, shape: MapShape | undefined): Rulers {
   const { theta_deg, phi_deg } = grid;
   const columns = theta_deg.length;
   const crown = closestToZero(phi_deg);

@@ -1,7 +1,7 @@
 /** Lines of equal value over a raster. */
 
 import { contours } from "d3-contour";
-import { ticks } from "../../format.ts";
+import { linear } from "../../chart/scales.ts";
 import type { Raster } from "./field-raster.ts";
 import { SHOWN_FACTOR, type Scale } from "./surface-field.ts";
 
@@ -13,14 +13,17 @@ export interface ContourLine {
 
 /** Every so many pixels of the raster count: lines don't need more. */
 const COARSER = 2;
-const LEVELS = 6;
+/** About so many. */
+const LEVELS = 4;
 /** Points of a line, at least: shorter ones are specks. */
 const FEWEST = 8;
 
 /** Lines at round values, only where the values are trusted. */
 export function contourLines(raster: Raster, scale: Scale): ContourLine[] {
   const factor = SHOWN_FACTOR[scale.unit];
-  const levels = ticks(scale.low * factor, scale.high * factor, LEVELS).map((level) => level / factor);
+  const levels = linear([scale.low * factor, scale.high * factor], [0, 1])
+    .ticks(LEVELS)
+    .map((level) => level / factor);
   return linesAt(raster, levels, (trust) => trust > 0);
 }
 
@@ -37,13 +40,19 @@ function linesAt(raster: Raster, levels: readonly number[], isTrusted: (trust: n
     if (x <= 0.5 || y <= 0.5 || x >= width - 0.5 || y >= height - 0.5) return false;
     return isTrusted(raster.trust[at(Math.floor(x), Math.floor(y))] as number);
   };
-  return contours().size([width, height]).thresholds([...levels])(values).flatMap(({ value, coordinates }) =>
-    (coordinates as [number, number][][][]).flat().flatMap((ring) => pieces(ring, isShown)).map((piece) => ({
-      value,
-      // A value stands in the middle of its pixel, and the outermost ones on the raster's edge.
-      points: piece.map(([x, y]): [number, number] => [(x - 0.5) / (width - 1), (y - 0.5) / (height - 1)]),
-    })),
-  );
+  return contours()
+    .size([width, height])
+    .thresholds([...levels])(values)
+    .flatMap(({ value, coordinates }) =>
+      (coordinates as [number, number][][][])
+        .flat()
+        .flatMap((ring) => pieces(ring, isShown))
+        .map((piece) => ({
+          value,
+          // A value stands in the middle of its pixel, and the outermost ones on the raster's edge.
+          points: piece.map(([x, y]): [number, number] => [(x - 0.5) / (width - 1), (y - 0.5) / (height - 1)]),
+        })),
+    );
 }
 
 /** The parts of a ring that are shown. */
@@ -57,7 +66,7 @@ function pieces(ring: [number, number][], isShown: (point: [number, number]) => 
 }
 
 /** A label of a line: its value, and where it stands. */
-export interface ContourLabel {
+interface ContourLabel {
   value: number;
   at: [number, number];
 }

@@ -1,14 +1,21 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { sequential } from "../../colour.ts";
+import { sequential } from "../../chart/colour.ts";
 import type { Rulers } from "./arc-length.ts";
 import { rasterOf } from "./field-raster.ts";
 import type { Field } from "./surface-field.ts";
 import { GREY } from "./trust.ts";
 
 const field: Field = {
-  theta_deg: [-1, 1], phi_deg: [0, 1], quantity: "std", values: [0, 1, 2, 4], errors: [null, null, null, null], deviations: [0, 1, 2, 4],
-  status: ["ok", "ok", "ok", "ok"], noise: null, scale: { low: 0, high: 4, colour: sequential, unit: "microstrain" },
+  theta_deg: [-1, 1],
+  phi_deg: [0, 1],
+  quantity: "std",
+  values: [0, 1, 2, 4],
+  errors: [null, null, null, null],
+  deviations: [0, 1, 2, 4],
+  status: ["ok", "ok", "ok", "ok"],
+  noise: null,
+  scale: { low: 0, high: 4, colour: sequential, unit: "microstrain" },
 };
 const rulers: Rulers = { along: { angles: [-1, 1], marks: [-20, 20] }, across: { angles: [0, 1], marks: [0, 10] }, unit: "mm" };
 

@@ -1,6 +1,6 @@
 /** A field as a picture, even in arc length: the map paints it and the tire wears it. */
 
-import type { Rgb } from "../../colour.ts";
+import type { Rgb } from "../../chart/colour.ts";
 import { angleAt, endsOf, type Ruler, type Rulers } from "./arc-length.ts";
 import { bracket, cornersOf, type Bracket } from "./map-grid.ts";
 import { shadeAt, type Field } from "./surface-field.ts";

@@ -16,7 +16,11 @@ test("a value is found between the points of an uneven axis, and not beyond its 
 test("a bilinear field is met exactly everywhere, and a grid point to the bit", () => {
   const field = (theta: number, phi: number) => 3 + 0.5 * theta - 0.25 * phi + 0.125 * theta * phi;
   const values = grid.phi_deg.flatMap((phi) => grid.theta_deg.map((theta) => field(theta, phi)));
-  for (const [theta, phi] of [[-7, 11], [3, -42], [19, 59]] as const) {
+  for (const [theta, phi] of [
+    [-7, 11],
+    [3, -42],
+    [19, 59],
+  ] as const) {
     const corners = at(theta, phi);
     assert.ok(corners);
     assert.ok(Math.abs((interpolate(values, corners) ?? NaN) - field(theta, phi)) < 1e-12);

@@ -9,12 +9,19 @@ const map: IndexMap = {
   phi_deg: [0, 60],
   layers: [
     {
-      direction: "x", strain: [0.01, 0.02, 0.03, 0.04], std: [0.001, 0.001, 0.001, 0.001], first_order: [[0.5, 0.7, 0.5, 0.7]],
-      error: [0.9, 0.9, 0.9, 0.9], first_order_error: [[0.02, 0.04, 0.02, 0.04]], status: ["ok", "constant", "ok", "ok"],
+      direction: "x",
+      strain: [0.01, 0.02, 0.03, 0.04],
+      std: [0.001, 0.001, 0.001, 0.001],
+      first_order: [[0.5, 0.7, 0.5, 0.7]],
+      error: [0.9, 0.9, 0.9, 0.9],
+      first_order_error: [[0.02, 0.04, 0.02, 0.04]],
+      total: [[0.5, 0.7, 0.5, 0.7]],
+      status: ["ok", "constant", "ok", "ok"],
     },
   ],
+  shape: { inflated_mm: [], displacement_mm: [] },
 };
-const rulers = rulersOf(map, null);
+const rulers = rulersOf(map, undefined);
 
 test("a place is read in each direction that the map has, each index with its own error", () => {
   const reading = readingAt(map, rulers, { theta_deg: 5, phi_deg: 0 });

@@ -7,7 +7,7 @@ import { cornersAt, interpolate, nearest, type SurfacePoint } from "./map-grid.t
 import { errorsOf, layerOf } from "./surface-field.ts";
 
 /** An index with its own error. */
-export interface IndexReading {
+interface IndexReading {
   index: number | null;
   error: number | null;
 }

@@ -1,7 +1,7 @@
 /** The inner surface as a field: what one choice of direction, quantity and input shows. */
 
 import type { IndexMap, LocationStrain, MapLayer, StudyResult } from "../../../wire.ts";
-import { diverging, sequential, type ColourMap, type Rgb } from "../../colour.ts";
+import { diverging, sequential, type ColourMap, type Rgb } from "../../chart/colour.ts";
 import type { Direction } from "../../direction.ts";
 import type { Quantity } from "../../route.ts";
 import { interpolate, type Corner, type MapGrid, type SurfacePoint } from "./map-grid.ts";
@@ -63,9 +63,9 @@ export function layerOf(map: IndexMap, direction: Direction): MapLayer | null {
   return map.layers.find((candidate) => candidate.direction === direction) ?? null;
 }
 
-/** An input's own errors. Documents of earlier versions have one error for all inputs. */
+/** An input's own errors; none of an input that the map doesn't have. */
 export function errorsOf(layer: MapLayer, input: number): readonly (number | null)[] {
-  return layer.first_order_error?.[input] ?? layer.error;
+  return layer.first_order_error[input] ?? [];
 }
 
 /** The field of a choice; null when the map has no such layer. */
@@ -85,7 +85,7 @@ function valuesOf(layer: MapLayer, quantity: Quantity, input: number, errors: re
     case "index":
       return layer.first_order[input];
     case "total":
-      return layer.total?.[input];
+      return layer.total[input];
     case "error":
       return errors;
     case "std":
@@ -128,7 +128,7 @@ export function shadeAt(field: Field, corners: readonly Corner[]): { value: numb
 
 /** Noise of a film by which the layouts are scored, strain; null where a study scores none or its films are read in volts. */
 export function filmNoise(result: StudyResult): number | null {
-  if ((result.layout_findings?.unit ?? "strain") !== "strain") return null;
+  if (result.layout_findings != null && result.layout_findings.unit !== "strain") return null;
   return result.layouts[0]?.score.noise_strain ?? null;
 }
 

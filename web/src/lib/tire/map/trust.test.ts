@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { oklabOfRgb, sequential } from "../../colour.ts";
+import { oklabOfRgb, sequential } from "../../chart/colour.ts";
 import { faded, GREY, trustOf, type Evidence } from "./trust.ts";
 
 const evidence = (change: Partial<Evidence>): Evidence => ({ value: 0.01, error: 0.001, deviation: 0.01, noise: 0.002, ...change });

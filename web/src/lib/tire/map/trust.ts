@@ -1,6 +1,6 @@
 /** How far a value may be trusted, which says how much colour it gets. */
 
-import { oklabOfRgb, rgbOfOklab, type Rgb } from "../../colour.ts";
+import { oklabOfRgb, rgbOfOklab, type Rgb } from "../../chart/colour.ts";
 import type { Quantity } from "../../route.ts";
 
 /** What a map shows: a layer of a study, or the difference of two. */

@@ -10,7 +10,10 @@ const drawn = drawnWheel(wheel, [-45, 45]);
 
 test("within the sector the mesh's own points are drawn, and the wheel stays closed", () => {
   assert.ok(isWheel(drawn));
-  assert.deepEqual(drawn.theta_deg.filter((theta) => Math.abs(theta) <= 45), [-45, -30, -15, 0, 15, 30, 45]);
+  assert.deepEqual(
+    drawn.theta_deg.filter((theta) => Math.abs(theta) <= 45),
+    [-45, -30, -15, 0, 15, 30, 45],
+  );
   const [row, column] = [drawn.phi_deg.indexOf(0), drawn.theta_deg.indexOf(15)];
   const k = 3 * (row * drawn.theta_deg.length + column);
   const from = 3 * (wheel.phi_deg.indexOf(0) * wheel.theta_deg.length + wheel.theta_deg.indexOf(15));

@@ -54,7 +54,10 @@ function redrawn(whole: Skin, width: number, rows: readonly number[], columns: r
       const still = between(polar(whole, from, 0), polar(whole, next, 0), share);
       const moved = between(polar(whole, from, 1), polar(whole, next, 1), share);
       skin.inflated.set(still, to);
-      skin.displacement.set(moved.map((value, k) => value - (still[k] as number)), to);
+      skin.displacement.set(
+        moved.map((value, k) => value - (still[k] as number)),
+        to,
+      );
     }),
   );
   return skin;

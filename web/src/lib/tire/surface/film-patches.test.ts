@@ -11,10 +11,22 @@ const layout = (change: Partial<RankedLayout>): RankedLayout =>
 
 test("a layout's films stand at its angles, staggered ones between", () => {
   const films = filmsOf(layout({}));
-  assert.deepEqual(films.map(({ theta_deg }) => theta_deg), [0, 0, 90, 90, -180, -180, -90, -90]);
-  assert.deepEqual(films.slice(0, 2).map(({ phi_deg, angle_deg }) => [phi_deg, angle_deg]), [[45, 0], [45, 90]]);
+  assert.deepEqual(
+    films.map(({ theta_deg }) => theta_deg),
+    [0, 0, 90, 90, -180, -180, -90, -90],
+  );
+  assert.deepEqual(
+    films.slice(0, 2).map(({ phi_deg, angle_deg }) => [phi_deg, angle_deg]),
+    [
+      [45, 0],
+      [45, 90],
+    ],
+  );
   const staggered = filmsOf(layout({ staggered: true, position: "30 deg", films: ["x", "45"] }));
-  assert.deepEqual(staggered.slice(0, 2), [{ theta_deg: 0, phi_deg: 30, angle_deg: 0 }, { theta_deg: 45, phi_deg: 30, angle_deg: 45 }]);
+  assert.deepEqual(staggered.slice(0, 2), [
+    { theta_deg: 0, phi_deg: 30, angle_deg: 0 },
+    { theta_deg: 45, phi_deg: 30, angle_deg: 45 },
+  ]);
 });
 
 test("a layout film by film keeps its places", () => {

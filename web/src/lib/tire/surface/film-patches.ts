@@ -1,7 +1,7 @@
 /** Films of a layout, and the patches that they cover on the inner skin. */
 
 import type { FilmPlace, RankedLayout } from "../../../wire.ts";
-import type { Rgb } from "../../colour.ts";
+import type { Rgb } from "../../chart/colour.ts";
 import type { MapGrid, SurfacePoint } from "../map/map-grid.ts";
 import { cross, minus, placeOn, unit, type Vec3 } from "./skin-geometry.ts";
 import type { Skin } from "./surface-reader.ts";
@@ -43,7 +43,12 @@ function wrapped(theta_deg: number): number {
 
 /** Corners of a film about its place, mm along the wheel and along the section. */
 export function cornersOfFilm([length, width]: PatchSize, angle_deg: number): [number, number][] {
-  const signs = [[-1, -1], [1, -1], [1, 1], [-1, 1]] as const;
+  const signs = [
+    [-1, -1],
+    [1, -1],
+    [1, 1],
+    [-1, 1],
+  ] as const;
   return signs.map(([u, v]) => rotated((u * length) / 2, (v * width) / 2, angle_deg));
 }
 
@@ -64,7 +69,10 @@ export function patchOn(grid: MapGrid, skin: Skin, film: FilmPlace, size: PatchS
     const place = { theta_deg: film.theta_deg + along / frame.mmPerTheta, phi_deg: film.phi_deg + across / frame.mmPerPhi };
     const [at, moved] = [placeOn(grid, skin.inflated, place), placeOn(grid, skin.displacement, place)];
     if (at === null || moved === null) return null;
-    patch.inflated.set(at.map((value, i) => value + LIFT_MM * (frame.normal[i] as number)), 3 * k);
+    patch.inflated.set(
+      at.map((value, i) => value + LIFT_MM * (frame.normal[i] as number)),
+      3 * k,
+    );
     patch.displacement.set(moved, 3 * k);
   }
   return patch;

@@ -53,11 +53,11 @@ export function strainOver(line: Sections, place: SurfacePoint, direction: Direc
   });
 }
 
-/** The surface as it is there: moved by what the displacement over the map differs from that at the means. Null where it isn't stored. */
+/** The surface as it is there: moved by what the displacement over the map differs from that at the means. Null without a solve at the means. */
 export function movedSurface(surface: Surface, line: Sections, { low, high, share }: Between): Surface | null {
   const means = line.nodes.find((node) => node.cut_point)?.displacement_mm;
   const [from, to] = [low.displacement_mm, high.displacement_mm];
-  if (means == null || from == null || to == null) return null;
+  if (means === undefined) return null;
   const change = [0, 1, 2].map((i) => from.map((start, k) => mixed(start[i] ?? 0, to[k]?.[i] ?? 0, share) - (means[k]?.[i] ?? 0)));
   const moved = (skin: Skin): Skin => ({ inflated: skin.inflated, displacement: plus(surface, skin.displacement, line, change) });
   return { ...surface, inner: moved(surface.inner), outer: surface.outer === null ? null : moved(surface.outer) };

@@ -6,8 +6,17 @@ import { signalFilms, signalPatches, voltScale } from "./signal-films.ts";
 
 function row(change: Partial<SignalRow>): SignalRow {
   return {
-    tire: "own", film: "coupled", position: "crown", direction: "x", over: "contact", load_n: 20, pressure_mpa: 0.2, contact_deg: 0,
-    open_circuit_v: 10, error: { open_circuit_v: 1 }, ...change,
+    tire: "own",
+    film: "coupled",
+    position: "crown",
+    direction: "x",
+    over: "contact",
+    load_n: 20,
+    pressure_mpa: 0.2,
+    contact_deg: 0,
+    open_circuit_v: 10,
+    error: { open_circuit_v: 1 },
+    ...change,
   } as SignalRow;
 }
 
@@ -16,13 +25,23 @@ const document = { signals: { film: { length_mm: 5, width_mm: 3 } } };
 
 test("films of one tire, model, direction and axis are shown, with their size", () => {
   const rows = [
-    row({}), row({ position: "shoulder", contact_deg: 10, open_circuit_v: -4 }), row({ film: "bare", open_circuit_v: 500 }), row({ tire: "soft" }),
-    row({ direction: "y" }), row({ over: "load" }), row({ contact_deg: 20, open_circuit_v: null, error: null }),
+    row({}),
+    row({ position: "shoulder", contact_deg: 10, open_circuit_v: -4 }),
+    row({ film: "bare", open_circuit_v: 500 }),
+    row({ tire: "soft" }),
+    row({ direction: "y" }),
+    row({ over: "load" }),
+    row({ contact_deg: 20, open_circuit_v: null, error: null }),
   ];
   const shown = signalFilms(resultOf(rows), { document }, "x");
   assert.deepEqual(shown, {
-    model: "coupled", load_n: 20, size: [5, 3],
-    films: [{ position: "crown", contact_deg: 0, volts: 10, error: 1 }, { position: "shoulder", contact_deg: 10, volts: -4, error: 1 }],
+    model: "coupled",
+    load_n: 20,
+    size: [5, 3],
+    films: [
+      { position: "crown", contact_deg: 0, volts: 10, error: 1 },
+      { position: "shoulder", contact_deg: 10, volts: -4, error: 1 },
+    ],
   });
   assert.equal(signalFilms(resultOf([row({ film: "bare" })]), { document: {} }, "x")?.model, "bare", "a bare film where no glued one was solved");
 });
@@ -33,7 +52,10 @@ test("without a solved film there is nothing to show", () => {
 });
 
 test("zero is the middle of the scale, and a signal within its error is grey", () => {
-  const films = [{ position: "crown", contact_deg: 0, volts: 8, error: null }, { position: "shoulder", contact_deg: 10, volts: -2, error: 3 }];
+  const films = [
+    { position: "crown", contact_deg: 0, volts: 8, error: null },
+    { position: "shoulder", contact_deg: 10, volts: -2, error: 3 },
+  ];
   const scale = voltScale(films);
   assert.deepEqual([scale.low, scale.high], [-8, 8]);
   const [crown, shoulder] = signalPatches({ model: "coupled", load_n: 20, films, size: null }, "y", scale);

@@ -1,7 +1,7 @@
 /** Films whose signals a study solved, as patches on the tire: each by itself, with nothing known of the skin between them. */
 
 import type { FilmModel, SignalRow, StudyDetail, StudyResult } from "../../../wire.ts";
-import { diverging, type Rgb } from "../../colour.ts";
+import { diverging, type Rgb } from "../../chart/colour.ts";
 import type { Direction } from "../../direction.ts";
 import { shareOf, type Scale } from "../map/surface-field.ts";
 import { above, faded } from "../map/trust.ts";
@@ -36,9 +36,16 @@ export function signalFilms(result: StudyResult, study: Pick<StudyDetail, "docum
   const rows = (result.signals?.rows ?? []).filter(isShown);
   const model = MODELS.find((each) => rows.some((row) => row.film === each));
   if (model === undefined) return null;
-  const films = rows.filter((row) => row.film === model && row.position in POSITIONS).map((row): SignalFilm => ({
-    position: row.position, contact_deg: row.contact_deg, volts: row.open_circuit_v ?? 0, error: row.error?.open_circuit_v ?? null,
-  }));
+  const films = rows
+    .filter((row) => row.film === model && row.position in POSITIONS)
+    .map(
+      (row): SignalFilm => ({
+        position: row.position,
+        contact_deg: row.contact_deg,
+        volts: row.open_circuit_v ?? 0,
+        error: row.error?.open_circuit_v ?? null,
+      }),
+    );
   return { model, load_n: rows.find((row) => row.film === model)?.load_n ?? 0, films, size: sizeIn(study.document) };
 }
 
@@ -52,7 +59,10 @@ export function voltScale(films: readonly SignalFilm[]): Scale {
 /** As patches in their colours, which fade to grey where the error exceeds the signal. */
 export function signalPatches({ films }: SignalFilms, direction: Direction, scale: Scale): ShownFilm[] {
   return films.map(({ position, contact_deg, volts, error }) => ({
-    theta_deg: contact_deg, phi_deg: POSITIONS[position] ?? 0, angle_deg: direction === "x" ? 0 : 90, colour: colourOf(volts, error, scale),
+    theta_deg: contact_deg,
+    phi_deg: POSITIONS[position] ?? 0,
+    angle_deg: direction === "x" ? 0 : 90,
+    colour: colourOf(volts, error, scale),
   }));
 }
 
@@ -62,6 +72,6 @@ function colourOf(volts: number, error: number | null, scale: Scale): Rgb {
 
 /** Length and width of the film of the signals. */
 function sizeIn(document: Record<string, unknown>): PatchSize | null {
-  const film = (document["signals"] as { film?: { length_mm?: unknown; width_mm?: unknown } } | null | undefined)?.film;
+  const film = (document.signals as { film?: { length_mm?: unknown; width_mm?: unknown } } | null | undefined)?.film;
   return typeof film?.length_mm === "number" && typeof film.width_mm === "number" ? [film.length_mm, film.width_mm] : null;
 }

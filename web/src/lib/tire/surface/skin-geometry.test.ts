@@ -27,7 +27,11 @@ test("the displacement counts as often as asked", () => {
 
 test("normals point into the cavity", () => {
   const normals = normalsOf(wheel, wheel.inner.inflated);
-  for (const [row, column] of [[6, 36], [3, 0], [9, 72]] as const) {
+  for (const [row, column] of [
+    [6, 36],
+    [3, 0],
+    [9, 72],
+  ] as const) {
     const k = row * 73 + column;
     const [theta, phi] = [wheel.theta_deg[column] as number, wheel.phi_deg[row] as number];
     const [near, far] = [torusPoint(theta, phi), torusPoint(theta, phi, 1)];

@@ -28,10 +28,23 @@ test("bytes that end early, or miss an array, are refused with the reason", () =
 });
 
 test("a map with its shape is a sector, one without is none", () => {
-  const shape = { inflated_mm: [[0, 0, 1], [0, 0, 2], [0, 0, 3], [0, 0, 4]], displacement_mm: [[1, 0, 0], [2, 0, 0], [3, 0, 0], [4, 0, 0]] };
+  const shape = {
+    inflated_mm: [
+      [0, 0, 1],
+      [0, 0, 2],
+      [0, 0, 3],
+      [0, 0, 4],
+    ],
+    displacement_mm: [
+      [1, 0, 0],
+      [2, 0, 0],
+      [3, 0, 0],
+      [4, 0, 0],
+    ],
+  };
   const map: IndexMap = { theta_deg: [-1, 1], phi_deg: [0, 1], layers: [], shape };
   const sector = sectorOf(map);
   assert.ok(sector !== null && !isWheel(sector) && sector.outer === null);
   assert.deepEqual([...sector.inner.displacement.subarray(3, 6)], [2, 0, 0]);
-  assert.equal(sectorOf({ ...map, shape: null }), null);
+  assert.equal(sectorOf({ ...map, shape: { inflated_mm: [], displacement_mm: [] } }), null);
 });

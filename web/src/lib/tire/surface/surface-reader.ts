@@ -54,7 +54,7 @@ export function readSurface(bytes: ArrayBuffer): Surface {
 
 /** The sector of the inner skin that the map covers, for services that send no skins; null without its shape. */
 export function sectorOf({ theta_deg, phi_deg, shape }: IndexMap): Surface | null {
-  if (shape == null || shape.inflated_mm.length !== theta_deg.length * phi_deg.length) return null;
+  if (shape.inflated_mm.length !== theta_deg.length * phi_deg.length) return null;
   const inner = { inflated: Float32Array.from(shape.inflated_mm.flat()), displacement: Float32Array.from(shape.displacement_mm.flat()) };
   return { theta_deg, phi_deg, inner, outer: null, ground: null };
 }

@@ -53,15 +53,21 @@ export function useLayers(route: CompareRoute, answers: readonly Loadable<StudyR
     const together = onOneScale(there).map((field) => keptOn(field, scale));
     const scaled = fields.map((field) => (field === null ? null : (together[there.indexOf(field)] ?? null)));
     const base = scaled[studies.indexOf(baseline ?? "")] ?? null;
-    const differences = scaled.map((field, k) => (field === null || base === null || studies[k] === baseline || !hasDifferences(field) ? null : differenceField(field, base)));
+    const differences = scaled.map((field, k) =>
+      field === null || base === null || studies[k] === baseline || !hasDifferences(field) ? null : differenceField(field, base),
+    );
     const apart = onOneScale(differences.filter((field) => field !== null));
     let next = 0;
     return answers.map((answer, k): ComparedLayer => {
       const [field, difference] = [scaled[k] ?? null, differences[k] == null ? null : (apart[next++] ?? null)];
       const result = answer.status === "ready" ? answer.value : null;
       return {
-        id: studies[k] ?? "", number: k + 1, name: result?.study.name ?? "", why: whyNot(answer, field),
-        map: result === null || field === null ? null : drawn(result, field), difference: result === null || difference === null ? null : drawn(result, difference),
+        id: studies[k] ?? "",
+        number: k + 1,
+        name: result?.study.name ?? "",
+        why: whyNot(answer, field),
+        map: result === null || field === null ? null : drawn(result, field),
+        difference: result === null || difference === null ? null : drawn(result, difference),
       };
     });
   }, [studies.join(), direction, quantity, route.input, baseline, answers, scale?.join()]);

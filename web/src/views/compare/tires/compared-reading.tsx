@@ -1,6 +1,7 @@
-import { fixed, microstrain, MISSING, percent } from "../../../lib/format.ts";
+import { microstrain, MISSING, percent } from "../../../lib/format.ts";
 import { cornersAt, interpolate, type SurfacePoint } from "../../../lib/tire/map/map-grid.ts";
 import type { Field } from "../../../lib/tire/map/surface-field.ts";
+import { Readout } from "../../study/tire/reading/readout.tsx";
 import type { ComparedLayer } from "./compared-model.ts";
 
 interface Props {
@@ -16,20 +17,12 @@ export function ComparedReading({ layers, baseline, point, isPinned, onRelease }
   return (
     <section class="reading" aria-labelledby="compared-reading-title">
       <h3 id="compared-reading-title">At one place</h3>
-      <p class="readout" role="status">
-        {point === null ? (
-          <span class="quiet">Point at a map to read all of them there; click, or press Enter, to pin the place.</span>
-        ) : (
-          <strong data-theta={point.theta_deg} data-phi={point.phi_deg}>
-            θ {fixed(point.theta_deg, 1)}°, φ {fixed(point.phi_deg, 1)}°
-          </strong>
-        )}
-        {isPinned && (
-          <button type="button" class="small-button" onClick={onRelease}>
-            Let the pin go
-          </button>
-        )}
-      </p>
+      <Readout
+        point={point}
+        isPinned={isPinned}
+        onRelease={onRelease}
+        hint="Point at a map to read all of them there; click, or press Enter, to pin the place."
+      />
       <table class="point-table" aria-label="All studies at the place">
         <thead>
           <tr>

@@ -1,12 +1,12 @@
 import { useState } from "preact/hooks";
 import { useSight } from "../../../state/use-sight.ts";
-import { DIRECTIONS, directionName } from "../../../lib/direction.ts";
+import { directionName } from "../../../lib/direction.ts";
 import { QUANTITIES, type CompareRoute, type DrawnAs } from "../../../lib/route.ts";
 import type { SurfacePoint } from "../../../lib/tire/map/map-grid.ts";
 import { asWritten } from "../../../lib/tire/view-address.ts";
 import { later } from "../../shared/later.tsx";
 import { RadioChoice, type Option } from "../../shared/radio-choice.tsx";
-import { QUANTITY_NAMES } from "../../study/tire/tire-controls.tsx";
+import { LayerChoices, QUANTITY_NAMES } from "../../study/tire/layer-choices.tsx";
 import { TireLegend } from "../../study/tire/tire-legend.tsx";
 import { LayoutRanks } from "../layout-ranks-table.tsx";
 import { ComparedMaps } from "./compared-maps.tsx";
@@ -57,17 +57,14 @@ export function ComparedTires({ route, baseline, onAdjust }: Props) {
         <h2 id="compared-title">Their inner surfaces on one scale</h2>
         <div class="controls">
           <RadioChoice name="compared-as" legend="Drawn as" options={DRAWN} chosen={route.drawnAs} onChoose={(drawnAs) => set({ drawnAs })} />
-          <RadioChoice
-            name="compared-direction" legend="Direction" options={DIRECTIONS.map((direction) => ({ value: direction, label: direction }))}
-            chosen={route.direction} onChoose={(direction) => set({ direction })}
-          />
-          <RadioChoice
-            name="compared-quantity" legend="Colour by" options={COMPARED.map((quantity) => ({ value: quantity, label: QUANTITY_NAMES[quantity] }))}
-            chosen={route.quantity} onChoose={(quantity) => set({ quantity, sight: { ...sight, scale: null } })}
-          />
-          <RadioChoice
-            name="compared-input" legend="Of the input" options={inputNames(results).map((name) => ({ value: name, label: name }))}
-            chosen={inputOf(route, results)} onChoose={(input) => set({ input })}
+          <LayerChoices
+            group="compared"
+            direction={route.direction}
+            quantity={route.quantity}
+            input={inputOf(route, results)}
+            quantities={COMPARED}
+            inputs={inputNames(results)}
+            onChoose={(change) => set(change.quantity === undefined ? change : { ...change, sight: { ...sight, scale: null } })}
           />
         </div>
         {route.drawnAs === "maps" ? (
@@ -76,7 +73,13 @@ export function ComparedTires({ route, baseline, onAdjust }: Props) {
           <ComparedWheels layers={layers} baseline={baseline} title={title} seen={seen} sight={sight} onSight={setSight} />
         )}
         {shown !== null && (
-          <TireLegend field={shown.shown.field} title={`${title}; one scale for all`} beyond_deg={shown.shown.field.theta_deg.at(-1) ?? 0} isKept={sight.scale !== null} onKeep={keep} />
+          <TireLegend
+            field={shown.shown.field}
+            title={`${title}; one scale for all`}
+            beyond_deg={shown.shown.field.theta_deg.at(-1) ?? 0}
+            isKept={sight.scale !== null}
+            onKeep={keep}
+          />
         )}
       </section>
       <section class="panel compared" aria-labelledby="differences-title">
@@ -89,7 +92,13 @@ export function ComparedTires({ route, baseline, onAdjust }: Props) {
             <DifferenceLegend field={difference.shown.field} quantity={route.quantity} title={`${title}: the study minus the baseline`} />
           </>
         )}
-        <ComparedReading layers={layers} baseline={baseline} point={point} isPinned={sight.pin !== null && hovered === null} onRelease={() => setSight({ pin: null })} />
+        <ComparedReading
+          layers={layers}
+          baseline={baseline}
+          point={point}
+          isPinned={sight.pin !== null && hovered === null}
+          onRelease={() => setSight({ pin: null })}
+        />
       </section>
       <LayoutRanks layers={layers} answers={answers} baseline={baseline} />
     </>

@@ -40,7 +40,10 @@ export function ComparedWheels({ layers, baseline, title, seen, sight, onSight }
         ))}
       </div>
       <WheelButtons
-        actions={actions} factor={sight.factor} onFactor={(factor) => onSight({ factor })} isCut={sight.isCut}
+        actions={actions}
+        factor={sight.factor}
+        onFactor={(factor) => onSight({ factor })}
+        isCut={sight.isCut}
         hasGround={ready.some(({ ground }) => ground !== null)}
       />
     </>
@@ -69,7 +72,9 @@ function OneWheel({ layer, surface, seen, title, ...rest }: WheelProps) {
     </>
   );
   if (surface.status === "failed") return missing;
-  return <WheelCanvas {...rest} model={map} surface={surface.value} title={name} point={seen.point} onPoint={seen.onPoint} onPin={seen.onPin} missing={missing} />;
+  return (
+    <WheelCanvas {...rest} model={map} surface={surface.value} title={name} point={seen.point} onPoint={seen.onPoint} onPin={seen.onPin} missing={missing} />
+  );
 }
 
 function useSurfaces(layers: readonly ComparedLayer[]): readonly Loadable<Surface>[] {

@@ -15,9 +15,7 @@ export function DifferenceLegend({ field, quantity, title }: { field: Field; qua
           <Swatch colour={GREY} /> {greyWords(field, quantity)}
         </li>
       </ul>
-      <p class="quiet">
-        White is no difference, and the line is where it is exactly zero. {errorWords(quantity)}
-      </p>
+      <p class="quiet">White is no difference, and the line is where it is exactly zero. {errorWords(quantity)}</p>
     </figure>
   );
 }
@@ -26,7 +24,8 @@ function greyWords({ errors }: Field, quantity: Quantity): string {
   const bound = errors.find((error) => error !== null) ?? null;
   if (quantity === "total") return "No difference. Total indices have no errors of their own, so the colours don't say how far to trust their difference.";
   if (quantity === "index") {
-    if (bound === null) return "No difference. The errors of the indices aren't known at this level, so the colours don't say how far to trust their difference.";
+    if (bound === null)
+      return "No difference. The errors of the indices aren't known at this level, so the colours don't say how far to trust their difference.";
     return "The difference is within its error, or either strain varies by less than the films' noise; full colour from twice the error on.";
   }
   if (bound === null) return "No difference. The noise of films isn't known here, so the colours don't say how far to trust it.";

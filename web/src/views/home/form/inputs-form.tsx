@@ -1,5 +1,16 @@
 import { pathOfPointer, valueAt } from "../../../lib/document/document-values.ts";
-import { commonDepths, furtherInput, inputsOf, PARAMETERS, spreadOf, withCommonDepths, withKind, withSpread, type InputRow, type Spread } from "../../../lib/document/form/input-laws.ts";
+import {
+  commonDepths,
+  furtherInput,
+  inputsOf,
+  PARAMETERS,
+  spreadOf,
+  withCommonDepths,
+  withKind,
+  withSpread,
+  type InputRow,
+  type Spread,
+} from "../../../lib/document/form/input-laws.ts";
 import { numberFields, type NumberField } from "../../../lib/document/form/scene-fields.ts";
 import { FormGroup } from "./form-group.tsx";
 import { faultsAt, type FormProps } from "./form-props.ts";
@@ -70,7 +81,7 @@ function Input({ row, index, fields, faults, write }: InputProps) {
       </select>
       <select
         aria-label={`Distribution of ${named}`}
-        value={String(row.distribution["kind"] ?? "")}
+        value={String(row.distribution.kind ?? "")}
         onChange={(event) => write(`${pointer}/distribution`, withKind(row.distribution, event.currentTarget.value))}
       >
         {Object.keys(PARAMETERS).map((kind) => (
@@ -94,11 +105,17 @@ function Distribution(props: { row: InputRow; named: string; pointer: string; fa
   const box = (label: string, name: string, value: unknown, onChange: (value: number) => void) => (
     <label class="input-box" key={label}>
       <span>{label}</span>
-      <NumberBox id={`${idOf(pointer)}-${name}`} value={typeof value === "number" ? value : undefined} faults={faults} onChange={onChange} name={`${named}: ${name}`} />
+      <NumberBox
+        id={`${idOf(pointer)}-${name}`}
+        value={typeof value === "number" ? value : undefined}
+        faults={faults}
+        onChange={onChange}
+        name={`${named}: ${name}`}
+      />
     </label>
   );
   if (spread !== null) {
-    const half = distribution["kind"] === "uniform" ? "half-width" : "standard deviation";
+    const half = distribution.kind === "uniform" ? "half-width" : "standard deviation";
     return (
       <span class="input-boxes">
         {box("mean", "mean", spread.centre, (centre) => write(pointer, withSpread(distribution, { ...spread, centre })))}
@@ -106,10 +123,6 @@ function Distribution(props: { row: InputRow; named: string; pointer: string; fa
       </span>
     );
   }
-  const parameters = PARAMETERS[String(distribution["kind"])] ?? [];
-  return (
-    <span class="input-boxes">
-      {parameters.map((name) => box(name, name, distribution[name], (value) => write(`${pointer}/${name}`, value)))}
-    </span>
-  );
+  const parameters = PARAMETERS[String(distribution.kind)] ?? [];
+  return <span class="input-boxes">{parameters.map((name) => box(name, name, distribution[name], (value) => write(`${pointer}/${name}`, value)))}</span>;
 }

@@ -34,7 +34,11 @@ function Layouts({ full, faults, write }: FormProps) {
   const sets = directionSets(valueAt(full, "/layouts/directions"));
   const size = layoutSize(valueAt(full, "/layouts/size_mm"));
   const setSize = (length: number, width: number): void => write("/layouts/size_mm", [length, width]);
-  const turn = (name: string, on: boolean): void => write("/layouts/positions", POSITIONS.filter((each) => (each === name ? on : chosen.includes(each))));
+  const turn = (name: string, on: boolean): void =>
+    write(
+      "/layouts/positions",
+      POSITIONS.filter((each) => (each === name ? on : chosen.includes(each))),
+    );
   return (
     <>
       <fieldset class="field-row">
@@ -57,8 +61,20 @@ function Layouts({ full, faults, write }: FormProps) {
         </select>
       </label>
       <ListBox label="Units around the wheel" pointer="/layouts/units" value={valueAt(full, "/layouts/units")} faults={faults} write={write} />
-      <ListBox label="Spacings of units, degrees, each divides 360" pointer="/layouts/spacings_deg" value={valueAt(full, "/layouts/spacings_deg")} faults={faults} write={write} />
-      <ListBox label="Depths at which they are scored, mm" pointer="/layouts/depths_mm" value={valueAt(full, "/layouts/depths_mm")} faults={faults} write={write} />
+      <ListBox
+        label="Spacings of units, degrees, each divides 360"
+        pointer="/layouts/spacings_deg"
+        value={valueAt(full, "/layouts/spacings_deg")}
+        faults={faults}
+        write={write}
+      />
+      <ListBox
+        label="Depths at which they are scored, mm"
+        pointer="/layouts/depths_mm"
+        value={valueAt(full, "/layouts/depths_mm")}
+        faults={faults}
+        write={write}
+      />
       <fieldset class="field-row">
         <legend>Film size, mm: points without a size</legend>
         <label class="input-box">

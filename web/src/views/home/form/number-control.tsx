@@ -19,8 +19,7 @@ export function NumberControl({ field, value, faults, onChange }: Props) {
     <div class="field" data-pointer={field.pointer}>
       <label class="field-label" for={id}>
         {field.label}
-        {field.unit !== "" && `, ${field.unit}`}{" "}
-        <span class="quiet">{rangeWords(field)}</span>
+        {field.unit !== "" && `, ${field.unit}`} <span class="quiet">{rangeWords(field)}</span>
       </label>
       {slider !== null && (
         <input

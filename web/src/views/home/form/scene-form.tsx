@@ -1,6 +1,17 @@
 import { isTable, pathOfPointer, valueAt, withValue, type Table } from "../../../lib/document/document-values.ts";
 import { inputsOf } from "../../../lib/document/form/input-laws.ts";
-import { CARCASS, depthFields, FILM, FRICTION, GEOMETRY, LAWS, LOAD, PRESSURE, STATION_SPACING, type NumberField } from "../../../lib/document/form/scene-fields.ts";
+import {
+  CARCASS,
+  depthFields,
+  FILM,
+  FRICTION,
+  GEOMETRY,
+  LAWS,
+  LOAD,
+  PRESSURE,
+  STATION_SPACING,
+  type NumberField,
+} from "../../../lib/document/form/scene-fields.ts";
 import { RadioChoice } from "../../shared/radio-choice.tsx";
 import { FormGroup } from "./form-group.tsx";
 import { faultsAt, type FormProps } from "./form-props.ts";
@@ -35,18 +46,20 @@ function Numbers({ fields, full, faults, write }: FormProps & { fields: readonly
   return (
     <>
       <div class="fields">
-        {fields.filter((field) => !varies(field)).map((field) => {
-          const value = valueAt(full, field.pointer);
-          return (
-            <NumberControl
-              key={field.pointer}
-              field={field}
-              value={typeof value === "number" ? value : undefined}
-              faults={faultsAt(faults, field.pointer)}
-              onChange={(number) => writeNumber(full, field.pointer, number, write)}
-            />
-          );
-        })}
+        {fields
+          .filter((field) => !varies(field))
+          .map((field) => {
+            const value = valueAt(full, field.pointer);
+            return (
+              <NumberControl
+                key={field.pointer}
+                field={field}
+                value={typeof value === "number" ? value : undefined}
+                faults={faultsAt(faults, field.pointer)}
+                onChange={(number) => writeNumber(full, field.pointer, number, write)}
+              />
+            );
+          })}
       </div>
       {moved.length > 0 && <p class="quiet">Uncertain, so set below: {moved.join(", ")}.</p>}
     </>
@@ -91,7 +104,7 @@ function Rubber(props: FormProps) {
   const { full, faults, write } = props;
   const material = valueAt(full, "/scene/material");
   const table: Table = isTable(material) ? material : {};
-  const law = String(table["model"] ?? "");
+  const law = String(table.model ?? "");
   return (
     <FormGroup title="Rubber">
       <label class="field-choice">

@@ -1,4 +1,4 @@
-import { css, diverging } from "../../../lib/colour.ts";
+import { css, diverging } from "../../../lib/chart/colour.ts";
 import { roundPeak } from "../../../lib/document/preview/preview-rows.ts";
 import { microstrain } from "../../../lib/format.ts";
 import { borders } from "../../../lib/document/preview/cell-borders.ts";

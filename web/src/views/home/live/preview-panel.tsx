@@ -42,11 +42,7 @@ function Standing({ preview, isStale }: { preview: StudyPreview; isStale: boolea
   }
   if (shown === null) return <p class="preview-standing">It waits for a document.</p>;
   const { solves, wall_s } = shown.preview;
-  return (
-    <p class="preview-standing">
-      {isStale ? "Of the document before the last edit." : `${solves} solves in ${duration(wall_s)}.`}
-    </p>
-  );
+  return <p class="preview-standing">{isStale ? "Of the document before the last edit." : `${solves} solves in ${duration(wall_s)}.`}</p>;
 }
 
 function Figures({ preview, start }: { preview: Preview; start: Preview | null }) {

@@ -64,7 +64,7 @@ function AccuracyChoice({ text, onChoose }: { text: string; onChoose: (accuracy:
   const isReadable = !("fault" in parseDraft(text));
   const accuracy = accuracyOf(text);
   return (
-    <label class="inline">
+    <label>
       Accuracy{" "}
       <select value={accuracy ?? ""} disabled={!isReadable} onChange={(event) => onChoose(event.currentTarget.value as Accuracy)}>
         {accuracy === null && (

@@ -1,6 +1,8 @@
+import { closedPath, linePath, type Point } from "../../../lib/chart/paths.ts";
 import { meanAt } from "../../../lib/document/form/input-laws.ts";
-import { contactOutline, pathOf, sectionOutline, type ContactOutline, type Point, type SectionOutline } from "../../../lib/document/form/tire-drawing.ts";
+import { contactOutline, sectionOutline, type ContactOutline, type SectionOutline } from "../../../lib/document/form/tire-drawing.ts";
 import { significant } from "../../../lib/format.ts";
+import { ErrorBar } from "../../shared/chart/marks.tsx";
 
 const [WIDTH, HEIGHT, MARGIN] = [220, 170, 12];
 
@@ -41,8 +43,8 @@ function Section({ outline, label }: { outline: SectionOutline; label: string })
   return (
     <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={label}>
       <line class="draw-ground" x1="0" x2={WIDTH} y1={floor + 1.5} y2={floor + 1.5} />
-      <path class="draw-wall" d={pathOf(outline.wall, scale, true)} />
-      {outline.cords !== null && <path class="draw-cords" d={pathOf(outline.cords, scale)} />}
+      <path class="draw-wall" d={closedPath(outline.wall.map(scale))} />
+      {outline.cords !== null && <path class="draw-cords" d={linePath(outline.cords.map(scale))} />}
     </svg>
   );
 }
@@ -58,15 +60,18 @@ function Contact({ outline }: { outline: ContactOutline }) {
   const label = `Depths of the ground: ${stations.map(({ name, depth_mm, half_mm }) => `${name} ${significant(depth_mm)}${half_mm > 0 ? ` ± ${significant(half_mm)}` : ""} mm`).join(", ")}`;
   return (
     <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={label}>
-      <path class="draw-wall" d={`${pathOf([...tire, ...[...inner].reverse()], scale, true)}`} />
-      <path class="draw-earth" d={pathOf([...ground, [ground.at(-1)?.[0] ?? 0, least - 50], [ground[0]?.[0] ?? 0, least - 50]], scale, true)} />
+      <path class="draw-wall" d={closedPath([...tire, ...[...inner].reverse()].map(scale))} />
+      <path
+        class="draw-earth"
+        d={closedPath([...ground, [ground.at(-1)?.[0] ?? 0, least - 50] as const, [ground[0]?.[0] ?? 0, least - 50] as const].map(scale))}
+      />
       {stations.map(({ name, x_mm, depth_mm, half_mm }) => {
         const [x, middle] = scale([x_mm, depth_mm]);
         const [, top] = scale([x_mm, depth_mm + half_mm]);
         const [, bottom] = scale([x_mm, depth_mm - half_mm]);
         return (
           <g key={name} class="draw-station">
-            {half_mm > 0 && <path d={`M${x - 4} ${top}H${x + 4}M${x} ${top}V${bottom}M${x - 4} ${bottom}H${x + 4}`} />}
+            {half_mm > 0 && <ErrorBar at={x} ends={[top, bottom]} cap={4} />}
             <circle cx={x} cy={middle} r="3" />
             <text x={x} y={Math.max(11, top - 6)} text-anchor="middle">
               {name}

@@ -6,7 +6,7 @@ import { TERMS, type TermName } from "../../../lib/shell/terms.ts";
 export function Term({ of, children }: { of: TermName; children?: ComponentChildren }) {
   const id = `term${useId()}`;
   return (
-    <span class="term">
+    <span>
       <button type="button" class="term-word" popovertarget={id}>
         {children ?? of}
       </button>
@@ -20,7 +20,7 @@ export function Term({ of, children }: { of: TermName; children?: ComponentChild
 /** The words of a view that have no other place in it. */
 export function TermLine({ names }: { names: readonly TermName[] }) {
   return (
-    <p class="quiet term-line">
+    <p class="quiet">
       Words here:{" "}
       {names.map((name, k) => (
         <span key={name}>

@@ -14,7 +14,7 @@ export function AnswerPicture({ result, study, answer }: { result: StudyResult; 
     <Figure class="answer-picture" study={study.name} name="answer">
       <WheelDrawing
         shape={shape}
-        depth_mm={result.cut_point.depth_mm ?? 0}
+        depth_mm={result.cut_point.depth_mm}
         films={films}
         size_mm={result.layout_findings?.size_mm ?? null}
         contact_deg={0}
@@ -31,7 +31,7 @@ export function AnswerPicture({ result, study, answer }: { result: StudyResult; 
 
 /** `12 units`, or `7 films` of a layout without units. */
 function linesOf({ units, spacing_deg, film_count }: RankedLayout): string[] {
-  return [spacing_deg == null ? `${film_count ?? units} films` : `${units} units`];
+  return [spacing_deg == null ? `${film_count} films` : `${units} units`];
 }
 
 function labelOf(answer: Answer | null, layout: RankedLayout | null): string {

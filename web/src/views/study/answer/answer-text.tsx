@@ -5,7 +5,7 @@ import { VerdictBadge } from "./verdict-badge.tsx";
 import type { Answer } from "../../../wire.ts";
 
 /** The answer first, then how sure it is, then what it leaves out and what more would cost; the figures behind it folded. The layout has a line of its own where the verdict is the place's. */
-export function AnswerText({ answer, isJudged, notes }: { answer: Answer; isJudged: boolean; notes: string[] }) {
+export function AnswerText({ answer, notes }: { answer: Answer; notes: string[] }) {
   const { place, layout, left_out, surer } = answer;
   return (
     <div class="answer-text">
@@ -29,7 +29,6 @@ export function AnswerText({ answer, isJudged, notes }: { answer: Answer; isJudg
         )}
         {left_out != null && <Fact name="Left out">{leadOf(left_out.sentence)}</Fact>}
         {surer != null && <Fact name="Surer">{surerWords(surer)}</Fact>}
-        {!isJudged && <Fact name="Note">By an older version: judged by ranks alone. Run it again for a verdict.</Fact>}
       </dl>
       <Why answer={answer} notes={notes} />
     </div>

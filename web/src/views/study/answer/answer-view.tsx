@@ -1,4 +1,3 @@
-import { earlierAnswer } from "../../../lib/study/answer/earlier-answer.ts";
 import { typeset, unrankedWords } from "../../../lib/study/answer/answer-words.ts";
 import { formatRoute } from "../../../lib/route.ts";
 import type { SectionProps } from "../section-props.ts";
@@ -7,8 +6,7 @@ import { AnswerText } from "./answer-text.tsx";
 
 /** Where the films go, how sure that is, and what could overturn it. */
 export function AnswerView({ result, study, route }: SectionProps) {
-  const judged = result.answer ?? null;
-  const answer = judged ?? earlierAnswer(result);
+  const answer = result.answer ?? null;
   return (
     <section class="panel answer" aria-labelledby="answer-title">
       <h2 id="answer-title" class="hidden">
@@ -22,17 +20,15 @@ export function AnswerView({ result, study, route }: SectionProps) {
           </p>
         </div>
       ) : (
-        <AnswerText answer={answer} isJudged={judged !== null} notes={notesOf(result, answer.left_out != null)} />
+        <AnswerText answer={answer} notes={notesOf(result, answer.left_out != null)} />
       )}
       <AnswerPicture result={result} study={study} answer={answer} />
     </section>
   );
 }
 
-/** Notes that change the answer; what is left out has its own line. Of results without grades all are here. */
+/** Notes that change the answer; what is left out has its own line. */
 function notesOf(result: SectionProps["result"], hasLeftOut: boolean): string[] {
-  const graded = result.graded_notes ?? null;
-  if (graded === null) return result.notes.map(typeset);
-  const changing = graded.filter(({ grade, about }) => grade === "changes-answer" && !(hasLeftOut && about === "model"));
+  const changing = result.graded_notes.filter(({ grade, about }) => grade === "changes-answer" && !(hasLeftOut && about === "model"));
   return changing.map(({ text }) => typeset(text));
 }

@@ -1,9 +1,10 @@
-import { fixed, MISSING } from "../../../lib/format.ts";
+import { heading, view } from "../../../lib/study/figures/columns.ts";
+import { fixed } from "../../../lib/format.ts";
 import { AXIS_WORDS, bestKnown, floorOf, type KnownForce, knownForces, untoldAxes } from "../../../lib/layouts/known-forces.ts";
 import { layoutWords } from "../../../lib/layouts/layout-words.ts";
-import type { FilmAnglesReport, ForceFindings, ForcePrice, RankedLayout, TableReport } from "../../../wire.ts";
-import { ScrollTable } from "../../shared/scroll-table.tsx";
-import { PublishedPanel } from "./published-panel.tsx";
+import { type FilmAnglesReport, FORCES_COLUMNS, type ForceFindings, type ForcePrice, type RankedLayout, type TableReport } from "../../../wire.ts";
+import { FigureCells } from "../figure-cells.tsx";
+import { ScrollTable, words } from "../../shared/scroll-table.tsx";
 
 /** How well forces are known by layouts' films, learnt from a virtual rig's runs. */
 export function KnownForcesPanel({ layouts, findings }: { layouts: RankedLayout[]; findings: ForceFindings }) {
@@ -15,11 +16,12 @@ export function KnownForcesPanel({ layouts, findings }: { layouts: RankedLayout[
       {[...new Set(known.map(({ force }) => force.axis))].map((axis) => (
         <Best key={axis} best={bestKnown(known, axis)} />
       ))}
-      {untold.length > 0 && <p>No layout's films tell more of {untold.map((axis) => `${name(axis)} (${AXIS_WORDS[axis] ?? axis})`).join(" and ")} than the training mean does.</p>}
+      {untold.length > 0 && (
+        <p>No layout's films tell more of {untold.map((axis) => `${name(axis)} (${AXIS_WORDS[axis] ?? axis})`).join(" and ")} than the training mean does.</p>
+      )}
       <Prices known={known} prices={findings.price ?? []} />
       {known.length > 0 && <KnownTable known={known} />}
       <OtherTires known={known} />
-      {findings.published != null && <PublishedPanel published={findings.published} />}
       {(findings.reasons ?? []).map((reason) => (
         <p key={reason} class="flag">
           {reason}
@@ -49,8 +51,8 @@ function Best({ best }: { best: KnownForce | undefined }) {
       <strong>
         {name(force.axis)} is known to {fixed(force.fresh.rmse_n, 2)} N by {layoutWords(layout)}
       </strong>
-      , on runs with other films. With one film dead, undetected, it is off by {fixed(force.dead?.error.rmse_n, 2)} N, with films {fixed(force.askew.std_deg, 0)}° off by{" "}
-      {fixed(force.askew.error.rmse_n, 2)} N.
+      , on runs with other films. With one film dead, undetected, it is off by {fixed(force.dead?.error.rmse_n, 2)} N, with films{" "}
+      {fixed(force.askew.std_deg, 0)}° off by {fixed(force.askew.error.rmse_n, 2)} N.
     </p>
   );
 }
@@ -61,7 +63,9 @@ function Prices({ known, prices }: { known: KnownForce[]; prices: ForcePrice[] }
   return (
     <>
       {axes.map((axis) => {
-        const words = prices.filter((price) => price.axis === axis).map((price) => `${price.films} films to ${fixed(price.rmse_n, 2)} N (bound ${fixed(floorOf(known, price), 2)})`);
+        const words = prices
+          .filter((price) => price.axis === axis)
+          .map((price) => `${price.films} films to ${fixed(price.rmse_n, 2)} N (bound ${fixed(floorOf(known, price), 2)})`);
         return (
           <p key={axis}>
             {name(axis)} is known by {words.join(", by ")}. The bound is about what one instant's readings allow.
@@ -79,22 +83,7 @@ function OtherTires({ known }: { known: KnownForce[] }) {
   return (
     <details>
       <summary>On other tires</summary>
-      <ScrollTable name="Forces on other tires">
-        <thead>
-          <tr>
-            <th scope="col" class="words">
-              Tire
-            </th>
-            <th scope="col" class="words">
-              Layout
-            </th>
-            <th scope="col">Force</th>
-            <th scope="col">Off by N</th>
-            <th scope="col">Own tire N</th>
-            <th scope="col">Covered</th>
-            <th scope="col">Flagged</th>
-          </tr>
-        </thead>
+      <ScrollTable name="Forces on other tires" columns={[words("Tire"), words("Layout"), "Force", "Off by N", "Own tire N", "Covered", "Flagged"]}>
         <tbody>
           {rows.map(({ layout, force, other }) => (
             <tr key={`${other.tire} ${layout.rank} ${force.axis}`}>
@@ -118,42 +107,19 @@ function OtherTires({ known }: { known: KnownForce[] }) {
   );
 }
 
+const FIGURES = view(FORCES_COLUMNS, "known", "where", "leak");
+
 function KnownTable({ known }: { known: KnownForce[] }) {
   return (
-    <ScrollTable name="Forces that layouts' films tell">
-      <thead>
-        <tr>
-          <th scope="col">Films</th>
-          <th scope="col" class="words">
-            Layout
-          </th>
-          <th scope="col">Force</th>
-          <th scope="col">Off by N</th>
-          <th scope="col">NRMSE %</th>
-          <th scope="col">R²</th>
-          <th scope="col">Covered</th>
-          <th scope="col">One dead N</th>
-          <th scope="col">Films off N</th>
-          <th scope="col">Worst contact</th>
-          <th scope="col">Leak</th>
-        </tr>
-      </thead>
+    <ScrollTable name="Forces that layouts' films tell" columns={["Films", words("Layout"), ...FIGURES.map(heading)]}>
       <tbody>
         {known.map(({ layout, force }) => (
           <tr key={`${layout.rank} ${force.axis}`}>
-            <td>{layout.film_count ?? layout.units}</td>
+            <td>{layout.film_count}</td>
             <th scope="row" class="words layout-name">
               {layoutWords(layout)}
             </th>
-            <td>{name(force.axis)}</td>
-            <td>{fixed(force.fresh.rmse_n, 2)}</td>
-            <td>{fixed(force.fresh.nrmse_percent, 1)}</td>
-            <td>{fixed(force.fresh.r2, 2)}</td>
-            <td>{fixed(force.fresh.coverage, 2)}</td>
-            <td>{fixed(force.dead?.error.rmse_n, 2)}</td>
-            <td>{fixed(force.askew.error.rmse_n, 2)}</td>
-            <td>{force.worst_contact == null ? MISSING : `${fixed(force.worst_contact.rmse_n, 2)} N at ${fixed(force.worst_contact.deg, 1)}°`}</td>
-            <td>{fixed(force.leak, 2)}</td>
+            <FigureCells columns={FIGURES} row={{ force }} />
           </tr>
         ))}
       </tbody>
@@ -180,8 +146,8 @@ function GluedNote({ films }: { films: FilmAnglesReport }) {
       : `off by ${fixed(100 * films.signal_worst, 1)} % of full scale at most, ${fixed(100 * (films.signal_rms ?? 0), 1)} % rms, at ${films.tested} solves between them`;
   return (
     <p class="quiet">
-      Glued films are solved with the tire on the {films.level} mesh at {films.angles_deg.length} angles from the contact: {off}. Their transfer alone would be off by{" "}
-      {fixed(100 * films.transfer_worst, 1)} %.
+      Glued films are solved with the tire on the {films.level} mesh at {films.angles_deg.length} angles from the contact: {off}. Their transfer alone would be
+      off by {fixed(100 * films.transfer_worst, 1)} %.
     </p>
   );
 }

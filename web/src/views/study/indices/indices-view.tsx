@@ -13,7 +13,8 @@ export function IndicesView({ result, study }: SectionProps) {
       {isPapersStudy(result.inputs, shapeOf(study.document)) && (
         <p>
           <label>
-            <input type="checkbox" checked={isCompared} onChange={(event) => compare(event.currentTarget.checked)} /> Compare with the paper: M-DRM and its Table 2
+            <input type="checkbox" checked={isCompared} onChange={(event) => compare(event.currentTarget.checked)} /> Compare with the paper: M-DRM and its
+            Table 2
           </label>
         </p>
       )}

@@ -1,11 +1,11 @@
 import { useState } from "preact/hooks";
 import { address } from "../../../api.ts";
-import { css, sequential } from "../../../lib/colour.ts";
+import { css, sequential } from "../../../lib/chart/colour.ts";
 import { fixed, microstrain, percent } from "../../../lib/format.ts";
 import { methodName, statusName } from "../../../lib/study/output-words.ts";
 import type { Output, StudyResult } from "../../../wire.ts";
 import { RadioChoice, type Option } from "../../shared/radio-choice.tsx";
-import { ScrollTable } from "../../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../../shared/scroll-table.tsx";
 
 type Kind = "first_order" | "total";
 
@@ -23,23 +23,12 @@ export function MatrixPanel({ result, isCompared }: { result: StudyResult; isCom
         <h2 class="summary-title">All outputs by all inputs</h2>
       </summary>
       <RadioChoice name="matrix-kind" legend="Kind of index" isLegendHidden options={KINDS} chosen={kind} onChoose={setKind} />
-      <ScrollTable name="Indices of all outputs" kind="matrix" csv={address(result.study.id, "export?format=csv&table=indices")}>
-        <thead>
-          <tr>
-            <th scope="col">Strain</th>
-            {result.inputs.map((input) => (
-              <th key={input.name} scope="col" title={input.vary}>
-                {input.name}
-              </th>
-            ))}
-            <th scope="col">Error ±</th>
-            <th scope="col">Mean µε</th>
-            <th scope="col">Std µε</th>
-            <th scope="col" class="words">
-              Method, status
-            </th>
-          </tr>
-        </thead>
+      <ScrollTable
+        name="Indices of all outputs"
+        kind="matrix"
+        csv={address(result.study.id, "export?format=csv&table=indices")}
+        columns={["Strain", ...result.inputs.map(({ name, vary }) => ({ text: name, title: vary })), "Error ±", "Mean µε", "Std µε", words("Method, status")]}
+      >
         <tbody>
           {result.outputs.map((output) => (
             <Rows key={output.location + output.direction} output={output} kind={kind} inputs={result.inputs.length} isCompared={isCompared} />
@@ -47,9 +36,8 @@ export function MatrixPanel({ result, isCompared }: { result: StudyResult; isCom
         </tbody>
       </ScrollTable>
       <p class="quiet">
-        {kind === "first_order" ? "First-order" : "Total"} indices, percent of the output's variance. Mean and standard
-        deviation of the strain in microstrain (µε, 10⁻⁶), relative to the inflated state. Error: of the first-order
-        indices, percentage points.
+        {kind === "first_order" ? "First-order" : "Total"} indices, percent of the output's variance. Mean and standard deviation of the strain in microstrain
+        (µε, 10⁻⁶), relative to the inflated state. Error: of the first-order indices, percentage points.
       </p>
     </details>
   );
@@ -100,8 +88,6 @@ function IndexCell({ share }: { share: number | null }) {
 
 function errorParts({ error }: Output): string {
   const part = (name: string, value: number | null | undefined): string => `${name} ${value == null ? "?" : fixed(100 * value, 2)}`;
-  const parts = [
-    part("mesh", error.mesh), part("quadrature", error.quadrature), part("decomposition", error.decomposition),
-  ];
+  const parts = [part("mesh", error.mesh), part("quadrature", error.quadrature), part("decomposition", error.decomposition)];
   return parts.join(", ") + (error.reason == null ? "" : `; ${error.reason}`);
 }

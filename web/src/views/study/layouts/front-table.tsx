@@ -1,6 +1,6 @@
 import { layoutWords, short } from "../../../lib/layouts/layout-words.ts";
 import type { FrontLayout, RankedLayout } from "../../../wire.ts";
-import { ScrollTable } from "../../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../../shared/scroll-table.tsx";
 
 /** The best that so many films can do. */
 export function FrontTable({ front, layouts }: { front: FrontLayout[]; layouts: RankedLayout[] }) {
@@ -8,17 +8,10 @@ export function FrontTable({ front, layouts }: { front: FrontLayout[]; layouts: 
   return (
     <>
       <h3>The best that so many films can do</h3>
-      <ScrollTable name="Best layout for each number of films">
-        <thead>
-          <tr>
-            <th scope="col">Films</th>
-            <th scope="col">Angle error, 95 % °</th>
-            <th scope="col">Force error N</th>
-            <th scope="col" class="words">
-              Layout that no other beats with as few films
-            </th>
-          </tr>
-        </thead>
+      <ScrollTable
+        name="Best layout for each number of films"
+        columns={["Films", "Angle error, 95 % °", "Force error N", words("Layout that no other beats with as few films")]}
+      >
         <tbody>
           {front.map(({ film_count, simulated_p95_angle_error_deg: p95, index }) => {
             const layout = layouts[index];

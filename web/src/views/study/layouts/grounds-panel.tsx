@@ -18,7 +18,7 @@ export function GroundsPanel({ result, findings }: { result: StudyResult; findin
       <ShearTable layouts={rows} loads={findings.loads} />
       <KneesTable loads={findings.loads} />
       {searches.length > 0 && <SearchesTable searches={searches} layouts={rows} />}
-      <CandidateFilms films={findings.candidates} agreement={findings.agreement} csv={address(study.id, "export?format=csv&table=candidates")} />
+      <CandidateFilms films={findings.candidates} csv={address(study.id, "export?format=csv&table=candidates")} />
     </section>
   );
 }

@@ -1,8 +1,8 @@
 import { MISSING } from "../../../lib/format.ts";
-import { kneeRows } from "../../../lib/layouts/film-criteria.ts";
+import { kneeRows } from "../../../lib/layouts/knee-rows.ts";
 import { loadWords, short } from "../../../lib/layouts/layout-words.ts";
 import type { Knee, LayoutLoad } from "../../../wire.ts";
-import { ScrollTable } from "../../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../../shared/scroll-table.tsx";
 
 /** From how many units on a ring is dense enough, by section angle and films, for each load. */
 export function KneesTable({ loads }: { loads: LayoutLoad[] }) {
@@ -11,20 +11,20 @@ export function KneesTable({ loads }: { loads: LayoutLoad[] }) {
   return (
     <>
       <h3>From how many units on</h3>
-      <ScrollTable name="From how many units on a ring is dense enough">
-        <thead>
-          <tr>
-            <th scope="col" class="words">
-              Section angle from the crown, films
-            </th>
-            {loads.map((load, k) => (
-              <th key={k} scope="col">
+      <ScrollTable
+        name="From how many units on a ring is dense enough"
+        columns={[
+          words("Section angle from the crown, films"),
+          ...loads.map((load) => ({
+            text: (
+              <>
                 {loadWords(load)}
                 {load.reason != null && <span class="layout-doubt">{load.reason}</span>}
-              </th>
-            ))}
-          </tr>
-        </thead>
+              </>
+            ),
+          })),
+        ]}
+      >
         <tbody>
           {rows.map(({ place, knees }) => (
             <tr key={place}>
@@ -47,8 +47,7 @@ export function KneesTable({ loads }: { loads: LayoutLoad[] }) {
 function Units({ knee: { units, of_60_deg } }: { knee: Knee }) {
   return (
     <>
-      <strong>{units ?? "more than were tried"}</strong>{" "}
-      <span class="error">(60°: {of_60_deg == null ? "blind" : `× ${short(of_60_deg, 2)}`})</span>
+      <strong>{units ?? "more than were tried"}</strong> <span class="error">(60°: {of_60_deg == null ? "blind" : `× ${short(of_60_deg, 2)}`})</span>
     </>
   );
 }

@@ -30,7 +30,7 @@ function angleWords({ simulated_p95_angle_error_deg: p95, error }: LayoutScore):
 function Knowledge({ layout }: { layout: RankedLayout }) {
   const { score } = layout;
   const load = worstLoad(layout);
-  const at = (layout.loads ?? []).length > 1 ? "at its worst load, " : "at ";
+  const at = layout.loads.length > 1 ? "at its worst load, " : "at ";
   return (
     <>
       the contact angle to <strong>{angleWords(score)}</strong>, and the depth to {short(score.simulated_rms_depth_error_mm, 2)} mm rms, as force{" "}
@@ -58,7 +58,7 @@ function Certainty({ best, next }: { best: RankedLayout; next: RankedLayout | un
 
 /** The paper's layout, and what as many films could do. */
 function Papers({ papers, layouts }: { papers: RankedLayout; layouts: RankedLayout[] }) {
-  const other = bestOfFew(layouts, papers.film_count ?? 0);
+  const other = bestOfFew(layouts, papers.film_count);
   return (
     <p class="headline">
       The paper's layout, <strong>{layoutWords(papers)}</strong>, ranks {papers.rank} of {layouts.length}: it would know <Knowledge layout={papers} />.

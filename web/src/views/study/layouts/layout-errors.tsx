@@ -35,8 +35,8 @@ export function LayoutErrors({ study, layouts, loads }: { study: string; layouts
         <figcaption>
           <CurveKey curves={all} />
           <p class="quiet">
-            95 % of simulated contacts, at all angles and with noise on every film, are estimated better than this, {at}; bars are errors by the
-            mesh and by the number of simulations.
+            95 % of simulated contacts, at all angles and with noise on every film, are estimated better than this, {at}; bars are errors by the mesh and by the
+            number of simulations.
           </p>
         </figcaption>
       </Figure>

@@ -1,98 +1,65 @@
-import { errorRange, GUESS_DEG, type LayoutCurve, logTicks, unitTicks } from "../../../lib/layouts/layout-curves.ts";
+import { frameOf, upwards } from "../../../lib/chart/frame.ts";
+import { log, logTicks } from "../../../lib/chart/scales.ts";
+import { errorRange, GUESS_DEG, type LayoutCurve, unitTicks } from "../../../lib/layouts/layout-curves.ts";
 import { layoutWords, short } from "../../../lib/layouts/layout-words.ts";
+import { Axis } from "../../shared/chart/axis.tsx";
+import { Chart } from "../../shared/chart/chart.tsx";
+import { KeyEntry, KeyLine } from "../../shared/chart/key.tsx";
+import { Curve, type CurveValue } from "../../shared/chart/marks.tsx";
 
-const WIDTH = 900;
-const HEIGHT = 400;
-const LEFT = 52;
-const RIGHT = 54;
-const TOP = 46;
-const FOOT = 44;
+const FRAME = frameOf(900, 400, { left: 52, right: 54, top: 46, bottom: 44 });
+/** Outermost curves stand so far from the axes. */
+const INDENT = 24;
 /** Curves stand this much beside each other, so that their error bars don't hide each other. */
 const APART = 2;
 /** Units of the paper, 60 degrees apart. */
 const PAPERS_UNITS = 6;
-/** Share of the axis that a number takes. */
-const TICK = 0.03;
+/** Width that a number takes. */
+const NUMBER = 22;
 
 type Scale = (value: number) => number;
-
-const logScale = ([low, high]: [number, number], from: number, to: number): Scale => (value) =>
-  from + (to - from) * (high > low ? Math.log(value / low) / Math.log(high / low) : 0.5);
 
 /** The simulated error of the angle over the number of units, both logarithmic; the spacing above. */
 export function LayoutPlot({ curves, at }: { curves: LayoutCurve[]; at: string }) {
   const units = curves.flatMap((curve) => curve.points.map((point) => point.units));
-  const range = errorRange(curves);
-  const x = logScale([Math.min(...units), Math.max(...units)], LEFT + 24, WIDTH - RIGHT - 24);
-  const y = logScale(range, HEIGHT - FOOT, TOP);
+  const x = log([Math.min(...units), Math.max(...units)], [FRAME.left + INDENT, FRAME.right - INDENT]);
+  const y = log(errorRange(curves), upwards(FRAME)).clamp(true);
   const name = `Simulated 95th percentile of the angle error over the number of units, ${at}, both logarithmic; 60° spacing is marked`;
+  const counts = { frame: FRAME, values: unitTicks(units, x, NUMBER), at: x, tone: (count: number) => (count === PAPERS_UNITS ? "papers" : undefined) };
   return (
-    <svg class="layout-plot" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={name}>
-      <Axes x={x} y={y} units={unitTicks(curves, TICK)} range={range} />
+    <Chart class="layout-plot" frame={FRAME} label={name}>
+      <Axis side="left" frame={FRAME} {...logTicks(y, [1, 2, 5])} title="angle error, 95 %, degrees" />
+      <Axis side="right" frame={FRAME} values={[GUESS_DEG]} at={y} text={() => "a guess"} class="guess" />
+      <Axis side="bottom" {...counts} text={String} title="units around the wheel" />
+      <Axis side="top" {...counts} text={(count) => `${short(360 / count)}°`} lines="short" title="spacing of the units" />
       {curves.map((curve, k) => (
-        <Curve key={`${curve.position} ${curve.films}`} curve={curve} kind={kindOf(curve, curves)} y={y}
-          x={(count) => x(count) + APART * (k - (curves.length - 1) / 2)} />
+        <Drawn
+          key={`${curve.position} ${curve.films}`}
+          curve={curve}
+          kind={kindOf(curve, curves)}
+          y={y}
+          x={(count) => x(count) + APART * (k - (curves.length - 1) / 2)}
+        />
       ))}
-    </svg>
+    </Chart>
   );
 }
 
-function Axes({ x, y, units, range }: { x: Scale; y: Scale; units: number[]; range: [number, number] }) {
-  const [left, right, foot] = [LEFT, WIDTH - RIGHT, HEIGHT - FOOT];
-  return (
-    <g class="axis">
-      {logTicks(range).map((error) => (
-        <g key={error}>
-          <line x1={left} x2={right} y1={y(error)} y2={y(error)} />
-          <text x={left - 6} y={y(error) + 4} text-anchor="end">
-            {error}
-          </text>
-        </g>
-      ))}
-      <line class="guess" x1={left} x2={right} y1={y(GUESS_DEG)} y2={y(GUESS_DEG)} />
-      <text x={right + 5} y={y(GUESS_DEG) + 4}>
-        a guess
-      </text>
-      {units.map((count) => (
-        <g key={count} class={count === PAPERS_UNITS ? "papers" : undefined}>
-          <line x1={x(count)} x2={x(count)} y1={TOP - 4} y2={foot} />
-          <text x={x(count)} y={foot + 15} text-anchor="middle">
-            {count}
-          </text>
-          <text x={x(count)} y={TOP - 10} text-anchor="middle">
-            {short(360 / count)}°
-          </text>
-        </g>
-      ))}
-      <text x={(left + right) / 2} y={HEIGHT - 8} text-anchor="middle">
-        units around the wheel
-      </text>
-      <text x={(left + right) / 2} y={13} text-anchor="middle">
-        spacing of the units
-      </text>
-      <text transform={`translate(12 ${(TOP + foot) / 2}) rotate(-90)`} text-anchor="middle">
-        angle error, 95 %, degrees
-      </text>
-    </g>
+/** A curve, with a ring around the paper's layout. */
+function Drawn({ curve: { points }, kind, x, y }: { curve: LayoutCurve; kind: string; x: Scale; y: Scale }) {
+  const papers = points.find(({ is_papers }) => is_papers);
+  const values = points.map(
+    ({ layout, units, error_deg, low_deg, high_deg }): CurveValue => ({
+      at: [x(units), y(error_deg)],
+      ends: [y(low_deg), y(high_deg)],
+      title: `${layoutWords(layout)}: ${short(error_deg)}° (${short(low_deg)}° to ${short(high_deg)}°)`,
+    }),
   );
-}
-
-function Curve({ curve, kind, x, y }: { curve: LayoutCurve; kind: string; x: Scale; y: Scale }) {
-  const path = curve.points.map((point, k) => `${k === 0 ? "M" : "L"}${x(point.units)} ${y(point.error_deg)}`).join("");
-  const lowest = HEIGHT - FOOT;
   return (
-    <g class={kind}>
-      <path d={path} />
-      {curve.points.map(({ layout, units, error_deg, low_deg, high_deg, is_papers }) => (
-        <g key={units}>
-          <path class="layout-error" d={`M${x(units)} ${low_deg > 0 ? Math.min(y(low_deg), lowest) : lowest}V${y(high_deg)}`} />
-          {is_papers && <circle class="papers-mark" cx={x(units)} cy={y(error_deg)} r={8} />}
-          <circle cx={x(units)} cy={y(error_deg)} r={3}>
-            <title>{`${layoutWords(layout)}: ${short(error_deg)}° (${short(low_deg)}° to ${short(high_deg)}°)`}</title>
-          </circle>
-        </g>
-      ))}
-    </g>
+    <>
+      <Curve class={kind} values={values} radius={3} />
+      {papers !== undefined && <circle class="papers-mark" cx={x(papers.units)} cy={y(papers.error_deg)} r={8} />}
+    </>
   );
 }
 
@@ -106,34 +73,18 @@ const filmSets = (all: LayoutCurve[]): string[] => [...new Set(all.map((curve) =
 
 /** What colours, dashes and rings mean. */
 export function CurveKey({ curves }: { curves: LayoutCurve[] }) {
-  const line = (kind: string) => (
-    <svg viewBox="0 0 36 12" aria-hidden="true">
-      <g class={`layout-curve ${kind}`}>
-        <path d="M0 6H36" />
-      </g>
-    </svg>
-  );
   return (
     <p class="key">
       {positions(curves).map((position, k) => (
-        <span key={position}>
-          {line(`place-${k % 6}`)}
-          {position.replace(" deg", "°")}
-        </span>
+        <KeyLine key={position} class={`layout-curve place-${k % 6}`} text={position.replace(" deg", "°")} length={36} />
       ))}
       {filmSets(curves).map((films, k) => (
-        <span key={films}>
-          {line(`set-${k % 6}`)}
-          {films}
-        </span>
+        <KeyLine key={films} class={`layout-curve set-${k % 6}`} text={films} length={36} />
       ))}
       {curves.some((curve) => curve.points.some((point) => point.is_papers)) && (
-        <span>
-          <svg viewBox="0 0 12 12" aria-hidden="true">
-            <circle class="papers-mark" cx={6} cy={6} r={5} />
-          </svg>
-          the paper's layout
-        </span>
+        <KeyEntry text="the paper's layout">
+          <circle class="papers-mark" cx={6} cy={6} r={5} />
+        </KeyEntry>
       )}
     </p>
   );

@@ -1,6 +1,5 @@
 import { address } from "../../../api.ts";
 import type { LayoutFindings, StudyResult } from "../../../wire.ts";
-import { BoundsTable } from "./bounds-table.tsx";
 import { LayoutAnswer } from "./layout-answer.tsx";
 import { LayoutErrors } from "./layout-errors.tsx";
 import { RankedLayouts } from "./ranked-layouts.tsx";
@@ -8,26 +7,20 @@ import { RankedLayouts } from "./ranked-layouts.tsx";
 /** Layouts around the whole wheel: the best one first, then all of them in their order. */
 export function LayoutsPanel({ result, findings }: { result: StudyResult; findings: LayoutFindings | null }) {
   const { layouts, study } = result;
-  if (layouts.length === 0) return null;
+  if (layouts.length === 0 || findings === null) return null;
   const rows = [...layouts].sort((a, b) => a.rank - b.rank);
   const csv = address(study.id, "export?format=csv&table=layouts");
   return (
     <section class="panel layouts" aria-labelledby="layouts-title">
       <h2 id="layouts-title">Layouts around the wheel</h2>
-      {findings === null ? (
-        <BoundsTable layouts={rows} csv={csv} />
-      ) : (
-        <>
-          <LayoutAnswer layouts={rows} />
-          {(findings.reasons ?? []).map((reason) => (
-            <p key={reason} class="flag">
-              {reason}
-            </p>
-          ))}
-          <LayoutErrors study={study.name} layouts={rows} loads={findings.loads} />
-          <RankedLayouts layouts={rows} findings={findings} csv={csv} />
-        </>
-      )}
+      <LayoutAnswer layouts={rows} />
+      {(findings.reasons ?? []).map((reason) => (
+        <p key={reason} class="flag">
+          {reason}
+        </p>
+      ))}
+      <LayoutErrors study={study.name} layouts={rows} loads={findings.loads} />
+      <RankedLayouts layouts={rows} findings={findings} csv={csv} />
     </section>
   );
 }

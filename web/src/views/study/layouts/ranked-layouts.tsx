@@ -1,12 +1,17 @@
 import { useState } from "preact/hooks";
-import { fixed, MISSING, percent, rankWords } from "../../../lib/format.ts";
+import { heading, view } from "../../../lib/study/figures/columns.ts";
+import { MISSING, rankWords } from "../../../lib/format.ts";
 import { filmsWords, layoutWords, LOST_DEG, short } from "../../../lib/layouts/layout-words.ts";
-import type { LayoutFindings, RankedLayout } from "../../../wire.ts";
-import { ScrollTable } from "../../shared/scroll-table.tsx";
+import { type LayoutFindings, LAYOUTS_COLUMNS, type RankedLayout } from "../../../wire.ts";
+import { FigureCells } from "../figure-cells.tsx";
+import { ScrollTable, words } from "../../shared/scroll-table.tsx";
 import { Term } from "../../shared/term/term.tsx";
 
 /** Rows before one asks for more. */
 const FEW = 20;
+
+const FIGURES = view(LAYOUTS_COLUMNS, "ranked", "dead", "alike");
+const HEADS = ["Rank", words("Certain"), words("Layout"), ...FIGURES.map(heading)];
 
 /** Every layout at its worst load, best first. */
 export function RankedLayouts({ layouts, findings, csv }: { layouts: RankedLayout[]; findings: LayoutFindings; csv: string }) {
@@ -15,8 +20,7 @@ export function RankedLayouts({ layouts, findings, csv }: { layouts: RankedLayou
   return (
     <>
       <h3>All layouts, best first</h3>
-      <ScrollTable name="Ranked layouts" kind="ranked-layouts" isTall={isWhole} csv={csv}>
-        <Head />
+      <ScrollTable name="Ranked layouts" kind="ranked-layouts" isTall={isWhole} csv={csv} columns={HEADS}>
         <tbody>
           {rows.map((layout, k) => (
             <Row key={k} layout={layout} rank={rankWords(layout.rank, layouts)} />
@@ -29,12 +33,12 @@ export function RankedLayouts({ layouts, findings, csv }: { layouts: RankedLayou
         </button>
       )}
       <p class="quiet">
-        Ranked by the simulated <Term of="95 % of contacts">95th percentile</Term> of the angle error at the layout's worst load, times the root of its number of films: another film
-        must bring more than an average of more readings. Layouts whose 95th percentile is beyond {LOST_DEG}° come last. <Term of="lost share">Lost</Term>: off by more than {LOST_DEG}°.
-        Bound: <Term of="Cramér–Rao bound">Cramér–Rao</Term>, at the worst angle. Most alike: the two contacts more than {LOST_DEG}° apart whose readings differ least, in standard
-        deviations of the noise; below about 3 they are mistaken for each other.
-        {findings.tau_of_bound != null &&
-          ` The order by the bound agrees with this one with Kendall's tau of ${short(findings.tau_of_bound, 2)}.`}{" "}
+        Ranked by the simulated <Term of="95 % of contacts">95th percentile</Term> of the angle error at the layout's worst load, times the root of its number
+        of films: another film must bring more than an average of more readings. Layouts whose 95th percentile is beyond {LOST_DEG}° come last.{" "}
+        <Term of="lost share">Lost</Term>: off by more than {LOST_DEG}°. Angle bound: <Term of="Cramér–Rao bound">Cramér–Rao</Term>, at the worst angle. Most
+        alike: the two contacts more than {LOST_DEG}° apart whose readings differ least, in standard deviations of the noise; below about 3 they are mistaken
+        for each other. Force, by depth: the depth's error times the slope of force over depth; what films learn of forces stands under Forces.
+        {findings.tau_of_bound != null && ` The order by the bound agrees with this one with Kendall's tau of ${short(findings.tau_of_bound, 2)}.`}{" "}
         {filmsWords(findings.size_mm, findings.unit)} Mesh: {findings.level}
         {findings.coarser_level == null ? ", without a coarser one for its error." : `, its error from ${findings.coarser_level}.`}
       </p>
@@ -42,32 +46,8 @@ export function RankedLayouts({ layouts, findings, csv }: { layouts: RankedLayou
   );
 }
 
-function Head() {
-  return (
-    <thead>
-      <tr>
-        <th scope="col">Rank</th>
-        <th scope="col" class="words">
-          Certain
-        </th>
-        <th scope="col" class="words">
-          Layout
-        </th>
-        <th scope="col">Films</th>
-        <th scope="col">Angle error, 95 % °</th>
-        <th scope="col">Bound °</th>
-        <th scope="col">Lost %</th>
-        <th scope="col">Force error N</th>
-        <th scope="col">One film dead, 95 % °</th>
-        <th scope="col">Most alike σ</th>
-      </tr>
-    </thead>
-  );
-}
-
 function Row({ layout, rank }: { layout: RankedLayout; rank: string }) {
-  const { score } = layout;
-  const doubt = layout.doubt ?? score.reason;
+  const doubt = layout.doubt ?? layout.score.reason;
   return (
     <tr>
       <td class="rank">{rank}</td>
@@ -76,15 +56,7 @@ function Row({ layout, rank }: { layout: RankedLayout; rank: string }) {
         {layoutWords(layout)}
         {doubt != null && <span class="layout-doubt">{doubt}</span>}
       </th>
-      <td>{layout.film_count ?? MISSING}</td>
-      <td>
-        {short(score.simulated_p95_angle_error_deg)} <span class="error">± {short(score.error?.simulated_p95_angle_error_deg, 2)}</span>
-      </td>
-      <td>{short(score.worst_angle_error_deg)}</td>
-      <td>{percent(score.lost_share, 1)}</td>
-      <td>{short(score.force_error_n, 2)}</td>
-      <td>{short(score.dead?.simulated_p95_angle_error_deg)}</td>
-      <td>{fixed(score.alike?.sigmas, 1)}</td>
+      <FigureCells columns={FIGURES} row={{ layout }} />
     </tr>
   );
 }

@@ -1,28 +1,24 @@
 import { integer } from "../../../lib/format.ts";
 import { placesWords, short, withPlaces } from "../../../lib/layouts/layout-words.ts";
 import type { LayoutSearch, RankedLayout } from "../../../wire.ts";
-import { ScrollTable } from "../../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../../shared/scroll-table.tsx";
 
 /** The best places that a search found for so many films. */
 export function SearchesTable({ searches, layouts }: { searches: LayoutSearch[]; layouts: RankedLayout[] }) {
   return (
     <>
       <h3>Best places for so many films, by search</h3>
-      <ScrollTable name="Searched layouts">
-        <thead>
-          <tr>
-            <th scope="col">Films</th>
-            <th scope="col" class="words">
-              Best places: section angle, direction, angles around the wheel
-            </th>
-            <th scope="col">Bound, rms °</th>
-            <th scope="col">Simulated, 95 % °</th>
-            <th scope="col">Rank</th>
-            <th scope="col" class="words">
-              Search
-            </th>
-          </tr>
-        </thead>
+      <ScrollTable
+        name="Searched layouts"
+        columns={[
+          "Films",
+          words("Best places: section angle, direction, angles around the wheel"),
+          "Bound, rms °",
+          "Simulated, 95 % °",
+          "Rank",
+          words("Search"),
+        ]}
+      >
         <tbody>
           {searches.map((search) => {
             const layout = withPlaces(layouts, search.best);

@@ -1,10 +1,14 @@
-import { MISSING, rankWords } from "../../../lib/format.ts";
+import { heading, view } from "../../../lib/study/figures/columns.ts";
+import { rankWords } from "../../../lib/format.ts";
 import { layoutWords, short } from "../../../lib/layouts/layout-words.ts";
-import type { LayoutLoad, RankedLayout } from "../../../wire.ts";
-import { ScrollTable } from "../../shared/scroll-table.tsx";
+import { type LayoutLoad, LAYOUTS_COLUMNS, type RankedLayout } from "../../../wire.ts";
+import { FigureCells } from "../figure-cells.tsx";
+import { ScrollTable, words } from "../../shared/scroll-table.tsx";
 
 /** Layouts that are listed: the best ones. */
 const SHOWN = 20;
+
+const FIGURES = view(LAYOUTS_COLUMNS, "shear");
 
 /** What is known with forces along and across the wheel unknown, too. */
 export function ShearTable({ layouts, loads }: { layouts: RankedLayout[]; loads: LayoutLoad[] }) {
@@ -25,22 +29,7 @@ export function ShearTable({ layouts, loads }: { layouts: RankedLayout[]; loads:
           </>
         )}
       </p>
-      <ScrollTable name="Layouts with shear unknown">
-        <thead>
-          <tr>
-            <th scope="col">Rank</th>
-            <th scope="col" class="words">
-              Layout
-            </th>
-            <th scope="col">Angle, bound °</th>
-            <th scope="col">Force along N</th>
-            <th scope="col">Force across N</th>
-            <th scope="col">Force up N</th>
-            <th scope="col" class="words">
-              What can't be told
-            </th>
-          </tr>
-        </thead>
+      <ScrollTable name="Layouts with shear unknown" columns={["Rank", words("Layout"), ...FIGURES.map(heading), words("What can't be told")]}>
         <tbody>
           {rows.map((layout, k) => (
             <Row key={k} layout={layout} rank={rankWords(layout.rank, layouts)} />
@@ -56,22 +45,14 @@ export function ShearTable({ layouts, loads }: { layouts: RankedLayout[]; loads:
 }
 
 function Row({ layout, rank }: { layout: RankedLayout; rank: string }) {
-  const { shear } = layout.score;
-  const forces = shear?.worst_force_error_n ?? [null, null, null];
-  const errors = shear?.error?.worst_force_error_n ?? [null, null, null];
   return (
     <tr>
       <td class="rank">{rank}</td>
       <th scope="row" class="words layout-name">
         {layoutWords(layout)}
       </th>
-      <td>{short(shear?.worst_angle_error_deg)}</td>
-      {forces.map((force, axis) => (
-        <td key={axis}>
-          {force == null ? MISSING : short(force)} {errors[axis] != null && <span class="error">± {short(errors[axis], 2)}</span>}
-        </td>
-      ))}
-      <td class="words">{shear?.reason ?? ""}</td>
+      <FigureCells columns={FIGURES} row={{ layout }} />
+      <td class="words">{layout.score.shear?.reason ?? ""}</td>
     </tr>
   );
 }

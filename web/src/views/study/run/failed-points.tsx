@@ -10,8 +10,7 @@ export function FailedPoints({ result }: { result: StudyResult }) {
       <ul>
         {result.failed_points.map((point) => (
           <li key={point.ordinal}>
-            point {point.ordinal} (
-            {point.values.map((value, index) => `${result.inputs[index]?.name ?? index}=${significant(value, 4)}`).join(", ")}
+            point {point.ordinal} ({point.values.map((value, index) => `${result.inputs[index]?.name ?? index}=${significant(value, 4)}`).join(", ")}
             ): {point.cause}
           </li>
         ))}

@@ -2,10 +2,13 @@ import { address } from "../../../api.ts";
 import type { StudyResult } from "../../../wire.ts";
 
 /** Tables that the service exports. */
-const TABLES = ["indices", "locations", "layouts", "candidates", "points", "signals", "forces", "published"] as const;
+const TABLES = ["indices", "locations", "layouts", "candidates", "points", "signals", "forces"] as const;
 
 /** Formats that they are exported in. */
-const FILES = [{ format: "csv", label: "CSV" }, { format: "parquet", label: "Parquet" }] as const;
+const FILES = [
+  { format: "csv", label: "CSV" },
+  { format: "parquet", label: "Parquet" },
+] as const;
 
 /** The result and its tables as files, and which program and document they are from. */
 export function FilesPanel({ result, hasMap }: { result: StudyResult; hasMap: boolean }) {
@@ -14,8 +17,8 @@ export function FilesPanel({ result, hasMap }: { result: StudyResult; hasMap: bo
     <section class="panel" aria-labelledby="files-title">
       <h2 id="files-title">Files</h2>
       <p class="provenance">
-        {version} · document <code title={spec_sha256}>{spec_sha256.slice(0, 12)}</code> · as JSON:{" "}
-        <a href={address(id, "result")}>the whole result</a>, <a href={address(id, "evaluations")}>every solved point</a>
+        {version} · document <code title={spec_sha256}>{spec_sha256.slice(0, 12)}</code> · as JSON: <a href={address(id, "result")}>the whole result</a>,{" "}
+        <a href={address(id, "evaluations")}>every solved point</a>
         {FILES.map(({ format, label }) => (
           <>
             {" · "}as {label}:{" "}
@@ -29,7 +32,8 @@ export function FilesPanel({ result, hasMap }: { result: StudyResult; hasMap: bo
         ))}
         {hasMap && (
           <>
-            {" "}· for ParaView: <a href={address(id, "export?format=vtu")}>the map</a>
+            {" "}
+            · for ParaView: <a href={address(id, "export?format=vtu")}>the map</a>
           </>
         )}
       </p>

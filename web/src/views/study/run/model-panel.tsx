@@ -8,9 +8,10 @@ export function ModelPanel({ result }: { result: StudyResult }) {
     <section class="panel" aria-labelledby="model-title">
       <h2 id="model-title">Model</h2>
       <p>
-        {model.dimension}, level {model.level}: {integer(model.elements)} elements, {integer(model.dofs)} displacement
-        unknowns. At the means ({result.inputs.map((input, i) => `${input.name}=${significant(cut.values[i], 3)}`).join(", ")}):
-        ground force {fixed(cut.reaction_n, 2)} N{cut.depth_mm === undefined ? "" : ` at a depth of ${fixed(cut.depth_mm, 3)} mm`}, outer radius after inflation {fixed(cut.inflated_outer_radius_mm, 2)} mm.
+        {model.dimension}, level {model.level}: {integer(model.elements)} elements, {integer(model.dofs)} displacement unknowns. At the means (
+        {result.inputs.map((input, i) => `${input.name}=${significant(cut.values[i], 3)}`).join(", ")}): ground force {fixed(cut.reaction_n, 2)} N
+        {cut.depth_mm === undefined ? "" : ` at a depth of ${fixed(cut.depth_mm, 3)} mm`}, outer radius after inflation {fixed(cut.inflated_outer_radius_mm, 2)}{" "}
+        mm.
       </p>
       <div class="columns">
         <Choices title="Modelled" choices={model.modelled} />

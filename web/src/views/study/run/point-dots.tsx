@@ -14,7 +14,8 @@ export function PointDots({ blocks }: { blocks: readonly DotBlock[] }) {
         ))}
       </div>
       <figcaption class="quiet">
-        A dot is a solve, a row an input at its Gauss nodes; the ring in the middle has all inputs at their means and is shared by all rows. Solved in this run: {integer(solved)}
+        A dot is a solve, a row an input at its Gauss nodes; the ring in the middle has all inputs at their means and is shared by all rows. Solved in this run:{" "}
+        {integer(solved)}
         {failed > 0 && `, without an answer: ${integer(failed)}`}.
       </figcaption>
     </figure>
@@ -27,7 +28,13 @@ function Block({ block }: { block: DotBlock }) {
   return (
     <div>
       <p class="point-block-title">{block.title}</p>
-      <svg width={width} height={height} viewBox={`0 0 ${width} ${height}`} role="img" aria-label={`${block.title}: ${countDots([block], "solved")} points solved`}>
+      <svg
+        width={width}
+        height={height}
+        viewBox={`0 0 ${width} ${height}`}
+        role="img"
+        aria-label={`${block.title}: ${countDots([block], "solved")} points solved`}
+      >
         {block.rows.map((row, index) => (
           <g key={row.name} transform={`translate(0 ${index * ROW})`}>
             <text x="0" y={ROW / 2 + 4}>

@@ -79,9 +79,7 @@ function Lost({ lost_ms, now_ms }: { lost_ms: number; now_ms: number }) {
 function Standing({ progress, now_ms, estimate }: { progress: Progress; now_ms: number; estimate: Estimate | null }) {
   const solved = progress.newton.size;
   const iterations = newtonIterations(progress);
-  const facts: [string, string][] = [
-    ["Points", `${integer(progress.done)} of ${progress.total === null ? "?" : integer(progress.total)}`],
-  ];
+  const facts: [string, string][] = [["Points", `${integer(progress.done)} of ${progress.total === null ? "?" : integer(progress.total)}`]];
   if (progress.reused !== null) facts.push(["Reused", integer(progress.reused)]);
   facts.push(["Elapsed", duration(elapsedSeconds(progress, now_ms))]);
   if (progress.state === "running") facts.push(["Time left", timeLeft(progress, now_ms, estimate)]);
@@ -108,8 +106,7 @@ function Failures({ failures }: { failures: readonly PointFailure[] }) {
         {failures.map((failure) => (
           <li key={failure.ordinal}>
             point {failure.ordinal}
-            {failure.values.length > 0 && ` at (${failure.values.map((value) => significant(value, 4)).join(", ")})`}:{" "}
-            {failure.cause}
+            {failure.values.length > 0 && ` at (${failure.values.map((value) => significant(value, 4)).join(", ")})`}: {failure.cause}
           </li>
         ))}
       </ul>

@@ -10,8 +10,8 @@ export function SignalsPanel({ signals, study }: { signals: Signals; study: stri
     <section class="panel" aria-labelledby="signals-title">
       <h2 id="signals-title">Signals</h2>
       <p>
-        Do the open circuit volts of strain films rise with the load and fall with the pressure, and are they a line over the angle
-        around the wheel from the film to the contact? Below, the volts with their errors by the mesh.
+        Do the open circuit volts of strain films rise with the load and fall with the pressure, and are they a line over the angle around the wheel from the
+        film to the contact? Below, the volts with their errors by the mesh.
       </p>
       {different(signals.claims.map((row) => row.tire)).map((tire) => (
         <ClaimsTable key={tire} tire={tire} claims={signals.claims.filter((row) => row.tire === tire)} />

@@ -1,19 +1,9 @@
-import { DIRECTIONS } from "../../../lib/direction.ts";
 import { layoutWords } from "../../../lib/layouts/layout-words.ts";
 import { rankWords } from "../../../lib/format.ts";
 import { QUANTITIES, type Quantity, type StudyRoute } from "../../../lib/route.ts";
 import type { StudyResult } from "../../../wire.ts";
-import { RadioChoice } from "../../shared/radio-choice.tsx";
+import { LayerChoices } from "./layer-choices.tsx";
 import type { TireModel } from "./tire-model.ts";
-
-export const QUANTITY_NAMES: Record<Quantity, string> = {
-  index: "First-order index",
-  total: "Total index",
-  std: "Standard deviation",
-  strain: "Strain",
-  error: "Error of the index",
-  signal: "Film signal",
-};
 
 /** Layouts that can be put on the tire. */
 const LAYOUTS = 10;
@@ -36,29 +26,15 @@ export function TireControls({ result, route, model, layout, onAdjust, onLayout 
   return (
     <div class="controls">
       {result.map != null && (
-        <>
-          <RadioChoice
-            name="map-direction"
-            legend="Direction"
-            options={DIRECTIONS.map((direction) => ({ value: direction, label: direction }))}
-            chosen={route.direction}
-            onChoose={(direction) => set({ direction })}
-          />
-          <RadioChoice
-            name="map-quantity"
-            legend="Colour by"
-            options={quantities.map((quantity) => ({ value: quantity, label: QUANTITY_NAMES[quantity] }))}
-            chosen={route.quantity}
-            onChoose={(quantity) => set({ quantity })}
-          />
-          <RadioChoice
-            name="map-input"
-            legend="Of the input"
-            options={result.inputs.map(({ name }) => ({ value: name, label: name }))}
-            chosen={model.inputName}
-            onChoose={(input) => set({ input })}
-          />
-        </>
+        <LayerChoices
+          group="map"
+          direction={route.direction}
+          quantity={route.quantity}
+          input={model.inputName}
+          quantities={quantities}
+          inputs={result.inputs.map(({ name }) => name)}
+          onChoose={set}
+        />
       )}
       <LayoutChoice result={result} chosen={layout} onChoose={onLayout} />
     </div>

@@ -1,11 +1,14 @@
-import { css, type Rgb } from "../../../lib/colour.ts";
-import { fixed, microstrain, significant, ticks } from "../../../lib/format.ts";
-import { shareOf, SHOWN_FACTOR, type Field, type Scale } from "../../../lib/tire/map/surface-field.ts";
+import { css, type Rgb } from "../../../lib/chart/colour.ts";
+import { across, frameOf } from "../../../lib/chart/frame.ts";
+import { linear, linearTicks } from "../../../lib/chart/scales.ts";
+import { fixed, microstrain, significant } from "../../../lib/format.ts";
+import { SHOWN_FACTOR, type Field, type Scale } from "../../../lib/tire/map/surface-field.ts";
 import { GREY } from "../../../lib/tire/map/trust.ts";
+import { Axis } from "../../shared/chart/axis.tsx";
+import { Chart } from "../../shared/chart/chart.tsx";
 import { BARE } from "./wheel/skin-colours.ts";
 
-const WIDTH = 320;
-const SIDE = 22;
+const STRIP = frameOf(320, 34, { left: 22, right: 22, top: 0, bottom: 20 });
 const STRIPES = 120;
 
 interface Props {
@@ -27,8 +30,7 @@ export function TireLegend({ field, title, beyond_deg, isKept, onKeep }: Props) 
       <ScaleStrip scale={field.scale} />
       {!hasFixedScale && (
         <label class="tick">
-          <input type="checkbox" checked={isKept} onChange={(event) => onKeep(event.currentTarget.checked)} /> Keep this scale when direction or
-          input change
+          <input type="checkbox" checked={isKept} onChange={(event) => onKeep(event.currentTarget.checked)} /> Keep this scale when direction or input change
         </label>
       )}
       <ul class="swatches">
@@ -75,34 +77,23 @@ function greyWords({ quantity, noise, errors }: Field): string {
 }
 
 export function ScaleStrip({ scale }: { scale: Scale }) {
-  const inner = WIDTH - 2 * SIDE;
   const factor = SHOWN_FACTOR[scale.unit];
+  const x = linear([scale.low * factor, scale.high * factor], across(STRIP));
+  const breadth = (STRIP.right - STRIP.left) / STRIPES;
   return (
-    <svg class="scale-strip" viewBox={`0 0 ${WIDTH} 34`} role="img" aria-label={`Colours from ${label(scale, scale.low)} to ${label(scale, scale.high)}`}>
+    <Chart class="scale-strip" frame={STRIP} label={`Colours from ${label(scale, scale.low)} to ${label(scale, scale.high)}`}>
       {Array.from({ length: STRIPES }, (_, index) => (
         <rect
           key={index}
-          x={SIDE + (inner * index) / STRIPES}
-          width={inner / STRIPES + 0.5}
-          height={14}
+          x={STRIP.left + breadth * index}
+          width={breadth + 0.5}
+          height={STRIP.bottom}
           fill={css(scale.colour((index + 0.5) / STRIPES))}
           shape-rendering="crispEdges"
         />
       ))}
-      <g class="axis">
-        {ticks(scale.low * factor, scale.high * factor, 4).map((mark) => {
-          const at = SIDE + inner * shareOf(scale, mark / factor);
-          return (
-            <g key={mark}>
-              <line x1={at} x2={at} y1={14} y2={18} />
-              <text x={at} y={30} text-anchor="middle">
-                {label(scale, mark / factor)}
-              </text>
-            </g>
-          );
-        })}
-      </g>
-    </svg>
+      <Axis side="bottom" frame={STRIP} {...linearTicks(x, 4)} lines="short" />
+    </Chart>
   );
 }
 

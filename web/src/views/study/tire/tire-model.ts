@@ -75,11 +75,26 @@ export function useTireModel(result: StudyResult, study: StudyDetail, route: Stu
   // Films that stand for themselves aren't mixed with the places of the ranking.
   const places = useMemo(() => (coloured === null ? locationMarks(result.cut_point.locations) : []), [result, coloured]);
   const filmSize = useMemo(() => coloured?.size ?? sizeOf(result), [result, coloured]);
-  return { shown, rulers, places, films, filmSize, noise, inputIndex, inputName, surface, isSector: skins.isSector, line, between, signals, askForLine: () => setAsked(true) };
+  return {
+    shown,
+    rulers,
+    places,
+    films,
+    filmSize,
+    noise,
+    inputIndex,
+    inputName,
+    surface,
+    isSector: skins.isSector,
+    line,
+    between,
+    signals,
+    askForLine: () => setAsked(true),
+  };
 }
 
 /** The wheel as it is drawn; the map's sector where the service sends no wheel. */
-export function useSurface(result: StudyResult, id: string): { surface: Loadable<Surface>; isSector: boolean } {
+function useSurface(result: StudyResult, id: string): { surface: Loadable<Surface>; isSector: boolean } {
   const asked = useAsked(id, async (key) => readSurface(await api.surface(key)));
   return useMemo(() => {
     const { map } = result;
@@ -94,7 +109,7 @@ export function useSurface(result: StudyResult, id: string): { surface: Loadable
 }
 
 /** The input of the route, or the centre's own. */
-export function inputAt(result: StudyResult, name: string | null): number {
+function inputAt(result: StudyResult, name: string | null): number {
   const find = (wanted: string | null): number => result.inputs.findIndex((input) => input.name === wanted);
   const chosen = find(name);
   return chosen >= 0 ? chosen : Math.max(0, find(centreName(result)));

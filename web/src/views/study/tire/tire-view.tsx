@@ -39,23 +39,27 @@ function Tire({ result, study, route, onAdjust }: SectionProps) {
   const edge_deg = result.map?.theta_deg.at(-1) ?? 0;
   const figures = { model, title, point, pinned, onPoint: setHovered, onPin: pin };
   return (
-    <section class="panel tire" aria-labelledby="tire-title">
+    <section class="panel" aria-labelledby="tire-title">
       <h2 id="tire-title">The tire and its inner surface</h2>
       <TireControls
-        result={result} route={route} model={model} layout={sight.layout}
-        onAdjust={(next) => onAdjust({ ...next, sight: sightOf(sight, next.quantity !== route.quantity) })} onLayout={(layout) => setSight({ layout })}
+        result={result}
+        route={route}
+        model={model}
+        layout={sight.layout}
+        onAdjust={(next) => onAdjust({ ...next, sight: sightOf(sight, next.quantity !== route.quantity) })}
+        onLayout={(layout) => setSight({ layout })}
       />
       <div class="tire-figures">
         <div>
-          {model.shown === null ? <NoMap hasMap={result.map != null} /> : (
+          {model.shown === null ? (
+            <NoMap hasMap={result.map != null} />
+          ) : (
             <Figure study={result.study.name} name={`map of ${route.quantity} ${route.direction}`}>
               <MapFigure {...figures} />
             </Figure>
           )}
           {route.quantity !== "signal" && <FilmsBeyond films={model.films} edge_deg={edge_deg} />}
-          {model.shown !== null && (
-            <TireLegend field={model.shown.field} title={title} beyond_deg={edge_deg} isKept={sight.scale !== null} onKeep={keep} />
-          )}
+          {model.shown !== null && <TireLegend field={model.shown.field} title={title} beyond_deg={edge_deg} isKept={sight.scale !== null} onKeep={keep} />}
           {route.quantity === "signal" && model.signals !== null && <FilmVolts films={model.signals.films} direction={route.direction} />}
         </div>
         <WheelFigure {...figures} sight={sight} onSight={setSight} study={result.study.name} />
@@ -63,13 +67,20 @@ function Tire({ result, study, route, onAdjust }: SectionProps) {
       {result.map != null && (
         <div class="tire-readings">
           <PointTable
-            reading={point === null ? null : readingAt(result.map, model.rulers, point, strainsOf(model))} where={whereOf(model)} isPinned={pinned !== null && isSamePlace(point, pinned)}
-            unit={model.rulers.unit} inputs={result.inputs.map(({ name }) => name)} onRelease={() => pin(null)}
+            reading={point === null ? null : readingAt(result.map, model.rulers, point, strainsOf(model))}
+            where={whereOf(model)}
+            isPinned={pinned !== null && isSamePlace(point, pinned)}
+            unit={model.rulers.unit}
+            inputs={result.inputs.map(({ name }) => name)}
+            onRelease={() => pin(null)}
           />
           <div>
             <InputSlider
-              model={model} quantityIsStrain={route.quantity === "strain"} value={sight.value}
-              onWant={model.askForLine} onValue={(value) => setSight({ value })}
+              model={model}
+              quantityIsStrain={route.quantity === "strain"}
+              value={sight.value}
+              onWant={model.askForLine}
+              onValue={(value) => setSight({ value })}
             />
             {pinned !== null && model.line?.status === "ready" && (
               <DepthPlot line={model.line.value} point={pinned} direction={route.direction} value={sight.value} />
@@ -121,7 +132,11 @@ function titleOf({ quantity, direction }: StudyRoute, model: TireModel): string 
   }
 }
 
-const FILM_MODELS: Record<FilmModel, string> = { coupled: "glued films, with their stiffness,", transfer: "glued films, by transfer from the bare wall,", bare: "bare films, which follow the wall," };
+const FILM_MODELS: Record<FilmModel, string> = {
+  coupled: "glued films, with their stiffness,",
+  transfer: "glued films, by transfer from the bare wall,",
+  bare: "bare films, which follow the wall,",
+};
 
 function signalTitle({ signals }: TireModel, direction: Direction): string {
   if (signals === null) return "This study solved no films' signals along this direction";
@@ -135,7 +150,9 @@ function FilmsBeyond({ films, edge_deg }: { films: readonly FilmPlace[]; edge_de
   const reach = `The map reaches ${fixed(edge_deg, 0)}° to both sides`;
   return (
     <p class="quiet">
-      {beyond.length === 0 ? "All films of the layout are on the map." : `${reach}: ${beyond.length} of ${films.length} films lie beyond its arrows, the nearest at ${fixed(Math.min(...beyond), 1)}°.`}
+      {beyond.length === 0
+        ? "All films of the layout are on the map."
+        : `${reach}: ${beyond.length} of ${films.length} films lie beyond its arrows, the nearest at ${fixed(Math.min(...beyond), 1)}°.`}
     </p>
   );
 }
@@ -144,15 +161,15 @@ function NoMap({ hasMap }: { hasMap: boolean }) {
   if (hasMap) return <p class="quiet">This result's map doesn't hold this quantity: choose another.</p>;
   return (
     <p class="quiet">
-      This study asked for no map, so nothing is known between the places. Add <code>"grid": {'{"circumferential": 61, "meridional": 21}'}</code> to
-      its candidates.
+      This study asked for no map, so nothing is known between the places. Add <code>"grid": {'{"circumferential": 61, "meridional": 21}'}</code> to its
+      candidates.
     </p>
   );
 }
 
 function Remarks({ field, unit }: { field: Field; unit: string }) {
   const counts = field.quantity === "strain" || field.quantity === "signal" ? {} : countStatus(field.status);
-  const [broken, constant, unusable] = [counts["product-form-broken"] ?? 0, counts["constant"] ?? 0, counts["unusable"] ?? 0];
+  const [broken, constant, unusable] = [counts["product-form-broken"] ?? 0, counts.constant ?? 0, counts.unusable ?? 0];
   const parts = [
     unit === "mm"
       ? "The map is to scale along the crown and across the section; off the crown the wheel is narrower than drawn."

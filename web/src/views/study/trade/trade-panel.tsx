@@ -1,18 +1,21 @@
+import { linePath } from "../../../lib/chart/paths.ts";
+import { across, frameOf, upwards } from "../../../lib/chart/frame.ts";
+import { decades, logTicks } from "../../../lib/chart/scales.ts";
 import { duration, significant } from "../../../lib/format.ts";
-import { cheapest, decades, front, marks, type RungMark } from "../../../lib/study/trade/trade-marks.ts";
+import { heading, view } from "../../../lib/study/figures/columns.ts";
+import { cheapest, front, marks, type RungMark } from "../../../lib/study/trade/trade-marks.ts";
 import { fidelityOf, ownRung, stepWords } from "../../../lib/study/trade/own-rung.ts";
 import { placeLabels } from "../../../lib/study/trade/trade-labels.ts";
-import type { Rung, StudyDetail, Trade } from "../../../wire.ts";
+import { type Rung, RUNGS_COLUMNS, type StudyDetail, type Trade } from "../../../wire.ts";
+import { Axis } from "../../shared/chart/axis.tsx";
+import { Chart } from "../../shared/chart/chart.tsx";
+import { KeyEntry } from "../../shared/chart/key.tsx";
 import { Figure } from "../../shared/figure.tsx";
 import { ScrollTable } from "../../shared/scroll-table.tsx";
+import { FigureCells } from "../figure-cells.tsx";
 import { WideDrawing } from "../../shared/wide-drawing.tsx";
 
-const WIDTH = 900;
-const HEIGHT = 400;
-const LEFT = 62;
-const RIGHT = 16;
-const TOP = 10;
-const FOOT = 40;
+const FRAME = frameOf(900, 400, { left: 62, right: 16, top: 10, bottom: 40 });
 
 type Scale = (value: number) => number;
 
@@ -24,8 +27,8 @@ export function TradePanel({ trade, study, level }: { trade: Trade; study: Study
     <section class="panel" aria-labelledby="trade-title">
       <h2 id="trade-title">What a better answer costs</h2>
       <p class="quiet">
-        Each rung answers this study with another mesh and method. Errors are the largest of any index that the ranking goes by,
-        against {trade.reference.label} ({duration(trade.reference.wall_s)}).{" "}
+        Each rung answers this study with another mesh and method. Errors are the largest of any index that the ranking goes by, against {trade.reference.label}{" "}
+        ({duration(trade.reference.wall_s)}).{" "}
         {best === null
           ? "No rung ranks the locations as that one does."
           : `The fastest that ranks the locations as that one does is ${best.label} (${duration(best.wall_s)}).`}
@@ -40,21 +43,25 @@ export function TradePanel({ trade, study, level }: { trade: Trade; study: Study
 function Plot({ trade, study, own }: { trade: Trade; study: string; own: Rung | null }) {
   const [truth, claimed] = [marks(trade, "error_true"), marks(trade, "error_claimed")];
   const all = [...truth, ...claimed];
-  const [fast, slow] = decades(all.map((mark) => mark.seconds));
-  const [low, high] = decades(all.map((mark) => mark.error));
-  const x: Scale = (s) => LEFT + ((WIDTH - LEFT - RIGHT) * (Math.log10(s) - fast)) / (slow - fast);
-  const y: Scale = (e) => HEIGHT - FOOT - ((HEIGHT - FOOT - TOP) * (Math.log10(e) - low)) / (high - low);
-  const path = front(trade).map((mark, index) => `${index === 0 ? "M" : "L"}${x(mark.seconds)} ${y(mark.error)}`);
+  const x = decades(
+    all.map((mark) => mark.seconds),
+    across(FRAME),
+  );
+  const y = decades(
+    all.map((mark) => mark.error),
+    upwards(FRAME),
+  );
   return (
     <Figure study={study} name="trade">
       <WideDrawing name="Time against error, scrolled sideways">
-        <svg class="trade-plot" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label="Time against true and claimed error, both logarithmic">
-          <Axes x={x} y={y} seconds={[fast, slow]} errors={[low, high]} />
-          <path class="trade-front" d={path.join("")} />
+        <Chart class="trade-plot" frame={FRAME} label="Time against true and claimed error, both logarithmic">
+          <Axis side="bottom" frame={FRAME} {...logTicks(x, [1])} title="wall-clock time, s" />
+          <Axis side="left" frame={FRAME} {...logTicks(y, [1])} title="largest error of an index" />
+          <path class="trade-front" d={linePath(front(trade).map((mark) => [x(mark.seconds), y(mark.error)]))} />
           <Marks of={claimed} x={x} y={y} tone="trade-claimed" word="claimed" />
           <Marks of={truth} x={x} y={y} tone="trade-true" word="true" />
           <Names of={truth} own={own} x={x} y={y} />
-        </svg>
+        </Chart>
       </WideDrawing>
       <figcaption class="key">
         <Key tone="trade-true" text="true error; the line is the Pareto front" />
@@ -67,12 +74,9 @@ function Plot({ trade, study, own }: { trade: Trade; study: string; own: Rung | 
 
 function Key({ tone, text }: { tone: string; text: string }) {
   return (
-    <span>
-      <svg viewBox="0 0 12 12" aria-hidden="true">
-        <circle class={tone} cx={6} cy={6} r={4} />
-      </svg>
-      {text}
-    </span>
+    <KeyEntry text={text}>
+      <circle class={tone} cx={6} cy={6} r={4} />
+    </KeyEntry>
   );
 }
 
@@ -96,7 +100,7 @@ function Names({ of, own, x, y }: { of: RungMark[]; own: Rung | null; x: Scale; 
   return (
     <g class="trade-names">
       {mine !== undefined && <circle class="trade-own" cx={x(mine.seconds)} cy={y(mine.error)} r={8} />}
-      {placeLabels(points, WIDTH - RIGHT, HEIGHT - FOOT).map((label) => (
+      {placeLabels(points, FRAME.right, FRAME.bottom).map((label) => (
         <text key={label.text} x={label.x} y={label.y} text-anchor={label.anchor} class={label.text === own?.label ? "trade-mine" : undefined}>
           {label.text}
         </text>
@@ -105,59 +109,16 @@ function Names({ of, own, x, y }: { of: RungMark[]; own: Rung | null; x: Scale; 
   );
 }
 
-function Axes(props: { x: Scale; y: Scale; seconds: [number, number]; errors: [number, number] }) {
-  const { x, y } = props;
-  const powers = ([low, high]: [number, number]): number[] =>
-    Array.from({ length: high - low + 1 }, (_, index) => 10 ** (low + index));
-  return (
-    <g class="axis">
-      {powers(props.seconds).map((s) => (
-        <g key={s}>
-          <line x1={x(s)} x2={x(s)} y1={TOP} y2={HEIGHT - FOOT} />
-          <text x={x(s)} y={HEIGHT - FOOT + 15} text-anchor="middle">
-            {significant(s, 1)}
-          </text>
-        </g>
-      ))}
-      {powers(props.errors).map((e) => (
-        <g key={e}>
-          <line x1={LEFT} x2={WIDTH - RIGHT} y1={y(e)} y2={y(e)} />
-          <text x={LEFT - 6} y={y(e) + 4} text-anchor="end">
-            {significant(e, 1)}
-          </text>
-        </g>
-      ))}
-      <text x={(LEFT + WIDTH - RIGHT) / 2} y={HEIGHT - 6} text-anchor="middle">
-        wall-clock time, s
-      </text>
-      <text transform={`translate(12 ${(TOP + HEIGHT - FOOT) / 2}) rotate(-90)`} text-anchor="middle">
-        largest error of an index
-      </text>
-    </g>
-  );
-}
+const FIGURES = view(RUNGS_COLUMNS, "rungs");
 
 function Rungs({ rungs }: { rungs: Rung[] }) {
   return (
-    <ScrollTable name="Rungs of the trade">
-      <thead>
-        <tr>
-          <th scope="col">Mesh, method, nodes</th>
-          <th scope="col">Wall time</th>
-          <th scope="col">Solves</th>
-          <th scope="col">True error</th>
-          <th scope="col">Claimed</th>
-          <th scope="col">Ranking</th>
-        </tr>
-      </thead>
+    <ScrollTable name="Rungs of the trade" columns={["Mesh, method, nodes", ...FIGURES.map(heading), "Ranking"]}>
       <tbody>
         {rungs.map((rung) => (
           <tr key={rung.label}>
             <th scope="row">{rung.label}</th>
-            <td>{duration(rung.wall_s)}</td>
-            <td>{rung.solves}</td>
-            <td>{significant(rung.error_true, 2)}</td>
-            <td>{significant(rung.error_claimed, 2)}</td>
+            <FigureCells columns={FIGURES} row={{ rung }} />
             <td>{rung.ranking_agrees ? "agrees" : "differs"}</td>
           </tr>
         ))}

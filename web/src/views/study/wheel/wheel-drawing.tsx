@@ -45,11 +45,27 @@ export function WheelDrawing({ shape, depth_mm, films, size_mm, contact_deg, cho
       <path class="wheel-ground-line" d={`M${-HALF} ${ground}H${HALF}`} />
       <ZeroMark radius={rim} contact_deg={contact_deg} />
       {films.map((film, k) => (
-        <Film key={k} film={film} isChosen={k === chosen} beside={besideOf(films, k)} radius={scale * innerRadius(shape, film.section_deg)} scale={scale} size_mm={size_mm} contact_deg={contact_deg} />
+        <Film
+          key={k}
+          film={film}
+          isChosen={k === chosen}
+          beside={besideOf(films, k)}
+          radius={scale * innerRadius(shape, film.section_deg)}
+          scale={scale}
+          size_mm={size_mm}
+          contact_deg={contact_deg}
+        />
       ))}
       {places.map(({ name, theta_deg }, k) => (
-        <Place key={name} name={name} theta_deg={theta_deg} radius={inner} ground={ground} isBest={best.includes(name)}
-          labelX={LABELS_APART * (k - (places.length - 1) / 2)} />
+        <Place
+          key={name}
+          name={name}
+          theta_deg={theta_deg}
+          radius={inner}
+          ground={ground}
+          isBest={best.includes(name)}
+          labelX={LABELS_APART * (k - (places.length - 1) / 2)}
+        />
       ))}
       {lines.map((line, k) => (
         <text key={line} class={k === 0 ? "wheel-word wheel-first" : "wheel-word"} y={18 * (k - (lines.length - 1) / 2) + 4} text-anchor="middle">
@@ -86,7 +102,17 @@ function Film({ film, isChosen, beside, radius, scale, size_mm, contact_deg }: F
   const along = Math.abs(Math.cos((film.angle_deg * Math.PI) / 180));
   const drawn = scale * Math.max(width * Math.sqrt(1 - along * along), length * along);
   const kind = film.angle_deg === 0 ? "film-x" : film.angle_deg === 90 ? "film-y" : "film-other";
-  return <rect class={`wheel-film ${kind}${isChosen ? " wheel-chosen" : ""}`} x={-drawn / 2} y={-3.5} width={drawn} height={7} rx={1.5} transform={`translate(${x} ${y}) rotate(${-apart})`} />;
+  return (
+    <rect
+      class={`wheel-film ${kind}${isChosen ? " wheel-chosen" : ""}`}
+      x={-drawn / 2}
+      y={-3.5}
+      width={drawn}
+      height={7}
+      rx={1.5}
+      transform={`translate(${x} ${y}) rotate(${-apart})`}
+    />
+  );
 }
 
 /** Shows how far the wheel is turned. */

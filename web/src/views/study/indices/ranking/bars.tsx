@@ -1,84 +1,70 @@
+import { across, frameOf } from "../../../../lib/chart/frame.ts";
+import { linearTicks, percents, places, placeTicks, type Linear } from "../../../../lib/chart/scales.ts";
 import { directionName, type Direction } from "../../../../lib/direction.ts";
 import { fixed, MISSING } from "../../../../lib/format.ts";
 import { paperPercent } from "../../../../lib/study/paper/paper-table.ts";
 import { bars, productFormBroken, type Bar } from "../../../../lib/study/result-picks.ts";
 import type { StudyResult } from "../../../../wire.ts";
+import { Axis } from "../../../shared/chart/axis.tsx";
+import { Chart } from "../../../shared/chart/chart.tsx";
+import { ErrorBar } from "../../../shared/chart/marks.tsx";
+import { KeyEntry } from "../../../shared/chart/key.tsx";
 import { Figure } from "../../../shared/figure.tsx";
 
-const WIDTH = 460;
-const LEFT = 34;
-const RIGHT = 96;
-const TOP = 8;
-const ROW = 30;
-const FOOT = 34;
-
-const x = (percent: number): number => LEFT + ((WIDTH - LEFT - RIGHT) * Math.min(100, Math.max(0, percent))) / 100;
+const [WIDTH, ROW] = [460, 30];
+const BESIDE = { left: 34, right: 96, top: 8, bottom: 36 };
+/** Share of a row that is free. */
+const GAP = 7 / 15;
 
 /** Indices of one direction as bars with error bars; M-DRM's and the paper's figures are marked where they are compared. */
 export function Bars({ result, direction, isCompared }: { result: StudyResult; direction: Direction; isCompared: boolean }) {
   const rows = bars(result, direction);
-  const broken = productFormBroken(result, direction);
-  const height = TOP + ROW * rows.length + FOOT;
+  const isBroken = productFormBroken(result, direction);
+  const frame = frameOf(WIDTH, BESIDE.top + ROW * rows.length + BESIDE.bottom, BESIDE);
+  const x = percents(across(frame));
+  const names = rows.map((row) => row.name);
+  const y = places(names, [frame.top, frame.bottom], GAP);
   const title = `First-order indices, strain ${directionName(direction)}, percent`;
   const words = rows.map((row) => `${row.name} ${fixed(row.percent, 1)}`).join(", ");
   return (
     <Figure study={result.study.name} name={`indices-${direction}`}>
       <figcaption>Strain {directionName(direction)}</figcaption>
-      <svg viewBox={`0 0 ${WIDTH} ${height}`} role="img" aria-label={`${title}: ${words}`}>
-        <Axis bottom={height - FOOT} />
-        {rows.map((row, index) => (
-          <Row key={row.name} row={row} y={TOP + ROW * index} direction={direction} broken={broken} isCompared={isCompared} />
+      <Chart frame={frame} label={`${title}: ${words}`}>
+        <Axis side="bottom" frame={frame} {...linearTicks(x, 4)} title="percent of the centre's variance" />
+        <Axis class="bar-names" side="left" frame={frame} {...placeTicks(y)} lines="none" />
+        {rows.map((row) => (
+          <g key={row.name} transform={`translate(0 ${placeTicks(y).at(row.name)})`}>
+            <Measured row={row} x={x} breadth={y.bandwidth()} />
+            {isCompared && <Compared row={row} x={x} paper={paperPercent(row.name, direction)} isBroken={isBroken} />}
+          </g>
         ))}
-      </svg>
+      </Chart>
     </Figure>
   );
 }
 
-function Axis({ bottom }: { bottom: number }) {
+/** A row about its middle: the bar, its error, and both as figures. */
+function Measured({ row: { percent, error }, x, breadth }: { row: Bar; x: Linear; breadth: number }) {
+  const reach = percent === null ? "" : ` ± ${error === null ? MISSING : fixed(error, 1)}`;
   return (
-    <g class="axis">
-      {[0, 25, 50, 75, 100].map((percent) => (
-        <g key={percent}>
-          <line x1={x(percent)} x2={x(percent)} y1={TOP} y2={bottom} />
-          <text x={x(percent)} y={bottom + 14} text-anchor="middle">
-            {percent}
-          </text>
-        </g>
-      ))}
-      <text x={x(50)} y={bottom + 29} text-anchor="middle">
-        percent of the centre's variance
+    <>
+      {percent !== null && <rect class="bar" x={x(0)} y={-breadth / 2} width={x(percent) - x(0)} height={breadth} />}
+      {percent !== null && error !== null && <ErrorBar class="error-bar" isLying at={0} ends={[x(percent - error), x(percent + error)]} cap={5} />}
+      <text class="bar-value" x={WIDTH - 4} y={4} text-anchor="end">
+        {fixed(percent, 1)}
+        {reach}
       </text>
-    </g>
+    </>
   );
 }
 
-function Row(props: { row: Bar; y: number; direction: Direction; broken: boolean; isCompared: boolean }) {
-  const { row, y, direction, broken, isCompared } = props;
-  const middle = y + ROW / 2;
-  const paper = isCompared ? paperPercent(row.name, direction) : null;
+function Compared({ row: { mdrm }, x, paper, isBroken }: { row: Bar; x: Linear; paper: number | null; isBroken: boolean }) {
   return (
-    <g>
-      <text class="bar-name" x={LEFT - 8} y={middle + 4} text-anchor="end">
-        {row.name}
-      </text>
-      {row.percent !== null && (
-        <rect class="bar" x={LEFT} y={y + 7} width={Math.max(0, x(row.percent) - LEFT)} height={ROW - 14} />
-      )}
-      {row.percent !== null && row.error !== null && (
-        <ErrorBar low={x(row.percent - row.error)} high={x(row.percent + row.error)} middle={middle} />
-      )}
-      {isCompared && row.mdrm !== null && broken && <circle class="mdrm-mark" cx={x(row.mdrm)} cy={middle} r={4.5} />}
-      {paper !== null && <Diamond cx={x(paper)} cy={middle} />}
-      <text class="bar-value" x={WIDTH - 4} y={middle + 4} text-anchor="end">
-        {fixed(row.percent, 1)}
-        {row.percent === null ? "" : ` ± ${row.error === null ? MISSING : fixed(row.error, 1)}`}
-      </text>
-    </g>
+    <>
+      {mdrm !== null && isBroken && <circle class="mdrm-mark" cx={x(mdrm)} r={4.5} />}
+      {paper !== null && <Diamond cx={x(paper)} cy={0} />}
+    </>
   );
-}
-
-function ErrorBar({ low, high, middle }: { low: number; high: number; middle: number }) {
-  return <path class="error-bar" d={`M${low} ${middle}H${high}M${low} ${middle - 5}V${middle + 5}M${high} ${middle - 5}V${middle + 5}`} />;
 }
 
 function Diamond({ cx, cy }: { cx: number; cy: number }) {
@@ -89,33 +75,20 @@ function Diamond({ cx, cy }: { cx: number; cy: number }) {
 export function BarKey({ isCompared }: { isCompared: boolean }) {
   return (
     <p class="key">
-      <span>
-        <svg viewBox="0 0 24 12" aria-hidden="true">
-          <rect class="bar" x={0} y={2} width={18} height={8} />
-          <path class="error-bar" d="M12 6H23M12 3V9M23 3V9" />
-        </svg>
-        valid index and its error
-      </span>
-      {isCompared && <ComparedKey />}
-    </p>
-  );
-}
-
-function ComparedKey() {
-  return (
-    <>
-      <span>
-        <svg viewBox="0 0 12 12" aria-hidden="true">
+      <KeyEntry text="valid index and its error" box="0 0 24 12">
+        <rect class="bar" x={0} y={2} width={18} height={8} />
+        <ErrorBar class="error-bar" isLying at={6} ends={[12, 23]} cap={3} />
+      </KeyEntry>
+      {isCompared && (
+        <KeyEntry text="M-DRM where its product form is broken">
           <circle class="mdrm-mark" cx={6} cy={6} r={4.5} />
-        </svg>
-        M-DRM where its product form is broken
-      </span>
-      <span>
-        <svg viewBox="0 0 12 12" aria-hidden="true">
+        </KeyEntry>
+      )}
+      {isCompared && (
+        <KeyEntry text="the paper's Table 2">
           <Diamond cx={6} cy={6} />
-        </svg>
-        the paper's Table 2
-      </span>
-    </>
+        </KeyEntry>
+      )}
+    </p>
   );
 }

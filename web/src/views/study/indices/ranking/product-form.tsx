@@ -21,7 +21,7 @@ export function ProductFormNotice({ result, direction }: { result: StudyResult; 
 }
 
 function Verdict({ direction, gap }: { direction: Direction; gap: ReturnType<typeof mdrmGap> }) {
-  if (gap !== null && gap.covered) {
+  if (gap?.covered) {
     return <strong>M-DRM doesn't hold for the {direction} strain of this study, but the error bars cover its figures.</strong>;
   }
   return <strong>M-DRM is wrong for the {direction} strain of this study.</strong>;
@@ -42,9 +42,8 @@ function PaperSentence({ result, direction }: { result: StudyResult; direction: 
   if (gap === null || gap.mdrm >= gap.valid / 2) return null;
   return (
     <>
-      M-DRM's own column comes within {fixed(gap.mdrm, 1)} points of the paper's {direction} column, the valid one differs
-      from it by up to {fixed(gap.valid, 1)}:{" "}
-      <strong>the paper's {direction} column is what M-DRM gives where it doesn't hold.</strong>
+      M-DRM's own column comes within {fixed(gap.mdrm, 1)} points of the paper's {direction} column, the valid one differs from it by up to{" "}
+      {fixed(gap.valid, 1)}: <strong>the paper's {direction} column is what M-DRM gives where it doesn't hold.</strong>
     </>
   );
 }

@@ -22,9 +22,8 @@ export function RankingPanel({ result, isCompared }: { result: StudyResult; isCo
       {isCompared && <ProductFormNotice result={result} direction="y" />}
       <RankingTable result={result} isCompared={isCompared} />
       <p class="quiet">
-        <Term of="gsi">GSI</Term>: <Term of="first-order index" /> of each location's own contact depth for the strain at {centreName(result)}, percent of
-        its variance; ± is the estimated absolute error in percentage points. Certain: whether the errors leave no doubt
-        about the rank.
+        <Term of="gsi">GSI</Term>: <Term of="first-order index" /> of each location's own contact depth for the strain at {centreName(result)}, percent of its
+        variance; ± is the estimated absolute error in percentage points. Certain: whether the errors leave no doubt about the rank.
       </p>
       <Meaning centre={centreName(result) ?? "the centre"} />
     </section>
@@ -57,11 +56,10 @@ function Meaning({ centre }: { centre: string }) {
     <div class="meaning">
       <h3>What this order means</h3>
       <p>
-        Each location is scored by how much of the variation of the strain at {centre}, the deformation centre, comes
-        from the contact depth at that location alone: 100 times its first-order Sobol index, as in the paper's Table 2.
-        The rank goes by the sum of the figures for x and y. It is one choice among several, and <strong>other averages rank otherwise</strong>: <em>mean</em> averages the
-        index over the strains at all locations, <em>own</em> takes the strain at the location itself. The largest figure
-        of each column is set in bold; where the bold moves, the order depends on the question.
+        Each location is scored by how much of the variation of the strain at {centre}, the deformation centre, comes from the contact depth at that location
+        alone: 100 times its first-order Sobol index, as in the paper's Table 2. The rank goes by the sum of the figures for x and y. It is one choice among
+        several, and <strong>other averages rank otherwise</strong>: <em>mean</em> averages the index over the strains at all locations, <em>own</em> takes the
+        strain at the location itself. The largest figure of each column is set in bold; where the bold moves, the order depends on the question.
       </p>
     </div>
   );

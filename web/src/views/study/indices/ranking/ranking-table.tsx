@@ -20,9 +20,7 @@ const scoreColumn = (title: string, score: Score, hint: string): Column => ({
   value: (row, direction) => scoreOf(row, score, direction),
 });
 
-const GSI = scoreColumn(
-  "GSI %", "gsi", "100 times the first-order index of this location's own depth for the strain at the centre",
-);
+const GSI = scoreColumn("GSI %", "gsi", "100 times the first-order index of this location's own depth for the strain at the centre");
 const MDRM = scoreColumn("M\u2011DRM %", "mdrm_gsi", "What M-DRM's product form gives, valid or not");
 
 const PAPER: Column = { title: "Paper %", hint: "Table 2 of the paper", value: (row, direction) => paperPercent(row.name, direction) };
@@ -157,7 +155,12 @@ function DirectionCells({ row, rows, result, direction, isCompared }: CellsProps
 function rankIn(row: RankedLocation, rows: RankedLocation[], direction: Direction): string {
   const ranks = rows.flatMap((each) => each[`rank_${direction}`] ?? []);
   const rank = row[`rank_${direction}`];
-  return rank == null ? MISSING : rankWords(rank, ranks.map((each) => ({ rank: each })));
+  return rank == null
+    ? MISSING
+    : rankWords(
+        rank,
+        ranks.map((each) => ({ rank: each })),
+      );
 }
 
 function Method({ result, direction }: { result: StudyResult; direction: Direction }) {

@@ -24,7 +24,14 @@ export function FilmButtons({ moved }: { moved: MovingFilms }) {
   return (
     <div class="film-buttons" role="group" aria-label="Films by their angle around the wheel">
       {films.map((film, k) => (
-        <button key={k} type="button" aria-pressed={k === chosen} onClick={() => moved.choose(k)} onFocus={() => moved.choose(k)} onKeyDown={(event) => press(event, k, film)}>
+        <button
+          key={k}
+          type="button"
+          aria-pressed={k === chosen}
+          onClick={() => moved.choose(k)}
+          onFocus={() => moved.choose(k)}
+          onKeyDown={(event) => press(event, k, film)}
+        >
           {words(film)}
         </button>
       ))}

@@ -7,6 +7,7 @@ import { shapeOf } from "../../../../lib/layouts/wheel-films.ts";
 import type { FilmFields, FilmKindPlace, FilmPlace, StudyDetail, StudyResult } from "../../../../wire.ts";
 import { Figure } from "../../../shared/figure.tsx";
 import { FilmKey } from "../../wheel/film-key.tsx";
+import { pointerAngle } from "../../wheel/pointer-angle.ts";
 import { WheelDrawing } from "../../wheel/wheel-drawing.tsx";
 import { FilmButtons } from "./film-buttons.tsx";
 import type { MovingFilms } from "./use-moved-films.ts";
@@ -26,8 +27,18 @@ export function FilmEditor({ study, result, fields, moved }: Props) {
     <div>
       <Figure study={study.name} name="moved films">
         <Draggable moved={moved}>
-          <WheelDrawing shape={shapeOf(study.document)} depth_mm={fields.loads[0]?.depth_mm ?? 0} films={drawn} size_mm={fields.size_mm ?? null} contact_deg={0} chosen={chosen}
-            places={result.cut_point.locations} best={[]} lines={[`${films.length} films`, "drag to move"]} label={`${films.length} films that can be moved`} />
+          <WheelDrawing
+            shape={shapeOf(study.document)}
+            depth_mm={fields.loads[0]?.depth_mm ?? 0}
+            films={drawn}
+            size_mm={fields.size_mm ?? null}
+            contact_deg={0}
+            chosen={chosen}
+            places={result.cut_point.locations}
+            best={[]}
+            lines={[`${films.length} films`, "drag to move"]}
+            label={`${films.length} films that can be moved`}
+          />
         </Draggable>
         <FilmKey films={drawn} />
       </Figure>
@@ -71,19 +82,15 @@ function Draggable({ moved, children }: { moved: MovingFilms; children: preact.J
     isDragged.current = true;
   }
 
-  const release = (): void => void (held.current = null);
+  function release(): void {
+    held.current = null;
+  }
+
   return (
     <div class="turnable" onPointerDown={grip} onPointerMove={drag} onPointerUp={release} onPointerCancel={release}>
       {children}
     </div>
   );
-}
-
-/** Of the pointer about the wheel's middle: 0 below, positive to the right, degrees. */
-function pointerAngle(event: TargetedPointerEvent<HTMLDivElement>): number {
-  const { left, top, width } = event.currentTarget.getBoundingClientRect();
-  const middle = width / 2;
-  return (Math.atan2(event.clientX - left - middle, event.clientY - top - middle) * 180) / Math.PI;
 }
 
 /** What the chosen film is. */
@@ -93,7 +100,12 @@ function Chosen({ fields, moved }: { fields: FilmFields; moved: MovingFilms }) {
   if (film === undefined || chosen === null) return null;
   return (
     <p class="film-fields">
-      <KindChoice label="Kind" kinds={fields.kinds} value={kindOf(fields, film) ?? 0} onChoose={(kind) => moved.change(turnedInto(films, chosen, kind), chosen)} />
+      <KindChoice
+        label="Kind"
+        kinds={fields.kinds}
+        value={kindOf(fields, film) ?? 0}
+        onChoose={(kind) => moved.change(turnedInto(films, chosen, kind), chosen)}
+      />
       <button type="button" onClick={() => moved.change(dropped(films, chosen), null)}>
         Drop this film
       </button>
@@ -116,8 +128,7 @@ function AddFilm({ fields, moved }: { fields: FilmFields; moved: MovingFilms }) 
     <p class="film-fields">
       <KindChoice label="New film" kinds={fields.kinds} value={kind} onChoose={(_, index) => setKind(index)} />
       <label>
-        at{" "}
-        <input class="film-angle" type="number" min={-360} max={360} step={1} value={theta} onInput={(event) => setTheta(event.currentTarget.value)} /> °
+        at <input class="film-angle" type="number" min={-360} max={360} step={1} value={theta} onInput={(event) => setTheta(event.currentTarget.value)} /> °
       </label>
       <button type="button" disabled={!isPlace || of === undefined || films.length >= MOST_FILMS} onClick={add}>
         Add

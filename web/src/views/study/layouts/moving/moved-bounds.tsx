@@ -2,7 +2,7 @@ import { loadWords, short } from "../../../../lib/layouts/layout-words.ts";
 import { layoutBounds, type Bounds, type LoadBounds, type ReadyFields } from "../../../../lib/layouts/moving/layout-bounds.ts";
 import { comparedWords } from "../../../../lib/layouts/moving/compared-words.ts";
 import type { FilmPlace } from "../../../../wire.ts";
-import { ScrollTable } from "../../../shared/scroll-table.tsx";
+import { ScrollTable, words } from "../../../shared/scroll-table.tsx";
 import { useMemo } from "preact/hooks";
 
 interface Props {
@@ -22,16 +22,7 @@ export function MovedBounds({ ready, films, begun }: Props) {
       <p class="headline" role="status">
         {films.length} films. {comparedWords(worst(now), before === null ? null : worst(before))}
       </p>
-      <ScrollTable name="Bounds of the moved films" kind="bounds">
-        <thead>
-          <tr>
-            <th scope="col" class="words">Load</th>
-            <th scope="col">Angle, worst °</th>
-            <th scope="col">before °</th>
-            <th scope="col">Angle, rms °</th>
-            <th scope="col">Depth, worst mm</th>
-          </tr>
-        </thead>
+      <ScrollTable name="Bounds of the moved films" kind="bounds" columns={[words("Load"), "Angle, worst °", "before °", "Angle, rms °", "Depth, worst mm"]}>
         <tbody>
           {now.map((found, k) => (
             <Row key={k} now={found} before={before?.[k]} />
@@ -39,7 +30,8 @@ export function MovedBounds({ ready, films, begun }: Props) {
         </tbody>
       </ScrollTable>
       <p class="quiet">
-        Cramér–Rao bounds with the depth unknown, over all angles at which the wheel touches down: no estimate is better. Forces along and across the wheel are left out here.
+        Cramér–Rao bounds with the depth unknown, over all angles at which the wheel touches down: no estimate is better. Forces along and across the wheel are
+        left out here.
       </p>
     </>
   );
@@ -49,7 +41,9 @@ function Row({ now, before }: { now: LoadBounds; before: LoadBounds | undefined 
   const bounds = boundsOf(now);
   return (
     <tr>
-      <th scope="row" class="words">{loadWords({ depth_mm: now.load.depth_mm, load_n: now.load.load_n ?? null })}</th>
+      <th scope="row" class="words">
+        {loadWords({ depth_mm: now.load.depth_mm, load_n: now.load.load_n ?? null })}
+      </th>
       {bounds === null ? <td>blind at {"blind_deg" in now ? now.blind_deg : 0}°</td> : <td>{short(bounds.worst_angle_deg)}</td>}
       <td>{short(before === undefined ? null : boundsOf(before)?.worst_angle_deg)}</td>
       <td>{short(bounds?.rms_angle_deg)}</td>

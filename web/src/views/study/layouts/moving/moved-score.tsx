@@ -26,7 +26,12 @@ interface Answer {
 export function MovedScore({ study, films, layout, isMoved }: Props) {
   const [answer, setAnswer] = useState<Answer | null>(null);
   const isHere = useRef(true);
-  useEffect(() => () => void (isHere.current = false), []);
+  useEffect(
+    () => () => {
+      isHere.current = false;
+    },
+    [],
+  );
   const waits = useMemo(
     () =>
       createNewestWaits(async (asked: FilmPlace[]) => {

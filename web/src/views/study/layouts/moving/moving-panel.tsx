@@ -62,7 +62,7 @@ function Kept({ study, films }: { study: string; films: readonly FilmPlace[] }) 
       </p>
       <details>
         <summary>As TOML, to copy into a study</summary>
-        <pre class="moved-toml" tabIndex={0} aria-label="The layout as TOML">
+        <pre class="moved-toml" tabIndex={0} role="group" aria-label="The layout as TOML">
           {freeLayoutToml(nameOf(1), films)}
         </pre>
       </details>

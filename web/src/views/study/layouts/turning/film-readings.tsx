@@ -22,23 +22,17 @@ export function FilmReadings({ readings, noise, unit }: Props) {
       <p>
         {heard} of {readings.length} films read more than their noise.
       </p>
-      <ScrollTable name="Readings of the films" kind="readings" isTall>
-        <thead>
-          <tr>
-            <th scope="col">From the contact</th>
-            <th scope="col">Film</th>
-            <th scope="col">Reads {name}</th>
-            <th scope="col">Noise {name}</th>
-            <th scope="col">Times its noise</th>
-          </tr>
-        </thead>
+      <ScrollTable
+        name="Readings of the films"
+        kind="readings"
+        isTall
+        columns={["From the contact", "Film", `Reads ${name}`, `Noise ${name}`, "Times its noise"]}
+      >
         <tbody>
           {rows.map(({ film, apart_deg, signal }) => (
             <tr key={`${film.theta_deg} ${film.section_deg} ${film.angle_deg}`} class={Math.abs(signal) > noise ? undefined : "below-noise"}>
               <th scope="row">{fixed(apart_deg, Number.isInteger(apart_deg) ? 0 : 1)}°</th>
-              <td>
-                {filmWord(String(film.angle_deg))}
-              </td>
+              <td>{filmWord(String(film.angle_deg))}</td>
               <td>{shown(signal)}</td>
               <td>± {shown(noise)}</td>
               <td>{fixed(Math.abs(signal) / noise, 1)}</td>

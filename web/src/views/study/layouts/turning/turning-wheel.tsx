@@ -6,6 +6,7 @@ import { angleBound, readings, turnedBy, worstAngle } from "../../../../lib/layo
 import type { CutPoint, LayoutFindings, RankedLayout, StudyDetail } from "../../../../wire.ts";
 import { Figure } from "../../../shared/figure.tsx";
 import { FilmKey } from "../../wheel/film-key.tsx";
+import { pointerAngle } from "../../wheel/pointer-angle.ts";
 import { WheelDrawing } from "../../wheel/wheel-drawing.tsx";
 import { FilmReadings } from "./film-readings.tsx";
 
@@ -24,7 +25,7 @@ const LEAP_DEG = 10;
 export function TurningWheel({ study, cut, layout, findings }: Props) {
   const [contact_deg, turn] = useState(0);
   const films = useMemo(() => filmsOf(layout), [layout]);
-  const noise = layout.score.noise_strain;
+  const noise = layout.score.noise_strain ?? layout.score.noise_v ?? 0;
   const worst = useMemo(() => worstAngle(films, findings.rings, noise), [films, findings, noise]);
   const all = readings(films, findings.rings, contact_deg) ?? [];
   const bound_deg = angleBound(all, noise);
@@ -35,8 +36,17 @@ export function TurningWheel({ study, cut, layout, findings }: Props) {
     <div class="turning-body">
       <Figure study={study.name} name="wheel">
         <Turnable contact_deg={contact_deg} onTurn={turn} onWorst={toWorst} words={told}>
-          <WheelDrawing shape={shapeOf(study.document)} depth_mm={depth_mm} films={films} size_mm={findings.size_mm ?? null} contact_deg={contact_deg}
-            places={cut.locations} best={[]} lines={[`${short(contact_deg)}°`, "touches down"]} label={`${layoutWords(layout)}, turned to ${contact_deg}°`} />
+          <WheelDrawing
+            shape={shapeOf(study.document)}
+            depth_mm={depth_mm}
+            films={films}
+            size_mm={findings.size_mm ?? null}
+            contact_deg={contact_deg}
+            places={cut.locations}
+            best={[]}
+            lines={[`${short(contact_deg)}°`, "touches down"]}
+            label={`${layoutWords(layout)}, turned to ${contact_deg}°`}
+          />
         </Turnable>
         <FilmKey films={films} />
       </Figure>
@@ -50,10 +60,11 @@ export function TurningWheel({ study, cut, layout, findings }: Props) {
           </button>
         </p>
         <p class="quiet">
-          At a depth of {short(depth_mm)} mm. Drag the wheel, or use the arrow keys on it. The error is the Cramér–Rao bound with the depth unknown and a noise of{" "}
-          {short(noise)} {findings.unit ?? "strain"} on each film, whatever it reads: the least that any estimate can reach. Between whole degrees readings are interpolated.
+          At a depth of {short(depth_mm)} mm. Drag the wheel, or use the arrow keys on it. The error is the Cramér–Rao bound with the depth unknown and a noise
+          of {short(noise)} {findings.unit} on each film, whatever it reads: the least that any estimate can reach. Between whole degrees readings are
+          interpolated.
         </p>
-        <FilmReadings readings={all} noise={noise} unit={findings.unit ?? "strain"} />
+        <FilmReadings readings={all} noise={noise} unit={findings.unit} />
       </div>
     </div>
   );
@@ -98,16 +109,22 @@ function Turnable({ contact_deg, onTurn, onWorst, words, children }: TurnablePro
   }
 
   return (
-    <div class="turnable" tabIndex={0} role="slider" aria-label="Angle of the wheel that touches down" aria-valuemin={0} aria-valuemax={359} aria-valuenow={contact_deg}
-      aria-valuetext={words} onKeyDown={press} onPointerDown={grip} onPointerMove={drag} onPointerUp={() => (from.current = null)} onPointerCancel={() => (from.current = null)}>
+    <div
+      class="turnable"
+      tabIndex={0}
+      role="slider"
+      aria-label="Angle of the wheel that touches down"
+      aria-valuemin={0}
+      aria-valuemax={359}
+      aria-valuenow={contact_deg}
+      aria-valuetext={words}
+      onKeyDown={press}
+      onPointerDown={grip}
+      onPointerMove={drag}
+      onPointerUp={() => (from.current = null)}
+      onPointerCancel={() => (from.current = null)}
+    >
       {children}
     </div>
   );
-}
-
-/** Of the pointer about the wheel's middle: 0 below, positive to the right, degrees. */
-function pointerAngle(event: TargetedPointerEvent<HTMLDivElement>): number {
-  const { left, top, width } = event.currentTarget.getBoundingClientRect();
-  const middle = width / 2;
-  return (Math.atan2(event.clientX - left - middle, event.clientY - top - middle) * 180) / Math.PI;
 }

@@ -1,5 +1,5 @@
+import type { Frame } from "../../../../lib/chart/frame.ts";
 import type { Raster } from "../../../../lib/tire/map/field-raster.ts";
-import type { Frame } from "./map-frame.ts";
 
 /** Paints a raster into the frame, even between its pixels. */
 export function paintRaster(canvas: HTMLCanvasElement, raster: Raster, frame: Frame): void {
@@ -14,6 +14,6 @@ export function paintRaster(canvas: HTMLCanvasElement, raster: Raster, frame: Fr
   context.imageSmoothingQuality = "high";
   // The outermost pixels' middles are the edges of the map.
   const [sourceWidth, sourceHeight] = [raster.width - 1, raster.height - 1];
-  const at = [frame.left, frame.top, frame.plotWidth, frame.plotHeight].map((value) => value * density) as [number, number, number, number];
+  const at = [frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top].map((value) => value * density) as [number, number, number, number];
   context.drawImage(picture, 0.5, 0.5, sourceWidth, sourceHeight, ...at);
 }

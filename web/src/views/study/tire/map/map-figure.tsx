@@ -1,9 +1,10 @@
-import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { stepped, type MapGrid, type SurfacePoint } from "../../../../lib/tire/map/map-grid.ts";
+import { useWidth } from "../../../shared/chart/use-width.ts";
 import type { MapModel } from "../tire-model.ts";
 import { MapAxes } from "./map-axes.tsx";
 import { paintRaster } from "./map-canvas.ts";
-import { anglesAt, frameOf, xOf, yOf, type Frame } from "./map-frame.ts";
+import { anglesAt, mapFrame, xOf, yOf, type MapFrame } from "./map-frame.ts";
 import { Contours, FilmMarks, PointMarks } from "./map-marks.tsx";
 
 interface Props {
@@ -15,13 +16,15 @@ interface Props {
   onPin: (point: SurfacePoint | null) => void;
 }
 
+const GUESSED_WIDTH = 560;
+
 /** The unrolled field on a canvas, its axes and marks over it; the pointer and the arrow keys choose a place. */
 export function MapFigure({ model, title, point, pinned, onPoint, onPin }: Props) {
   const holder = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
-  const width = useWidth(holder);
+  const width = useWidth(holder, GUESSED_WIDTH);
   const { shown } = model;
-  const frame = frameOf(model.rulers, width);
+  const frame = mapFrame(model.rulers, width);
   useEffect(() => {
     if (canvas.current !== null && shown !== null) paintRaster(canvas.current, shown.raster, frame);
   }, [shown?.raster, width]);
@@ -67,19 +70,6 @@ export function MapFigure({ model, title, point, pinned, onPoint, onPin }: Props
   );
 }
 
-function useWidth(holder: { current: HTMLElement | null }): number {
-  const [width, setWidth] = useState(560);
-  useLayoutEffect(() => {
-    const element = holder.current;
-    if (element === null) return undefined;
-    setWidth(element.clientWidth);
-    const observer = new ResizeObserver(() => setWidth(element.clientWidth));
-    observer.observe(element);
-    return () => observer.disconnect();
-  }, []);
-  return width;
-}
-
 /** The grid point after a key; null for keys that mean nothing here. */
 function moved(grid: MapGrid, point: SurfacePoint | null, key: string): SurfacePoint | null {
   const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[key];
@@ -88,7 +78,7 @@ function moved(grid: MapGrid, point: SurfacePoint | null, key: string): SurfaceP
 }
 
 /** The place that stays. */
-function Pin({ point, frame }: { point: SurfacePoint; frame: Frame }) {
+function Pin({ point, frame }: { point: SurfacePoint; frame: MapFrame }) {
   const [x, y] = [xOf(frame, point.theta_deg), yOf(frame, point.phi_deg)];
   return (
     <g class="pin">
@@ -101,9 +91,9 @@ function Pin({ point, frame }: { point: SurfacePoint; frame: Frame }) {
 }
 
 /** The chosen place, dark on light so that it shows on every colour. */
-function Cross({ point, frame }: { point: SurfacePoint; frame: Frame }) {
+function Cross({ point, frame }: { point: SurfacePoint; frame: MapFrame }) {
   const [x, y] = [xOf(frame, point.theta_deg), yOf(frame, point.phi_deg)];
-  if (x < frame.left || x > frame.left + frame.plotWidth) return null;
+  if (x < frame.left || x > frame.right) return null;
   const path = `M${x - 9},${y}H${x - 3}M${x + 3},${y}H${x + 9}M${x},${y - 9}V${y - 3}M${x},${y + 3}V${y + 9}`;
   return (
     <g class="cross">

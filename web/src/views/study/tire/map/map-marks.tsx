@@ -1,16 +1,16 @@
 import { cornersOfFilm, type PatchSize, type ShownFilm } from "../../../../lib/tire/surface/film-patches.ts";
-import { css } from "../../../../lib/colour.ts";
+import { css } from "../../../../lib/chart/colour.ts";
 import { fixed, microstrain, significant } from "../../../../lib/format.ts";
 import { contourLabels, type ContourLine } from "../../../../lib/tire/map/contour-lines.ts";
 import type { PlaceMark, Scale, ScaleUnit } from "../../../../lib/tire/map/surface-field.ts";
 import { endsOf } from "../../../../lib/tire/map/arc-length.ts";
-import { xOf, yOf, type Frame } from "./map-frame.ts";
+import { xOf, yOf, type MapFrame } from "./map-frame.ts";
 
 /** Room that a label needs, CSS pixels. */
 const LABEL_WIDTH = 22;
 
 /** P1, P2, ... */
-export function PointMarks({ marks, frame }: { marks: readonly PlaceMark[]; frame: Frame }) {
+export function PointMarks({ marks, frame }: { marks: readonly PlaceMark[]; frame: MapFrame }) {
   const at = (mark: PlaceMark): number => xOf(frame, mark.theta_deg);
   const crowded = marks.some((mark, index) => index > 0 && at(mark) - at(marks[index - 1] as PlaceMark) < LABEL_WIDTH);
   return (
@@ -33,22 +33,35 @@ export function PointMarks({ marks, frame }: { marks: readonly PlaceMark[]; fram
 const [CONTOUR_LABEL_WIDTH, CONTOUR_LABEL_HEIGHT] = [46, 15];
 
 const LABELS: Record<ScaleUnit, (value: number) => string> = {
-  percent: (value) => `${fixed(100 * value, 0)} %`, microstrain, volt: (value) => significant(value, 2),
+  percent: (value) => `${fixed(100 * value, 0)} %`,
+  microstrain,
+  volt: (value) => significant(value, 2),
 };
 
 /** Lines of equal value; of each value one is labelled. */
-export function Contours({ lines, scale, marks, frame }: { lines: readonly ContourLine[]; scale: Scale; marks: readonly PlaceMark[]; frame: Frame }) {
-  const apart: [number, number] = [CONTOUR_LABEL_WIDTH / frame.plotWidth, CONTOUR_LABEL_HEIGHT / frame.plotHeight];
+export function Contours({ lines, scale, marks, frame }: { lines: readonly ContourLine[]; scale: Scale; marks: readonly PlaceMark[]; frame: MapFrame }) {
+  const [wide, high] = [frame.right - frame.left, frame.bottom - frame.top];
   // A mark and its name, which stands above it.
-  const taken = marks.flatMap((mark) => [0, 12].map((up) => shareAt(frame, xOf(frame, mark.theta_deg), yOf(frame, mark.phi_deg) - up)));
-  const place = ([x, y]: readonly [number, number]): [number, number] => [frame.left + x * frame.plotWidth, frame.top + y * frame.plotHeight];
+  const taken = marks.flatMap((mark) =>
+    [0, 12].map((up) => [(xOf(frame, mark.theta_deg) - frame.left) / wide, (yOf(frame, mark.phi_deg) - up - frame.top) / high] as [number, number]),
+  );
+  const place = ([x, y]: readonly [number, number]): [number, number] => [frame.left + x * wide, frame.top + y * high];
   const label = (value: number): string => LABELS[scale.unit](value);
   return (
     <g class="contours">
       {lines.map((line, index) => (
-        <polyline key={index} points={line.points.map((point) => place(point).map((value) => value.toFixed(1)).join()).join(" ")} />
+        <polyline
+          key={index}
+          points={line.points
+            .map((point) =>
+              place(point)
+                .map((value) => value.toFixed(1))
+                .join(),
+            )
+            .join(" ")}
+        />
       ))}
-      {contourLabels(lines, apart, taken).map(({ value, at }) => {
+      {contourLabels(lines, [CONTOUR_LABEL_WIDTH / wide, CONTOUR_LABEL_HEIGHT / high], taken).map(({ value, at }) => {
         const [x, y] = place(at);
         return (
           <text key={value} x={x} y={y + 4} text-anchor="middle">
@@ -60,10 +73,6 @@ export function Contours({ lines, scale, marks, frame }: { lines: readonly Conto
   );
 }
 
-function shareAt(frame: Frame, x: number, y: number): [number, number] {
-  return [(x - frame.left) / frame.plotWidth, (y - frame.top) / frame.plotHeight];
-}
-
 /** Rim of a coloured film. */
 const DARK = "#101820";
 
@@ -71,10 +80,9 @@ const DARK = "#101820";
 const POINT_FILM: PatchSize = [15, 5];
 
 /** The films of a layout: patches of true size, and arrows to those beyond the map. */
-export function FilmMarks({ films, size, frame }: { films: readonly ShownFilm[]; size: PatchSize | null; frame: Frame }) {
+export function FilmMarks({ films, size, frame }: { films: readonly ShownFilm[]; size: PatchSize | null; frame: MapFrame }) {
   const [low, high] = endsOf({ angles: [], marks: frame.rulers.along.angles });
-  const scale = size === null || frame.rulers.unit !== "mm" ? 1 : frame.plotWidth / (endsOf(frame.rulers.along)[1] - endsOf(frame.rulers.along)[0]);
-  const shape = size === null || frame.rulers.unit !== "mm" ? POINT_FILM : size;
+  const [shape, scale] = size === null || frame.rulers.unit !== "mm" ? [POINT_FILM, 1] : [size, frame.x(1) - frame.x(0)];
   const inside = films.filter(({ theta_deg }) => theta_deg >= low && theta_deg <= high);
   return (
     <g class="film-marks">
@@ -90,8 +98,8 @@ export function FilmMarks({ films, size, frame }: { films: readonly ShownFilm[];
 }
 
 /** An arrow at the edge for each section angle that has films beyond it. */
-function Beyond({ films, frame, side }: { films: readonly ShownFilm[]; frame: Frame; side: 1 | -1 }) {
-  const edge = side === 1 ? frame.left + frame.plotWidth - 2 : frame.left + 2;
+function Beyond({ films, frame, side }: { films: readonly ShownFilm[]; frame: MapFrame; side: 1 | -1 }) {
+  const edge = side === 1 ? frame.right - 2 : frame.left + 2;
   return (
     <g>
       {[...new Set(films.map(({ phi_deg }) => yOf(frame, phi_deg)))].map((y) => (

@@ -65,7 +65,7 @@ function Slider({ model, line, quantityIsStrain, value, onValue }: Omit<Props, "
       </button>
       <p class="slider-words">{betweenWords(model.between, unit, mean)}</p>
       <p class="quiet">
-        {first.displacement_mm === null ? "Shapes are stored at the means only, so the tire keeps its shape. " : "The outer skin moves as the inner one does; beyond the map the wheel stays as at the means. "}
+        The outer skin moves as the inner one does; beyond the map the wheel stays as at the means.{" "}
         {!quantityIsStrain && "Indices and deviations are of the whole range: only the strain follows."}
         {(line.failed?.length ?? 0) > 0 && ` ${line.failed?.length ?? 0} values have no solve: ${line.failed?.map((each) => each.reason).join("; ") ?? ""}.`}
       </p>

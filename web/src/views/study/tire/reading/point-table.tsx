@@ -2,6 +2,7 @@ import { directionName } from "../../../../lib/direction.ts";
 import { fixed, microstrain, percent } from "../../../../lib/format.ts";
 import { statusName } from "../../../../lib/study/output-words.ts";
 import type { DirectionReading, PointReading } from "../../../../lib/tire/map/point-reading.ts";
+import { Readout } from "./readout.tsx";
 
 interface Props {
   reading: PointReading | null;
@@ -19,13 +20,18 @@ export function PointTable({ reading, isPinned, unit, inputs, where, onRelease }
   return (
     <section class="reading" aria-labelledby="reading-title">
       <h3 id="reading-title">At one place</h3>
-      <p class="readout" role="status">
-        {reading === null ? (
-          <span class="quiet">Point at tire or map to read it there; click, or press Enter, to pin the place.</span>
-        ) : (
-          <Place reading={reading} unit={unit} isPinned={isPinned} onRelease={onRelease} />
+      <Readout
+        point={reading}
+        isPinned={reading !== null && isPinned}
+        onRelease={onRelease}
+        hint="Point at tire or map to read it there; click, or press Enter, to pin the place."
+      >
+        {unit === "mm" && (
+          <span>
+            {fixed(reading?.along, 1)} mm along, {fixed(reading?.across, 1)} mm across
+          </span>
         )}
-      </p>
+      </Readout>
       <table class="point-table" aria-label="Reading at the place">
         <thead>
           <tr>
@@ -44,26 +50,6 @@ export function PointTable({ reading, isPinned, unit, inputs, where, onRelease }
         </tbody>
       </table>
     </section>
-  );
-}
-
-function Place({ reading, unit, isPinned, onRelease }: { reading: PointReading; unit: string; isPinned: boolean; onRelease: () => void }) {
-  return (
-    <>
-      <strong data-theta={reading.theta_deg} data-phi={reading.phi_deg}>
-        θ {fixed(reading.theta_deg, 1)}°, φ {fixed(reading.phi_deg, 1)}°
-      </strong>
-      {unit === "mm" && (
-        <span>
-          {fixed(reading.along, 1)} mm along, {fixed(reading.across, 1)} mm across
-        </span>
-      )}
-      {isPinned && (
-        <button type="button" class="small-button" onClick={onRelease}>
-          Let the pin go
-        </button>
-      )}
-    </>
   );
 }
 

@@ -1,4 +1,4 @@
-import type { Rgb } from "../../../../lib/colour.ts";
+import type { Rgb } from "../../../../lib/chart/colour.ts";
 
 /** The inner skin where the map ends; lighter than what isn't trusted. */
 export const BARE: Rgb = [201, 207, 213];

@@ -44,7 +44,10 @@ export function useEye(eye: Eye, onEye: (eye: Eye) => void): MovedEye {
     still();
     tell(name);
     const to = orbitOf(name);
-    if (window.matchMedia("(prefers-reduced-motion: reduce)").matches) return setOrbit(to);
+    if (window.matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      setOrbit(to);
+      return;
+    }
     const [from, begun] = [orbit, performance.now()];
     const step = (now: number): void => {
       const share = Math.min(1, Math.max(0, (now - begun) / EASE_MS));

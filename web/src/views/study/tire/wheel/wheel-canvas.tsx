@@ -53,7 +53,8 @@ export function WheelCanvas({ model, surface, title, radius_mm, sight, eye, acti
   const orbit = useMemo(() => aboutWheel(eye.orbit, radius_mm), [eye.orbit, radius_mm]);
   const { state, size, draw } = useScene(canvas, { surface, raster: shown?.raster ?? null, rulers, places, films, filmSize, factor, isCut, pointer }, orbit);
   const camera: Camera = { orbit, ...size };
-  const under = (x: number, y: number): SurfacePoint | null => pick(surface, points, triangles, rayThrough(camera, x, y), ([, across]) => !isCut || across >= -EDGE_MM);
+  const under = (x: number, y: number): SurfacePoint | null =>
+    pick(surface, points, triangles, rayThrough(camera, x, y), ([, across]) => !isCut || across >= -EDGE_MM);
   const drag = useDrag({
     turn: (right, down) => eye.set(turnedBy(eye.orbit, -right / 3, down / 3)),
     hover: (x, y) => onPoint(x === null ? null : under(x, y)),
@@ -76,7 +77,11 @@ export function WheelCanvas({ model, surface, title, radius_mm, sight, eye, acti
   return (
     <div>
       <div
-        class="wheel" tabIndex={0} role="application" onKeyDown={press} {...drag}
+        class="wheel"
+        tabIndex={0}
+        role="application"
+        onKeyDown={press}
+        {...drag}
         aria-label={`Tire in three dimensions: ${title}. Arrow keys turn, plus and minus zoom, 1 to 4 are views, c cuts, r resets.`}
       >
         <canvas ref={canvas} aria-hidden="true" data-drawn={state === "ready" ? "yes" : "no"} />
@@ -112,7 +117,10 @@ async function savePicture(canvas: { current: HTMLCanvasElement | null }, draw: 
 /** Whether the key meant something. */
 function act(key: string, { turn, zoom, goTo, cut }: WheelActions): boolean {
   const turns: Record<string, [number, number]> = {
-    ArrowLeft: [-TURN_DEG, 0], ArrowRight: [TURN_DEG, 0], ArrowUp: [0, TURN_DEG], ArrowDown: [0, -TURN_DEG],
+    ArrowLeft: [-TURN_DEG, 0],
+    ArrowRight: [TURN_DEG, 0],
+    ArrowUp: [0, TURN_DEG],
+    ArrowDown: [0, -TURN_DEG],
   };
   const by = turns[key];
   const view = VIEW_KEYS[key];
@@ -148,7 +156,10 @@ function Label({ name, x, y }: { name: string; x: number; y: number }) {
 }
 
 function NoPicture({ state }: { state: SceneState }) {
-  const why = state === "lost" ? "The browser took the graphics card away from this page. Load the page again to turn the tire." : "This browser has no WebGL, so the tire can't be turned.";
+  const why =
+    state === "lost"
+      ? "The browser took the graphics card away from this page. Load the page again to turn the tire."
+      : "This browser has no WebGL, so the tire can't be turned.";
   return (
     <div class="wheel wheel-missing">
       <p role="status">{why} The map beside shows the same values.</p>

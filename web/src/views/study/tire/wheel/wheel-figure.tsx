@@ -50,8 +50,11 @@ function Wheel({ model, surface, title, study, sight, onSight, point, onPoint, o
       {(save) => (
         <>
           <WheelButtons
-            actions={{ ...actions, save }} factor={sight.factor} onFactor={(factor) => onSight({ factor })}
-            isCut={sight.isCut} hasGround={surface.ground !== null}
+            actions={{ ...actions, save }}
+            factor={sight.factor}
+            onFactor={(factor) => onSight({ factor })}
+            isCut={sight.isCut}
+            hasGround={surface.ground !== null}
           />
           {model.isSector && <p class="quiet">The service sends no skins of this tire's whole wheel: only the map's sector of the inner skin is drawn.</p>}
         </>

@@ -1,5 +1,5 @@
 import { Color, DoubleSide, ShaderMaterial, type DataTexture, type IUniform } from "three";
-import type { Rgb } from "../../../../../lib/colour.ts";
+import type { Rgb } from "../../../../../lib/chart/colour.ts";
 
 /** What all parts of the picture share. */
 export interface SharedUniforms {

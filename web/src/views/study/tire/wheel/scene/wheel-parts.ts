@@ -31,7 +31,8 @@ export function tireParts(shared: SharedUniforms, surface: Surface, picture: Dat
   }
   if (isWheel(surface)) add(group, rimGeometry(surface), skinMaterial(shared, { colour: RIM, opacity: CLEAR }));
   // The ground is where it presses: drawn only where the tire is, too.
-  if (surface.ground !== null && shared.factor.value === 1) add(group, groundGeometry(surface), skinMaterial(shared, { colour: GROUND, opacity: 0.4, staysWhole: true }));
+  if (surface.ground !== null && shared.factor.value === 1)
+    add(group, groundGeometry(surface), skinMaterial(shared, { colour: GROUND, opacity: 0.4, staysWhole: true }));
   return group;
 }
 

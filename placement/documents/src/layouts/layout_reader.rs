@@ -1,0 +1,450 @@
+//! Reads the layouts that a study asks for: the table `layouts`.
+
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use document::Choice;
+use document::fault::{Fault, entry, member};
+use document::fields::{Fields, integer, number, shown};
+use document::typed::field_value::Field;
+use fem_client::scene::{Film, Level, Scene};
+use fem_client::solver::Position;
+use serde_json::Value;
+
+use crate::layouts::film_size_reader::{check_film, check_sizes, read_films};
+use crate::layouts::layout_bounds::{
+    ANGLE, GAIN, LONGEST_LAYOUT, MOST_ENTRIES, MOST_FILMS, MOST_FREE, MOST_LAYOUTS, MOST_LOADS,
+    MOST_PLACES, MOST_SEARCHED, MOST_SLOTS, MOST_UNITS, PLACE, SHARE, SPACING, STRAIN, VOLTS,
+};
+use crate::layouts::layout_settings::{
+    FreeLayout, LayoutLoads, Layouts, NoiseFloor, NoiseSettings, SearchSettings,
+    farthest_section_deg,
+};
+use crate::parts::directions::Directions;
+use crate::parts::film_place::FilmPlace;
+use crate::parts::scene_number::of_scene;
+use document::typed::field_value::read_name;
+use document::typed::lists::distinct_list as list;
+
+/// The layouts to score: none without the table, the common ones where it names none. Section angles and sizes are checked against the scene, where it is
+/// known; films lie in the directions that the study asks for, where the table names none. `film` is the one that is glued on, where the table asks for that.
+pub(crate) fn layouts(
+    fields: &Fields<'_>,
+    scene: Option<&Scene>,
+    directions: Directions,
+    film: Option<&Film>,
+    faults: &mut Vec<Fault>,
+) -> Option<Layouts> {
+    let Some((value, pointer)) = fields.get("layouts") else {
+        return Some(Layouts::none());
+    };
+    let mut layouts = Layouts::default();
+    let known = [
+        "spacings_deg",
+        "units",
+        "positions",
+        "section_deg",
+        "directions",
+        "staggered",
+        "free",
+        "film",
+        "size_mm",
+        "candidate_sizes_mm",
+        "depths_mm",
+        "loads_n",
+        "noise_share",
+        "noise_strain",
+        "noise_v",
+        "gain_std",
+        "place_std_deg",
+        "dead",
+        "shear",
+        "level",
+        "search",
+    ];
+    let fields = Fields::open(value, &pointer, &known, faults)?;
+    let before = faults.len();
+    let has = |name: &str| fields.get(name).is_some();
+    // Who names other layouts doesn't mean the common ones, too.
+    if ["units", "free", "search"].into_iter().any(has) {
+        layouts.spacings_deg.clear();
+    }
+    if has("section_deg") {
+        layouts.positions.clear();
+    }
+    let section =
+        |value: &Value, at: &str, faults: &mut Vec<Fault>| section(value, at, scene, faults);
+    entries(
+        &fields,
+        "spacings_deg",
+        &mut layouts.spacings_deg,
+        MOST_ENTRIES,
+        faults,
+        spacing,
+    );
+    entries(
+        &fields,
+        "units",
+        &mut layouts.units,
+        MOST_ENTRIES,
+        faults,
+        |value, at, faults| integer(value, at, 1, MOST_UNITS, faults).map(|units| units as usize),
+    );
+    entries(
+        &fields,
+        "positions",
+        &mut layouts.positions,
+        Position::ALL.len(),
+        faults,
+        |value, at, faults| Position::read(value, at, &(), faults),
+    );
+    entries(
+        &fields,
+        "section_deg",
+        &mut layouts.section_deg,
+        MOST_ENTRIES,
+        faults,
+        section,
+    );
+    entries(
+        &fields,
+        "directions",
+        &mut layouts.directions,
+        MOST_ENTRIES,
+        faults,
+        set,
+    );
+    layouts.staggered = flag(&fields, "staggered", faults);
+    layouts.dead = flag(&fields, "dead", faults);
+    layouts.shear = flag(&fields, "shear", faults);
+    if layouts.shear && scene.is_some_and(|scene| scene.contact.friction == 0.0) {
+        let detail = "needs ground that takes the tread along: the scene's contact.friction above 0; it is 0";
+        Fault::add(faults, &fields.at("shear"), detail);
+    }
+    if layouts.shear && scene.is_some_and(|scene| scene.ground.is_dragged()) {
+        let detail =
+            "is about ground that isn't dragged: the scene's ground.shift_mm must be left out";
+        Fault::add(faults, &fields.at("shear"), detail);
+    }
+    let free =
+        |value: &Value, at: &str, faults: &mut Vec<Fault>| free_layout(value, at, scene, faults);
+    if let Some((value, at)) = fields.get("free") {
+        layouts.free = list(value, &at, MOST_FREE, faults, free).unwrap_or_default();
+    }
+    layouts.loads = loads(&fields, faults);
+    layouts.noise = noise(&fields, faults);
+    if has("level") {
+        layouts.level = fields.choice("level", Level::CHOICES, Level::Coarse, faults);
+    }
+    layouts.search = search(&fields, scene, faults);
+    check_count(&layouts, &pointer, faults);
+    read_films(&fields, &mut layouts, film, faults);
+    if let Some(scene) = scene.filter(|_| faults.len() == before) {
+        check_film(&layouts, &fields, scene, faults);
+        check_sizes(&layouts, &fields, &scene.geometry, directions, faults);
+    }
+    (faults.len() == before).then_some(layouts)
+}
+
+/// Reads a list into its place, where it is given.
+fn entries<T: PartialEq>(
+    fields: &Fields<'_>,
+    name: &str,
+    place: &mut Vec<T>,
+    longest: usize,
+    faults: &mut Vec<Fault>,
+    read: impl Fn(&Value, &str, &mut Vec<Fault>) -> Option<T>,
+) {
+    if let Some((value, pointer)) = fields.get(name)
+        && let Some(items) = list(value, &pointer, longest, faults, read)
+    {
+        *place = items;
+    }
+}
+
+fn flag(fields: &Fields<'_>, name: &str, faults: &mut Vec<Fault>) -> bool {
+    let Some((value, pointer)) = fields.get(name) else {
+        return false;
+    };
+    value.as_bool().unwrap_or_else(|| {
+        Fault::add(
+            faults,
+            &pointer,
+            format!("must be true or false; it is {}", shown(value)),
+        );
+        false
+    })
+}
+
+fn spacing(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<f64> {
+    let spacing = number(value, pointer, SPACING, faults)?;
+    let units = 360.0 / spacing;
+    // A spacing such as 51.428571428571 for sevenths of a turn is meant to divide it.
+    if (units - units.round()).abs() > 1e-9 * units {
+        let detail = format!("must divide 360 degrees into whole units; {spacing} gives {units}");
+        Fault::add(faults, pointer, detail);
+        return None;
+    }
+    Some(360.0 / units.round())
+}
+
+/// A section angle up to a wall's thickness off the bead, where the clamp makes strains of its own.
+fn section(
+    value: &Value,
+    pointer: &str,
+    scene: Option<&Scene>,
+    faults: &mut Vec<Fault>,
+) -> Option<f64> {
+    let farthest = scene.map_or(180.0, |scene| farthest_section_deg(&scene.geometry));
+    let read = value.as_f64().filter(|angle| angle.abs() <= farthest);
+    if read.is_none() {
+        let detail = format!(
+            "must be an angle from the crown of -{farthest:.1} to {farthest:.1} degrees, a wall's thickness off the bead; it is {}",
+            shown(value)
+        );
+        Fault::add(faults, pointer, detail);
+    }
+    read.map(|angle| angle + 0.0)
+}
+
+/// A direction, degrees to the circumference: a name or an angle.
+fn direction(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<f64> {
+    match value.as_str() {
+        Some("x") => Some(0.0),
+        Some("y") => Some(90.0),
+        None if value.is_number() => number(value, pointer, ANGLE, faults),
+        _ => {
+            Fault::add(
+                faults,
+                pointer,
+                format!(
+                    "must be \"x\", \"y\" or an angle in degrees; it is {}",
+                    shown(value)
+                ),
+            );
+            None
+        }
+    }
+}
+
+fn set(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Vec<f64>> {
+    let directions = list(value, pointer, 4, faults, direction)?;
+    if directions.is_empty() {
+        Fault::add(faults, pointer, "must name a direction; it is empty");
+        return None;
+    }
+    Some(directions)
+}
+
+fn free_layout(
+    value: &Value,
+    pointer: &str,
+    scene: Option<&Scene>,
+    faults: &mut Vec<Fault>,
+) -> Option<FreeLayout> {
+    let fields = Fields::open(value, pointer, &["name", "films"], faults)?;
+    let name = read_name(&fields, "name", LONGEST_LAYOUT, faults);
+    let (value, at) = fields.required("films", "a list of films", faults)?;
+    let films = list(value, &at, MOST_FILMS, faults, |value, at, faults| {
+        film(value, at, scene, faults)
+    })?;
+    if films.is_empty() {
+        Fault::add(faults, &at, "must list a film; it is empty");
+        return None;
+    }
+    Some(FreeLayout { name: name?, films })
+}
+
+/// Reads where a film lies, on a scene where it is known.
+pub fn film(
+    value: &Value,
+    pointer: &str,
+    scene: Option<&Scene>,
+    faults: &mut Vec<Fault>,
+) -> Option<FilmPlace> {
+    let fields = Fields::open(
+        value,
+        pointer,
+        &["theta_deg", "phi_deg", "angle_deg"],
+        faults,
+    )?;
+    let theta_deg = fields.number("theta_deg", ANGLE, 0.0, faults);
+    let phi_deg = fields
+        .get("phi_deg")
+        .map_or(Some(0.0), |(value, at)| section(value, &at, scene, faults));
+    let angle_deg = fields.number("angle_deg", ANGLE, 0.0, faults);
+    Some(FilmPlace {
+        theta_deg: theta_deg?,
+        phi_deg: phi_deg?,
+        angle_deg: angle_deg?,
+    })
+}
+
+fn loads(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> LayoutLoads {
+    let read = |name: &str, path: &str, faults: &mut Vec<Fault>| -> Option<Vec<f64>> {
+        let (value, pointer) = fields.get(name)?;
+        let of_scene =
+            |value: &Value, at: &str, faults: &mut Vec<Fault>| positive(path, value, at, faults);
+        let items = list(value, &pointer, MOST_LOADS, faults, of_scene)?;
+        if items.is_empty() {
+            Fault::add(
+                faults,
+                &pointer,
+                format!("must have 1 to {MOST_LOADS} entries; it is empty"),
+            );
+        }
+        Some(items)
+    };
+    let depths = read("depths_mm", "ground.depths_mm[0]", faults);
+    let forces = read("loads_n", "ground.load_n", faults);
+    if fields.get("depths_mm").is_some() && fields.get("loads_n").is_some() {
+        let detail = "and depths_mm are two ways to say the same: give one of them";
+        Fault::add(faults, &fields.at("loads_n"), detail);
+    }
+    match (depths, forces) {
+        (Some(depths), _) => LayoutLoads::Depths(depths),
+        (None, Some(forces)) => LayoutLoads::Forces(forces),
+        (None, None) => LayoutLoads::Mean,
+    }
+}
+
+/// A number as a scene reads the field at this path, above zero.
+fn positive(path: &str, value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<f64> {
+    let read = of_scene(path, value, pointer, faults)?;
+    if read <= 0.0 {
+        Fault::add(
+            faults,
+            pointer,
+            format!("must be above 0: nothing is felt of an unpressed tire; it is {read}"),
+        );
+        return None;
+    }
+    Some(read)
+}
+
+fn noise(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> NoiseSettings {
+    let mut noise = NoiseSettings::default();
+    let share = fields
+        .get("noise_share")
+        .map(|(value, at)| number(value, &at, SHARE, faults));
+    let strain = fields
+        .get("noise_strain")
+        .map(|(value, at)| number(value, &at, STRAIN, faults));
+    let volts = fields
+        .get("noise_v")
+        .map(|(value, at)| number(value, &at, VOLTS, faults));
+    for (name, given) in [("noise_strain", strain), ("noise_v", volts)] {
+        if given.is_some() && share.is_some() {
+            let detail = "and noise_share are two ways to say the same: give one of them";
+            Fault::add(faults, &fields.at(name), detail);
+        }
+    }
+    match (share.flatten(), strain.flatten(), volts.flatten()) {
+        (Some(share), ..) => noise.floor = NoiseFloor::Share(share),
+        (_, Some(strain), _) => noise.floor = NoiseFloor::Strain(strain),
+        (.., Some(volts)) => noise.floor = NoiseFloor::Volts(volts),
+        _ => {}
+    }
+    let numbers = [
+        ("gain_std", GAIN, &mut noise.gain_std),
+        ("place_std_deg", PLACE, &mut noise.place_std_deg),
+    ];
+    // Faults are in the list; the numbers stay as they are then.
+    let _ = fields.numbers(numbers, faults);
+    noise
+}
+
+fn search(
+    fields: &Fields<'_>,
+    scene: Option<&Scene>,
+    faults: &mut Vec<Fault>,
+) -> Option<SearchSettings> {
+    let (value, pointer) = fields.get("search")?;
+    let fields = Fields::open(
+        value,
+        &pointer,
+        &["films", "slots", "section_deg", "directions"],
+        faults,
+    )?;
+    let mut search = SearchSettings {
+        films: Vec::new(),
+        slots: 24,
+        section_deg: vec![0.0],
+        directions: vec![0.0, 90.0],
+    };
+    fields.required("films", "a list of numbers of films", faults)?;
+    entries(
+        &fields,
+        "films",
+        &mut search.films,
+        MOST_ENTRIES,
+        faults,
+        |value, at, faults| {
+            integer(value, at, 1, MOST_SEARCHED, faults).map(|films| films as usize)
+        },
+    );
+    search.slots = fields.integer("slots", (3, MOST_SLOTS), 24, faults)? as usize;
+    let section =
+        |value: &Value, at: &str, faults: &mut Vec<Fault>| section(value, at, scene, faults);
+    entries(
+        &fields,
+        "section_deg",
+        &mut search.section_deg,
+        MOST_ENTRIES,
+        faults,
+        section,
+    );
+    entries(
+        &fields,
+        "directions",
+        &mut search.directions,
+        MOST_ENTRIES,
+        faults,
+        direction,
+    );
+    for (name, is_empty) in [
+        ("films", search.films.is_empty()),
+        ("section_deg", search.section_deg.is_empty()),
+        ("directions", search.directions.is_empty()),
+    ] {
+        if is_empty {
+            Fault::add(
+                faults,
+                &member(&pointer, name),
+                "must have an entry; it is empty",
+            );
+        }
+    }
+    let places = search.slots * search.section_deg.len() * search.directions.len();
+    if places > MOST_PLACES {
+        let detail = format!(
+            "slots times section angles times directions are {places} places; a search tries at most {MOST_PLACES}"
+        );
+        Fault::add(faults, &pointer, detail);
+    }
+    if let Some((i, films)) = search
+        .films
+        .iter()
+        .enumerate()
+        .find(|(_, films)| **films > places)
+    {
+        let at = entry(&member(&pointer, "films"), i);
+        Fault::add(
+            faults,
+            &at,
+            format!("must be at most the {places} places that there are; it is {films}"),
+        );
+    }
+    Some(search)
+}
+
+fn check_count(layouts: &Layouts, pointer: &str, faults: &mut Vec<Fault>) {
+    let sets = layouts.directions.len().max(1) * if layouts.staggered { 2 } else { 1 };
+    let count = layouts.unit_counts().len() * layouts.sections_deg().len() * sets;
+    if count > MOST_LAYOUTS {
+        let detail = format!(
+            "numbers of units, section angles and sets of directions make {count} layouts; a study scores at most {MOST_LAYOUTS}"
+        );
+        Fault::add(faults, pointer, detail);
+    }
+}

@@ -1,0 +1,12 @@
+//! Layouts of films, as a study asks for them.
+//!
+//! - [`layout_settings`]: what is asked
+//! - [`film_extent`]: the rectangle that a film covers
+//! - [`layout_reader`], [`film_size_reader`]: read the table `layouts`, whose bounds are in [`layout_bounds`]; [`layout_schema`] describes it
+
+pub mod film_extent;
+pub mod film_size_reader;
+pub mod layout_bounds;
+pub mod layout_reader;
+pub mod layout_schema;
+pub mod layout_settings;

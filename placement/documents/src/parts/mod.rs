@@ -1,0 +1,11 @@
+//! Parts that several documents have.
+//!
+//! - [`directions`]: which strains are asked for, and what follows from that
+//! - [`film_place`], [`film_model`]: where a film lies, and how it is modelled
+//! - [`scene_number`], [`scene_reader`]: read a number as a scene has it, and a scene
+
+pub mod directions;
+pub mod film_model;
+pub mod film_place;
+pub mod scene_number;
+pub mod scene_reader;

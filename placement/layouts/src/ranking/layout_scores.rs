@@ -1,0 +1,388 @@
+//! Scores of layouts on one mesh, at every load.
+
+use std::collections::BTreeMap;
+
+use crate::arrangement::{Arrangement, LaidFilm};
+use crate::field::film_field::{DepthFields, LoadField, Noise};
+use crate::fisher::bounds::{bayes_angle_deg, bounds, weakest_signal};
+use crate::simulate::alike::alike;
+use crate::simulate::posterior::Likelihood;
+use crate::simulate::simulation::{Draws, Simulated, simulate};
+use results::{DeadFilm, LayoutScore, ShearScore};
+
+/// Scores layouts on the fields of one mesh.
+pub struct Scorer {
+    noise: Noise,
+    /// Likelihoods by the kinds of film that a layout has.
+    likelihoods: BTreeMap<Vec<usize>, Likelihood>,
+    depths_mm: Vec<f64>,
+    draws: Draws,
+    dead: bool,
+}
+
+impl Scorer {
+    /// Prepares for these layouts at these depths, with so many simulated readings. `dead`: also without the film whose loss costs most.
+    pub fn new<'a>(
+        fields: &DepthFields,
+        noise: Noise,
+        depths_mm: Vec<f64>,
+        layouts: impl Iterator<Item = &'a Arrangement>,
+        (seed, samples): (u64, usize),
+        dead: bool,
+    ) -> Self {
+        let (mut likelihoods, mut films) = (BTreeMap::new(), 0);
+        for layout in layouts {
+            films = films.max(layout.films.len());
+            let of_kinds = |kinds: &Vec<usize>| Likelihood::new(fields.of_kinds(kinds), noise);
+            let kinds = kinds_of(layout);
+            likelihoods.entry(kinds).or_insert_with_key(of_kinds);
+        }
+        Self {
+            noise,
+            likelihoods,
+            depths_mm,
+            draws: Draws::new(seed, samples, films),
+            dead,
+        }
+    }
+
+    /// Returns the scorer with other noise in its simulated readings.
+    #[must_use]
+    pub fn with_draws(self, draws: Draws) -> Self {
+        Self { draws, ..self }
+    }
+
+    /// The noise of each film.
+    pub fn noise(&self) -> Noise {
+        self.noise
+    }
+
+    /// A layout's scores at each depth.
+    ///
+    /// # Panics
+    /// Of a layout that wasn't announced.
+    pub fn scores(&self, arrangement: &Arrangement) -> Vec<LayoutScore> {
+        let mut scores = self.figures(arrangement);
+        let (likelihood, own) = self.own(arrangement);
+        for (score, depth) in scores.iter_mut().zip(&self.depths_mm) {
+            score.alike = alike(likelihood.fields(), *depth, &own, &self.noise);
+        }
+        if self.dead {
+            let dead = self.dead_film(likelihood, &own).into_iter();
+            scores
+                .iter_mut()
+                .zip(dead)
+                .for_each(|(score, dead)| score.dead = Some(dead));
+        }
+        scores
+    }
+
+    /// Bounds and simulated errors alone, at each depth.
+    ///
+    /// # Panics
+    /// Of a layout that wasn't announced.
+    pub fn figures(&self, arrangement: &Arrangement) -> Vec<LayoutScore> {
+        let (likelihood, own) = self.own(arrangement);
+        let simulated = simulate(likelihood, &self.depths_mm, &own, &self.draws);
+        let at = |(depth, simulated): (&f64, &Simulated)| {
+            self.score(likelihood.fields(), *depth, &own, simulated)
+        };
+        self.depths_mm.iter().zip(&simulated).map(at).collect()
+    }
+
+    /// The likelihood of a layout's kinds of film, and the layout with its kinds numbered as there.
+    fn own(&self, arrangement: &Arrangement) -> (&Likelihood, Arrangement) {
+        let kinds = kinds_of(arrangement);
+        (&self.likelihoods[&kinds], renumbered(arrangement, &kinds))
+    }
+
+    fn score(
+        &self,
+        fields: &DepthFields,
+        depth_mm: f64,
+        arrangement: &Arrangement,
+        simulated: &Simulated,
+    ) -> LayoutScore {
+        let field = &fields.at(depth_mm);
+        LayoutScore {
+            simulated_rms_angle_error_deg: Some(simulated.rms_angle_deg),
+            simulated_rms_angle_error_deg_se: Some(simulated.rms_angle_se_deg),
+            simulated_p95_angle_error_deg: Some(simulated.p95_angle_deg),
+            simulated_p95_angle_error_deg_se: Some(simulated.p95_angle_se_deg),
+            lost_share: Some(simulated.lost_share),
+            simulated_rms_depth_error_mm: Some(simulated.rms_depth_mm),
+            force_error_n: Some(simulated.rms_depth_mm * field.force_slope.abs()),
+            shear: shear(fields, &self.noise, depth_mm, arrangement),
+            ..bounded(field, &self.noise, arrangement)
+        }
+    }
+
+    /// The film whose loss costs most by the bound over all depths, and what estimates without it are worth at each.
+    fn dead_film(&self, likelihood: &Likelihood, arrangement: &Arrangement) -> Vec<DeadFilm> {
+        let fields: Vec<LoadField> = self
+            .depths_mm
+            .iter()
+            .map(|depth| likelihood.field(*depth))
+            .collect();
+        let bounds_without = |film: usize| -> Vec<Option<f64>> {
+            let rest = arrangement.without(film);
+            fields
+                .iter()
+                .map(|field| bayes_angle_deg(field, &rest, &self.noise))
+                .collect()
+        };
+        let mut worst = (0, bounds_without(0));
+        let sum = |bounds: &[Option<f64>]| bounds.iter().flatten().sum::<f64>();
+        for film in 1..arrangement.different_films() {
+            let bounds = bounds_without(film);
+            if sum(&bounds) > sum(&worst.1) {
+                worst = (film, bounds);
+            }
+        }
+        let rest = arrangement.without(worst.0);
+        let simulated = match rest.films.is_empty() {
+            true => Vec::new(),
+            false => simulate(likelihood, &self.depths_mm, &rest, &self.draws),
+        };
+        let at = |(k, bound): (usize, Option<f64>)| DeadFilm {
+            film: worst.0,
+            simulated_p95_angle_error_deg: simulated
+                .get(k)
+                .map(|simulated| simulated.p95_angle_deg),
+            bayes_angle_error_deg: bound,
+        };
+        worst.1.into_iter().enumerate().map(at).collect()
+    }
+}
+
+/// A layout's bounds at each depth, with nothing simulated: a thousandth of the work.
+pub fn bounds_alone(
+    fields: &DepthFields,
+    noise: &Noise,
+    depths_mm: &[f64],
+    arrangement: &Arrangement,
+) -> Vec<LayoutScore> {
+    let kinds = kinds_of(arrangement);
+    let (fields, own) = (fields.of_kinds(&kinds), renumbered(arrangement, &kinds));
+    let at = |depth: &f64| LayoutScore {
+        shear: shear(&fields, noise, *depth, &own),
+        ..bounded(&fields.at(*depth), noise, &own)
+    };
+    depths_mm.iter().map(at).collect()
+}
+
+fn bounded(field: &LoadField, noise: &Noise, arrangement: &Arrangement) -> LayoutScore {
+    let bounds = bounds(field, arrangement, noise);
+    let known = bounds.as_ref().ok();
+    LayoutScore {
+        weakest_signal: Some(weakest_signal(field, arrangement)),
+        worst_angle_error_deg: known.map(|bounds| bounds.worst_angle_deg),
+        rms_angle_error_deg: known.map(|bounds| bounds.rms_angle_deg),
+        worst_depth_error_mm: known.map(|bounds| bounds.worst_depth_mm),
+        bayes_angle_error_deg: bayes_angle_deg(field, arrangement, noise),
+        noise_strain: (!noise.in_volts).then_some(noise.floor),
+        noise_v: noise.in_volts.then_some(noise.floor),
+        reason: bounds.err(),
+        ..LayoutScore::default()
+    }
+}
+
+/// Bounds with the ground's shifts unknown, too, where it was dragged.
+fn shear(
+    fields: &DepthFields,
+    noise: &Noise,
+    depth_mm: f64,
+    arrangement: &Arrangement,
+) -> Option<ShearScore> {
+    let (field, shear) = fields.with_shear(depth_mm)?;
+    let bounds = match bounds(&field, arrangement, noise) {
+        Ok(bounds) => bounds,
+        Err(reason) => {
+            return Some(ShearScore {
+                reason: Some(reason),
+                ..ShearScore::default()
+            });
+        }
+    };
+    let of_shift = |axis: usize| {
+        let shift = bounds.worst_shift_mm[axis]?;
+        Some(shift * shear.force_slopes[axis].abs())
+    };
+    let of_depth = bounds.worst_depth_mm * field.force_slope.abs();
+    let forces = [of_shift(0), of_shift(1), Some(of_depth)];
+    Some(ShearScore {
+        worst_angle_error_deg: Some(bounds.worst_angle_deg),
+        worst_force_error_n: Some(forces),
+        error: None,
+        reason: untold(&forces, shear.sliding_n),
+    })
+}
+
+/// Says which force isn't felt, or known no better than that the ground doesn't slide.
+fn untold(forces_n: &[Option<f64>; 3], sliding_n: f64) -> Option<String> {
+    let which = |is: &dyn Fn(&Option<f64>) -> bool| -> String {
+        let forces = ["along", "across"].into_iter().zip(forces_n);
+        let names: Vec<&str> = forces
+            .filter(|(_, force)| is(force))
+            .map(|(name, _)| name)
+            .collect();
+        names.join(" and ")
+    };
+    let unfelt = which(&|force| force.is_none());
+    let unknown = which(&|force| force.is_some_and(|error| error >= sliding_n));
+    let reasons = [
+        (!unfelt.is_empty()).then(|| format!("no film feels the force {unfelt}")),
+        (!unknown.is_empty()).then(|| {
+            format!("the force {unknown} isn't known within the {sliding_n:.1} N at which the ground slides")
+        }),
+    ];
+    let reasons: Vec<String> = reasons.into_iter().flatten().collect();
+    (!reasons.is_empty()).then(|| reasons.join("; "))
+}
+
+/// Kinds of film of a layout, each once, in order.
+fn kinds_of(arrangement: &Arrangement) -> Vec<usize> {
+    let mut kinds: Vec<usize> = arrangement.films.iter().map(|film| film.kind).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    kinds
+}
+
+/// The layout with kinds numbered by their places in a list that has them.
+fn renumbered(arrangement: &Arrangement, kinds: &[usize]) -> Arrangement {
+    let film = |film: &LaidFilm| LaidFilm {
+        theta_deg: film.theta_deg,
+        kind: kinds.partition_point(|&kind| kind < film.kind),
+    };
+    Arrangement {
+        films: arrangement.films.iter().map(film).collect(),
+        period_deg: arrangement.period_deg,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field::film_field::ShearField;
+    use crate::fisher::bounds::tests::{NOISE, gaussian};
+    use crate::simulate::simulation::SAMPLES;
+
+    #[test]
+    fn a_layout_of_some_kinds_has_the_scores_of_its_own() {
+        let fields = gaussian(14.0);
+        let layouts = [
+            Arrangement::regular(9, &[1], false),
+            Arrangement::regular(9, &[0, 1], false),
+        ];
+        let scorer = Scorer::new(
+            &fields,
+            NOISE,
+            vec![1.0, 0.6],
+            layouts.iter(),
+            (1, SAMPLES),
+            true,
+        );
+        let [alone, both] = [&layouts[0], &layouts[1]].map(|layout| scorer.scores(layout));
+        assert_eq!((alone.len(), both.len()), (2, 2));
+        let expected = bounds(&fields.at(1.0), &layouts[0], &NOISE).expect("regular");
+        assert_eq!(
+            alone[0].worst_angle_error_deg,
+            Some(expected.worst_angle_deg)
+        );
+        // Less depth, less signal; a film less, less known; 13 N/mm.
+        assert!(alone[1].rms_angle_error_deg > alone[0].rms_angle_error_deg);
+        let dead = both[0].dead.expect("asked for");
+        assert!(dead.bayes_angle_error_deg > both[0].bayes_angle_error_deg);
+        let force = both[0]
+            .simulated_rms_depth_error_mm
+            .map(|depth| 13.0 * depth);
+        assert!(
+            (both[0].force_error_n.expect("a force") / force.expect("a depth") - 1.0).abs() < 1e-9
+        );
+    }
+
+    #[test]
+    fn the_last_film_that_dies_leaves_nothing_known() {
+        let one = Arrangement::free(vec![LaidFilm {
+            theta_deg: 0.0,
+            kind: 0,
+        }]);
+        let scorer = Scorer::new(
+            &gaussian(14.0),
+            NOISE,
+            vec![1.0],
+            std::iter::once(&one),
+            (1, SAMPLES),
+            true,
+        );
+        let score = &scorer.scores(&one)[0];
+        let dead = score.dead.expect("asked for");
+        assert_eq!(dead.simulated_p95_angle_error_deg, None);
+        assert!((dead.bayes_angle_error_deg.expect("the prior") - 103.923).abs() < 1e-3);
+        assert!(score.reason.is_some() && score.simulated_p95_angle_error_deg > Some(90.0));
+    }
+
+    /// A shift along changes the first kind of film alone, one across the second, by `across` times the bell.
+    fn sheared(across: f64) -> DepthFields {
+        let mut fields = gaussian(14.0);
+        let bell = |u: i32| (-0.5 * (f64::from(u) / 14.0).powi(2)).exp();
+        let over = |of: &dyn Fn(i32) -> f64| (-180..180).map(of).collect::<Vec<f64>>();
+        let along = over(&|u| f64::from(u).to_radians().sin() * bell(u));
+        let nothing = over(&|_| 0.0);
+        fields.sheared = vec![ShearField {
+            depth_mm: 1.001,
+            force_slopes: [15.0, 11.0],
+            slopes: vec![
+                [along, nothing.clone()],
+                [nothing, over(&|u| across * bell(u))],
+            ],
+            sliding_n: 6.5,
+        }];
+        fields
+    }
+
+    #[test]
+    fn forces_along_and_across_are_told_or_named() {
+        let layout = Arrangement::regular(18, &[0, 1], false);
+        let score = |fields: &DepthFields, depth: f64| {
+            let layouts = std::iter::once(&layout);
+            Scorer::new(fields, NOISE, vec![depth], layouts, (1, SAMPLES), false).scores(&layout)[0]
+                .clone()
+        };
+        let told = score(&sheared(1.0), 1.0);
+        let shear = told.shear.expect("a load that was dragged");
+        assert_eq!(shear.reason, None);
+        // What is unknown beside it can't make an error smaller.
+        assert!(shear.worst_angle_error_deg >= told.worst_angle_error_deg);
+        let fields = sheared(1.0);
+        let (field, _) = fields.with_shear(1.0).expect("dragged");
+        let expected = bounds(&field, &layout, &NOISE).expect("regular");
+        let shifts = expected
+            .worst_shift_mm
+            .map(|shift| shift.expect("an unknown"));
+        let forces = [
+            15.0 * shifts[0],
+            11.0 * shifts[1],
+            13.0 * expected.worst_depth_mm,
+        ];
+        let found = shear.worst_force_error_n.expect("forces");
+        for (force, expected) in found.into_iter().flatten().zip(forces) {
+            assert!((force / expected - 1.0).abs() < 1e-9, "{force} {expected}");
+        }
+        let weak = score(&sheared(1e-3), 1.0).shear.expect("dragged");
+        assert!(
+            weak.reason
+                .expect("named")
+                .starts_with("the force across isn't known within the 6.5 N")
+        );
+        // What no film feels takes nothing from what the others tell.
+        let unfelt = score(&sheared(0.0), 1.0).shear.expect("dragged");
+        assert_eq!(
+            unfelt.reason.as_deref(),
+            Some("no film feels the force across")
+        );
+        let [along, across, _] = unfelt.worst_force_error_n.expect("forces");
+        assert!(across.is_none() && along <= found[0]);
+        assert_eq!(score(&sheared(1.0), 0.6).shear, None);
+    }
+}

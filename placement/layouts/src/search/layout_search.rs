@@ -1,0 +1,245 @@
+//! Layouts of so many films out of many places: exhaustive where that is quick, else greedy with exchange.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+
+use crate::arrangement::LaidFilm;
+use crate::field::film_field::Noise;
+use crate::search::best_layouts::{Best, Findings};
+use crate::search::search_criterion::{SearchCriterion, SearchFields, Share};
+
+/// Layouts up to which all are looked at.
+const EXHAUSTIVE: f64 = 1e6;
+/// Rounds of exchange at most; each round that goes on makes the layout better.
+const MOST_ROUNDS: usize = 50;
+/// Starts from films at random, beside the greedy one.
+const STARTS: usize = 16;
+const SEED: u64 = 1;
+
+/// Places that films may have.
+pub struct SearchPlaces {
+    films: Vec<LaidFilm>,
+    shares: Vec<Share>,
+}
+
+impl SearchPlaces {
+    /// Shares of a film at each place in the criterion.
+    pub fn new(
+        films: Vec<LaidFilm>,
+        criterion: SearchCriterion,
+        fields: &SearchFields<'_>,
+        noise: &Noise,
+    ) -> Self {
+        let share = |film: &LaidFilm| criterion.share(film, fields, noise);
+        Self {
+            shares: films.iter().map(share).collect(),
+            films,
+        }
+    }
+
+    /// Counts the places.
+    pub fn count(&self) -> usize {
+        self.films.len()
+    }
+
+    /// The film at a place.
+    pub fn film(&self, place: usize) -> LaidFilm {
+        self.films[place]
+    }
+
+    /// The best layouts of so many films.
+    ///
+    /// # Panics
+    /// If there are fewer places.
+    pub fn search(&self, films: usize) -> Findings {
+        assert!(
+            films <= self.count(),
+            "{films} films for {} places",
+            self.count()
+        );
+        if combinations(self.count(), films) < EXHAUSTIVE {
+            self.exhaustive(films)
+        } else {
+            self.greedy(films)
+        }
+    }
+
+    /// Bound of the contact angle of films at these places, whatever the search goes by, degrees.
+    pub fn bound_deg(&self, places: &[usize]) -> f64 {
+        self.sum(places).bound_deg()
+    }
+
+    fn nothing(&self) -> Share {
+        self.shares
+            .first()
+            .map_or_else(Share::default, Share::nothing)
+    }
+
+    fn sum(&self, places: &[usize]) -> Share {
+        let mut sum = self.nothing();
+        places
+            .iter()
+            .for_each(|&place| sum.add(&self.shares[place]));
+        sum
+    }
+
+    fn exhaustive(&self, films: usize) -> Findings {
+        let mut best = Best::default();
+        let mut chosen = Vec::with_capacity(films);
+        self.deepen(films, 0, &self.nothing(), &mut chosen, &mut best);
+        best.findings(true)
+    }
+
+    /// Adds every place from `first` on to those chosen, until there are enough.
+    fn deepen(
+        &self,
+        films: usize,
+        first: usize,
+        sum: &Share,
+        chosen: &mut Vec<usize>,
+        best: &mut Best,
+    ) {
+        if chosen.len() == films {
+            best.offer(chosen, sum.error_deg());
+            return;
+        }
+        let missing = films - chosen.len();
+        let mut with = sum.nothing();
+        for place in first..=self.count() - missing {
+            with.set_to_sum(sum, &self.shares[place]);
+            chosen.push(place);
+            self.deepen(films, place + 1, &with, chosen, best);
+            chosen.pop();
+        }
+    }
+
+    /// Adds one film after the other where it helps most, then exchanges; the same from films at random, because exchange ends in a layout that no single move
+    /// makes better.
+    fn greedy(&self, films: usize) -> Findings {
+        let mut best = Best::default();
+        let (mut chosen, mut sum) = (Vec::new(), self.nothing());
+        for _ in 0..films {
+            let place = self.best_place(&chosen, &sum, &mut best, films);
+            sum.add(&self.shares[place]);
+            chosen.push(place);
+        }
+        self.exchange(chosen, &mut best);
+        let mut rng = ChaCha8Rng::seed_from_u64(SEED);
+        for _ in 0..STARTS {
+            let mut places: Vec<usize> = (0..self.count()).collect();
+            // The first entries of a shuffled list (Fisher and Yates).
+            for film in 0..films {
+                let other = film + rng.next_u64() as usize % (places.len() - film);
+                places.swap(film, other);
+            }
+            places.truncate(films);
+            self.exchange(places, &mut best);
+        }
+        best.findings(false)
+    }
+
+    /// Takes each film out and puts it back where it helps most, until none moves.
+    fn exchange(&self, mut chosen: Vec<usize>, best: &mut Best) {
+        let films = chosen.len();
+        for _ in 0..MOST_ROUNDS {
+            let before = chosen.clone();
+            for film in 0..films {
+                chosen.remove(film);
+                // Afresh, so that round-off doesn't add up.
+                let sum = self.sum(&chosen);
+                let better = self.best_place(&chosen, &sum, best, films);
+                chosen.insert(film, better);
+            }
+            if chosen == before {
+                return;
+            }
+        }
+    }
+
+    /// Returns the place where one film more helps most; whole layouts are offered as they come.
+    fn best_place(&self, chosen: &[usize], sum: &Share, best: &mut Best, films: usize) -> usize {
+        let (mut found, mut with) = ((f64::INFINITY, 0), sum.nothing());
+        for place in (0..self.count()).filter(|place| !chosen.contains(place)) {
+            with.set_to_sum(sum, &self.shares[place]);
+            let error = with.error_deg();
+            if chosen.len() + 1 == films {
+                let mut whole = [chosen, &[place]].concat();
+                whole.sort_unstable();
+                best.offer(&whole, error);
+            }
+            if error < found.0 {
+                found = (error, place);
+            }
+        }
+        found.1
+    }
+}
+
+/// Counts the layouts; infinite beyond what floats count.
+fn combinations(places: usize, films: usize) -> f64 {
+    (0..films)
+        .map(|k| (places - k) as f64 / (k + 1) as f64)
+        .product()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fisher::bounds::tests::{NOISE, gaussian};
+    use crate::search::best_layouts::KEPT;
+
+    fn places(criterion: SearchCriterion, slots: usize, width_deg: f64) -> SearchPlaces {
+        let slot = |slot: usize| {
+            (0..2).map(move |kind| LaidFilm {
+                theta_deg: slot as f64 * 360.0 / slots as f64,
+                kind,
+            })
+        };
+        let fields = gaussian(width_deg);
+        SearchPlaces::new(
+            (0..slots).flat_map(slot).collect(),
+            criterion,
+            &SearchFields {
+                loads: &[fields.at(1.0)],
+                others: &[0.5, 0.75, 1.0, 1.25, 1.5].map(|depth| fields.at(depth)),
+            },
+            &NOISE,
+        )
+    }
+
+    #[test]
+    fn greedy_with_exchange_finds_the_exhaustive_best() {
+        for (criterion, width, counts) in [
+            (SearchCriterion::Bound, 12.0, &[3, 4][..]),
+            (SearchCriterion::Bound, 25.0, &[3, 4]),
+            // Twenty times as dear.
+            (SearchCriterion::IntervalErrors, 12.0, &[3]),
+        ] {
+            let places = places(criterion, 24, width);
+            for &films in counts {
+                let (all, greedy) = (places.exhaustive(films), places.greedy(films));
+                assert!(all.is_exhaustive && all.looked_at as f64 == combinations(48, films));
+                let ratio = greedy.best[0].error_deg / all.best[0].error_deg;
+                // Turned or mirrored, a layout is as good: the same to rounding, of distances to single precision.
+                assert!((ratio - 1.0).abs() < 1e-6, "{width} {films}: {ratio}");
+                assert!(films == 3 || greedy.looked_at < all.looked_at / 10);
+            }
+        }
+    }
+
+    #[test]
+    fn the_best_are_sorted_and_differ() {
+        let found = places(SearchCriterion::Bound, 12, 14.0).search(3);
+        assert_eq!(found.best.len(), KEPT);
+        for pair in found.best.windows(2) {
+            assert!(pair[0].error_deg <= pair[1].error_deg && pair[0].places != pair[1].places);
+        }
+    }
+
+    #[test]
+    fn all_places_taken_are_one_layout() {
+        let found = places(SearchCriterion::Bound, 3, 14.0).search(6);
+        assert_eq!((found.best.len(), found.looked_at), (1, 1));
+        assert_eq!(combinations(48, 4), 194_580.0);
+    }
+}

@@ -1,0 +1,97 @@
+//! The answer of a study in one sentence, how sure it is, and why.
+
+use serde::{Deserialize, Serialize};
+
+use super::certainty_word::Certainty;
+
+/// Answer of a study: where the films go, how sure that is, and what could overturn it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct Answer {
+    /// The answer: the best layout and what it knows, or the best place where no layouts are asked for.
+    pub sentence: String,
+    /// The weaker of the verdicts on place and layout.
+    pub verdict: Certainty,
+    /// Reason why it isn't surer, or why it is certain, with the figures that decide; whole sentences.
+    pub reason: String,
+    /// The best place; null where no location has an index.
+    pub place: Option<PlaceAnswer>,
+    /// The best layout; null where none is asked for, or none has a score.
+    pub layout: Option<LayoutAnswer>,
+    /// Part that the model leaves out and that changes strains most; null where no effect is known.
+    pub left_out: Option<LeftOut>,
+    /// Price of a surer answer; null at the top of the ladder. Not part of the result's hash.
+    pub surer: Option<Surer>,
+}
+
+/// The location that ranks first.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct PlaceAnswer {
+    /// All that share the first rank or, where the verdict is tied, can't be told from the first.
+    pub names: Vec<String>,
+    /// Direction of the strain, of those asked for, whose index is larger there.
+    pub direction: String,
+    /// First-order index of the location's own depth for that strain at the contact centre, 0 to 1.
+    pub index: f64,
+    /// Claimed error of the score; null where it isn't known.
+    pub error: Option<f64>,
+    /// Certainty of the first rank, by what locations are ranked by.
+    pub verdict: Certainty,
+    /// Reason for the verdict, with the figures that decide.
+    pub reason: String,
+    /// The place in a sentence.
+    pub sentence: String,
+}
+
+/// The layout that ranks first.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct LayoutAnswer {
+    /// Rank in `layouts`.
+    pub rank: usize,
+    /// Description of the layout, as in `12 units of x and y at the crown, every 30 degrees`.
+    pub words: String,
+    /// Count of its units; of a layout without units of its films.
+    pub units: usize,
+    /// All its films.
+    pub film_count: usize,
+    /// 95 of 100 simulated contacts are estimated better than this at the worst load, degrees.
+    pub angle_error_deg: f64,
+    /// Claimed error of that, degrees; null where there is no coarser mesh.
+    pub error_deg: Option<f64>,
+    /// Ranks of layouts that the errors can't tell from it.
+    pub tied_with: Vec<usize>,
+    /// Certainty of the first rank, by what layouts are ranked by: that error times the root of the number of films.
+    pub verdict: Certainty,
+    /// Reason for the verdict, with the figures that decide; where forces along and across are unknown, too, also what tells them from the angle.
+    pub reason: String,
+}
+
+/// Part that the model leaves out.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct LeftOut {
+    /// Name of the part, as in `model.left_out`.
+    pub what: String,
+    /// Reason for leaving it out, as in `model.left_out`.
+    pub why: String,
+    /// Largest change of a strain at P1, P2, ... over the largest strain of its direction.
+    pub effect: f64,
+    /// Sentence that says what it would do.
+    pub sentence: String,
+}
+
+/// Price of a surer answer.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct Surer {
+    /// Sentence that says what the next level would do, and how long it would take.
+    pub sentence: String,
+    /// Mesh level to ask for.
+    pub level: String,
+    /// Work over that of this study with nothing solved before, by the law of solve times; null of solvers without one.
+    pub times: Option<f64>,
+    /// Expected wall-clock time with what the database has, s; null where it can't be told.
+    pub expected_s: Option<f64>,
+}

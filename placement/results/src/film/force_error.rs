@@ -1,0 +1,125 @@
+//! Errors of a force of the ground by a layout's films.
+
+use estimation::recipe::{FeatureSet, Kind, SplitKind};
+use serde::{Deserialize, Serialize};
+
+/// Error of one force by a layout's films, with an estimator that is learnt from runs of a virtual rig.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ForceError {
+    /// `fx`: along the wheel, `fy`: across it, `fz`: vertical.
+    pub axis: String,
+    /// The model that is chosen by left-out runs; `mean` where none is better than the training mean.
+    pub chosen: Kind,
+    /// The features it reads.
+    pub features: FeatureSet,
+    /// Whether its error on left-out runs is at most 95 % of the training mean's.
+    pub useful: bool,
+    /// The chosen model by random rows, by later rows, and by whole runs (cycles where there is one run).
+    pub splits: Vec<SplitError>,
+    /// Error on left-out runs over that on random rows, both as shares of the training mean's error on the same rows: how far a random split would have misled.
+    /// Null of the training mean.
+    pub leak: Option<f64>,
+    /// Error on runs that nobody learnt from: films have other gains there.
+    pub fresh: TrialError,
+    /// Error there with the one film dead whose loss costs most; null where the training mean is given, which reads no film.
+    pub dead: Option<DeadFilmError>,
+    /// Error there with films that lie elsewhere than those that were learnt from.
+    pub askew: AskewError,
+    /// Errors of these films on other tires.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub elsewhere: Vec<ElsewhereError>,
+    /// Place on the wheel where contacts are known worst; null where too few touch.
+    pub worst_contact: Option<WorstContact>,
+    /// Estimate of the least root of the mean squared error that one instant's readings allow, N: the bound of Cramer and Rao with what is known of the gait
+    /// before, for films that hold their charge.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub floor_n: Option<f64>,
+    /// Reason why numbers are null.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+}
+
+/// The chosen model on rows that were left out by one split.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct SplitError {
+    /// The split: `random` readings of the begin of one run, whose neighbours are learnt from; later `time`; whole `run`s or `cycle`s.
+    pub by: SplitKind,
+    /// Root of the mean squared error, N.
+    pub rmse_n: Option<f64>,
+    /// 95 % of the bootstrap's samples of whole cycles, N.
+    pub rmse_interval_n: Option<(f64, f64)>,
+    /// RMSE over the range of the tested forces, %.
+    pub nrmse_percent: Option<f64>,
+    /// NRMSE of the training mean, %.
+    pub mean_nrmse_percent: Option<f64>,
+    /// Coefficient of determination.
+    pub r2: Option<f64>,
+    /// Share of tested rows within their 95 % intervals, whose width was learnt from other groups.
+    pub coverage: Option<f64>,
+    /// Mean width of these intervals, N.
+    pub width_n: Option<f64>,
+    /// Reason why numbers are null.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+}
+
+/// Estimates against true forces on runs that nobody learnt from, rows in the air among them.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct TrialError {
+    /// Root of the mean squared error, N.
+    pub rmse_n: Option<f64>,
+    /// RMSE over the range of the true forces, %; null where these don't vary.
+    pub nrmse_percent: Option<f64>,
+    /// Coefficient of determination; null where the true forces don't vary.
+    pub r2: Option<f64>,
+    /// Share of the true forces within their 95 % intervals.
+    pub coverage: Option<f64>,
+    /// Share of the rows that are flagged: one of their signals is beyond what was learnt from.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub outside: Option<f64>,
+}
+
+/// Error with a film dead.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct DeadFilmError {
+    /// The film, counted from 0.
+    pub film: usize,
+    /// Error of the estimates without it.
+    pub error: TrialError,
+}
+
+/// Error on another tire.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ElsewhereError {
+    /// Difference from the study's tire, in words.
+    pub tire: String,
+    /// Whether estimators learnt from runs on it, too.
+    pub learnt: bool,
+    /// Error of the estimates there.
+    pub error: TrialError,
+}
+
+/// Error with films askew.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct AskewError {
+    /// Standard deviation of the films' places around the wheel, degrees.
+    pub std_deg: f64,
+    /// Error of the estimates then.
+    pub error: TrialError,
+}
+
+/// Contacts about one wheel angle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct WorstContact {
+    /// Middle of five degrees of the wheel.
+    pub deg: f64,
+    /// Root of the mean squared error of rows with a contact there, N.
+    pub rmse_n: f64,
+}

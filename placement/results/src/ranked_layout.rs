@@ -1,0 +1,201 @@
+//! Layouts in their order.
+
+use serde::{Deserialize, Serialize};
+
+use super::film::force_error::ForceError;
+use documents::parts::film_place::FilmPlace;
+
+/// A layout in the ranking.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct RankedLayout {
+    /// 1 is best. Layouts of equal score share the rank of the first of them.
+    pub rank: usize,
+    /// Whether the errors leave no doubt about its place; absent of one that wasn't ranked.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub rank_certain: Option<bool>,
+    /// Name of a layout that was listed film by film, or found by the search; absent of a regular one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub name: Option<String>,
+    /// Angle between neighbouring units, degrees; null of a layout without units.
+    pub spacing_deg: Option<f64>,
+    /// Number of units; of a layout without units its number of films.
+    pub units: usize,
+    /// Meridional position: a name, an angle such as `30 deg`, or `mixed`.
+    pub position: String,
+    /// Directions of the films of each unit: `x`, `y`, or an angle such as `45`.
+    pub films: Vec<String>,
+    /// Whether the films of a unit are spread evenly between two units.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub staggered: bool,
+    /// All films of the wheel.
+    pub film_count: usize,
+    /// The films of a layout without units, one by one.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub places: Vec<FilmPlace>,
+    /// Figures that may be off by more than a fifth, in words.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub doubt: Option<String>,
+    /// Scores at the load where its error is largest.
+    pub score: LayoutScore,
+    /// Scores at every load.
+    pub loads: Vec<LoadScore>,
+    /// Errors of the forces along, across and vertical on a virtual rig; absent where the study has none, and of layouts that a search found.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub force_error: Option<Vec<ForceError>>,
+}
+
+impl RankedLayout {
+    /// Whether both are names of one layout, whatever is known of it.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let label = |layout: &Self| {
+            let name = (layout.name.clone(), layout.position.clone(), layout.units);
+            (
+                name,
+                layout.films.clone(),
+                layout.staggered,
+                layout.places.clone(),
+            )
+        };
+        label(self) == label(other)
+    }
+}
+
+/// A layout's scores at one load.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct LoadScore {
+    /// Height of the ground above the inflated outer radius, mm.
+    pub depth_mm: Option<f64>,
+    /// Vertical force, N.
+    pub load_n: Option<f64>,
+    /// The scores.
+    pub score: LayoutScore,
+}
+
+/// Scores of a layout: how well it sees the contact, over all angles at which it can touch down.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct LayoutScore {
+    /// Signal of the film that sees most, strain or volts of a glued one, at the contact angle where that is least.
+    pub weakest_signal: Option<f64>,
+    /// Cramer-Rao bound of the contact angle, worst angle, degrees.
+    pub worst_angle_error_deg: Option<f64>,
+    /// Cramer-Rao bound of the contact angle, root mean square over the angles, degrees.
+    pub rms_angle_error_deg: Option<f64>,
+    /// Cramer-Rao bound of a uniform depth, worst angle, mm.
+    pub worst_depth_error_mm: Option<f64>,
+    /// Bound of the contact angle's error with a flat prior, root mean square over the angles, degrees: finite where the others aren't.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub bayes_angle_error_deg: Option<f64>,
+    /// Error of the contact angle as estimated from noisy readings, root mean square, degrees.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub simulated_rms_angle_error_deg: Option<f64>,
+    /// Standard error of the root mean square by the number of simulated contacts, degrees.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub simulated_rms_angle_error_deg_se: Option<f64>,
+    /// 95 % of simulated contacts are estimated better than this, degrees.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub simulated_p95_angle_error_deg: Option<f64>,
+    /// Standard error of the 95th percentile by the number of simulated contacts, degrees.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub simulated_p95_angle_error_deg_se: Option<f64>,
+    /// Share of simulated contacts that are off by more than 20 degrees.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub lost_share: Option<f64>,
+    /// Error of the depth as estimated, root mean square, mm.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub simulated_rms_depth_error_mm: Option<f64>,
+    /// Error of the depth as a vertical force, N: by the slope of force over depth.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub force_error_n: Option<f64>,
+    /// The two contacts, more than 20 degrees apart, that look most alike.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub alike: Option<AlikeContacts>,
+    /// Score with the one film dead whose loss costs most, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub dead: Option<DeadFilm>,
+    /// Score with forces along and across the wheel unknown, too, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub shear: Option<ShearScore>,
+    /// Noise of each film assumed for the bounds, strain; null of glued films.
+    pub noise_strain: Option<f64>,
+    /// Noise of each glued film assumed for the bounds, V; absent of bare ones.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub noise_v: Option<f64>,
+    /// Errors by the mesh and the number of simulated contacts; absent where there is no coarser mesh.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub error: Option<LayoutError>,
+    /// Reason why numbers are null.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+}
+
+/// Claimed errors of a layout's scores, each in the unit of its score.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct LayoutError {
+    /// Error of the bound of the angle, worst angle, degrees.
+    pub worst_angle_error_deg: Option<f64>,
+    /// Error of the bound of the angle, root mean square, degrees.
+    pub rms_angle_error_deg: Option<f64>,
+    /// Error of the bound of the depth, mm.
+    pub worst_depth_error_mm: Option<f64>,
+    /// Error of the simulated root mean square, degrees.
+    pub simulated_rms_angle_error_deg: Option<f64>,
+    /// Error of the simulated 95th percentile, degrees.
+    pub simulated_p95_angle_error_deg: Option<f64>,
+}
+
+/// Cramer-Rao bounds with four unknowns: contact angle, depth, and the ground's shifts along the wheel and across it, about a contact that isn't dragged. A
+/// shift across that no film feels doesn't enter.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ShearScore {
+    /// Bound of the contact angle, worst angle, degrees.
+    pub worst_angle_error_deg: Option<f64>,
+    /// Bounds of the ground's forces on the tire along the wheel, across it (null where no film feels it) and up, worst angle, N.
+    pub worst_force_error_n: Option<[Option<f64>; 3]>,
+    /// Errors by the mesh; absent where there is no coarser one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub error: Option<ShearError>,
+    /// Quantity that can't be told, in words.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+}
+
+/// Claimed errors of bounds with four unknowns, each in the unit of its bound.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct ShearError {
+    /// Error of the bound of the angle, degrees.
+    pub worst_angle_error_deg: Option<f64>,
+    /// Errors of the bounds of the forces, N.
+    pub worst_force_error_n: Option<[Option<f64>; 3]>,
+}
+
+/// Two contacts that readings can hardly tell apart.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct AlikeContacts {
+    /// Angle of the first, degrees; its depth is that of the load.
+    pub angle_deg: f64,
+    /// Angle of the second, degrees.
+    pub other_angle_deg: f64,
+    /// Depth of the second, mm.
+    pub other_depth_mm: f64,
+    /// Distance of their readings in standard deviations of the noise.
+    pub sigmas: f64,
+}
+
+/// Score that is left when a film dies.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct DeadFilm {
+    /// The film, counted from 0.
+    pub film: usize,
+    /// Simulated 95th percentile of the angle's error without it, degrees.
+    pub simulated_p95_angle_error_deg: Option<f64>,
+    /// Bound of the angle with a flat prior without it, root mean square, degrees.
+    pub bayes_angle_error_deg: Option<f64>,
+}

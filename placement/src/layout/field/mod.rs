@@ -1,5 +1,0 @@
-//! What films read around the wheel: [`hermite`] curves through samples, [`film_field`] signals over angle and depth, [`separated`] the same as short sums.
-
-pub mod film_field;
-pub mod hermite;
-pub mod separated;

@@ -1,0 +1,428 @@
+//! Solves the points of a plan that the archive lacks, on threads of their own.
+//!
+//! The cut point is solved first, from scratch. All others start from the cut point's equilibrium and from no other:
+//! a start from whichever neighbour happens to be ready would make the answer depend on the order of the work. So a
+//! point's answer is the same to the bit on any number of threads and after any interruption.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use fem_client::scene::Scene;
+use fem_client::solver::{Readout, SolveError, SolveRequest, Solver, StartState};
+use rayon::iter::{ParallelBridge, ParallelIterator};
+
+use super::attempt::{Costed, Found, Process, ask, quarantined};
+use super::point_readouts::PointReadouts;
+use super::point_watch::PointWatch;
+use super::run_error::{RunError, refusals};
+use super::run_event::{Event, Observer};
+use crate::points::archive::{Archive, ArchiveError, PointRecord};
+use crate::points::worker_threads::on_threads;
+use documents::study::sha256_hex;
+use results::{Cause, FailedPoint};
+
+/// Points of one run, with what they share.
+pub(crate) struct Points<'r> {
+    /// The scene of each; the first is the one from whose equilibrium the others start.
+    pub scenes: &'r [Scene],
+    /// Input values of each.
+    pub values: &'r [Vec<f64>],
+    pub readout: &'r Readout,
+    pub solver: &'r dyn Solver,
+    pub archive: &'r dyn Archive,
+    pub stop: &'r AtomicBool,
+    pub pause: Option<&'r AtomicBool>,
+    pub observer: Observer<'r>,
+    /// Content key of each point.
+    pub keys: Vec<String>,
+    /// Place of the points in the run.
+    pub place: Place,
+}
+
+/// Place of a plan's points among all that a run solves.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Place {
+    /// Ordinal of the plan's first point: all before are done.
+    pub first: usize,
+    /// Points of the run, as far as that is known.
+    pub of: usize,
+}
+
+/// A value with the ordinal of its point.
+type Numbered<T> = (usize, T);
+
+/// Answers in the order of the plan, and how many of them were there already.
+pub(crate) struct Answers {
+    pub points: Vec<Costed>,
+    pub reused: usize,
+}
+
+/// Content keys: SHA-256 over all that determines an outcome to the bit, which is the solver's version, the scene, the
+/// readout and the start. The cut point starts from scratch, the others from the cut point, which its key stands for.
+pub(crate) fn keys<'k>(
+    scenes: &'k [Scene],
+    solver: &dyn Solver,
+    readout: &'k Readout,
+) -> impl Iterator<Item = String> + 'k {
+    let version = solver.version();
+    let readouts = PointReadouts::new(readout, scenes);
+    let key = move |ordinal: usize, start: &str| {
+        let (scene, readout) = (scenes[ordinal].to_value(), readouts.of(ordinal));
+        let content = serde_json::json!({
+            "solver": version, "scene": scene, "readout": readout, "start": start,
+        });
+        sha256_hex(&content.to_string())
+    };
+    let cut = key(0, "scratch");
+    (0..scenes.len()).map(move |ordinal| match ordinal {
+        0 => cut.clone(),
+        _ => key(ordinal, &cut),
+    })
+}
+
+/// Points looked up in the archive before the run asks whether it is to stop.
+const AT_ONCE: usize = 4096;
+
+/// Crashes of its own process after which a point is left alone.
+const QUARANTINE: usize = 3;
+
+/// Points by what is known of their crashes.
+#[derive(Default)]
+struct Suspicion {
+    clean: Vec<usize>,
+    suspect: Vec<usize>,
+    quarantined: Vec<Numbered<Costed>>,
+}
+
+/// Reason why a point has no answer.
+enum Lack {
+    /// The solver refused it: its siblings go on.
+    Refused(SolveError),
+    /// The run ends.
+    Stopped,
+    /// The run ends.
+    Archive(ArchiveError),
+}
+
+impl Points<'_> {
+    /// Loads or solves every point; the cut point's outcome is a response.
+    pub fn answers(&self, threads: usize) -> Result<Answers, RunError> {
+        let mut found = self.loaded()?;
+        let reused = found.iter().flatten().count();
+        (self.observer)(Event::Started {
+            points: self.place.of,
+            reused: self.place.first + reused,
+        });
+        let done = Mutex::new(self.place.first + reused);
+        let lacking: Vec<usize> = (0..found.len()).filter(|i| found[*i].is_none()).collect();
+        let Suspicion {
+            clean,
+            suspect,
+            quarantined,
+        } = self.suspicion(&lacking)?;
+        for (ordinal, answer) in quarantined {
+            self.report(ordinal, &answer, &done);
+            found[ordinal] = Some(answer);
+        }
+        let cut_failed = matches!(found[0], Some((Err(_), _)));
+        if !lacking.is_empty() || cut_failed {
+            let of_cut = match suspect.first() {
+                Some(0) => Process::Apart,
+                _ => Process::Own,
+            };
+            let start = self.cut_point(&mut found[0], of_cut, &done)?;
+            // Those that may end the program come last, and each alone: only one process more takes memory.
+            let (own, apart) = ((clean, Process::Own), (suspect, Process::Apart));
+            for ((ordinals, process), threads) in [(own, threads), (apart, 1)] {
+                let rest: Vec<usize> = ordinals.into_iter().filter(|i| *i != 0).collect();
+                for (ordinal, answer) in self.others(&rest, &start, process, threads, &done)? {
+                    found[ordinal] = Some(answer);
+                }
+            }
+        }
+        let points: Vec<_> = found.into_iter().flatten().collect();
+        assert_eq!(
+            points.len(),
+            self.keys.len(),
+            "every point is loaded, solved or reported"
+        );
+        Ok(Answers { points, reused })
+    }
+
+    /// Loads what the archive has of them.
+    fn loaded(&self) -> Result<Vec<Option<Costed>>, RunError> {
+        let mut found = Vec::with_capacity(self.keys.len());
+        for keys in self.keys.chunks(AT_ONCE) {
+            if self.stop.load(Ordering::Relaxed) {
+                return Err(RunError::Stopped);
+            }
+            found.extend(self.archive.load(keys, self.place.first + found.len())?);
+        }
+        Ok(found)
+    }
+
+    /// Sorts points by what is known of their crashes.
+    fn suspicion(&self, lacking: &[usize]) -> Result<Suspicion, ArchiveError> {
+        let suspects = self.archive.crashes()?;
+        let mut sorted = Suspicion::default();
+        for &ordinal in lacking {
+            match suspects.get(&self.keys[ordinal]) {
+                None => sorted.clean.push(ordinal),
+                Some(crashes) if crashes.own >= QUARANTINE => {
+                    let found = quarantined(crashes.own, &crashes.cause);
+                    sorted.quarantined.push((ordinal, found.answer));
+                }
+                Some(_) => sorted.suspect.push(ordinal),
+            }
+        }
+        Ok(sorted)
+    }
+
+    /// The equilibrium at the means, from the archive or solved now.
+    fn cut_point(
+        &self,
+        found: &mut Option<Costed>,
+        process: Process,
+        done: &Mutex<usize>,
+    ) -> Result<StartState, RunError> {
+        if found.is_none() {
+            let Found {
+                answer,
+                state,
+                lasting,
+            } = match self.solved(0, None, process) {
+                Ok(solved) => solved,
+                Err(lack) => return Err(self.cut_error(lack, done)),
+            };
+            if lasting {
+                self.save(0, &answer, state.as_ref())?;
+            }
+            self.report(0, &answer, done);
+            *found = Some(answer);
+            if let Some(state) = state {
+                return Ok(state);
+            }
+        }
+        if let Some((Err(unsolved), _)) = found {
+            return Err(self.without_cut((&*unsolved).into()));
+        }
+        let key = &self.keys[0];
+        let start = self.archive.load_start(key)?;
+        start.ok_or_else(|| RunError::StartMissing { key: key.clone() })
+    }
+
+    /// Returns the error of a run without the cut point: there is nothing for the others to start from.
+    fn without_cut(&self, cause: Cause) -> RunError {
+        RunError::PointsFailed {
+            failed: vec![self.failed_point(0, cause)],
+        }
+    }
+
+    fn cut_error(&self, lack: Lack, done: &Mutex<usize>) -> RunError {
+        match lack {
+            Lack::Stopped => RunError::Stopped,
+            Lack::Archive(error) => RunError::Archive(error),
+            Lack::Refused(SolveError::Refused { faults }) => RunError::Refused { faults },
+            Lack::Refused(error) => {
+                self.report_refused(0, &error, done);
+                self.without_cut(Cause::other(cause(&error)))
+            }
+        }
+    }
+
+    /// Solves the points with these ordinals, all from the same start.
+    fn others(
+        &self,
+        ordinals: &[usize],
+        start: &StartState,
+        process: Process,
+        threads: usize,
+        done: &Mutex<usize>,
+    ) -> Result<Vec<Numbered<Costed>>, RunError> {
+        let over = AtomicBool::new(false);
+        let unless_over = |&ordinal: &usize| {
+            if over.load(Ordering::Relaxed) {
+                return None;
+            }
+            let outcome = self.point(ordinal, start, process, done);
+            // Asked after a point, so that a run that is paused again and again still comes to its end.
+            let paused = self
+                .pause
+                .is_some_and(|pause| pause.load(Ordering::Relaxed));
+            if paused || matches!(outcome, Err(Lack::Stopped | Lack::Archive(_))) {
+                over.store(true, Ordering::Relaxed);
+            }
+            Some((ordinal, outcome))
+        };
+        // In their order, so that of two mirrored grounds one is still remembered when the other one's turn comes.
+        let points = || ordinals.iter().par_bridge().filter_map(unless_over);
+        let mut outcomes: Vec<_> = on_threads(threads.min(ordinals.len()), || points().collect());
+        outcomes.sort_by_key(|(ordinal, _)| *ordinal);
+        let whole = outcomes.len() == ordinals.len();
+        let answers = self.sorted_out(outcomes)?;
+        if whole {
+            Ok(answers)
+        } else {
+            Err(RunError::Paused)
+        }
+    }
+
+    /// Solves, saves and reports one point, in this order: what is reported survives.
+    fn point(
+        &self,
+        ordinal: usize,
+        start: &StartState,
+        process: Process,
+        done: &Mutex<usize>,
+    ) -> Result<Costed, Lack> {
+        match self.solved(ordinal, Some(start), process) {
+            Ok(Found {
+                answer, lasting, ..
+            }) => {
+                if lasting {
+                    self.save(ordinal, &answer, None).map_err(Lack::Archive)?;
+                }
+                self.report(ordinal, &answer, done);
+                Ok(answer)
+            }
+            Err(lack) => {
+                if let Lack::Refused(error) = &lack {
+                    self.report_refused(ordinal, error, done);
+                }
+                Err(lack)
+            }
+        }
+    }
+
+    /// An archive's failure comes before a stop, a stop before refused points.
+    fn sorted_out(
+        &self,
+        outcomes: Vec<Numbered<Result<Costed, Lack>>>,
+    ) -> Result<Vec<Numbered<Costed>>, RunError> {
+        let (mut answers, mut failed) = (Vec::new(), Vec::new());
+        let (mut stopped, mut archive) = (false, None);
+        for (ordinal, outcome) in outcomes {
+            match outcome {
+                Ok(answer) => answers.push((ordinal, answer)),
+                Err(Lack::Refused(error)) => {
+                    failed.push(self.failed_point(ordinal, Cause::other(cause(&error))));
+                }
+                Err(Lack::Stopped) => stopped = true,
+                Err(Lack::Archive(error)) => archive = Some(error),
+            }
+        }
+        match archive {
+            Some(error) => Err(RunError::Archive(error)),
+            None if stopped => Err(RunError::Stopped),
+            None if !failed.is_empty() => Err(RunError::PointsFailed { failed }),
+            None => Ok(answers),
+        }
+    }
+
+    /// Solves a point, from its note in the archive to its answer.
+    fn solved(
+        &self,
+        ordinal: usize,
+        start: Option<&StartState>,
+        process: Process,
+    ) -> Result<Found, Lack> {
+        let key = &self.keys[ordinal];
+        self.archive.begin(key).map_err(Lack::Archive)?;
+        let place = self.place.first + ordinal;
+        let watch = PointWatch::new(self.stop, self.observer, place);
+        let request = SolveRequest {
+            scene: &self.scenes[ordinal],
+            readout: &PointReadouts::new(self.readout, self.scenes).of(ordinal),
+            start,
+            watch: &watch,
+        };
+        let found = loop {
+            match ask(self.solver, &request, process) {
+                Err(SolveError::Crashed { detail }) => {
+                    let crashes = self.archive.crashed(key, &detail);
+                    let crashes = crashes.map_err(Lack::Archive)?;
+                    if crashes >= QUARANTINE {
+                        break Ok(quarantined(crashes, &detail));
+                    }
+                }
+                other => break other,
+            }
+        };
+        if !found.as_ref().is_ok_and(|found| found.lasting) {
+            self.archive.give_up(key).map_err(Lack::Archive)?;
+        }
+        found.map_err(|error| match error {
+            SolveError::Stopped => Lack::Stopped,
+            error => Lack::Refused(error),
+        })
+    }
+
+    fn save(
+        &self,
+        ordinal: usize,
+        (outcome, cost): &Costed,
+        start: Option<&StartState>,
+    ) -> Result<(), ArchiveError> {
+        self.archive.save(&PointRecord {
+            key: &self.keys[ordinal],
+            ordinal: self.place.first + ordinal,
+            scene: &self.scenes[ordinal].canonical_json(),
+            outcome,
+            cost: *cost,
+            start,
+        })
+    }
+
+    /// Counts and reports under one lock, so that the counts arrive in order.
+    fn report(&self, ordinal: usize, (outcome, cost): &Costed, done: &Mutex<usize>) {
+        let mut done = lock(done);
+        *done += 1;
+        let (ordinal, of) = (self.place.first + ordinal, self.place.of);
+        (self.observer)(match outcome {
+            Ok(_) => Event::PointSolved {
+                ordinal,
+                done: *done,
+                of,
+                wall_s: cost.wall_s,
+                newton_iterations: cost.newton_iterations,
+            },
+            Err(unsolved) => Event::PointFailed {
+                ordinal,
+                done: *done,
+                of,
+                cause: unsolved.to_string(),
+            },
+        });
+    }
+
+    /// A point that was refused isn't done.
+    fn report_refused(&self, ordinal: usize, error: &SolveError, done: &Mutex<usize>) {
+        let done = lock(done);
+        (self.observer)(Event::PointFailed {
+            ordinal: self.place.first + ordinal,
+            done: *done,
+            of: self.place.of,
+            cause: cause(error),
+        });
+    }
+
+    fn failed_point(&self, ordinal: usize, cause: Cause) -> FailedPoint {
+        FailedPoint {
+            ordinal,
+            values: self.values[ordinal].clone(),
+            cause,
+        }
+    }
+}
+
+fn cause(error: &SolveError) -> String {
+    match error {
+        SolveError::Refused { faults } => format!("{error}: {}", refusals(faults)),
+        other => other.to_string(),
+    }
+}
+
+/// A counter or list is whole even when an observer panicked while it was locked.
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

@@ -1,0 +1,2102 @@
+"""What the service answers, class by class.
+
+Made from web/openapi.json by python/generate: not edited by hand.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+__all__ = [
+    "AlikeContacts",
+    "Answer",
+    "AskewError",
+    "Candidate",
+    "Candidates",
+    "Choice",
+    "Claim",
+    "CoarserIndices",
+    "ComparedIndex",
+    "ComparedLocation",
+    "ComparedStudy",
+    "Cost",
+    "CountForecast",
+    "CutPoint",
+    "DeadFilm",
+    "DeadFilmError",
+    "Design",
+    "DesignCounts",
+    "DesignEstimate",
+    "ElsewhereError",
+    "ErrorParts",
+    "Estimate",
+    "EstimatorSummary",
+    "Evaluation",
+    "ExpectedAccuracy",
+    "FailedNode",
+    "FailedPoint",
+    "FilmAnglesReport",
+    "FilmPair",
+    "FilmPlace",
+    "FitCost",
+    "FitProgress",
+    "ForceError",
+    "ForceFindings",
+    "ForcePrice",
+    "Forecast",
+    "FormMisses",
+    "FrontLayout",
+    "GradedNote",
+    "Input",
+    "Knee",
+    "Layout",
+    "LayoutAnswer",
+    "LayoutError",
+    "LayoutFindings",
+    "LayoutLoad",
+    "LayoutScore",
+    "LayoutSearch",
+    "LeftOut",
+    "LoadScore",
+    "LoadShear",
+    "Location",
+    "LocationError",
+    "LocationStrain",
+    "MemberReport",
+    "Model",
+    "ModelReport",
+    "Output",
+    "PlaceAnswer",
+    "Preset",
+    "Presets",
+    "Preview",
+    "Reached",
+    "RecordingFigures",
+    "RingLoad",
+    "Rings",
+    "SectionNode",
+    "Sections",
+    "ShearError",
+    "ShearScore",
+    "SignalCurve",
+    "SignalError",
+    "SignalRow",
+    "Signals",
+    "SolveForecast",
+    "SplitError",
+    "SplitReport",
+    "SplitReports",
+    "StrainRing",
+    "StressWidth",
+    "StudyIdentity",
+    "StudySummary",
+    "Surer",
+    "SweepEstimate",
+    "SweepSummary",
+    "TableError",
+    "TableReport",
+    "TrialError",
+    "WheelRing",
+    "WorstContact",
+]
+
+ComparisonTable = Literal["locations", "designs"]
+"""Table of a comparison."""
+
+State = Literal["queued", "running", "done", "failed", "cancelled"]
+"""State of a study."""
+
+Table = Literal["indices", "locations", "layouts", "points", "signals", "candidates", "forces"]
+"""Table of a study."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class AlikeContacts:
+    """Two contacts that readings can hardly tell apart."""
+
+    angle_deg: float
+    """Angle of the first, degrees; its depth is that of the load."""
+    other_angle_deg: float
+    """Angle of the second, degrees."""
+    other_depth_mm: float
+    """Depth of the second, mm."""
+    sigmas: float
+    """Distance of their readings in standard deviations of the noise."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Answer:
+    """Answer of a study: where the films go, how sure that is, and what could overturn it."""
+
+    sentence: str
+    """The answer: the best layout and what it knows, or the best place where no layouts are asked for."""
+    verdict: str
+    """The weaker of the verdicts on place and layout. One of `certain`, `likely`, `tied`, `unknown`."""
+    reason: str
+    """Reason why it isn't surer, or why it is certain, with the figures that decide; whole sentences."""
+    place: PlaceAnswer | None = None
+    """The best place; None where no location has an index."""
+    layout: LayoutAnswer | None = None
+    """The best layout; None where none is asked for, or none has a score."""
+    left_out: LeftOut | None = None
+    """Part that the model leaves out and that changes strains most; None where no effect is known."""
+    surer: Surer | None = None
+    """Price of a surer answer; None at the top of the ladder. Not part of the result's hash."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class AskewError:
+    """Error with films askew."""
+
+    std_deg: float
+    """Standard deviation of the films' places around the wheel, degrees."""
+    error: TrialError
+    """Error of the estimates then."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Candidate:
+    """A kind of film: where in the section, along which direction, how large."""
+
+    section_deg: float
+    """Section angle from the crown, degrees."""
+    direction: str
+    """Direction of its length."""
+    length_mm: float | None = None
+    """Length of the film, mm; None of a point."""
+    width_mm: float | None = None
+    """Width of the film, mm; None of a point."""
+    signal: float
+    """Largest signal around the wheel, over all loads."""
+    angle_information: float
+    """Root of the mean information on the contact angle over the turn and the loads, 1/degree, at the noise of the
+    layouts."""
+    depth_information: float
+    """Root of the mean information on the depth, 1/mm."""
+    angle_information_error: float | None = None
+    """Error of the information on the angle by the coarser mesh."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Candidates:
+    """Kinds of film for layouts, by several criteria."""
+
+    candidates: tuple[Candidate, ...]
+    """Every section angle and direction."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Choice:
+    """A modelling choice with its reason."""
+
+    what: str
+    """The part."""
+    why: str
+    """The reason."""
+    effect: float | None = None
+    """Effect of leaving it out: the largest change of a strain at P1, P2, ... at the means when it is modelled, over
+    the largest strain of that direction there."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Claim:
+    """Whether a claim holds of one film."""
+
+    tire: str
+    """Name of the tire."""
+    film: str
+    """Model of the film. One of `bare`, `transfer`, `coupled`."""
+    position: str
+    """Position of the film in the section."""
+    direction: str
+    """Direction of its length."""
+    claim: str
+    """Claim about the curve. One of `voltage rises with load`, `voltage falls with pressure`, `linear over the
+    contact angle`."""
+    holds: str
+    """Whether it holds. One of `yes`, `no`, `uncertain`."""
+    detail: str
+    """Course of the curve, in words."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class CoarserIndices:
+    """Indices of the same points on a coarser mesh: the witness of the mesh's error, and of how much of it two
+    studies share."""
+
+    first_order: tuple[float, ...]
+    """First-order index of each input."""
+    factor: float
+    """Error of the finer mesh over its difference from the coarser one."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ComparedIndex:
+    """An index beside the baseline's."""
+
+    gsi_percent: float | None = None
+    """The index, percent."""
+    error_percent: float | None = None
+    """Error of the index, percentage points."""
+    difference_percent: float | None = None
+    """The index minus the baseline's, percentage points; None in the baseline."""
+    difference_error_percent: float | None = None
+    """Error of the difference, percentage points: less than both errors together, where both meshes err alike."""
+    verdict: str | None = None
+    """Whether the difference is beyond its error. One of `real`, `noise`, `unknown`."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ComparedLocation:
+    """A location in one of the studies."""
+
+    study: str
+    """The study."""
+    location: str
+    """P1, P2, ..."""
+    rank: int
+    """1 is best."""
+    rank_certain: bool
+    """Whether the errors leave no doubt about this rank."""
+    rank_change: int | None = None
+    """Places lost since the baseline, negative when gained, where equal locations share the place of the first of
+    them; None there, and where it hasn't the location."""
+    rank_verdict: str | None = None
+    """Whether a change of the place is `real` (both places are certain), `noise` or `unknown`; None without one."""
+    x: ComparedIndex
+    """First-order index of the location's own depth for the x strain at the contact centre."""
+    y: ComparedIndex
+    """First-order index of the location's own depth for the y strain at the contact centre."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ComparedStudy:
+    """A study of those compared."""
+
+    id: str
+    """Identifier of the study."""
+    name: str
+    """Name of the study, or that of the design."""
+    set: dict[str, Any] | None = None
+    """Settings of the design, by path; None for a study that belongs to no sweep."""
+    state: str
+    """`queued`, `running`, `done`, `failed` or `cancelled`."""
+    reason: str | None = None
+    """Reason why there is no result."""
+    spec_sha256: str | None = None
+    """SHA-256 of its document."""
+    version: str | None = None
+    """Versions of the program and the solver."""
+    level: str | None = None
+    """Mesh level."""
+    reaction_n: float | None = None
+    """Vertical force at the means, N."""
+    std_strain_x: float | None = None
+    """Standard deviation of the x strain at the contact centre: the signal of a film there."""
+    std_strain_y: float | None = None
+    """Standard deviation of the y strain there."""
+    best: str | None = None
+    """First of the ranking."""
+    best_certain: bool | None = None
+    """Whether its errors leave no doubt about that."""
+    layout_spacing_deg: float | None = None
+    """Angle between the units of the best layout, degrees."""
+    layout_position: str | None = None
+    """Position of the best layout's units."""
+    cost: Cost | None = None
+    """Cost of the study."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ComparisonFields:
+    """The table."""
+
+    baseline: str | None = None
+    """The study that differences are taken from; None when none of them has a result."""
+    studies: tuple[ComparedStudy, ...]
+    """The studies in the order asked for."""
+    rows: tuple[ComparedLocation, ...]
+    """Every location of every study that has a result, best first."""
+    notes: tuple[str, ...]
+    """Notes that the reader must know before believing the differences, whole sentences."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cost:
+    """Cost of a study."""
+
+    solves: int
+    """Points of the plan."""
+    coarser_solves: int
+    """Points of the plan solved once more on a coarser mesh, for the error of the mesh."""
+    effect_solves: int
+    """Solves that show what the model leaves out."""
+    signal_solves: int
+    """Solves of films' signals, on both meshes."""
+    layout_solves: int
+    """Solves of layouts' loads, on both meshes."""
+    table_solves: int
+    """Solves of a rig's table of responses."""
+    rungs_wall_s: tuple[float, ...] = ()
+    """Wall-clock time of each rung of the climb, s."""
+    reused: int
+    """Points taken from the archive instead of being solved."""
+    newton_iterations: int
+    """Newton iterations of all solves."""
+    factorisations: int
+    """Factorisations of all solves, without the tangent that the solves from one equilibrium share."""
+    wall_s: float
+    """Wall-clock time of this run, s."""
+    cpu_s: float
+    """Processor time of this run's own threads, s; 0 where the system doesn't tell it."""
+    peak_memory_bytes: int
+    """Peak memory of the process, bytes."""
+    factorisation_share: float
+    """Share of the solves' time in numeric factorisation."""
+    substitution_share: float
+    """Share in substitutions with the factor, and in the contact solved between them."""
+    assembly_share: float
+    """Share in assembly."""
+    other_share: float
+    """Share in all the rest, and in solves that found no equilibrium."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class CountForecast:
+    """A number of solves with its range."""
+
+    least: int
+    """Least count."""
+    expected: int
+    """Likeliest count, as far as can be told."""
+    most: int
+    """Greatest count."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class CutPoint:
+    """The response at the means."""
+
+    values: tuple[float, ...]
+    """Input values."""
+    reaction_n: float
+    """Vertical force, N."""
+    depth_mm: float
+    """Height of the ground at the contact centre above the inflated outer radius, mm."""
+    inflated_outer_radius_mm: float
+    """Outer radius after inflation, mm."""
+    locations: tuple[LocationStrain, ...]
+    """Strains at P1, P2, ..."""
+    residual_history: tuple[tuple[float, ...], ...]
+    """Newton residuals of its load steps."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class DeadFilm:
+    """Score that is left when a film dies."""
+
+    film: int
+    """The film, counted from 0."""
+    simulated_p95_angle_error_deg: float | None = None
+    """Simulated 95th percentile of the angle's error without it, degrees."""
+    bayes_angle_error_deg: float | None = None
+    """Bound of the angle with a flat prior without it, root mean square, degrees."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class DeadFilmError:
+    """Error with a film dead."""
+
+    film: int
+    """The film, counted from 0."""
+    error: TrialError
+    """Error of the estimates without it."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Design:
+    """A design of the sweep."""
+
+    ordinal: int
+    """Ordinal of the design in the sweep."""
+    name: str
+    """Name that tells it from the others."""
+    set: dict[str, Any]
+    """Values by path."""
+    study: StudySummary
+    """The study that answers for it."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class DesignCounts:
+    """Designs by where they stand."""
+
+    queued: int
+    """Wait for their turn."""
+    running: int
+    """Are being solved."""
+    done: int
+    """Have a result."""
+    failed: int
+    """Have none, and their study says why."""
+    cancelled: int
+    """Were cancelled."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class DesignEstimate:
+    """Estimate of a design's cost."""
+
+    name: str
+    """Name that tells it from the others."""
+    estimate: Estimate
+    """Estimate of its study."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ElsewhereError:
+    """Error on another tire."""
+
+    tire: str
+    """Difference from the study's tire, in words."""
+    learnt: bool
+    """Whether estimators learnt from runs on it, too."""
+    error: TrialError
+    """Error of the estimates there."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ErrorParts:
+    """Parts of the error of an index, absolute."""
+
+    mesh: float | None = None
+    """Error of the mesh."""
+    quadrature: float | None = None
+    """Error of the quadrature rule."""
+    decomposition: float | None = None
+    """Error of the decomposition."""
+    total: float | None = None
+    """Sum of the parts, the largest over the inputs; None where the mesh's part isn't known."""
+    reason: str | None = None
+    """Reason why a part is None."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Estimate:
+    """Estimate of what a study will cost, and be worth."""
+
+    solves: SolveForecast
+    """Equilibria to solve."""
+    wall_s: Forecast | None = None
+    """Wall-clock time; None where `reason` says why."""
+    peak_memory_bytes: int
+    """Largest resident memory of the process, bytes."""
+    accuracy: ExpectedAccuracy
+    """Accuracy that the answer is expected to have."""
+    threads: int
+    """Solves at once."""
+    measured_solves: int
+    """Solves of this database by which the times were corrected for this machine; 0: the times are those of another
+    machine."""
+    reasons: tuple[str, ...]
+    """Reasons why figures are ranges or None, whole sentences."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class EstimatorSummary:
+    """An estimator in its queue, at work, or at its end. Times are RFC 3339, UTC."""
+
+    id: str
+    """UUID, ordered by time."""
+    name: str
+    """Free text."""
+    state: str
+    """State of the estimator. One of `queued`, `running`, `done`, `failed`, `cancelled`."""
+    error: str | None = None
+    """Reason why it failed, a sentence."""
+    created: str
+    """Time at which it was submitted."""
+    started: str | None = None
+    """Time at which it was first started."""
+    finished: str | None = None
+    """Time at which it ended."""
+    forces: tuple[str, ...]
+    """The forces' columns, N."""
+    recordings: tuple[RecordingFigures, ...]
+    """Recordings that it is learnt from."""
+    progress: FitProgress | None = None
+    """Progress while it runs; None otherwise."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Evaluation:
+    """A point that has an outcome."""
+
+    ordinal: int
+    """Ordinal of the point in the plan."""
+    key: str
+    """Hash of all that determines its outcome."""
+    level: str | None = None
+    """Mesh level."""
+    values: tuple[float, ...] | None = None
+    """The inputs' values; None when its scene hasn't one of them."""
+    reaction_n: float | None = None
+    """Vertical force, N; None without an equilibrium."""
+    depth_mm: float | None = None
+    """Height of the ground at the contact centre above the inflated outer radius, mm; absent without an equilibrium."""
+    locations: tuple[LocationStrain, ...] | None = None
+    """Strains at P1, P2, ...; None without an equilibrium."""
+    newton_iterations: int | None = None
+    """Newton iterations; None without an equilibrium."""
+    wall_s: float
+    """Wall-clock time of the solve, s."""
+    reason: str | None = None
+    """Reason why there is no equilibrium."""
+    reached: Reached | None = None
+    """Loads of the last equilibrium before."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ExpectedAccuracy:
+    """Accuracy that studies of this kind had where that was measured: the largest error of the ten indices that the
+    paper's study ranks by, absolute."""
+
+    fidelity: str
+    """Mesh and method of the answer, in a few words."""
+    error_true: float | None = None
+    """Difference from the finest reference."""
+    error_claimed: float | None = None
+    """Error that the answer claimed itself."""
+    reason: str | None = None
+    """Reason why there are no figures."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FailedNode:
+    """A node without an equilibrium."""
+
+    value: float
+    """Value of the input."""
+    reason: str
+    """Reason, a sentence."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FailedPoint:
+    """A point without a response."""
+
+    ordinal: int
+    """Ordinal in the plan."""
+    values: tuple[float, ...]
+    """Input values."""
+    cause: str
+    """Cause of the failure."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilmAnglesReport:
+    """Glued films solved with the tire around the wheel, in a table on undragged ground; errors are over the largest
+    signal of their kind."""
+
+    level: str
+    """Mesh level of the tire with a film."""
+    angles_deg: tuple[float, ...]
+    """Angles from the contact, degrees; films that lie askew on both sides of it."""
+    loads_n: tuple[float, ...]
+    """Loads, N."""
+    tested: int
+    """Solves between them that tested the table; 0 where it isn't tested, or where one of them has no equilibrium."""
+    signal_rms: float | None = None
+    """Root mean square of their signals' errors; None where nothing was tested."""
+    signal_worst: float | None = None
+    """The largest; None where nothing was tested."""
+    transfer_worst: float
+    """The largest error that a transfer without this axis would have."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilmPair:
+    """The difference of two films at the crown, 30 degrees before and behind a point of the wheel, as the contact
+    moves away from that point."""
+
+    tire: str
+    """Name of the tire."""
+    film: str
+    """Model of the films. One of `bare`, `transfer`, `coupled`."""
+    direction: str
+    """Direction of their length."""
+    contact_deg: tuple[float, ...]
+    """Wheel angles from that point to the contact, degrees."""
+    values: tuple[float | None, ...]
+    """Open circuit's voltage of the film that the contact comes to minus that of the other one, V; None where it
+    isn't solved."""
+    monotone: str | None = None
+    """Trend of the difference. One of `up`, `down`, `no`."""
+    linear_r2: float | None = None
+    """Share of the variance that a line explains."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilmPlace:
+    """A film of a layout."""
+
+    theta_deg: float
+    """Wheel angle, degrees."""
+    phi_deg: float
+    """Section angle from the crown, degrees."""
+    angle_deg: float
+    """Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FitCost:
+    """Cost of a fit."""
+
+    candidates: int
+    """Candidates that were judged, of all forces."""
+    wall_s: float
+    """Wall clock, s."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FitProgress:
+    """Progress of a fit."""
+
+    done: int
+    """Models judged."""
+    of: int
+    """Models to judge; 0 until that is known."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FitReportFields:
+    """The report of a fit."""
+
+    recordings: tuple[RecordingFigures, ...]
+    """Recordings that were learnt from."""
+    forces: tuple[ForceReportFields, ...]
+    """Findings for each force."""
+    promise: str
+    """Promise of the intervals, a sentence."""
+    notes: tuple[str, ...]
+    """Notes that a reader should know before believing it, a sentence each."""
+    cost: FitCost
+    """Cost of the fit."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ForceError:
+    """Error of one force by a layout's films, with an estimator that is learnt from runs of a virtual rig."""
+
+    axis: str
+    """`fx`: along the wheel, `fy`: across it, `fz`: vertical."""
+    chosen: str
+    """The model that is chosen by left-out runs; `mean` where none is better than the training mean. One of `mean`,
+    `ridge`, `gpr`, `ann`, `blend`."""
+    features: str
+    """The features it reads. One of `raw`, `slopes`, `rolling`, `all`."""
+    useful: bool
+    """Whether its error on left-out runs is at most 95 % of the training mean's."""
+    splits: tuple[SplitError, ...]
+    """The chosen model by random rows, by later rows, and by whole runs (cycles where there is one run)."""
+    leak: float | None = None
+    """Error on left-out runs over that on random rows, both as shares of the training mean's error on the same rows:
+    how far a random split would have misled. Null of the training mean."""
+    fresh: TrialError
+    """Error on runs that nobody learnt from: films have other gains there."""
+    dead: DeadFilmError | None = None
+    """Error there with the one film dead whose loss costs most; None where the training mean is given, which reads
+    no film."""
+    askew: AskewError
+    """Error there with films that lie elsewhere than those that were learnt from."""
+    elsewhere: tuple[ElsewhereError, ...] = ()
+    """Errors of these films on other tires."""
+    worst_contact: WorstContact | None = None
+    """Place on the wheel where contacts are known worst; None where too few touch."""
+    floor_n: float | None = None
+    """Estimate of the least root of the mean squared error that one instant's readings allow, N: the bound of Cramer
+    and Rao with what is known of the gait before, for films that hold their charge."""
+    reason: str | None = None
+    """Reason why numbers are None."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ForceFindings:
+    """Findings of a virtual rig."""
+
+    table: TableReport | None = None
+    """The table of responses that the rig reads; absent where there is none."""
+    price: tuple[ForcePrice, ...] = ()
+    """Prices of a force's error: for each force the layouts by which it is known better than by any with as many
+    films or fewer."""
+    assumed: tuple[str, ...] = ()
+    """Assumptions on the rig that no source states, whole sentences; empty where nothing was learnt."""
+    reasons: tuple[str, ...] = ()
+    """Reasons why something is missing, whole sentences."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ForcePrice:
+    """A layout that knows a force better than all that have as many films or fewer."""
+
+    axis: str
+    """`fx`: along the wheel, `fy`: across it, `fz`: vertical."""
+    films: int
+    """Count of the layout's films."""
+    rmse_n: float
+    """Root of the mean squared error on runs that nobody learnt from, N."""
+    layout_rank: int
+    """The layout's rank."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ForceReportFields:
+    """Findings for a force."""
+
+    force: str
+    """Column of the force."""
+    chosen: str
+    """The model that estimates it; `mean` where nothing is better. One of `mean`, `ridge`, `gpr`, `ann`, `blend`."""
+    chosen_features: str
+    """The features it reads. One of `raw`, `slopes`, `rolling`, `all`."""
+    rolled_r2: float | None = None
+    """R2 of the chosen model where forces are rolled against signals: what chance would do."""
+    models: tuple[ModelReport, ...]
+    """All candidates, the chosen one first, then by their error."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Forecast:
+    """A figure with its range."""
+
+    least: float
+    """Least value."""
+    expected: float
+    """Likeliest value, as far as can be told."""
+    most: float
+    """Greatest value."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FormMisses:
+    """Misses of a form at the check points: the witness of the method's error, and of how much of it two studies
+    share."""
+
+    nodes: tuple[int, ...]
+    """Number of the node of its input's rule at each coordinate of each check point, point after point."""
+    residuals: tuple[float, ...]
+    """Strain minus the form's at each check point, over the standard deviation."""
+    contributions: tuple[float, ...]
+    """Contributions of each of them to the error of a first-order index, input after input."""
+    weight: float
+    """Probability of the interactions, which the residuals stand for."""
+    fitted: int
+    """Count of the form's numbers that were fitted to the check points."""
+    images: tuple[int, ...] = ()
+    """Number of each check point's mirror image, whose strains are its own from the other end; absent where contact
+    or inputs aren't symmetric."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FrontLayout:
+    """A layout that no other beats with as few films."""
+
+    film_count: int
+    """Count of its films."""
+    simulated_p95_angle_error_deg: float
+    """Simulated 95th percentile of the angle's error at its worst load, degrees."""
+    index: int
+    """Index in the list of layouts, from 0."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class GradedNote:
+    """A note with its grade."""
+
+    grade: str
+    """Effect on the answer. One of `changes-answer`, `bears-on-figure`, `for-the-record`."""
+    about: str
+    """Topic of the note. One of `place`, `layout`, `map`, `indices`, `signals`, `model`, `cost`."""
+    text: str
+    """Whole sentences."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Input:
+    """An input as it was understood."""
+
+    name: str
+    """Name of the input."""
+    vary: str
+    """Path of the scene's field."""
+    distribution: dict[str, Any]
+    """Distribution as in the document."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Knee:
+    """Knee: the number of units from which on more of them bring no more than their number."""
+
+    section_deg: float
+    """Section angle from the crown, degrees."""
+    films: tuple[str, ...]
+    """Directions of the films of each unit."""
+    units: int | None = None
+    """The number of units; None where even the most that were tried aren't enough."""
+    dense_deg: float
+    """Worst bound times the root of the number of units of a dense ring, degrees."""
+    of_60_deg: float | None = None
+    """Ratio of the worst bound times the root of the number of units every 60 degrees to that of a dense ring; None
+    where they are blind."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Layout:
+    """A layout in the ranking."""
+
+    rank: int
+    """1 is best. Layouts of equal score share the rank of the first of them."""
+    rank_certain: bool | None = None
+    """Whether the errors leave no doubt about its place; absent of one that wasn't ranked."""
+    name: str | None = None
+    """Name of a layout that was listed film by film, or found by the search; absent of a regular one."""
+    spacing_deg: float | None = None
+    """Angle between neighbouring units, degrees; None of a layout without units."""
+    units: int
+    """Number of units; of a layout without units its number of films."""
+    position: str
+    """Meridional position: a name, an angle such as `30 deg`, or `mixed`."""
+    films: tuple[str, ...]
+    """Directions of the films of each unit: `x`, `y`, or an angle such as `45`."""
+    staggered: bool = False
+    """Whether the films of a unit are spread evenly between two units."""
+    film_count: int
+    """All films of the wheel."""
+    places: tuple[FilmPlace, ...] = ()
+    """The films of a layout without units, one by one."""
+    doubt: str | None = None
+    """Figures that may be off by more than a fifth, in words."""
+    score: LayoutScore
+    """Scores at the load where its error is largest."""
+    loads: tuple[LoadScore, ...]
+    """Scores at every load."""
+    force_error: tuple[ForceError, ...] | None = None
+    """Errors of the forces along, across and vertical on a virtual rig; absent where the study has none, and of
+    layouts that a search found."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LayoutAnswer:
+    """The layout that ranks first."""
+
+    rank: int
+    """Rank in `layouts`."""
+    words: str
+    """Description of the layout, as in `12 units of x and y at the crown, every 30 degrees`."""
+    units: int
+    """Count of its units; of a layout without units of its films."""
+    film_count: int
+    """All its films."""
+    angle_error_deg: float
+    """95 of 100 simulated contacts are estimated better than this at the worst load, degrees."""
+    error_deg: float | None = None
+    """Claimed error of that, degrees; None where there is no coarser mesh."""
+    tied_with: tuple[int, ...]
+    """Ranks of layouts that the errors can't tell from it."""
+    verdict: str
+    """Certainty of the first rank, by what layouts are ranked by: that error times the root of the number of films.
+    One of `certain`, `likely`, `tied`, `unknown`."""
+    reason: str
+    """Reason for the verdict, with the figures that decide; where forces along and across are unknown, too, also
+    what tells them from the angle."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LayoutError:
+    """Claimed errors of a layout's scores, each in the unit of its score."""
+
+    worst_angle_error_deg: float | None = None
+    """Error of the bound of the angle, worst angle, degrees."""
+    rms_angle_error_deg: float | None = None
+    """Error of the bound of the angle, root mean square, degrees."""
+    worst_depth_error_mm: float | None = None
+    """Error of the bound of the depth, mm."""
+    simulated_rms_angle_error_deg: float | None = None
+    """Error of the simulated root mean square, degrees."""
+    simulated_p95_angle_error_deg: float | None = None
+    """Error of the simulated 95th percentile, degrees."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LayoutFindings:
+    """Findings of a study's layouts together: loads, knees, fronts, kinds of film."""
+
+    level: str
+    """Mesh level of the fields, which is fine to 60 degrees from the contact."""
+    unit: str
+    """Unit of films' signals: `strain`, or `V` of glued ones. Noise, weakest signals, candidates' signals and rings
+    are in it."""
+    size_mm: tuple[float, ...] | None = None
+    """Length and width of the layouts' films, mm; absent of points."""
+    coarser_level: str | None = None
+    """Coarser level that shows their errors."""
+    loads: tuple[LayoutLoad, ...]
+    """The loads at which layouts are scored."""
+    front: tuple[FrontLayout, ...]
+    """Layouts that no other beats with as few films, least films first."""
+    tau_of_bound: float | None = None
+    """Kendall's tau between the order by simulated errors and that by the bound's worst error times the root of the
+    number of films."""
+    searches: tuple[LayoutSearch, ...] = ()
+    """Searches, and what they looked at."""
+    candidates: tuple[Candidate, ...]
+    """Kinds of film, ranked by several criteria."""
+    rings: tuple[StrainRing, ...]
+    """Films' signals around the wheel."""
+    reasons: tuple[str, ...] = ()
+    """Reasons why something is missing, whole sentences."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LayoutLoad:
+    """A load at which layouts are scored."""
+
+    depth_mm: float | None = None
+    """Height of the ground above the inflated outer radius, mm."""
+    load_n: float | None = None
+    """Vertical force, N."""
+    force_slope_n_per_mm: float | None = None
+    """Derivative of the force by the depth, N/mm."""
+    shear: LoadShear | None = None
+    """Shear findings by dragging the ground, where forces along and across the wheel are unknown, too."""
+    knees: tuple[Knee, ...]
+    """Knees: the number of units from which on each section angle and set of films is dense enough."""
+    reason: str | None = None
+    """Reason why there are no scores."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LayoutScore:
+    """Scores of a layout: how well it sees the contact, over all angles at which it can touch down."""
+
+    weakest_signal: float | None = None
+    """Signal of the film that sees most, strain or volts of a glued one, at the contact angle where that is least."""
+    worst_angle_error_deg: float | None = None
+    """Cramer-Rao bound of the contact angle, worst angle, degrees."""
+    rms_angle_error_deg: float | None = None
+    """Cramer-Rao bound of the contact angle, root mean square over the angles, degrees."""
+    worst_depth_error_mm: float | None = None
+    """Cramer-Rao bound of a uniform depth, worst angle, mm."""
+    bayes_angle_error_deg: float | None = None
+    """Bound of the contact angle's error with a flat prior, root mean square over the angles, degrees: finite where
+    the others aren't."""
+    simulated_rms_angle_error_deg: float | None = None
+    """Error of the contact angle as estimated from noisy readings, root mean square, degrees."""
+    simulated_rms_angle_error_deg_se: float | None = None
+    """Standard error of the root mean square by the number of simulated contacts, degrees."""
+    simulated_p95_angle_error_deg: float | None = None
+    """95 % of simulated contacts are estimated better than this, degrees."""
+    simulated_p95_angle_error_deg_se: float | None = None
+    """Standard error of the 95th percentile by the number of simulated contacts, degrees."""
+    lost_share: float | None = None
+    """Share of simulated contacts that are off by more than 20 degrees."""
+    simulated_rms_depth_error_mm: float | None = None
+    """Error of the depth as estimated, root mean square, mm."""
+    force_error_n: float | None = None
+    """Error of the depth as a vertical force, N: by the slope of force over depth."""
+    alike: AlikeContacts | None = None
+    """The two contacts, more than 20 degrees apart, that look most alike."""
+    dead: DeadFilm | None = None
+    """Score with the one film dead whose loss costs most, where that was asked for."""
+    shear: ShearScore | None = None
+    """Score with forces along and across the wheel unknown, too, where that was asked for."""
+    noise_strain: float | None = None
+    """Noise of each film assumed for the bounds, strain; None of glued films."""
+    noise_v: float | None = None
+    """Noise of each glued film assumed for the bounds, V; absent of bare ones."""
+    error: LayoutError | None = None
+    """Errors by the mesh and the number of simulated contacts; absent where there is no coarser mesh."""
+    reason: str | None = None
+    """Reason why numbers are None."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LayoutSearch:
+    """Search for layouts, and what it looked at."""
+
+    films: int
+    """Films of the layouts."""
+    places: int
+    """Places that a film may have."""
+    method: str
+    """`exhaustive`, or `greedy and exchange`."""
+    criterion: str
+    """Criterion of the search: `bound`, or `interval errors`, which count contacts that are mistaken for others,
+    too."""
+    looked_at: int
+    """Layouts whose criterion was computed."""
+    bayes_angle_error_deg: float
+    """Bound of the angle with a flat prior of the best one, root mean square over angles and loads, degrees."""
+    best: tuple[FilmPlace, ...]
+    """Films of the best layout."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LeftOut:
+    """Part that the model leaves out."""
+
+    what: str
+    """Name of the part, as in `model.left_out`."""
+    why: str
+    """Reason for leaving it out, as in `model.left_out`."""
+    effect: float
+    """Largest change of a strain at P1, P2, ... over the largest strain of its direction."""
+    sentence: str
+    """Sentence that says what it would do."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LeftOutRowsFields:
+    """Rows that the chosen model of a force hadn't learnt from: truth, estimate and interval."""
+
+    force: str
+    """The force's column."""
+    run: tuple[int, ...]
+    """Each row's run, by its place among the recordings."""
+    time_s: tuple[float, ...]
+    """Each row's time, s."""
+    truth_n: tuple[float, ...]
+    """Measured force, N."""
+    estimate_n: tuple[float, ...]
+    """Estimated force, N."""
+    low_n: tuple[float, ...]
+    """The interval's low end, N."""
+    high_n: tuple[float, ...]
+    """The interval's high end, N."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoadScore:
+    """A layout's scores at one load."""
+
+    depth_mm: float | None = None
+    """Height of the ground above the inflated outer radius, mm."""
+    load_n: float | None = None
+    """Vertical force, N."""
+    score: LayoutScore
+    """The scores."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoadShear:
+    """Findings by dragging the ground a little at a load."""
+
+    slopes_n_per_mm: tuple[float, ...]
+    """Forces along the wheel and across it by the shifts that way, N/mm."""
+    sliding_n: float
+    """Force from which the ground slides: the coefficient of friction times the load, N."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Location:
+    """One candidate location in the ranking."""
+
+    name: str
+    """P1, P2, ..."""
+    input: str | None = None
+    """The input that is this location's own: the depth of the station below it."""
+    rank: int
+    """1 is best. Equal locations, as mirror images are, share the rank of the first of them, and follow each other
+    in the order of their names."""
+    gsi_x_percent: float | None = None
+    """100 times the first-order index of this location's own depth for the x strain at the centre."""
+    gsi_y_percent: float | None = None
+    """100 times the first-order index of this location's own depth for the y strain at the centre."""
+    gsi_x_error_percent: float | None = None
+    """Error of `gsi_x_percent`, percentage points."""
+    gsi_y_error_percent: float | None = None
+    """Error of `gsi_y_percent`, percentage points."""
+    mean_gsi_x_percent: float | None = None
+    """Mean over the x strains at all locations."""
+    mean_gsi_y_percent: float | None = None
+    """Mean over the y strains at all locations."""
+    own_gsi_x_percent: float | None = None
+    """For the x strain at this location itself."""
+    own_gsi_y_percent: float | None = None
+    """For the y strain at this location itself."""
+    mdrm_gsi_x_percent: float | None = None
+    """Index by M-DRM for `gsi_x_percent`, valid or not: the paper's Table 2 as the paper computed it."""
+    mdrm_gsi_y_percent: float | None = None
+    """Index by M-DRM for `gsi_y_percent`, valid or not: the paper's Table 2 as the paper computed it."""
+    rank_x: int | None = None
+    """Rank by the x strain alone, which equal locations share."""
+    rank_y: int | None = None
+    """Rank by the y strain alone, which equal locations share."""
+    rank_certain: bool
+    """Whether the errors leave no doubt about this rank, which equal locations share."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LocationError:
+    """Estimated discretisation errors at a location, absolute: see [`crate::gauge::GaugeError`]."""
+
+    strain_x: float
+    """Error of the circumferential strain."""
+    strain_y: float
+    """Error of the meridional strain."""
+    von_mises_mpa: float
+    """Error of the von Mises stress, MPa."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LocationStrain:
+    """Strain at a named location."""
+
+    name: str
+    """P1, P2, ..."""
+    theta_deg: float
+    """Angle from the contact centre, degrees, positive in the rolling direction."""
+    strain_x: float
+    """Circumferential strain."""
+    strain_y: float
+    """Meridional strain."""
+    von_mises_mpa: float
+    """Von Mises stress of the rubber at the inner surface, MPa."""
+    error: LocationError | None = None
+    """Estimated discretisation errors; absent when the solver has no estimate."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class MemberReport:
+    """A model that is part of a blend."""
+
+    model: str
+    """The model. One of `mean`, `ridge`, `gpr`, `ann`, `blend`."""
+    features: str
+    """The features it reads. One of `raw`, `slopes`, `rolling`, `all`."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Model:
+    """Summary of a model: what was modelled and what was left out."""
+
+    dimension: str
+    """`3d`, `3d-half` or `3d-quarter`."""
+    level: str
+    """Mesh level."""
+    elements: int
+    """Number of solid elements."""
+    dofs: int
+    """Free displacement unknowns."""
+    modelled: tuple[Choice, ...]
+    """Parts of the scene in the model."""
+    left_out: tuple[Choice, ...]
+    """Parts of the scene left out."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ModelReport:
+    """Report of a candidate."""
+
+    model: str
+    """The model. One of `mean`, `ridge`, `gpr`, `ann`, `blend`."""
+    features: str
+    """The features it reads. One of `raw`, `slopes`, `rolling`, `all`."""
+    members: tuple[MemberReport, ...] = ()
+    """The models whose median a blend is; left out of others."""
+    validation: SplitReport
+    """Figures on the split that chooses."""
+    splits: SplitReports
+    """Figures on every split; None where there is none, the reason in the notes."""
+    leak_factor: float | None = None
+    """RMSE on the strictest split over that on the random one: how far a random split would have misled."""
+    better_than_mean: bool
+    """Whether its error is at most 95 % of the training mean's on the split that chooses."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Output:
+    """Indices of one strain."""
+
+    location: str
+    """P1, P2, ..."""
+    direction: str
+    """`x` circumferential, `y` meridional."""
+    mean: float | None = None
+    """Mean strain."""
+    std: float | None = None
+    """Standard deviation of the strain."""
+    first_order: tuple[float, ...] | None = None
+    """First-order index of each input."""
+    total: tuple[float, ...] | None = None
+    """Total index of each input."""
+    method: str
+    """Form that gave `first_order` and `total`: `mdrm`, `additive`, `shifted`, `corrected`, `bivariate`, `tensor`,
+    `pce` or `saltelli`."""
+    status: str
+    """`ok`, `constant`, `product-form-broken` or `unusable`."""
+    reason: str | None = None
+    """Reason why the status isn't `ok`."""
+    mdrm_first_order: tuple[float, ...] | None = None
+    """Indices that M-DRM gave, when its product form is broken."""
+    error: ErrorParts
+    """Error of the first-order indices, absolute."""
+    coarser: CoarserIndices | None = None
+    """The indices on a coarser mesh, where there is one."""
+    misses: FormMisses | None = None
+    """Misses of the method's form at the check points, where it has any."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlaceAnswer:
+    """The location that ranks first."""
+
+    names: tuple[str, ...]
+    """All that share the first rank or, where the verdict is tied, can't be told from the first."""
+    direction: str
+    """Direction of the strain, of those asked for, whose index is larger there."""
+    index: float
+    """First-order index of the location's own depth for that strain at the contact centre, 0 to 1."""
+    error: float | None = None
+    """Claimed error of the score; None where it isn't known."""
+    verdict: str
+    """Certainty of the first rank, by what locations are ranked by. One of `certain`, `likely`, `tied`, `unknown`."""
+    reason: str
+    """Reason for the verdict, with the figures that decide."""
+    sentence: str
+    """The place in a sentence."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Preset:
+    """A document to start from."""
+
+    name: str
+    """Name in `scene = { preset = ... }`."""
+    title: str
+    """Title of the scene."""
+    document: dict[str, Any]
+    """The document."""
+    comment: str
+    """Purpose of the scene."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Presets:
+    """The documents that ship."""
+
+    studies: tuple[Preset, ...]
+    """Whole studies."""
+    scenes: tuple[Preset, ...]
+    """Scenes alone."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Preview:
+    """A study's places on the draft mesh. It claims nothing: no error is known."""
+
+    claim: str
+    """Claim of the preview: `none`."""
+    level: str
+    """Mesh level: `draft`."""
+    wall_s: float
+    """Time from the request to the answer, s."""
+    solves: int
+    """Points that were solved."""
+    left_out: tuple[str, ...]
+    """Parts that the study would have beside, whole sentences."""
+    inputs: tuple[Input, ...]
+    """Inputs that varied."""
+    locations: tuple[Location, ...]
+    """Ranked locations."""
+    cut_point: CutPoint
+    """The response at the means."""
+    map: dict[str, Any] | None = None
+    """A map of 31 x 11 places at most; None where the document asks for none."""
+    notes: tuple[str, ...]
+    """Notes that the user must know before believing the numbers, whole sentences."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reached:
+    """Loads that a failed solve got to."""
+
+    pressure_mpa: float
+    """Internal pressure of the last equilibrium, MPa."""
+    depths_mm: tuple[float, ...] = ()
+    """Station depths of the last equilibrium, mm."""
+    load_n: float | None = None
+    """Vertical force of the ground at the last equilibrium, N, where it is to press with one."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordingFigures:
+    """Figures of a recording."""
+
+    file: str
+    """File of the recording."""
+    rows: int
+    """Count of its rows."""
+    labelled: int
+    """Rows with at least one force."""
+    cycles: int
+    """Count of its cycles."""
+    rate_hz: float | None = None
+    """Rows a second, pauses apart."""
+    sha256: str
+    """Hash of its text."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ResultFields:
+    """The whole answer."""
+
+    study: StudyIdentity
+    """Identity of the study."""
+    answer: Answer | None = None
+    """The answer in a sentence, and how sure it is; absent where nothing has a rank."""
+    model: Model
+    """Model that was solved."""
+    inputs: tuple[Input, ...]
+    """Inputs that varied."""
+    outputs: tuple[Output, ...]
+    """Every location and direction with its indices."""
+    locations: tuple[Location, ...]
+    """Ranked locations."""
+    layouts: tuple[Layout, ...]
+    """Ranked layouts."""
+    layout_findings: LayoutFindings | None = None
+    """Findings of the layouts together; absent where no layouts are asked for."""
+    signals: Signals | None = None
+    """Films' signals over load, pressure and contact angle; absent where the study asks for none."""
+    forces: ForceFindings | None = None
+    """Findings of a virtual rig; absent where the study has none."""
+    notes: tuple[str, ...]
+    """Notes that the user must know before believing the numbers, whole sentences: the texts of `graded_notes`."""
+    graded_notes: tuple[GradedNote, ...]
+    """Notes with what each does to the answer."""
+    failed_points: tuple[FailedPoint, ...]
+    """Points that have no equilibrium, with their causes; the indices are taken from the others."""
+    cut_point: CutPoint
+    """The cut point's own response in short: reaction and strains at the means."""
+    climb: dict[str, Any] | None = None
+    """Climb to the accuracy asked for; absent where a level was asked for."""
+    cost: Cost
+    """Cost of the study. Not part of the result's hash."""
+    estimate: Estimate | None = None
+    """Estimate of the cost when the run began; not part of the result's hash either. Absent where nobody asked."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RingLoad:
+    """A load of layouts."""
+
+    depth_mm: float
+    """Height of the ground above the inflated outer radius, mm."""
+    load_n: float | None = None
+    """Vertical force, N; None where it isn't known."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rings:
+    """Rings around the whole wheel."""
+
+    unit: str
+    """Unit of the lists named `strain` and, by the depth, `slope`: `strain`, or `V` where layouts are of glued
+    films."""
+    rings: tuple[WheelRing, ...]
+    """A ring for each section angle that layouts have; none where the study asks for no layouts."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SectionNode:
+    """A solved node."""
+
+    value: float
+    """Value of the input."""
+    ordinal: int
+    """Place among the study's points."""
+    cut_point: bool
+    """Whether it is the cut point, where the input is at its mean, too."""
+    reaction_n: float
+    """Vertical force, N."""
+    strain_x: tuple[float, ...]
+    """Circumferential strain, rows x columns."""
+    strain_y: tuple[float, ...]
+    """Meridional strain, rows x columns."""
+    displacement_mm: tuple[tuple[float, ...], ...]
+    """Displacements from `inflated_mm` to the node's equilibrium, mm, rows x columns: also where the input changes
+    the inflated state."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sections:
+    """Strains and displacements over the map along the line of one input; all others are at their means."""
+
+    input: str
+    """Name of the input."""
+    vary: str
+    """Path of the scene's field."""
+    theta_deg: tuple[float, ...]
+    """Angles of the columns from the contact centre, degrees."""
+    phi_deg: tuple[float, ...]
+    """Angles of the rows from the crown, degrees."""
+    inflated_mm: tuple[tuple[float, ...], ...]
+    """Places of the map's points in the inflated state at the means, mm, rows x columns."""
+    nodes: tuple[SectionNode, ...]
+    """The solved nodes, by value. A design of scattered points has the means alone."""
+    failed: tuple[FailedNode, ...]
+    """Nodes that have no equilibrium, by value."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShearError:
+    """Claimed errors of bounds with four unknowns, each in the unit of its bound."""
+
+    worst_angle_error_deg: float | None = None
+    """Error of the bound of the angle, degrees."""
+    worst_force_error_n: tuple[float | None, ...] | None = None
+    """Errors of the bounds of the forces, N."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShearScore:
+    """Cramer-Rao bounds with four unknowns: contact angle, depth, and the ground's shifts along the wheel and across
+    it, about a contact that isn't dragged.
+
+    A shift across that no film feels doesn't enter.
+    """
+
+    worst_angle_error_deg: float | None = None
+    """Bound of the contact angle, worst angle, degrees."""
+    worst_force_error_n: tuple[float | None, ...] | None = None
+    """Bounds of the ground's forces on the tire along the wheel, across it (None where no film feels it) and up,
+    worst angle, N."""
+    error: ShearError | None = None
+    """Errors by the mesh; absent where there is no coarser one."""
+    reason: str | None = None
+    """Quantity that can't be told, in words."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SignalCurve:
+    """The open circuit's voltage of one film over loads, pressures or contact angles."""
+
+    tire: str
+    """Name of the tire."""
+    film: str
+    """Model of the film. One of `bare`, `transfer`, `coupled`."""
+    position: str
+    """Position of the film in the section."""
+    direction: str
+    """Direction of its length."""
+    over: str
+    """Quantity that changes along it. One of `load`, `pressure`, `contact`."""
+    slope: float | None = None
+    """Slope of the line of least squares, V per N, per MPa or per degree; None of fewer than two points."""
+    monotone: str | None = None
+    """Trend of the curve; None of fewer than two points. One of `up`, `down`, `no`."""
+    monotone_certain: bool
+    """Whether every step is larger than the errors of its two ends together."""
+    linear_r2: float | None = None
+    """Share of the variance that the line explains; None of fewer than three points, and where nothing varies."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SignalError:
+    """Errors of a film's reading by the mesh, absolute: the change from the next coarser mesh, times Richardson's
+    factor."""
+
+    strain: float
+    """Error of the strain."""
+    charge_nc: float
+    """Error of the charge, nC."""
+    open_circuit_v: float
+    """Error of the open circuit's voltage, V."""
+    output_v: float
+    """Error of the amplifier's voltage, V."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SignalRow:
+    """Reading of one film at one pressing."""
+
+    tire: str
+    """Name of the tire; the study's own is `own`."""
+    film: str
+    """Model of the film. One of `bare`, `transfer`, `coupled`."""
+    position: str
+    """Position of the film in the section."""
+    direction: str
+    """Direction of its length: x circumferential, y meridional."""
+    over: str
+    """Curve that it is a point of. One of `load`, `pressure`, `contact`."""
+    load_n: float
+    """Vertical force of the ground, N."""
+    pressure_mpa: float
+    """Internal pressure, MPa."""
+    contact_deg: float
+    """Wheel angle from the film to the contact, degrees."""
+    depth_mm: float | None = None
+    """Height of the ground above the inflated outer radius, mm."""
+    strain: float | None = None
+    """Mean strain along the film since inflation."""
+    tension_1_n_per_mm: float | None = None
+    """Mean tension along the film since inflation, N/mm."""
+    charge_nc: float | None = None
+    """Charge, nC."""
+    open_circuit_v: float | None = None
+    """Voltage where nothing draws charge, V."""
+    output_v: float | None = None
+    """Amplitude at the amplifier, V."""
+    output_std_v: float | None = None
+    """Standard deviation of that by noise, gain and temperature, V."""
+    state: str | None = None
+    """Whether the film bears that: `ok`, `beyond-yield` or `wrinkled`; None where that isn't known."""
+    error: SignalError | None = None
+    """Errors by the mesh; None without a coarser mesh."""
+    reason: str | None = None
+    """Reason why numbers are None."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Signals:
+    """Films' signals over load, pressure and contact angle."""
+
+    rows: tuple[SignalRow, ...]
+    """Readings of each film at each pressing."""
+    curves: tuple[SignalCurve, ...]
+    """The rows as curves of the open circuit's voltage."""
+    pairs: tuple[FilmPair, ...]
+    """Two films around the wheel, read against each other."""
+    widths: tuple[StressWidth, ...]
+    """Widths around the wheel over which the contact is felt."""
+    claims: tuple[Claim, ...]
+    """Claims about such films, and what holds of them."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SolveForecast:
+    """Equilibria that are expected to be solved."""
+
+    own: int
+    """Points on the meshes of the answer and of the rungs before it."""
+    coarser: int
+    """Points solved once more on coarser meshes, for the error of the mesh."""
+    effects: int
+    """Solves that show what the model leaves out."""
+    signals: int
+    """Solves of films' signals, on both meshes."""
+    layouts: int
+    """Solves of layouts' loads, on both meshes."""
+    tables: int
+    """Solves of a rig's table of responses."""
+    known: int
+    """Solves among these that the database has already: they cost nothing."""
+    left: CountForecast
+    """Solves that are left."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SplitError:
+    """The chosen model on rows that were left out by one split."""
+
+    by: str
+    """The split: `random` readings of the begin of one run, whose neighbours are learnt from; later `time`; whole
+    `run`s or `cycle`s. One of `random`, `cycle`, `run`, `time`, `frequency`."""
+    rmse_n: float | None = None
+    """Root of the mean squared error, N."""
+    rmse_interval_n: tuple[float, float] | None = None
+    """95 % of the bootstrap's samples of whole cycles, N."""
+    nrmse_percent: float | None = None
+    """RMSE over the range of the tested forces, %."""
+    mean_nrmse_percent: float | None = None
+    """NRMSE of the training mean, %."""
+    r2: float | None = None
+    """Coefficient of determination."""
+    coverage: float | None = None
+    """Share of tested rows within their 95 % intervals, whose width was learnt from other groups."""
+    width_n: float | None = None
+    """Mean width of these intervals, N."""
+    reason: str | None = None
+    """Reason why numbers are None."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SplitReport:
+    """A candidate on one split."""
+
+    by: str
+    """The split. One of `random`, `cycle`, `run`, `time`, `frequency`."""
+    rmse_n: float
+    """Root of the mean squared error, N."""
+    rmse_interval_n: tuple[float, float] | None = None
+    """95 % of the bootstrap's samples of whole cycles, N."""
+    nrmse_percent: float | None = None
+    """RMSE over the range of the tested forces, %."""
+    mean_nrmse_percent: float | None = None
+    """NRMSE of the training mean, %."""
+    r2: float | None = None
+    """Coefficient of determination."""
+    coverage: float | None = None
+    """Share of tested rows within their 95 % intervals, whose width was learnt from other groups."""
+    width_n: float | None = None
+    """Mean width of these intervals, N."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SplitReports:
+    """A candidate on every split."""
+
+    random: SplitReport | None = None
+    """A fifth of the rows, drawn at random."""
+    cycle: SplitReport | None = None
+    """Cycles left out."""
+    run: SplitReport | None = None
+    """Runs left out."""
+    time: SplitReport | None = None
+    """Later rows on earlier ones."""
+    frequency: SplitReport | None = None
+    """Slow, middling or fast cycles left out."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class StrainRing:
+    """Signals around the wheel at one load, of one kind of film: strains, or volts of glued films."""
+
+    section_deg: float
+    """Section angle from the crown, degrees."""
+    direction: str
+    """Direction."""
+    depth_mm: float
+    """Depth of the load, mm."""
+    strain: tuple[float, ...]
+    """Strains from -180 to 179 degrees from the contact."""
+    by_depth: tuple[float, ...]
+    """Derivative by the depth, 1/mm."""
+    strain_error: float | None = None
+    """Largest error of the signal by the coarser mesh."""
+    by_depth_error: float | None = None
+    """Largest error of the derivative by the coarser mesh, 1/mm."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class StressWidth:
+    """A Gaussian in the von Mises stress of the inner surface around the wheel at the crown: offset + amplitude
+    exp(-angle^2 / (2 width^2))."""
+
+    tire: str
+    """Name of the tire."""
+    load_n: float
+    """Vertical force of the ground, N."""
+    depth_mm: float | None = None
+    """Height of the ground above the inflated outer radius, mm."""
+    amplitude_mpa: float | None = None
+    """Amplitude, MPa."""
+    width_deg: float | None = None
+    """Standard deviation, degrees around the wheel."""
+    offset_mpa: float | None = None
+    """Stress far from the contact, MPa."""
+    r2: float | None = None
+    """Share of the variance within 60 degrees of the contact that the Gaussian explains."""
+    reason: str | None = None
+    """Reason why numbers are None."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class StudyIdentity:
+    """Identity of a study: which document, which program."""
+
+    id: str
+    """Identifier in the database."""
+    name: str
+    """Name from the document."""
+    spec_sha256: str
+    """SHA-256 of the canonical document."""
+    version: str
+    """Version of strainsite and its solver."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class StudySummary:
+    """A study in the queue, at work, or at its end. Times are RFC 3339, UTC."""
+
+    id: str
+    """UUID, ordered by time."""
+    name: str
+    """Name in lists: the document's, unless it was changed since."""
+    state: str
+    """State of the study. One of `queued`, `running`, `done`, `failed`, `cancelled`."""
+    spec_sha256: str
+    """SHA-256 of the canonical document."""
+    points_total: int | None = None
+    """Points of its plan, as far as that is known."""
+    points_done: int
+    """Points that have an outcome."""
+    error: str | None = None
+    """Reason why it failed, a sentence."""
+    priority: int
+    """Priority: studies of higher ones go first, those of the same in turns."""
+    created: str
+    """Time at which it was submitted."""
+    started: str | None = None
+    """Time at which it was first started."""
+    finished: str | None = None
+    """Time at which it ended."""
+    archived: str | None = None
+    """Time at which it was archived; None unless it is."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Surer:
+    """Price of a surer answer."""
+
+    sentence: str
+    """Sentence that says what the next level would do, and how long it would take."""
+    level: str
+    """Mesh level to ask for."""
+    times: float | None = None
+    """Work over that of this study with nothing solved before, by the law of solve times; None of solvers without
+    one."""
+    expected_s: float | None = None
+    """Expected wall-clock time with what the database has, s; None where it can't be told."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SweepEstimate:
+    """Estimate of a sweep's cost."""
+
+    designs: tuple[DesignEstimate, ...]
+    """Each design; what an earlier one solves is known to it."""
+    left: CountForecast
+    """Solves left of all designs."""
+    wall_s: Forecast | None = None
+    """Wall-clock time of all; None where a design's reasons say why."""
+    peak_memory_bytes: int
+    """Largest memory of any design, bytes."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SweepSummary:
+    """A sweep as far as it is. Times are RFC 3339, UTC."""
+
+    id: str
+    """UUID, ordered by time."""
+    name: str
+    """Name in lists: as it was submitted, unless it was changed since."""
+    state: str
+    """`queued` before any design is begun, `running` while some aren't ended, `cancelled` when any was, `done` when
+    any has a result. One of `queued`, `running`, `done`, `failed`, `cancelled`."""
+    counts: DesignCounts
+    """Designs by where they stand."""
+    points_total: int | None = None
+    """Points of all designs, once all of their plans are known."""
+    points_done: int
+    """Points that have an outcome."""
+    priority: int
+    """Priority of its studies."""
+    created: str
+    """Time at which it was submitted."""
+    finished: str | None = None
+    """Time at which its last design ended."""
+    archived: str | None = None
+    """Time at which it was archived; None unless it is."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class TableError:
+    """Errors of a table over all kinds of film, wheel angles and tested solves, relative."""
+
+    solves: int
+    """Solves that it was tested by."""
+    signal_rms: float
+    """Root mean square of a signal's error, over the largest signal of its kind."""
+    signal_worst: float
+    """The largest."""
+    angle_slope_rms: float
+    """Root mean square of the error of a slope over the wheel angle, over the largest of its kind."""
+    angle_slope_worst: float
+    """The largest."""
+    depth_slope_rms: float
+    """Root mean square of the error of a slope over the depth, over the largest of its kind."""
+    depth_slope_worst: float
+    """The largest."""
+    force_worst: float
+    """The largest error of a force's component, over the largest load."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class TableReport:
+    """A table of a tire's responses to any contact."""
+
+    level: str
+    """Mesh level."""
+    largest_load_n: float
+    """The largest load, N."""
+    largest_shift_mm: float
+    """The largest shift of the ground at that load, along the wheel and across, mm; 0 where there is no friction."""
+    solves: int
+    """Solves, those that test it included."""
+    error: TableError | None = None
+    """Error of the table; None where a load that tests it has no equilibrium."""
+    films: FilmAnglesReport | None = None
+    """Wheel angles of glued films as an axis; absent for films that resist nothing."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class TrialError:
+    """Estimates against true forces on runs that nobody learnt from, rows in the air among them."""
+
+    rmse_n: float | None = None
+    """Root of the mean squared error, N."""
+    nrmse_percent: float | None = None
+    """RMSE over the range of the true forces, %; None where these don't vary."""
+    r2: float | None = None
+    """Coefficient of determination; None where the true forces don't vary."""
+    coverage: float | None = None
+    """Share of the true forces within their 95 % intervals."""
+    outside: float | None = None
+    """Share of the rows that are flagged: one of their signals is beyond what was learnt from."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class WheelRing:
+    """Both directions around the wheel at one section angle."""
+
+    section_deg: float
+    """Section angle from the crown, degrees."""
+    load: RingLoad | None = None
+    """The load at which it is read."""
+    theta_deg: tuple[float, ...]
+    """Angles from the contact, degrees: from -180 on."""
+    strain_x: tuple[float, ...] | None = None
+    """Circumferential strain; None where no layout has such a film."""
+    strain_y: tuple[float, ...] | None = None
+    """Meridional strain; None where no layout has such a film."""
+    slope_x_per_mm: tuple[float, ...] | None = None
+    """Derivative of the circumferential strain by the depth, 1/mm."""
+    slope_y_per_mm: tuple[float, ...] | None = None
+    """Derivative of the meridional strain by the depth, 1/mm."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class WorstContact:
+    """Contacts about one wheel angle."""
+
+    deg: float
+    """Middle of five degrees of the wheel."""
+    rmse_n: float
+    """Root of the mean squared error of rows with a contact there, N."""
+
+
+COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {
+    "indices": [
+        ("location", "/output/location", None),
+        ("direction", "/output/direction", None),
+        ("input", "/input/name", None),
+        ("first_order", "/own/first_order", None),
+        ("total", "/own/total", None),
+        ("error_mesh", "/output/error/mesh", None),
+        ("error_quadrature", "/output/error/quadrature", None),
+        ("error_decomposition", "/output/error/decomposition", None),
+        ("error_total", "/output/error/total", None),
+        ("mean_strain", "/output/mean", None),
+        ("std_strain", "/output/std", None),
+        ("method", "/output/method", None),
+        ("status", "/output/status", None),
+        ("mdrm_first_order", "/own/mdrm_first_order", None),
+    ],
+    "locations": [
+        ("rank", "/location/rank", None),
+        ("name", "/location/name", None),
+        ("input", "/location/input", None),
+        ("gsi_x_percent", "/location/gsi_x_percent", None),
+        ("gsi_y_percent", "/location/gsi_y_percent", None),
+        ("mean_gsi_x_percent", "/location/mean_gsi_x_percent", None),
+        ("mean_gsi_y_percent", "/location/mean_gsi_y_percent", None),
+        ("own_gsi_x_percent", "/location/own_gsi_x_percent", None),
+        ("own_gsi_y_percent", "/location/own_gsi_y_percent", None),
+        ("mdrm_gsi_x_percent", "/location/mdrm_gsi_x_percent", None),
+        ("mdrm_gsi_y_percent", "/location/mdrm_gsi_y_percent", None),
+        ("rank_x", "/location/rank_x", None),
+        ("rank_y", "/location/rank_y", None),
+        ("rank_certain", "/location/rank_certain", None),
+        ("gsi_x_error_percent", "/location/gsi_x_error_percent", None),
+        ("gsi_y_error_percent", "/location/gsi_y_error_percent", None),
+    ],
+    "layouts": [
+        ("rank", "/layout/rank", None),
+        ("spacing_deg", "/layout/spacing_deg", None),
+        ("units", "/layout/units", None),
+        ("position", "/layout/position", None),
+        ("films", "/layout/films", None),
+        ("weakest_signal_strain", "/layout/score/weakest_signal", "strain"),
+        ("weakest_signal_v", "/layout/score/weakest_signal", "V"),
+        ("worst_angle_error_deg", "/layout/score/worst_angle_error_deg", None),
+        ("rms_angle_error_deg", "/layout/score/rms_angle_error_deg", None),
+        ("worst_depth_error_mm", "/layout/score/worst_depth_error_mm", None),
+        ("noise_strain", "/layout/score/noise_strain", None),
+        ("noise_v", "/layout/score/noise_v", None),
+        ("reason", "/layout/score/reason", None),
+        ("rank_certain", "/layout/rank_certain", None),
+        ("name", "/layout/name", None),
+        ("staggered", "/layout/staggered", None),
+        ("film_count", "/layout/film_count", None),
+        ("bayes_angle_error_deg", "/layout/score/bayes_angle_error_deg", None),
+        ("simulated_rms_angle_error_deg", "/layout/score/simulated_rms_angle_error_deg", None),
+        ("simulated_p95_angle_error_deg", "/layout/score/simulated_p95_angle_error_deg", None),
+        ("simulated_p95_error_deg", "/layout/score/error/simulated_p95_angle_error_deg", None),
+        ("lost_share", "/layout/score/lost_share", None),
+        ("simulated_rms_depth_error_mm", "/layout/score/simulated_rms_depth_error_mm", None),
+        ("force_error_n", "/layout/score/force_error_n", None),
+        ("alike_sigmas", "/layout/score/alike/sigmas", None),
+        ("worst_angle_mesh_error_deg", "/layout/score/error/worst_angle_error_deg", None),
+        ("doubt", "/layout/doubt", None),
+        ("shear_angle_error_deg", "/layout/score/shear/worst_angle_error_deg", None),
+        ("shear_force_x_error_n", "/layout/score/shear/worst_force_error_n/0", None),
+        ("shear_force_y_error_n", "/layout/score/shear/worst_force_error_n/1", None),
+        ("shear_force_z_error_n", "/layout/score/shear/worst_force_error_n/2", None),
+        ("shear_reason", "/layout/score/shear/reason", None),
+    ],
+    "candidates": [
+        ("section_deg", "/film/section_deg", None),
+        ("direction", "/film/direction", None),
+        ("length_mm", "/film/length_mm", None),
+        ("width_mm", "/film/width_mm", None),
+        ("signal", "/film/signal", "strain"),
+        ("signal_v", "/film/signal", "V"),
+        ("angle_information", "/film/angle_information", None),
+        ("angle_information_error", "/film/angle_information_error", None),
+        ("depth_information", "/film/depth_information", None),
+    ],
+    "signals": [
+        ("tire", "/row/tire", None),
+        ("film", "/row/film", None),
+        ("position", "/row/position", None),
+        ("direction", "/row/direction", None),
+        ("over", "/row/over", None),
+        ("load_n", "/row/load_n", None),
+        ("pressure_mpa", "/row/pressure_mpa", None),
+        ("contact_deg", "/row/contact_deg", None),
+        ("depth_mm", "/row/depth_mm", None),
+        ("strain", "/row/strain", None),
+        ("tension_1_n_per_mm", "/row/tension_1_n_per_mm", None),
+        ("charge_nc", "/row/charge_nc", None),
+        ("open_circuit_v", "/row/open_circuit_v", None),
+        ("output_v", "/row/output_v", None),
+        ("output_std_v", "/row/output_std_v", None),
+        ("state", "/row/state", None),
+        ("strain_error", "/row/error/strain", None),
+        ("charge_error_nc", "/row/error/charge_nc", None),
+        ("open_circuit_error_v", "/row/error/open_circuit_v", None),
+        ("output_error_v", "/row/error/output_v", None),
+        ("reason", "/row/reason", None),
+    ],
+    "forces": [
+        ("layout_rank", "/layout/rank", None),
+        ("films", "/layout/film_count", None),
+        ("force", "/force/axis", None),
+        ("chosen", "/force/chosen", None),
+        ("features", "/force/features", None),
+        ("useful", "/force/useful", None),
+        ("leak", "/force/leak", None),
+        ("bound_n", "/force/floor_n", None),
+        ("fresh_rmse_n", "/force/fresh/rmse_n", None),
+        ("fresh_nrmse_percent", "/force/fresh/nrmse_percent", None),
+        ("fresh_r2", "/force/fresh/r2", None),
+        ("fresh_coverage", "/force/fresh/coverage", None),
+        ("dead_rmse_n", "/force/dead/error/rmse_n", None),
+        ("dead_nrmse_percent", "/force/dead/error/nrmse_percent", None),
+        ("dead_r2", "/force/dead/error/r2", None),
+        ("dead_coverage", "/force/dead/error/coverage", None),
+        ("askew_rmse_n", "/force/askew/error/rmse_n", None),
+        ("askew_nrmse_percent", "/force/askew/error/nrmse_percent", None),
+        ("askew_r2", "/force/askew/error/r2", None),
+        ("askew_coverage", "/force/askew/error/coverage", None),
+        ("left_out_rmse_n", "/left_out/rmse_n", None),
+        ("left_out_nrmse_percent", "/left_out/nrmse_percent", None),
+        ("mean_nrmse_percent", "/left_out/mean_nrmse_percent", None),
+        ("worst_contact_deg", "/force/worst_contact/deg", None),
+        ("worst_contact_rmse_n", "/force/worst_contact/rmse_n", None),
+        ("reason", "/force/reason", None),
+    ],
+    "models": [
+        ("force", "/force/force", None),
+        ("model", "/model/model", None),
+        ("features", "/model/features", None),
+        ("chosen", "/chosen", None),
+        ("by", "/model/validation/by", None),
+        ("rmse_n", "/model/validation/rmse_n", None),
+        ("nrmse_percent", "/model/validation/nrmse_percent", None),
+        ("mean_nrmse_percent", "/model/validation/mean_nrmse_percent", None),
+        ("r2", "/model/validation/r2", None),
+        ("coverage", "/model/validation/coverage", None),
+        ("width_n", "/model/validation/width_n", None),
+        ("rmse_low_n", "/model/validation/rmse_interval_n/0", None),
+        ("rmse_high_n", "/model/validation/rmse_interval_n/1", None),
+        ("random_rmse_n", "/model/splits/random/rmse_n", None),
+        ("cycle_rmse_n", "/model/splits/cycle/rmse_n", None),
+        ("run_rmse_n", "/model/splits/run/rmse_n", None),
+        ("time_rmse_n", "/model/splits/time/rmse_n", None),
+        ("frequency_rmse_n", "/model/splits/frequency/rmse_n", None),
+        ("leak_factor", "/model/leak_factor", None),
+        ("better_than_mean", "/model/better_than_mean", None),
+    ],
+    "compared_locations": [
+        ("location", "/row/location", None),
+        ("rank", "/row/rank", None),
+        ("rank_certain", "/row/rank_certain", None),
+        ("rank_change", "/row/rank_change", None),
+        ("rank_verdict", "/row/rank_verdict", None),
+        ("gsi_percent_x", "/row/x/gsi_percent", None),
+        ("error_percent_x", "/row/x/error_percent", None),
+        ("difference_percent_x", "/row/x/difference_percent", None),
+        ("difference_error_percent_x", "/row/x/difference_error_percent", None),
+        ("verdict_x", "/row/x/verdict", None),
+        ("gsi_percent_y", "/row/y/gsi_percent", None),
+        ("error_percent_y", "/row/y/error_percent", None),
+        ("difference_percent_y", "/row/y/difference_percent", None),
+        ("difference_error_percent_y", "/row/y/difference_error_percent", None),
+        ("verdict_y", "/row/y/verdict", None),
+        ("spec_sha256", "/study/spec_sha256", None),
+        ("version", "/study/version", None),
+        ("baseline", "/comparison/baseline", None),
+    ],
+    "designs": [
+        ("state", "/study/state", None),
+        ("reason", "/study/reason", None),
+        ("level", "/study/level", None),
+        ("reaction_n", "/study/reaction_n", None),
+        ("std_strain_x", "/study/std_strain_x", None),
+        ("std_strain_y", "/study/std_strain_y", None),
+        ("best", "/study/best", None),
+        ("best_certain", "/study/best_certain", None),
+        ("layout_spacing_deg", "/study/layout_spacing_deg", None),
+        ("layout_position", "/study/layout_position", None),
+        ("solves", "/study/cost/solves", None),
+        ("coarser_solves", "/study/cost/coarser_solves", None),
+        ("effect_solves", "/study/cost/effect_solves", None),
+        ("reused", "/study/cost/reused", None),
+        ("wall_s", "/study/cost/wall_s", None),
+        ("cpu_s", "/study/cost/cpu_s", None),
+        ("spec_sha256", "/study/spec_sha256", None),
+        ("version", "/study/version", None),
+        ("baseline", "/comparison/baseline", None),
+    ],
+    "rungs": [
+        ("label", "/rung/label", None),
+        ("level", "/rung/fidelity/level", None),
+        ("method", "/rung/fidelity/method", None),
+        ("nodes", "/rung/fidelity/nodes", None),
+        ("check_points", "/rung/fidelity/check_points", None),
+        ("wall_s", "/rung/wall_s", None),
+        ("cpu_s", "/rung/cpu_s", None),
+        ("solves", "/rung/solves", None),
+        ("error_true", "/rung/error_true", None),
+        ("error_claimed", "/rung/error_claimed", None),
+        ("covered", "/rung/covered", None),
+        ("ranking_agrees", "/rung/ranking_agrees", None),
+        ("pareto", "/rung/pareto", None),
+    ],
+}

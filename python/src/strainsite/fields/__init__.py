@@ -1,1 +1,0 @@
-"""Fields over the wheel, from what a study has stored."""

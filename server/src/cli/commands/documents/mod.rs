@@ -1,0 +1,7 @@
+//! Documents by themselves, without running them.
+
+mod document_schema;
+mod validate;
+
+pub use document_schema::Schema;
+pub use validate::Validate;

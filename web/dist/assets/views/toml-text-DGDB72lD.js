@@ -1,1 +1,0 @@
-export{ct as readToml}from"./views-CZwYuyRM.js";

@@ -1,0 +1,1 @@
+export{rn as readToml}from"../views-DhnuyNmF.js";
