@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use document::{Format, parse};
 use fem_client::closed_form::ClosedFormSolver;
-use fem_client::document::{Format, parse};
-use fem_client::solver::Solver;
+use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use reqwest::redirect::Policy;
 use reqwest::{Client, Response, StatusCode};
 use serde_json::{Value, json};
@@ -15,10 +15,10 @@ use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{Connection, SqliteConnection};
 use tempfile::TempDir;
 
-/// Far beyond what any of these studies takes, so that only a study that hangs meets it.
+/// Time far beyond what any of these studies takes, so that only a study that hangs meets it.
 pub const PATIENCE: Duration = Duration::from_secs(60);
 
-/// As short as to come often.
+/// Turn that is so short as to come often.
 const TURN: Duration = Duration::from_millis(300);
 
 /// A service with a client.
@@ -50,7 +50,7 @@ impl Home {
     /// A service that answers these alone.
     pub async fn start_for(&self, outside: Outside) -> App {
         let solver = Arc::new(ClosedFormSolver::new());
-        let app = serve_to(self.database(), solver, outside).await;
+        let app = serve_to(self.database(), solver, TURN, outside).await;
         app.expect("the service starts")
     }
 
@@ -59,12 +59,19 @@ impl Home {
             limits,
             ..Outside::default()
         };
-        let app = serve_to(self.database(), Arc::new(solver), outside).await;
+        let app = serve_to(self.database(), Arc::new(solver), TURN, outside).await;
         app.expect("the service starts")
     }
 
     pub async fn start_on(&self, solver: Arc<dyn Solver>) -> App {
         let app = serve(self.database(), solver).await;
+        app.expect("the service starts")
+    }
+
+    /// A service whose work never gives way: how much it finds solved doesn't depend on how busy the machine is.
+    pub async fn start_without_turns(&self, solver: Arc<dyn Solver>) -> App {
+        let turn = Duration::from_secs(3600);
+        let app = serve_to(self.database(), solver, turn, Outside::default()).await;
         app.expect("the service starts")
     }
 
@@ -80,12 +87,13 @@ impl Home {
 
 /// A service on a database, on two threads.
 pub async fn serve(database: PathBuf, solver: Arc<dyn Solver>) -> Result<App, StartError> {
-    serve_to(database, solver, Outside::default()).await
+    serve_to(database, solver, TURN, Outside::default()).await
 }
 
 async fn serve_to(
     database: PathBuf,
     solver: Arc<dyn Solver>,
+    turn: Duration,
     outside: Outside,
 ) -> Result<App, StartError> {
     let parts = ServiceParts {
@@ -94,7 +102,7 @@ async fn serve_to(
         previewer: solver.clone(),
         solver,
         threads: 2,
-        turn: TURN,
+        turn,
         outside,
     };
     Ok(App {
@@ -206,14 +214,14 @@ pub async fn problem(response: Response, status: StatusCode) -> Value {
 
 /// The shipped study without its map and layouts, so that it is small.
 pub fn study() -> Value {
-    let (_, text) = placement::study::presets()[0];
+    let (_, text) = documents::study::presets()[0];
     let mut document = parse(text, Format::Toml).expect("shipped studies are well-formed");
     document["candidates"] = json!({"points": "P1-P5"});
     document["layouts"] = json!({"spacings_deg": []});
     document
 }
 
-/// The same with two layouts.
+/// Returns the study with two layouts.
 pub fn study_of_layouts() -> Value {
     let mut document = study();
     document["layouts"] = json!({"spacings_deg": [60, 90], "positions": ["crown"]});
@@ -223,4 +231,24 @@ pub fn study_of_layouts() -> Value {
 /// A solver that gives a test time to look: 26 solves on two threads take about a second and a half.
 pub fn slow() -> ClosedFormSolver {
     ClosedFormSolver::new().with_delay(Duration::from_millis(100))
+}
+
+/// The closed form on a ground that presses by force: a tenth of a millimetre for each newton.
+pub struct ByForce;
+
+impl Solver for ByForce {
+    fn version(&self) -> String {
+        "closed form by force".to_owned()
+    }
+
+    fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        let mut scene = request.scene.clone();
+        if let Some(load) = scene.ground.load_n {
+            scene.ground = scene.ground.at_depths(vec![0.1 * load; 5]);
+        }
+        ClosedFormSolver::new().solve(&SolveRequest {
+            scene: &scene,
+            ..*request
+        })
+    }
 }
