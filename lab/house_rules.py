@@ -1,11 +1,12 @@
-"""The rules of the house: no import circle between files or rooms, no crowded folder, no file name twice, a short map, pages that name what is there, comments
-that begin with a noun."""
+"""The rules of the house: no import circle between files or rooms, no name public that nothing outside its crate needs, no crowded folder, no file name twice, a
+short map, pages that name what is there, comments that begin with a noun."""
 
 import re
 import subprocess
 from pathlib import Path
 
 import comments
+import publicity
 from imports import circles, python, rust, web
 from pages import links, names
 from pages.places import Places
@@ -29,6 +30,7 @@ def check(root):
     return [
         *import_circles(root, files, of_rust),
         *room_circles(root, of_rust),
+        *publicity.breaches(root, files),
         *crowded_folders(files),
         *names_twice(files),
         *long_pages(root, files),

@@ -55,6 +55,25 @@ CASES = {
         },
         "a/src/disc: 2 rooms import one another in a circle\n  a/src/disc/edge.rs:1: imports a/src/ring\n  a/src/ring.rs:1: imports a/src/disc",
     ),
+    "names that others need": (
+        {
+            **CRATE,
+            "a/src/lib.rs": "pub mod disc;\n",
+            "a/src/disc.rs": "pub fn radius(of: [f64; 2]) -> Disc {}\npub struct Disc {\n    pub edge: Edge,\n}\npub(crate) struct Face;\npub struct Edge;\n",
+            "b/Cargo.toml": '[package]\nname = "b"\n',
+            "b/src/lib.rs": "use a::disc::radius;\n",
+        },
+        None,
+    ),
+    "name that nothing outside needs": (
+        {
+            **CRATE,
+            "a/src/lib.rs": "pub fn ring() -> Ring {}\npub struct Ring {\n    edge: Edge,\n}\npub struct Edge;\n",
+            "b/Cargo.toml": '[package]\nname = "b"\n',
+            "b/src/lib.rs": "// Edge\nuse a::ring;\n",
+        },
+        "a/src/lib.rs:5: `Edge` is public, and nothing outside `a` needs it",
+    ),
     "a room's tests": (
         {
             **CRATE,

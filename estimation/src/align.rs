@@ -22,7 +22,7 @@ pub struct Tick {
 
 /// Brings rows to a clock of so many ticks a second, one after another. It begins anew after each pause.
 #[derive(Debug, Clone)]
-pub struct Clock {
+pub(crate) struct Clock {
     rate_hz: f64,
     pause_s: f64,
     /// Time at which the clock began, s, and ticks since then.

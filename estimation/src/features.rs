@@ -35,9 +35,9 @@ pub struct StreamSettings {
 /// Groups of features: values, slopes, rolling means, rolling variances.
 pub const GROUPS: usize = 4;
 /// The group of values.
-pub const VALUES: usize = 0;
+pub(crate) const VALUES: usize = 0;
 /// The group of rolling means.
-pub const MEANS: usize = 2;
+pub(crate) const MEANS: usize = 2;
 
 /// Features of a run's rows, one after another.
 #[derive(Debug, Clone)]

@@ -6,7 +6,7 @@ use crate::recipe::{FeatureSet, Kind, SplitKind};
 use crate::validation::{Candidate, Judged, SplitFigures};
 
 /// A model that isn't this much better than the training mean is useless: its RMSE must be at most this share of the mean's.
-pub const USEFUL_SHARE: f64 = 0.95;
+pub(crate) const USEFUL_SHARE: f64 = 0.95;
 /// Errors that differ by less than this factor are as good as each other: cycles of one run tell them apart no better, and the simpler model is
 /// surer beyond them.
 const AS_GOOD: f64 = 1.05;

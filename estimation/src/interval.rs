@@ -36,7 +36,7 @@ const USUAL_SPREAD: f64 = 0.2;
 const USUAL_WEIGHT: usize = 2;
 
 /// Factor on the deviation by what was left out; none of no rows. Runs differ, and few are seen; cycles are many, and a run has all sorts of them.
-pub fn factor_by(kind: SplitKind, left_out: &[LeftOut]) -> Option<f64> {
+pub(crate) fn factor_by(kind: SplitKind, left_out: &[LeftOut]) -> Option<f64> {
     match kind {
         SplitKind::Run => factor(left_out),
         _ => factor_of_rows(left_out),

@@ -12,7 +12,7 @@ use crate::recording::{PAUSE_INTERVALS, Recording};
 use crate::split::Place;
 
 /// Fewer cycles than this in all runs tell nothing of what a new one would bring.
-pub const FEWEST_CYCLES: usize = 4;
+pub(crate) const FEWEST_CYCLES: usize = 4;
 /// Fewer rows with a force are learnt nothing from.
 pub const FEWEST_ROWS: usize = 20;
 /// Rates whose quotient is larger are other rates.
@@ -243,7 +243,7 @@ impl Runs {
     }
 
     /// Whether every run's first reading is what its signals come back to without a force. A motor's position isn't: it begins where it happened to stand.
-    pub fn begin_at_zero(&self) -> bool {
+    pub(crate) fn begin_at_zero(&self) -> bool {
         self.begin_unloaded() && self.runs.iter().all(comes_back)
     }
 

@@ -67,7 +67,7 @@ pub fn determinant(a: &Tensor) -> f64 {
 
 /// Derivative of the cofactor with respect to the tensor, symmetric:
 /// d cof(a)_ij / d a_kl = eps_ikm eps_jln a_mn.
-pub fn cofactor_derivative(a: &Tensor) -> Tensor4 {
+pub(crate) fn cofactor_derivative(a: &Tensor) -> Tensor4 {
     let mut d = [[0.0; 9]; 9];
     for i in 0..3 {
         for j in 0..3 {
@@ -87,7 +87,7 @@ pub fn cofactor_derivative(a: &Tensor) -> Tensor4 {
 ///
 /// Cyclic Jacobi rotations (G. H. Golub and C. F. Van Loan, Matrix Computations, 4th ed., section 8.5): the error is a few
 /// round-offs of the largest eigenvalue however close the eigenvalues are, where the closed form loses half of the digits.
-pub fn symmetric_eigen(a: &Tensor) -> (Vector, Tensor) {
+pub(crate) fn symmetric_eigen(a: &Tensor) -> (Vector, Tensor) {
     let (mut a, mut vectors) = (*a, IDENTITY);
     for _ in 0..MAX_SWEEPS {
         let beside = a[0][1].abs().max(a[0][2].abs()).max(a[1][2].abs());

@@ -9,7 +9,7 @@
 //! - [`reference_tire`]: the reference tire, and one solve of it
 //! - [`study_runs`]: studies on any mesh level, and what they are run with
 
-pub mod all_cores;
+pub(crate) mod all_cores;
 pub mod cpu;
 pub mod limit;
 pub mod mesh_families;

@@ -94,11 +94,11 @@ def main() -> None:
 
 def columns_of(tables: dict[str, Any]) -> str:
     """Columns of tables as their names, the pointers of their values, and the unit of the rows that have one."""
-    tables = {
-        name: [(each["name"], each["at"], each.get("of_unit")) for each in table["columns"] if each["exported"]]
-        for name, table in tables.items()
+    exported = {name: [each for each in table["columns"] if each["exported"]] for name, table in tables.items()}
+    columns = {
+        name: [(each["name"], each["at"], each.get("of_unit")) for each in table] for name, table in exported.items() if table
     }
-    return f"COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {tables}"
+    return f"COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {columns}"
 
 
 def module(description: Description, answers: tuple[str, ...], words: tuple[str, ...], columns: str) -> str:

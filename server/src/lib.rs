@@ -13,5 +13,5 @@ pub mod cli;
 pub mod config;
 pub mod http;
 pub mod running;
-pub mod telemetry;
+pub(crate) mod telemetry;
 pub mod token;

@@ -11,7 +11,7 @@ use tracing_subscriber::fmt::MakeWriter;
 
 /// Format of the log.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum LogFormat {
+pub(crate) enum LogFormat {
     /// Text for people.
     Text,
     /// JSON, an object a line.
@@ -20,7 +20,7 @@ pub enum LogFormat {
 
 /// Filter of the log: a level, or levels of parts of the program, as in `info,server::queue=debug`.
 #[derive(Debug, Clone)]
-pub struct LogFilter(String);
+pub(crate) struct LogFilter(String);
 
 impl FromStr for LogFilter {
     type Err = ParseError;
@@ -39,7 +39,7 @@ pub fn start() {
 }
 
 /// Starts the log of the service; a panic anywhere becomes a line of it, with what was being done.
-pub fn start_service(filter: &LogFilter, format: LogFormat) {
+pub(crate) fn start_service(filter: &LogFilter, format: LogFormat) {
     let filter = EnvFilter::new(&filter.0);
     match format {
         LogFormat::Text => write_text(filter),

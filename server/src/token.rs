@@ -45,7 +45,7 @@ impl Token {
     ///
     /// # Errors
     /// When the file can't be read, or holds something else.
-    pub fn in_file(path: &Path) -> Result<Self, TokenError> {
+    pub(crate) fn in_file(path: &Path) -> Result<Self, TokenError> {
         // A longer text is no token, however long it is.
         let (longest, mut text) = (LONGEST as u64 + 3, String::new());
         let read = File::open(path).and_then(|file| file.take(longest).read_to_string(&mut text));
@@ -61,7 +61,7 @@ impl Token {
     }
 
     /// A secret of its own, made of this one: it is the same after a restart, and doesn't give this one away.
-    pub fn derived(&self, purpose: &str) -> Self {
+    pub(crate) fn derived(&self, purpose: &str) -> Self {
         let mut hasher = Sha256::new();
         for part in [purpose, &self.0] {
             hasher.update((part.len() as u64).to_le_bytes());
@@ -71,7 +71,7 @@ impl Token {
     }
 
     /// The secret itself, for whoever is to have it.
-    pub fn reveal(&self) -> &str {
+    pub(crate) fn reveal(&self) -> &str {
         &self.0
     }
 }

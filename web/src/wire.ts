@@ -4664,6 +4664,14 @@ export const FORCES_COLUMNS = {
   reason: {"at":"/force/reason","kind":"text","title":"reason","digits":2,"description":"Reason why numbers are null."},
 } as const;
 
+/** Columns of elsewhere. */
+export const ELSEWHERE_COLUMNS = {
+  rmse_n: {"at":"/other/error/rmse_n","kind":"float","unit":"N","title":"off by","digits":2,"view":"other tires","description":"Root of the mean squared error, N."},
+  own_rmse_n: {"at":"/force/fresh/rmse_n","kind":"float","unit":"N","title":"on its own tire","digits":2,"view":"other tires","description":"Root of the mean squared error, N."},
+  coverage: {"at":"/other/error/coverage","kind":"share","unit":"1","title":"covered","digits":0,"view":"other tires","description":"Share of the true forces within their 95 % intervals."},
+  outside: {"at":"/other/error/outside","kind":"share","unit":"1","title":"flagged","digits":0,"view":"other tires","description":"Share of the rows that are flagged: one of their signals is beyond what was learnt from."},
+} as const;
+
 /** Columns of models. */
 export const MODELS_COLUMNS = {
   force: {"at":"/force/force","kind":"text","title":"force","digits":2,"description":"Column of the force."},

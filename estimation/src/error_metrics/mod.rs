@@ -16,7 +16,7 @@ use rand_chacha::rand_core::SeedableRng;
 use crate::error_metrics::order_statistics::covering_quantile;
 
 /// Share of the rows that intervals promise to hold.
-pub const PROMISE: f64 = 0.95;
+pub(crate) const PROMISE: f64 = 0.95;
 /// Samples of the bootstrap.
 const DRAWS: usize = 1000;
 
@@ -46,7 +46,7 @@ pub fn r2(truth: &[f64], estimate: &[f64]) -> Option<f64> {
 }
 
 /// The interval score of one truth.
-pub fn interval_score(truth: f64, low: f64, high: f64) -> f64 {
+pub(crate) fn interval_score(truth: f64, low: f64, high: f64) -> f64 {
     let outside = (low - truth).max(truth - high).max(0.0);
     high - low + 2.0 / (1.0 - PROMISE) * outside
 }

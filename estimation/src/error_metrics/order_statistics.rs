@@ -12,7 +12,7 @@
 //! libraries of statistics have, too, lies between x_k and x_(k+1) like type 7; with 480 numbers its 95 % is the place 456.65, that of type 7 456.05.
 
 /// Returns the least of sorted numbers that at least this share of them don't exceed: type 1, an inverse of the empirical distribution function. NaN of none.
-pub fn covering_quantile(sorted: &[f64], share: f64) -> f64 {
+pub(crate) fn covering_quantile(sorted: &[f64], share: f64) -> f64 {
     let place = (share * sorted.len() as f64).ceil() as usize;
     let place = place.clamp(1, sorted.len().max(1)) - 1;
     sorted.get(place).copied().unwrap_or(f64::NAN)

@@ -1,7 +1,7 @@
 //! Fewer rows, evenly taken.
 
 /// Returns at most `most` of so many rows, at even distances, the first among them.
-pub fn even_subset(rows: usize, most: usize) -> Vec<usize> {
+pub(crate) fn even_subset(rows: usize, most: usize) -> Vec<usize> {
     if rows <= most {
         return (0..rows).collect();
     }

@@ -51,7 +51,7 @@ impl FeatureScale {
     }
 
     /// All rows on the scale.
-    pub fn scaled_rows(&self, rows: &ArrayView2<f64>) -> Array2<f64> {
+    pub(crate) fn scaled_rows(&self, rows: &ArrayView2<f64>) -> Array2<f64> {
         let mut scaled = rows.to_owned();
         for ((mut column, shift), width) in scaled
             .columns_mut()

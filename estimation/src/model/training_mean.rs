@@ -34,7 +34,7 @@ impl TrainingMean {
 }
 
 /// Mean and standard deviation, the latter 1 where nothing varies.
-pub fn mean_and_deviation(forces: &[f64]) -> (f64, f64) {
+pub(crate) fn mean_and_deviation(forces: &[f64]) -> (f64, f64) {
     let count = forces.len().max(1) as f64;
     let mean = forces.iter().sum::<f64>() / count;
     let squares: f64 = forces.iter().map(|f| (f - mean) * (f - mean)).sum();

@@ -14,7 +14,7 @@ use crate::recording::named_columns::NamedColumns;
 use crate::recording::recording_fault::{FaultList, RecordingFault};
 
 /// Most columns of a file.
-pub const MOST_COLUMNS: usize = 4096;
+pub(crate) const MOST_COLUMNS: usize = 4096;
 
 /// The names in a file's header.
 ///

@@ -112,7 +112,7 @@ impl Tested {
     }
 
     /// Measured and estimated forces, N.
-    pub fn truths_and_estimates(&self) -> (Vec<f64>, Vec<f64>) {
+    pub(crate) fn truths_and_estimates(&self) -> (Vec<f64>, Vec<f64>) {
         self.left_out
             .iter()
             .map(|row| (row.truth, row.mean))

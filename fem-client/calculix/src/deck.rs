@@ -15,13 +15,13 @@ use crate::rigid_ground::RigidGround;
 use fem_client::scene::{Law, Material};
 
 /// Set of the tire's nodes.
-pub const TIRE: &str = "TIRE";
+pub(crate) const TIRE: &str = "TIRE";
 /// Set of the ground's nodes.
-pub const GROUND: &str = "GROUND";
+pub(crate) const GROUND: &str = "GROUND";
 /// Step time, of no unit, at which the tire is inflated and the ground starts to rise.
-pub const INFLATED_TIME: f64 = 1.0;
+pub(crate) const INFLATED_TIME: f64 = 1.0;
 /// Step time, of no unit, at which the ground has arrived.
-pub const PRESSED_TIME: f64 = 2.0;
+pub(crate) const PRESSED_TIME: f64 = 2.0;
 /// First, least and largest increment of the step time.
 const INCREMENTS: [f64; 3] = [0.25, 1e-4, 0.25];
 /// Largest residual force over the mean force, and largest correction over the increment's displacement, of an equilibrium.
@@ -35,7 +35,7 @@ const NO_VOLUMETRIC_TERM: f64 = 1e12;
 const MAX_INCREMENTS: usize = 1000;
 
 /// Terms of Ogden's law that CalculiX takes.
-pub const MAX_OGDEN_TERMS: usize = 3;
+pub(crate) const MAX_OGDEN_TERMS: usize = 3;
 
 /// Parts of which a deck is written.
 #[derive(Debug, Clone, Copy)]

@@ -8,7 +8,7 @@ use super::deck::MAX_OGDEN_TERMS;
 
 /// Largest bulk modulus over shear modulus for CalculiX's 8-node bricks with one integration point. They are within 1 % of mixed
 /// elements there; at ten times as much they are 20 % off without a warning, and its other bricks lock or fail.
-pub const LARGEST_BULK_RATIO: f64 = 100.0;
+pub(crate) const LARGEST_BULK_RATIO: f64 = 100.0;
 
 /// Returns all in a scene that CalculiX can't be asked for.
 pub fn faults(scene: &Scene) -> Vec<Fault> {

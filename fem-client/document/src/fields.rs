@@ -184,20 +184,6 @@ impl<'v> Fields<'v> {
         })
     }
 
-    /// Opens a table of numbers and reads them; `others` are the names of fields beside them. None after a fault.
-    pub fn of_numbers<const N: usize>(
-        value: &'v Value,
-        pointer: &str,
-        others: &[&str],
-        numbers: [Number<'_>; N],
-        faults: &mut Vec<Fault>,
-    ) -> Option<Self> {
-        let names = numbers.each_ref().map(|number| number.0);
-        let fields = Self::open(value, pointer, &[others, &names].concat(), faults)?;
-        fields.numbers(numbers, faults)?;
-        Some(fields)
-    }
-
     /// The value of a field, with its pointer.
     pub fn get(&self, name: &str) -> Option<(&'v Value, String)> {
         self.object.get(name).map(|value| (value, self.at(name)))

@@ -7,7 +7,7 @@ pub mod fault;
 pub mod fields;
 mod json;
 pub mod json_schema;
-pub mod non_finite;
+pub(crate) mod non_finite;
 pub mod typed;
 pub mod visible;
 
@@ -31,7 +31,7 @@ use crate::visible::visible;
 pub const MAX_BYTES: usize = 1 << 20;
 
 /// Deepest nesting of a document. Scenes and studies need five levels.
-pub const MAX_DEPTH: usize = 64;
+pub(crate) const MAX_DEPTH: usize = 64;
 
 /// Syntax of a document.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -14,6 +14,6 @@ pub(crate) fn non_finite(number: f64) -> Value {
 }
 
 /// The text of a NaN or an infinity, if that is what the value stands for.
-pub fn as_non_finite(value: &Value) -> Option<&str> {
+pub(crate) fn as_non_finite(value: &Value) -> Option<&str> {
     value.get(NON_FINITE)?.as_str()
 }

@@ -121,7 +121,7 @@ impl Amplifier {
     }
 
     /// Standard deviation of a reading, V, by noise, gain and temperature; `warming` is the charge of a kelvin, nC/K.
-    pub fn reading_std_v(&self, charge_nc: f64, capacitance_pf: f64, warming: f64) -> f64 {
+    pub(crate) fn reading_std_v(&self, charge_nc: f64, capacitance_pf: f64, warming: f64) -> f64 {
         let of = |charge_nc| self.reading(charge_nc, capacitance_pf).output_v;
         let gain = self.gain_std * of(charge_nc);
         let warmed = of(self.temperature_k * warming);

@@ -86,7 +86,7 @@ impl Laminate {
     }
 
     /// Mean stresses of the layer that makes charge, MPa, where the neutral plane has this strain and this change of curvature (1/mm).
-    pub fn piezo_stress(&self, strain: &InPlane, curvature: &InPlane) -> InPlane {
+    pub(crate) fn piezo_stress(&self, strain: &InPlane, curvature: &InPlane) -> InPlane {
         let there = [0, 1, 2].map(|k| strain[k] - self.piezo_height * curvature[k]);
         product(&self.piezo.moduli(), &there)
     }

@@ -61,7 +61,7 @@ impl Piezo {
     }
 
     /// Whether it yields under these stresses along, across and in shear, MPa, by von Mises' criterion.
-    pub fn yields(&self, [s1, s2, s12]: [f64; 3]) -> bool {
+    pub(crate) fn yields(&self, [s1, s2, s12]: [f64; 3]) -> bool {
         let squared = s1 * s1 - s1 * s2 + s2 * s2 + 3.0 * s12 * s12;
         squared.sqrt() > self.yield_mpa
     }

@@ -2,16 +2,16 @@
 
 pub mod direction;
 pub mod film_comparison;
-pub mod film_state;
+pub(crate) mod film_state;
 pub mod gauge;
 #[cfg(feature = "openapi")]
 pub mod object_schema;
 pub mod readout;
 pub mod response;
-pub mod solve_error;
-pub mod solve_watch;
-pub mod start_state;
-pub mod value_range;
+pub(crate) mod solve_error;
+pub(crate) mod solve_watch;
+pub(crate) mod start_state;
+pub(crate) mod value_range;
 
 use serde::{Deserialize, Serialize};
 

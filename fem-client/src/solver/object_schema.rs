@@ -31,7 +31,7 @@ impl ObjectSchema {
 
     /// A field that may be missing, an object with a schema of this name.
     #[must_use]
-    pub fn optional_object(self, schema: &str, name: &str, description: &str) -> Self {
+    pub(crate) fn optional_object(self, schema: &str, name: &str, description: &str) -> Self {
         let mut object = Ref::from_schema_name(schema);
         object.description = description.to_owned();
         let null = ObjectBuilder::new().schema_type(Type::Null);

@@ -26,7 +26,7 @@ pub mod family;
 mod glued_bar;
 pub(crate) mod hertz;
 pub(crate) mod homogeneous;
-pub mod known_case;
+pub(crate) mod known_case;
 pub(crate) mod mesh_refinement;
 pub(crate) mod plate;
 mod ring;

@@ -67,7 +67,7 @@ impl Order {
     }
 
     /// Nodes of a face.
-    pub fn face_nodes(self) -> usize {
+    pub(crate) fn face_nodes(self) -> usize {
         self.edge_nodes() * self.nodes_across()
     }
 
@@ -81,7 +81,7 @@ impl Order {
 
     /// Derivative of the position by the reference coordinate across a plane-strain cell, which no node describes; zero
     /// for bricks.
-    pub fn lateral_tangent(self) -> Vector {
+    pub(crate) fn lateral_tangent(self) -> Vector {
         if self.is_plane() {
             [0.0, HALF_THICKNESS, 0.0]
         } else {
@@ -156,7 +156,7 @@ pub fn brick_points(order: Order) -> Vec<([f64; 3], f64)> {
 
 /// An integration point of a reference face.
 #[derive(Debug, Clone)]
-pub struct FacePoint {
+pub(crate) struct FacePoint {
     /// Weight on the reference square.
     pub weight: f64,
     /// Shape functions.
@@ -182,7 +182,7 @@ impl FacePoint {
 }
 
 /// A point of a reference face with its shape functions.
-pub fn face_point(order: Order, local: [f64; 2], weight: f64) -> FacePoint {
+pub(crate) fn face_point(order: Order, local: [f64; 2], weight: f64) -> FacePoint {
     let (values, gradients) = face_shape(order, local);
     FacePoint {
         weight,
@@ -199,7 +199,7 @@ pub fn face_rule(order: Order, n: usize) -> Vec<([f64; 2], f64)> {
 }
 
 /// Integration points of a face with `n` Gauss points along each of its lines.
-pub fn face_points(order: Order, n: usize) -> Vec<FacePoint> {
+pub(crate) fn face_points(order: Order, n: usize) -> Vec<FacePoint> {
     face_rule(order, n)
         .into_iter()
         .map(|(local, weight)| face_point(order, local, weight))

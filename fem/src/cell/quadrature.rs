@@ -3,7 +3,7 @@
 /// Points and weights of a rule on [-1, 1]; exact for polynomials up to degree `2 n - 1`.
 ///
 /// Newton's method on the Legendre recurrence, from the asymptotic roots cos(pi (i + 3/4) / (n + 1/2)).
-pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
+pub(crate) fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
     assert!(n > 0, "a rule has at least one point");
     let mut rule: Vec<(f64, f64)> = (0..n).map(|i| root_and_weight(n, i)).collect();
     rule.reverse();
@@ -36,7 +36,7 @@ fn legendre(n: usize, x: f64) -> (f64, f64) {
 }
 
 /// Tensor-product rule on the square with this many points along each coordinate, the first running fastest.
-pub fn rectangle(points: [usize; 2]) -> Vec<([f64; 2], f64)> {
+pub(crate) fn rectangle(points: [usize; 2]) -> Vec<([f64; 2], f64)> {
     let [line_x, line_y] = points.map(gauss_legendre);
     let mut rule = Vec::with_capacity(points.iter().product());
     for &(y, wy) in &line_y {

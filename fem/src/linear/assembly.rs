@@ -20,7 +20,7 @@ const GROUND_SHARE: f64 = 0.01;
 
 /// Sums element contributions, with the buffers that this takes.
 #[derive(Debug)]
-pub struct Assembler<'p> {
+pub(crate) struct Assembler<'p> {
     pub(super) problem: &'p Problem,
     pub(super) setup: Arc<Setup>,
     solid: SolidContribution,
@@ -63,7 +63,7 @@ impl<'p> Assembler<'p> {
     }
 
     /// Entries of the coupling between pressures and displacements: brick, mode, unknown.
-    pub fn coupling_len(&self) -> usize {
+    pub(crate) fn coupling_len(&self) -> usize {
         let (unknowns, modes) = self.sizes();
         self.problem.mesh.brick_count() * modes * unknowns
     }
@@ -142,7 +142,7 @@ impl<'p> Assembler<'p> {
     }
 
     /// Lets the next tangent of the sheet have the tensions of its own state.
-    pub fn forget_last_tangent(&mut self) {
+    pub(crate) fn forget_last_tangent(&mut self) {
         self.linearised_at = None;
     }
 

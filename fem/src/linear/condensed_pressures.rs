@@ -11,7 +11,12 @@ const MODES: usize = 4;
 
 impl Assembler<'_> {
     /// Adds to `forces` what the elimination of the pressures moves there: B^T M^-1 r_p / c, N.
-    pub fn add_condensed_volumes(&self, coupling: &[f64], volumes: &[f64], forces: &mut [f64]) {
+    pub(crate) fn add_condensed_volumes(
+        &self,
+        coupling: &[f64],
+        volumes: &[f64],
+        forces: &mut [f64],
+    ) {
         let (unknowns, modes) = self.sizes();
         let mut pressure = [0.0; MODES];
         let bricks = coupling
@@ -32,7 +37,7 @@ impl Assembler<'_> {
     }
 
     /// Pressure increments (MPa) that belong to displacement increments (mm), held ones included.
-    pub fn pressure_increments(
+    pub(crate) fn pressure_increments(
         &mut self,
         coupling: &[f64],
         volumes: &[f64],

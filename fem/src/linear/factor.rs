@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::{LdltError, LdltRegularization};
 use faer::sparse::SparseColMatRef;
 use faer::{Mat, Par, Side};
@@ -101,7 +101,7 @@ impl Factor {
     }
 
     /// Signs of the interior's pivots.
-    pub fn interior_inertia(&self) -> Inertia {
+    pub(crate) fn interior_inertia(&self) -> Inertia {
         let interior = self.symbolic.interior;
         let negative = match &self.values {
             Values::Double(v) => substitution::negative_pivots(self.symbolic.ldlt(v), interior),
@@ -167,14 +167,6 @@ impl Workspace {
             memory,
             column: Vec::new(),
         })
-    }
-
-    /// Makes a workspace for substitutions alone.
-    pub fn for_substitutions() -> Self {
-        Self {
-            memory: MemBuffer::new(StackReq::EMPTY),
-            column: Vec::new(),
-        }
     }
 }
 

@@ -10,7 +10,7 @@ mod condensed_pressures;
 mod coupled;
 mod face_buffers;
 pub mod factor;
-pub mod ordering;
+pub(crate) mod ordering;
 mod rounding;
 pub mod setup;
 pub mod sparsity;

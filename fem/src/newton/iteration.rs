@@ -90,7 +90,7 @@ impl<'p> Newton<'p> {
     ///
     /// # Errors
     /// [`SetupError::Linear`] when the factor doesn't fit in memory.
-    pub fn with_setup(problem: &'p Problem, setup: Arc<Setup>) -> Result<Self, SetupError> {
+    pub(crate) fn with_setup(problem: &'p Problem, setup: Arc<Setup>) -> Result<Self, SetupError> {
         let assembler = Assembler::new(problem, setup.clone());
         let nodes = problem.mesh.nodes.len();
         let previous = State::reference(problem);

@@ -7,7 +7,7 @@ use crate::tensor::{Tensor, cofactor, cofactor_derivative, determinant};
 
 /// Contribution of a brick, in buffers that are reused from brick to brick.
 #[derive(Debug, Clone)]
-pub struct SolidContribution {
+pub(crate) struct SolidContribution {
     /// Nodal forces r_u, N.
     pub residual: Vec<f64>,
     /// r_p, mm^3.
@@ -158,7 +158,12 @@ impl SolidContribution {
     }
 
     /// Eliminates the pressures: adds B^T M^-1 B / c to the stiffness.
-    pub fn condense(&mut self, model: &SolidModel, geometry: &SolidGeometry, element: usize) {
+    pub(crate) fn condense(
+        &mut self,
+        model: &SolidModel,
+        geometry: &SolidGeometry,
+        element: usize,
+    ) {
         let unknowns = self.residual.len();
         let m = self.pressure_residual.len();
         let inverse = geometry.inverse_mass(element);
@@ -189,7 +194,7 @@ impl SolidContribution {
     }
 
     /// Pressure increments M^-1 (B du + r_p) / c, MPa, given the sum of the two terms, mm^3.
-    pub fn pressure_increment(
+    pub(crate) fn pressure_increment(
         model: &SolidModel,
         geometry: &SolidGeometry,
         element: usize,

@@ -24,7 +24,7 @@ mod solid_geometry;
 mod solid_model;
 mod stress;
 
-pub use contribution::SolidContribution;
+pub(crate) use contribution::SolidContribution;
 pub use solid_geometry::{InvalidReference, SolidGeometry};
 pub use solid_model::SolidModel;
 pub use stress::MeanStress;

@@ -17,7 +17,7 @@ pub struct SolidModel {
 
 impl SolidModel {
     /// Compliance used in the Newton step, 1/MPa.
-    pub fn step_compliance(&self) -> f64 {
+    pub(crate) fn step_compliance(&self) -> f64 {
         self.compliance
             .max(1.0 / (STEP_BULK_RATIO * self.material.shear_modulus()))
     }

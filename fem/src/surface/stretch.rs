@@ -50,7 +50,7 @@ pub struct StretchRange {
 
 impl StretchRange {
     /// Stretches of a body at rest.
-    pub const UNDEFORMED: Self = Self {
+    pub(crate) const UNDEFORMED: Self = Self {
         smallest: 1.0,
         largest: 1.0,
     };

@@ -109,7 +109,11 @@ impl Design {
     ///
     /// # Errors
     /// More check points than [`MAX_CHECK_POINTS`].
-    pub fn add_checks(&mut self, count: usize, rng: &mut impl Rng) -> Result<usize, DesignError> {
+    pub(crate) fn add_checks(
+        &mut self,
+        count: usize,
+        rng: &mut impl Rng,
+    ) -> Result<usize, DesignError> {
         let asked = self.checks.len().saturating_add(count);
         if asked > MAX_CHECK_POINTS {
             return Err(DesignError::TooManyCheckPoints { asked });
@@ -146,7 +150,7 @@ impl Design {
     ///
     /// # Errors
     /// A rule that does not exist.
-    pub fn refine(&mut self, input: usize, nodes: usize) -> Result<(), DesignError> {
+    pub(crate) fn refine(&mut self, input: usize, nodes: usize) -> Result<(), DesignError> {
         let fine = self.add_line(input, nodes)?;
         let before = std::mem::replace(&mut self.lines[input], fine);
         self.replaced[input].push(before);

@@ -29,7 +29,7 @@ use crate::form::spectrum::tail_with;
 use crate::judge::index_error::{self, ByInput};
 
 /// Most inputs whose pairs are listed.
-pub const MOST_FOR_PAIRS: usize = 50;
+pub(crate) const MOST_FOR_PAIRS: usize = 50;
 
 /// Fewer coordinates can't tell how modes end.
 const LEAST: usize = 3;

@@ -165,7 +165,7 @@ impl Misses {
 
     /// Error of the difference between each first-order index and another model's, absolute; `None` where the two weren't checked at the
     /// same nodes or have not as many inputs.
-    pub fn errors_of_difference(&self, other: &Self) -> Option<Vec<f64>> {
+    pub(crate) fn errors_of_difference(&self, other: &Self) -> Option<Vec<f64>> {
         let same = self.nodes == other.nodes && self.images == other.images;
         if !same || self.contributions.len() != other.contributions.len() {
             return None;

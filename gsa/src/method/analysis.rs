@@ -5,7 +5,7 @@
 use ndarray::ArrayView2;
 
 use crate::form::composite::Decomposed;
-pub use crate::form::composite::MOST_FOR_PAIRS;
+pub(crate) use crate::form::composite::MOST_FOR_PAIRS;
 use crate::form::scale::times_power_of_two;
 use crate::form::section::Sections;
 use crate::judge::index_error::{ByInput, ErrorParts};

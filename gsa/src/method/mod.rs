@@ -19,7 +19,7 @@ pub mod lines;
 mod mirrored;
 mod pce;
 pub(crate) mod procedure;
-pub mod saltelli;
+pub(crate) mod saltelli;
 mod scattered;
 mod tensor_grid;
 mod verdict;

@@ -28,7 +28,7 @@ use crate::method::procedure::{Procedure, Runs};
 use crate::method::scattered::{self, Scattered};
 
 /// Independent scrambles.
-pub const REPLICATES: usize = 8;
+pub(crate) const REPLICATES: usize = 8;
 /// Rounding of the values beyond this share of their spread is all there is.
 const NO_SPREAD: f64 = 0.25;
 /// Student's t, two-sided 95 %, with REPLICATES - 1 degrees of freedom.

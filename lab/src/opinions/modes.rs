@@ -7,7 +7,7 @@ const MOST_SWEEPS: usize = 60;
 
 /// Rows of sensors in the modes that hold a share of the snapshots' sum of squares: eigenvectors of S S' by Jacobi's rotations, largest eigenvalue first.
 /// `snapshots` has a row for each sensor.
-pub fn leading_modes(snapshots: &[Vec<f64>], share: f64) -> Vec<Vec<f64>> {
+pub(crate) fn leading_modes(snapshots: &[Vec<f64>], share: f64) -> Vec<Vec<f64>> {
     let count = snapshots.len();
     let product = |a: &Vec<f64>, b: &Vec<f64>| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mut matrix: Vec<Vec<f64>> = snapshots

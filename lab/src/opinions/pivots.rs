@@ -7,7 +7,7 @@
 const NOTHING: f64 = 1e-10;
 
 /// Rows in the order in which pivoting takes them; those that add nothing are left out.
-pub fn pivot_order(basis: &[Vec<f64>]) -> Vec<usize> {
+pub(crate) fn pivot_order(basis: &[Vec<f64>]) -> Vec<usize> {
     let mut rest = basis.to_vec();
     let longest = rest.iter().map(|row| length(row)).fold(0.0, f64::max);
     let mut order = Vec::new();

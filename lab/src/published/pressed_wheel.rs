@@ -34,7 +34,7 @@ impl Solver for PressedByLoad {
 }
 
 /// Tests so many y-films around the crown, on ground without friction, and their rig. A film feels contacts up to 9 degrees off or so.
-pub fn with_films(films: usize, test: impl FnOnce(&LaidFilms<'_>, &RigSettings)) {
+pub(crate) fn with_films(films: usize, test: impl FnOnce(&LaidFilms<'_>, &RigSettings)) {
     let mut study = study_on("forces", Level::Draft).study;
     study.scene.contact.friction = 0.0;
     study.layouts = Layouts {

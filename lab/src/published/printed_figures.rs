@@ -7,7 +7,7 @@ pub const AXES: [&str; 3] = ["fx", "fy", "fz"];
 
 /// NRMSE of the ablation, %: forces along, across and vertical.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ablation {
+pub(crate) struct Ablation {
     /// Number of the table.
     pub table: u32,
     /// The model.
@@ -19,7 +19,7 @@ pub struct Ablation {
 }
 
 /// Tables 4 and 5. "Without slopes" is given values and rolling statistics.
-pub const ABLATIONS: [Ablation; 8] = [
+pub(crate) const ABLATIONS: [Ablation; 8] = [
     ablation(4, Kind::Gpr, FeatureSet::Raw, [10.96, 1.33, 20.42]),
     ablation(4, Kind::Gpr, FeatureSet::Rolling, [6.74, 7.42, 17.88]),
     ablation(4, Kind::Gpr, FeatureSet::Slopes, [8.74, 7.91, 17.13]),
@@ -110,12 +110,12 @@ pub const FREQUENCIES: [Pair; 3] = [
 /// Gaits of tables 8 and 9.
 pub const LOW: &str = "low frequency";
 /// See [`LOW`].
-pub const HIGH: &str = "high frequency";
+pub(crate) const HIGH: &str = "high frequency";
 /// See [`LOW`].
-pub const TRANSITION: &str = "gait transition";
+pub(crate) const TRANSITION: &str = "gait transition";
 
 /// Table 8: a Gaussian process before and after temporal cross-validation.
-pub const PROCESSES: [Pair; 3] = [
+pub(crate) const PROCESSES: [Pair; 3] = [
     Pair {
         gait: LOW,
         cells: [
@@ -143,7 +143,7 @@ pub const PROCESSES: [Pair; 3] = [
 ];
 
 /// Table 9: a neural network before and after.
-pub const NETWORKS: [Pair; 3] = [
+pub(crate) const NETWORKS: [Pair; 3] = [
     Pair {
         gait: LOW,
         cells: [

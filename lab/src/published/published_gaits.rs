@@ -9,7 +9,7 @@ use documents::rig::rig_settings::RigSettings;
 use crate::published::printed_figures::{HIGH, LOW, TRANSITION};
 
 /// The gait of tables 4 and 5.
-pub const RANDOMISED: &str = "randomised";
+pub(crate) const RANDOMISED: &str = "randomised";
 /// Readings of a recording.
 const READINGS: f64 = 6549.0;
 /// Readings a second, Hz.
@@ -33,19 +33,19 @@ const ALL: Frequency = Frequency::Randomised {
 
 /// A gait of the published tables.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PublishedGait {
+pub(crate) struct PublishedGait {
     frequency: Frequency,
     most_n: f64,
 }
 
 impl PublishedGait {
     /// Gait of tables 4 and 5.
-    pub const ABLATION: Self = Self {
+    pub(crate) const ABLATION: Self = Self {
         frequency: SLOW,
         most_n: LIGHT_N,
     };
     /// Gait from which table 6 is learnt.
-    pub const LEARNT: Self = heavy(ALL);
+    pub(crate) const LEARNT: Self = heavy(ALL);
 
     /// Table 6's.
     pub const fn fixed(hz: f64) -> Self {

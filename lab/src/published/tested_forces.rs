@@ -63,7 +63,7 @@ impl Model<'_> {
     ///
     /// # Errors
     /// Why it isn't learnt.
-    pub fn on_folds(&self, folds: &[Fold]) -> Result<Option<RigFigures>, String> {
+    pub(crate) fn on_folds(&self, folds: &[Fold]) -> Result<Option<RigFigures>, String> {
         let mut all = TestedRows::default();
         for fold in folds {
             let learnt = self.learn(&fold.train)?;

@@ -142,7 +142,7 @@ impl Arrangement {
     }
 
     /// Counts those of its first films that are no image of another by its symmetry.
-    pub fn different_films(&self) -> usize {
+    pub(crate) fn different_films(&self) -> usize {
         let sectors = (360.0 / self.period_deg).round() as usize;
         self.films.len() / sectors.max(1)
     }

@@ -33,7 +33,7 @@ pub struct ClimbRung {
 }
 
 /// A fidelity as it stands in documents.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct FidelityReport {
     /// Mesh level.

@@ -92,13 +92,13 @@ impl Score {
     }
 
     /// The name of its error's field, where it has one.
-    pub fn error_field(&self, direction: Direction) -> Option<String> {
+    pub(crate) fn error_field(&self, direction: Direction) -> Option<String> {
         let field = || format!("{}_{direction}_error_{}", self.name, self.unit);
         self.has_error.then(field)
     }
 
     /// Returns what its error is, as documents describe it.
-    pub fn what_of_error(&self, direction: Direction) -> String {
+    pub(crate) fn what_of_error(&self, direction: Direction) -> String {
         format!("Error of `{}`, percentage points.", self.field(direction))
     }
 }

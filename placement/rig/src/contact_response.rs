@@ -11,13 +11,13 @@ pub struct Contact {
 
 impl Contact {
     /// Contact that touches nothing.
-    pub const AIR: Self = Self {
+    pub(crate) const AIR: Self = Self {
         depth_mm: 0.0,
         shift_mm: [0.0; 2],
     };
 
     /// Whether nothing touches.
-    pub fn is_air(&self) -> bool {
+    pub(crate) fn is_air(&self) -> bool {
         self.depth_mm <= 0.0
     }
 }

@@ -19,13 +19,13 @@ impl EvenClock {
     }
 
     /// All instants, s, without an end.
-    pub fn times_s(self) -> impl Iterator<Item = f64> {
+    pub(crate) fn times_s(self) -> impl Iterator<Item = f64> {
         // Divided, not multiplied: the instants of two clocks of one rate are the same to the bit.
         (0u64..).map(move |k| self.first_s + k as f64 / self.rate_hz)
     }
 
     /// Counts the instants before an end, s.
-    pub fn instants_before(&self, end_s: f64) -> usize {
+    pub(crate) fn instants_before(&self, end_s: f64) -> usize {
         let instants = ((end_s - self.first_s) * self.rate_hz).ceil();
         if instants > 0.0 { instants as usize } else { 0 }
     }

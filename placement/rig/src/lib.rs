@@ -14,11 +14,11 @@
 pub(crate) mod bump_response;
 pub mod contact_response;
 pub mod electronics;
-pub mod even_clock;
+pub(crate) mod even_clock;
 pub mod force_error;
 pub mod gait;
-pub mod pressed_tire;
+pub(crate) mod pressed_tire;
 pub mod relaxation;
 pub mod rig_run;
 pub mod run_csv;
-pub mod seeded_draws;
+pub(crate) mod seeded_draws;

@@ -6,7 +6,7 @@ use crate::relaxation::Relaxation;
 use documents::rig::rig_settings::Branch;
 
 /// A tire that is pressed at even intervals.
-pub struct PressedTire<'r, R: ?Sized> {
+pub(crate) struct PressedTire<'r, R: ?Sized> {
     response: &'r R,
     relaxation: Relaxation,
     /// The stance that was asked last, by its number.

@@ -11,7 +11,7 @@ use documents::rig::rig_settings::Branch;
 
 /// The branches at one instant after another.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Relaxation {
+pub(crate) struct Relaxation {
     branches: Vec<BranchNow>,
     slow_n: f64,
 }

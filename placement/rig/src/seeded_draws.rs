@@ -53,7 +53,7 @@ impl SeededDraws {
     }
 
     /// Draws evenly in the disc of radius 1.
-    pub fn in_disc(&mut self) -> [f64; 2] {
+    pub(crate) fn in_disc(&mut self) -> [f64; 2] {
         let (radius, angle) = (self.uniform().sqrt(), TAU * self.uniform());
         [radius * angle.cos(), radius * angle.sin()]
     }

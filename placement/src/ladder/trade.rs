@@ -40,7 +40,7 @@ pub struct Trade {
 }
 
 /// A way to answer the study, and what it gave.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Rung {
     /// Label in a few words.
@@ -65,6 +65,18 @@ pub struct Rung {
     pub pareto: bool,
     /// Indices of the locations, in the order of their names.
     pub indices: Vec<Index>,
+}
+
+impl Rung {
+    /// Time, s, and true error; none where that isn't known.
+    pub fn true_mark(&self) -> Option<(f64, f64)> {
+        self.error_true.map(|error| (self.wall_s, error))
+    }
+
+    /// Time, s, and claimed error; none where nothing is claimed.
+    pub fn claimed_mark(&self) -> Option<(f64, f64)> {
+        self.error_claimed.map(|error| (self.wall_s, error))
+    }
 }
 
 /// Index by which a location is ranked.

@@ -4,7 +4,7 @@ use layouts::field::hermite::{Nodes, summed};
 
 /// Signals of one kind of film, less what its transfer says, V; cubic in the wheel angle, and in the depth from none.
 #[derive(Debug, Clone, PartialEq)]
-pub struct AngleResidual {
+pub(crate) struct AngleResidual {
     /// Angles from -180 to 180 degrees.
     angles: Nodes,
     /// Depths of the undragged ground, mm, none first.

@@ -5,10 +5,10 @@
 //! the nodes 1/2 and 1 where it is odd. On all nine pairs of shares and their images that is the polynomial of degree four in each shift.
 
 /// Shares of the largest shift that are solved, beside none.
-pub const SHARES: [f64; 2] = [0.5, 1.0];
+pub(crate) const SHARES: [f64; 2] = [0.5, 1.0];
 
 /// Solved shifts, along and across, as numbers of shares: 0 is none. The undragged one isn't among them.
-pub const DRAGS: [[usize; 2]; 8] = [
+pub(crate) const DRAGS: [[usize; 2]; 8] = [
     [1, 0],
     [2, 0],
     [0, 1],
@@ -20,7 +20,8 @@ pub const DRAGS: [[usize; 2]; 8] = [
 ];
 
 /// Parts of a response: whether each is odd in the shift along, and in the one across.
-pub const PARTS: [[bool; 2]; 4] = [[false, false], [true, false], [false, true], [true, true]];
+pub(crate) const PARTS: [[bool; 2]; 4] =
+    [[false, false], [true, false], [false, true], [true, true]];
 
 /// Products of a drag and a part.
 pub const PRODUCTS: usize = DRAGS.len() * PARTS.len();

@@ -1,25 +1,12 @@
 //! A layout's films on a tire whose responses are in a table: what a virtual rig asks.
 
-use fem_client::film::laminate::product;
 use fem_client::scene::Film;
 use fem_client::solver::FilmSignal;
 
 use crate::response_table::solved_table::{FilmNodes, ResponseTable};
 use crate::signals::answers::signal_of_tension;
-use layouts::arrangement::{FilmKind, FilmReads, LaidFilm};
+use layouts::arrangement::LaidFilm;
 use rig::contact_response::{Contact, ContactResponse, StanceResponse, TurnableFilms};
-
-/// The kind of film whose signal is the volts of a film that follows the wall and resists nothing, open circuit.
-pub fn bare_in_volts(kind: &FilmKind, film: &Film) -> FilmKind {
-    let volts = |strain: [f64; 3]| {
-        let [along, across, _] = product(&film.laminate().membrane, &strain);
-        signal_of_tension(film, [along, across]).open_circuit_v
-    };
-    FilmKind {
-        reads: FilmReads::Volts([volts([1.0, 0.0, 0.0]), volts([0.0, 1.0, 0.0])]),
-        ..*kind
-    }
-}
 
 /// Films around a wheel, each of a kind of the table, whose signals are volts of the open circuit.
 #[derive(Debug, Clone, PartialEq)]
@@ -136,45 +123,15 @@ impl StanceResponse for FilmsAtAngle<'_> {
 
 #[cfg(test)]
 mod tests {
-    use fem_client::scene::{FilmLayer, Geometry, Scene};
+    use fem_client::scene::Scene;
 
     use super::*;
     use crate::response_table::solved_table::tests::{field, table_of};
     use documents::signals::signal_settings::SignalSettings;
-    use layouts::arrangement::Arrangement;
+    use layouts::arrangement::{Arrangement, FilmKind};
 
     fn film() -> Film {
         SignalSettings::on(&Scene::default()).film
-    }
-
-    #[test]
-    fn a_uniform_strain_charges_a_film_as_plane_stress_says() {
-        let film = film();
-        let kind = bare_in_volts(
-            &FilmKind::sized(&Geometry::default(), Some([5.0, 5.0]), 0.0, 0.0),
-            &film,
-        );
-        let FilmReads::Volts([along, across]) = kind.reads else {
-            panic!("volts");
-        };
-        let FilmLayer {
-            modulus_mpa,
-            poisson_ratio,
-            thickness_mm,
-            ..
-        } = film.layers[0];
-        let stiffness = modulus_mpa / (1.0 - poisson_ratio * poisson_ratio);
-        let area = film.length_mm * film.width_mm;
-        let capacitance_pf = film.piezo.capacitance_pf(area, thickness_mm);
-        for (volts, stress) in [
-            (along, [1.0, poisson_ratio]),
-            (across, [poisson_ratio, 1.0]),
-        ] {
-            let charge = film
-                .piezo
-                .charge_nc(stress.map(|share| share * stiffness), area);
-            assert!((charge_nc(volts, capacitance_pf) / charge - 1.0).abs() < 1e-12);
-        }
     }
 
     #[test]

@@ -6,17 +6,19 @@
 //! - [`solved_table`]: signals and forces between what was solved
 //! - `film_angles`: glued films around the wheel, solved with the tire; [`angle_residual`]: what their transfer misses
 //! - [`table_error`]: how far they are off
+//! - `bare_film`: a bare film as a kind whose signal is in volts
 //! - [`laid_films`]: a layout's films, as a rig asks for them
 //! - [`table_solving`]: the solves, as points of a study; [`study_table`]: those of a study with a rig; `measuring_forces`: puts what it shows into the result
 
-pub mod angle_residual;
-pub mod drag_basis;
+pub(crate) mod angle_residual;
+mod bare_film;
+pub(crate) mod drag_basis;
 mod film_angles;
 pub mod laid_films;
 pub(crate) mod measuring_forces;
-pub mod solved_table;
+pub(crate) mod solved_table;
 pub mod study_table;
-pub mod table_error;
-pub mod table_scenes;
-pub mod table_settings;
-pub mod table_solving;
+pub(crate) mod table_error;
+pub(crate) mod table_scenes;
+pub(crate) mod table_settings;
+pub(crate) mod table_solving;

@@ -50,7 +50,7 @@ pub struct Weights {
 
 /// Signals of some films with the contact at one wheel angle, at all nodes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FilmNodes {
+pub(crate) struct FilmNodes {
     /// Signals by film, then depth.
     undragged: Vec<Vec<f64>>,
     /// Signals by film, then dragged depth and product.
@@ -199,7 +199,7 @@ impl ResponseTable {
     }
 
     /// The largest signal of a kind of film, whatever the load, the shift and the place.
-    pub fn largest_signal(&self, kind: usize) -> f64 {
+    pub(crate) fn largest_signal(&self, kind: usize) -> f64 {
         let samples = self.kinds[kind].undragged.iter().flat_map(Turn::samples);
         samples.fold(0.0, |largest: f64, sample| largest.max(sample.abs()))
     }
@@ -216,7 +216,10 @@ impl ResponseTable {
     }
 
     /// Signals at all nodes, of films of these kinds so many degrees from the contact.
-    pub fn film_nodes(&self, films: impl Iterator<Item = (usize, f64)> + Clone) -> FilmNodes {
+    pub(crate) fn film_nodes(
+        &self,
+        films: impl Iterator<Item = (usize, f64)> + Clone,
+    ) -> FilmNodes {
         let undragged = films.clone().map(|(kind, apart_deg)| {
             let turns = self.kinds[kind].undragged.iter();
             turns.map(|turn| turn.at(apart_deg)).collect()

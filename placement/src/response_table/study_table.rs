@@ -7,8 +7,9 @@ use crate::layout::solving::study_layouts::Asked;
 use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
+use crate::response_table::bare_film::bare_in_volts;
 use crate::response_table::film_angles::FilmAngles;
-use crate::response_table::laid_films::{LaidFilms, bare_in_volts};
+use crate::response_table::laid_films::LaidFilms;
 use crate::response_table::table_scenes::TableScenes;
 use crate::response_table::table_settings::TableSettings;
 use crate::response_table::table_solving::{TestedTable, solve, table_series, tabulated};
@@ -130,7 +131,7 @@ impl StudyTable {
     }
 
     /// Counts the solves of the table itself, those that test it included.
-    pub fn own_solves(&self) -> usize {
+    pub(crate) fn own_solves(&self) -> usize {
         let own = self.series_on(&self.scenes);
         own.iter().map(|(scenes, _)| scenes.len()).sum()
     }

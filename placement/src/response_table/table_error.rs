@@ -54,7 +54,7 @@ impl Errors {
 type Both = [Vec<f64>; 2];
 
 /// Compares a table with pairs of solves that differ by their load alone. None without pairs.
-pub fn table_error(
+pub(crate) fn table_error(
     table: &ResponseTable,
     kinds: &[FilmKind],
     pairs: &[[(Pressing, &Response); 2]],

@@ -59,7 +59,7 @@ impl TableScenes {
     }
 
     /// Lists the scenes of another tire, whose table isn't tested.
-    pub fn untested(&self, variant: &TireVariant) -> Self {
+    pub(crate) fn untested(&self, variant: &TireVariant) -> Self {
         let mut other = Self {
             tested: false,
             ..self.clone()
@@ -129,7 +129,7 @@ impl TableScenes {
     }
 
     /// Wheel angles from the contact, degrees, and loads, N, at which a kind of glued film is tested.
-    pub fn tested_films(&self, kind: usize) -> Vec<(f64, f64)> {
+    pub(crate) fn tested_films(&self, kind: usize) -> Vec<(f64, f64)> {
         let mut even = self.draws(1 + kind as u64);
         let count = if self.tested { FILM_TESTS } else { 0 };
         let film = |_| {
@@ -174,7 +174,7 @@ impl TableScenes {
     }
 
     /// The tire that films are glued on, pressed by a load, N.
-    pub fn film_scene(&self, load_n: f64) -> Scene {
+    pub(crate) fn film_scene(&self, load_n: f64) -> Scene {
         let mut scene = self.scene(&Pressing::undragged(load_n));
         scene.model.level = self.settings.film_level;
         scene

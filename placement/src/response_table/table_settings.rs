@@ -15,10 +15,10 @@ const SHIFT_OF_SECTION: f64 = 0.12;
 /// Pairs of solves that test the table. The loads of a pair differ by this share, for slopes over the depth.
 pub const PAIRS: usize = 10;
 /// Half of that share.
-pub const PAIR_SHARE: f64 = 0.05;
+pub(crate) const PAIR_SHARE: f64 = 0.05;
 
 /// Solves that test each kind of glued film beside the contact.
-pub const FILM_TESTS: usize = 5;
+pub(crate) const FILM_TESTS: usize = 5;
 
 /// The loads and shifts of a table.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,7 +63,7 @@ impl TableSettings {
     }
 
     /// Loads, N, of which glued films are solved around the wheel; increasing.
-    pub fn film_loads_n(&self) -> Vec<f64> {
+    pub(crate) fn film_loads_n(&self) -> Vec<f64> {
         let loads = self.loads_n();
         dear().map(|load| loads[load]).collect()
     }

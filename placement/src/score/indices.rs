@@ -13,7 +13,7 @@ use gsa::campaign::Campaign;
 use gsa::method::analysis::{Analysis, Status};
 
 /// Reason why an index has no error of the mesh.
-pub const NO_MESH_ERROR: &str = "no coarser mesh gave indices to compare with";
+pub(crate) const NO_MESH_ERROR: &str = "no coarser mesh gave indices to compare with";
 
 /// Indices of every output of a study.
 #[derive(Debug, Clone, PartialEq)]

@@ -22,7 +22,7 @@ const EQUAL_PERCENT: f64 = 1e-7;
 /// Returns for each location which input varies the depth of the station below it.
 ///
 /// Locations and stations are both centred on the contact and one spacing apart, so they are matched from the middle.
-pub fn own_inputs(study: &Study, locations: usize) -> Vec<Option<usize>> {
+pub(crate) fn own_inputs(study: &Study, locations: usize) -> Vec<Option<usize>> {
     let stations = study.scene.ground.stations;
     let station_below = |location: usize| (location + stations / 2).checked_sub(locations / 2);
     let input_of = |station: usize| {

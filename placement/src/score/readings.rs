@@ -9,7 +9,7 @@ use crate::score::quantity::{at_locations, over_map, tolerance};
 use documents::parts::directions::Directions;
 
 /// Returns those of them that an adaptive method serves: the locations', in the directions asked for, as far as they vary by more than a solver leaves open.
-pub fn ranked_values(outcomes: &[Outcome], directions: Directions) -> Array2<f64> {
+pub(crate) fn ranked_values(outcomes: &[Outcome], directions: Directions) -> Array2<f64> {
     let [mut ranked, _] = location_columns(outcomes, directions);
     let values = values(outcomes);
     let open = outcomes.iter().flatten().next().map_or(0.0, tolerance);

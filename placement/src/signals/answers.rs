@@ -21,7 +21,7 @@ pub struct Reading {
 }
 
 /// Answers of one mesh about one tire.
-pub struct MeshAnswers<'s> {
+pub(crate) struct MeshAnswers<'s> {
     settings: &'s SignalSettings,
     bare_films: Vec<(Place, f64)>,
     /// Each series with its answers, in the order of its pressings.

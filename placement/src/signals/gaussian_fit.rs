@@ -10,7 +10,7 @@ const SECTIONS: usize = 70;
 
 /// A fitted Gaussian.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GaussianFit {
+pub(crate) struct GaussianFit {
     /// Height above the offset.
     pub amplitude: f64,
     /// Standard deviation.

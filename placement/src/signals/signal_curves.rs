@@ -10,7 +10,7 @@ pub fn curves(rows: &[SignalRow]) -> Vec<SignalCurve> {
 }
 
 /// The rows of each curve.
-pub fn of_curves(rows: &[SignalRow]) -> impl Iterator<Item = &[SignalRow]> {
+pub(crate) fn of_curves(rows: &[SignalRow]) -> impl Iterator<Item = &[SignalRow]> {
     let of = |row: &SignalRow| (row.film, row.position, row.direction, row.over);
     rows.chunk_by(move |a, b| a.tire == b.tire && of(a) == of(b))
 }

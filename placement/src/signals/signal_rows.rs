@@ -12,7 +12,7 @@ use results::SignalError;
 use results::SignalRow;
 
 /// A tire, answered on its own mesh and, where there is one, on a coarser mesh with the factor of its error.
-pub struct TireAnswers<'s> {
+pub(crate) struct TireAnswers<'s> {
     /// Name of the tire in rows.
     pub name: &'s str,
     /// The tire.

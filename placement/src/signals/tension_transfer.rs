@@ -5,7 +5,7 @@ const WORST_CONDITION: f64 = 1e6;
 
 /// Tensions along and across, N/mm, by the bare wall's strains along and across.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TensionTransfer([[f64; 2]; 2]);
+pub(crate) struct TensionTransfer([[f64; 2]; 2]);
 
 impl TensionTransfer {
     /// Fits the matrix to the strains and the tensions of two equilibria.

@@ -17,7 +17,7 @@ use store::points::study_points;
 use store::{Store, StoreError};
 
 /// Keeps the points of one study. Used from solving threads, which may wait; never from a task of the runtime.
-pub struct StoreArchive {
+pub(crate) struct StoreArchive {
     store: Arc<Store>,
     runtime: Handle,
     study: String,

@@ -108,7 +108,7 @@ pub async fn forecast_of(
 ///
 /// # Errors
 /// See [`ForecastError`].
-pub async fn forecast_next(
+pub(crate) async fn forecast_next(
     store: &Store,
     solver: &Arc<dyn Solver>,
     threads: usize,

@@ -18,7 +18,7 @@
 //! - [`export`]: answers as tables for other programs
 
 pub mod comparison;
-pub mod database_archive;
+pub(crate) mod database_archive;
 pub mod engine;
 pub mod export;
 pub mod forces;

@@ -14,7 +14,7 @@ pub fn channel() -> (watch::Sender<bool>, Shutdown) {
 
 impl Shutdown {
     /// Whether the service is to stop.
-    pub fn requested(&self) -> bool {
+    pub(crate) fn requested(&self) -> bool {
         *self.0.borrow()
     }
 

@@ -49,7 +49,7 @@ enum Name {
 
 impl SolverOption {
     /// Whether a solve hands over its mesh and its equilibrium.
-    pub fn keeps_equilibria(&self) -> bool {
+    pub(crate) fn keeps_equilibria(&self) -> bool {
         self.solver == Name::Embedded
     }
 

@@ -5,7 +5,7 @@
 //! - [`routes`]: the handlers, each with its operation
 //! - [`router`]: all of it, guarded
 
-pub mod app_state;
+pub(crate) mod app_state;
 pub mod edge;
-pub mod router;
-pub mod routes;
+pub(crate) mod router;
+pub(crate) mod routes;

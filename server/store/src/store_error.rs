@@ -100,11 +100,11 @@ fn primary_code(error: &sqlx::Error) -> Option<i32> {
 }
 
 /// Whether SQLite can't make sense of the file.
-pub fn is_corrupt(error: &sqlx::Error) -> bool {
+pub(crate) fn is_corrupt(error: &sqlx::Error) -> bool {
     matches!(primary_code(error), Some(SQLITE_CORRUPT | SQLITE_NOTADB))
 }
 
 /// Whether SQLite would have to write before it could read.
-pub fn wants_to_write(error: &sqlx::Error) -> bool {
+pub(crate) fn wants_to_write(error: &sqlx::Error) -> bool {
     matches!(primary_code(error), Some(SQLITE_READONLY | SQLITE_CANTOPEN))
 }

@@ -119,7 +119,10 @@ test("two runs are learnt from: answer, splits, rows left out, and another recor
   await page.locator('label:has(input[name="force"][value="fz_n"])').click();
   await page.waitForURL(/force=fz_n/);
   const cells = await page.locator("table.splits .chosen-row td").allInnerTexts();
-  assert.deepEqual([cells[1], cells[3]], [known.splits.random.rmse_n, known.splits.run.rmse_n].map((error) => error.toFixed(3)));
+  assert.deepEqual(
+    [cells[1], cells[3]],
+    [known.splits.random.rmse_n, known.splits.run.rmse_n].map((error) => error.toFixed(3)),
+  );
   assert.equal(Number(cells.at(-1)), Number(known.leak_factor.toFixed(2)));
 
   const plots = page.locator('svg[aria-label^="fz_n of "]');

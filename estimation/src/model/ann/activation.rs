@@ -3,7 +3,7 @@
 use crate::recipe::Activation;
 
 /// Turns a row of sums into the nodes' values, in place.
-pub fn activate(activation: Activation, z: &mut [f64]) {
+pub(crate) fn activate(activation: Activation, z: &mut [f64]) {
     match activation {
         Activation::Linear => {}
         Activation::Sigmoid => z.iter_mut().for_each(|z| *z = 1.0 / (1.0 + (-*z).exp())),
@@ -22,7 +22,7 @@ pub fn activate(activation: Activation, z: &mut [f64]) {
 }
 
 /// Turns the loss's derivatives by a row's values into those by its sums, in place; `values` are the nodes' values.
-pub fn by_sums(activation: Activation, values: &[f64], derivatives: &mut [f64]) {
+pub(crate) fn by_sums(activation: Activation, values: &[f64], derivatives: &mut [f64]) {
     let slope = |value: f64| match activation {
         Activation::Linear | Activation::Softmax => 1.0,
         Activation::Sigmoid => value * (1.0 - value),

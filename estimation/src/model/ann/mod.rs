@@ -9,4 +9,4 @@ mod ensemble;
 mod network;
 
 pub use ensemble::Ensemble;
-pub use network::{Network, Shape, train};
+pub use network::{Shape, train};

@@ -31,7 +31,7 @@ pub struct Shape {
 
 /// Weights of all layers in a row: W_1 (by features), b_1, W_2, ..
 #[derive(Debug, Clone, PartialEq)]
-pub struct Network<'s> {
+pub(crate) struct Network<'s> {
     shape: &'s Shape,
     weights: &'s [f64],
 }

@@ -50,7 +50,7 @@ impl Kernel {
     }
 
     /// k between all rows and a point.
-    pub fn with_point(&self, rows: &PointRows, point: &[f64]) -> Vec<f64> {
+    pub(crate) fn with_point(&self, rows: &PointRows, point: &[f64]) -> Vec<f64> {
         let mut squares = vec![0.0; rows.len()];
         for (feature, (column, x)) in rows.columns().zip(point).enumerate() {
             add_squares(&mut squares, column, *x, 1.0 / self.length(feature));

@@ -48,18 +48,18 @@ impl<'r> RowPairs<'r> {
     }
 
     /// sum_j (x_j - x'_j)^2 between row j and those from it on.
-    pub fn squares_from(&self, j: usize) -> &[f64] {
+    pub(crate) fn squares_from(&self, j: usize) -> &[f64] {
         &self.squares.col_as_slice(j)[j..]
     }
 
     /// sum_j x_j x'_j / d between row j and those from it on.
-    pub fn products_from(&self, j: usize) -> &[f64] {
+    pub(crate) fn products_from(&self, j: usize) -> &[f64] {
         &self.products.col_as_slice(j)[j..]
     }
 }
 
 /// Adds ((column - x) / length)^2 to each entry.
-pub fn add_squares(squares: &mut [f64], column: &[f64], x: f64, inverse_length: f64) {
+pub(crate) fn add_squares(squares: &mut [f64], column: &[f64], x: f64, inverse_length: f64) {
     for (s, y) in squares.iter_mut().zip(column) {
         let d = (y - x) * inverse_length;
         *s += d * d;

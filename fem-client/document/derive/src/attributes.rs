@@ -4,7 +4,7 @@ use syn::{Attribute, Expr, LitStr, Path, Token};
 
 /// Content of a field's attribute.
 #[derive(Default)]
-pub struct FieldAttributes {
+pub(crate) struct FieldAttributes {
     pub default: Option<Expr>,
     pub within: Option<Expr>,
     pub required: Option<LitStr>,
@@ -42,7 +42,7 @@ impl FieldAttributes {
 }
 
 /// The name that `#[choice("name")]` gives a variant.
-pub fn given_name(attributes: &[Attribute]) -> syn::Result<Option<String>> {
+pub(crate) fn given_name(attributes: &[Attribute]) -> syn::Result<Option<String>> {
     let given = attributes.iter().find(|it| it.path().is_ident("choice"));
     given
         .map(|attribute| attribute.parse_args::<LitStr>().map(|name| name.value()))

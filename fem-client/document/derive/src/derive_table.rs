@@ -13,7 +13,7 @@ use crate::attributes::FieldAttributes;
 use crate::described::described;
 
 /// A field of a struct or of a variant.
-pub struct TableField {
+pub(crate) struct TableField {
     pub ident: Ident,
     pub name: String,
     pub ty: Type,

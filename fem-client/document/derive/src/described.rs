@@ -22,7 +22,7 @@ pub fn described(attributes: &[Attribute]) -> String {
 }
 
 /// A name in kebab case, as `OpenCircuit` in `open-circuit`.
-pub fn kebab(name: &str) -> String {
+pub(crate) fn kebab(name: &str) -> String {
     let mut text = String::new();
     for letter in name.chars() {
         if letter.is_uppercase() && !text.is_empty() {

@@ -45,7 +45,7 @@ pub trait Variants: Sized + Clone {
 
 /// The kind of this name, the usual one where there is no name. One that nobody knows is taken as one without fields of its own where there is such a one,
 /// so that its name alone is at fault.
-pub fn variant_of<V: Variants>(name: Option<&Value>, usual: V) -> V {
+pub(crate) fn variant_of<V: Variants>(name: Option<&Value>, usual: V) -> V {
     let Some(name) = name else {
         return usual;
     };

@@ -44,12 +44,12 @@ impl TireGrid {
     }
 
     /// The lower half of the outer surface: all that can come down on a ground below the wheel.
-    pub fn tread_surface(&self) -> Surface {
+    pub(crate) fn tread_surface(&self) -> Surface {
         self.layer(self.rho.len() - 1, |theta| theta.cos() > 0.0)
     }
 
     /// Chart coordinates of the inner surface's face nodes: arc lengths (circumferential at the crown, meridional).
-    pub fn inner_chart(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn inner_chart(&self) -> Vec<[f64; 2]> {
         let [nphi, ntheta, _] = self.bricks();
         let e = self.order.edge_nodes();
         let mut coordinates = Vec::new();
@@ -81,7 +81,7 @@ impl TireGrid {
     }
 
     /// Whether the section angle (rad) lies beyond the plane y = 0 of a mesh that ends there.
-    pub fn is_mirrored_across(&self, phi: f64) -> bool {
+    pub(crate) fn is_mirrored_across(&self, phi: f64) -> bool {
         self.extent != Extent::Full && phi < 0.0
     }
 

@@ -1,7 +1,7 @@
 //! Grid lines of a tire's mesh: where bricks begin and end along each direction.
 
 /// Brick of a grid line that holds a coordinate (in the unit of the edges), and the place in it, -1 to 1.
-pub fn locate(edges: &[f64], value: f64) -> (usize, f64) {
+pub(crate) fn locate(edges: &[f64], value: f64) -> (usize, f64) {
     let last = edges.len() - 2;
     let index = edges
         .partition_point(|&edge| edge <= value)
@@ -12,7 +12,7 @@ pub fn locate(edges: &[f64], value: f64) -> (usize, f64) {
 }
 
 /// Edges from 0 to pi, rad: a fine sector, then sizes that grow geometrically from the fine size.
-pub fn half_circle(fine_angle: f64, fine: usize, coarse: usize) -> Vec<f64> {
+pub(crate) fn half_circle(fine_angle: f64, fine: usize, coarse: usize) -> Vec<f64> {
     let size = fine_angle / fine as f64;
     let mut edges: Vec<f64> = (0..fine).map(|i| size * i as f64).collect();
     let rest = std::f64::consts::PI - fine_angle;

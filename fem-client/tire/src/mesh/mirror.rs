@@ -17,7 +17,7 @@ impl TireGrid {
     }
 
     /// Unknowns (mm, then MPa) of the quarter mesh with this one's grid lines, mirrored to this half mesh. `None` when this is no half mesh, its lines aren't even or the length doesn't fit.
-    pub fn mirror_quarter(&self, quarter: &[f64]) -> Option<Vec<f64>> {
+    pub(crate) fn mirror_quarter(&self, quarter: &[f64]) -> Option<Vec<f64>> {
         if self.extent != Extent::Half || !self.is_even() {
             return None;
         }
@@ -58,7 +58,7 @@ impl TireGrid {
     }
 
     /// Unknowns (mm, then MPa) of this half mesh, left and right exchanged. `None` when this is no half mesh, its lines aren't even or the length doesn't fit.
-    pub fn mirror_half(&self, flat: &[f64]) -> Option<Vec<f64>> {
+    pub(crate) fn mirror_half(&self, flat: &[f64]) -> Option<Vec<f64>> {
         let [nphi, ntheta, nrho] = self.bricks();
         let modes = self.order.pressure_modes();
         let line = 3 * self.phi_nodes() * self.rho_nodes();

@@ -251,7 +251,7 @@ impl TireGrid {
     }
 
     /// Nodes on the bead, on the plane y = 0, and (quarter mesh) on the plane x = 0.
-    pub fn held_nodes(&self) -> HeldNodes {
+    pub(crate) fn held_nodes(&self) -> HeldNodes {
         let (last_phi, last_theta) = (self.phi_nodes() - 1, self.theta_nodes() - 1);
         let mut held = HeldNodes::default();
         for theta in 0..=last_theta {
@@ -286,7 +286,7 @@ fn both_sides(edges: &[f64]) -> Vec<f64> {
 
 /// Nodes with supports.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct HeldNodes {
+pub(crate) struct HeldNodes {
     /// Clamped nodes.
     pub bead: Vec<u32>,
     /// Nodes in the plane y = 0.

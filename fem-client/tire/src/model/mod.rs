@@ -21,5 +21,7 @@ mod tire_model;
 pub use carcass_layer::cord_families;
 pub use dimensions::{mesh_plan, mesh_plan_for, shape};
 pub(crate) use glued_film::{Place, following_film};
-pub use resting_ground::{DRAG_STEPS, FRICTION_STEPS, depth_of_load, ground, load_step};
+pub(crate) use resting_ground::depth_of_load;
+pub(crate) use resting_ground::load_step;
+pub use resting_ground::{DRAG_STEPS, FRICTION_STEPS, ground};
 pub use tire_model::TireModel;

@@ -42,13 +42,13 @@ pub fn ground(ground: &Ground, inflated_radius: f64) -> HeightField {
 }
 
 /// Depth at which the ground presses with about the scene's load, mm; the solve goes on from there.
-pub fn depth_of_load(scene: &Scene) -> f64 {
+pub(crate) fn depth_of_load(scene: &Scene) -> f64 {
     let load = scene.ground.load_n.unwrap_or(0.0);
     (load / load_per_mm(scene)).min(deepest(scene))
 }
 
 /// Smallest step of the way to the scene's load, relative to that of a load which the tire may bear: one beyond all bounds is approached in steps as small.
-pub fn load_step(scene: &Scene) -> f64 {
+pub(crate) fn load_step(scene: &Scene) -> f64 {
     let bearable = deepest(scene) * load_per_mm(scene);
     let load = scene.ground.load_n.unwrap_or(0.0);
     if load > bearable {

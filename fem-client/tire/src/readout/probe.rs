@@ -26,7 +26,7 @@ impl States {
     }
 
     /// The signal in a direction of the surface: x is along s1, y along s2.
-    pub fn signal_in(&self, direction: Direction) -> f64 {
+    pub(crate) fn signal_in(&self, direction: Direction) -> f64 {
         match direction {
             Direction::X => self.current.s1 / self.inflated.s1 - 1.0,
             Direction::Y => self.current.s2 / self.inflated.s2 - 1.0,
@@ -45,7 +45,7 @@ pub struct Estimate {
 
 /// Stretches at a point and around it.
 #[derive(Debug)]
-pub struct Probe {
+pub(crate) struct Probe {
     here: States,
     /// Recovered states, raw states and weight of each point around.
     around: Vec<(States, States, f64)>,

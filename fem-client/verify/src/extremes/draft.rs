@@ -16,7 +16,7 @@ use tire::model::mesh_plan;
 /// Largest relative residual of these equilibria: a thousandth of a study's.
 pub(super) const TOLERANCE: f64 = 1e-11;
 /// Noise that this tolerance leaves of a strain, absolute, and of the reaction, relative: a study's tolerance of 1e-8 leaves 1e-8 and 1e-7.
-pub const STRAIN_NOISE: f64 = 1e-11;
+pub(crate) const STRAIN_NOISE: f64 = 1e-11;
 /// See [`STRAIN_NOISE`].
 pub(super) const REACTION_NOISE: f64 = 1e-10;
 
@@ -28,7 +28,7 @@ pub(super) fn reference() -> Scene {
 }
 
 /// The embedded solver at this tolerance.
-pub fn tight_solver() -> EmbeddedSolver {
+pub(crate) fn tight_solver() -> EmbeddedSolver {
     EmbeddedSolver::with_settings(NewtonSettings {
         tolerance: TOLERANCE,
         ..NewtonSettings::default()
@@ -44,7 +44,7 @@ pub(super) struct Bench<'s> {
 
 impl<'s> Bench<'s> {
     /// Solves to the tolerance of this file.
-    pub fn tight(stop: &'s AtomicBool) -> Self {
+    pub(crate) fn tight(stop: &'s AtomicBool) -> Self {
         Self {
             solver: tight_solver(),
             readout: Readout::default(),
@@ -77,7 +77,7 @@ impl<'s> Bench<'s> {
     }
 
     /// Returns why a scene has no equilibrium on another mesh.
-    pub fn refusal_on(&self, scene: &Scene, plan: &MeshPlan) -> Result<Refusal, Unsolved> {
+    pub(crate) fn refusal_on(&self, scene: &Scene, plan: &MeshPlan) -> Result<Refusal, Unsolved> {
         match self.solve_on(scene, plan) {
             Err(SolveError::NoEquilibrium {
                 status,

@@ -8,7 +8,7 @@ use crate::tensor::Vector;
 impl ContactSurface {
     /// Returns the places of friction's anchors on the ground (x, y, mm) once the body rests at these positions: of a point in contact where its law
     /// puts it, of any other below the point itself. Without friction there are none.
-    pub fn settled_anchors(
+    pub(crate) fn settled_anchors(
         &self,
         ground: Option<&HeightField>,
         positions: impl Fn(u32) -> Vector,

@@ -46,7 +46,11 @@ impl ContactSurface {
 
     /// Faces with a node or a contact point on or below the ground, and their neighbours. A peak of the ground may touch a
     /// face between its nodes.
-    pub fn faces_near(&self, ground: &HeightField, positions: impl Fn(u32) -> Vector) -> Vec<bool> {
+    pub(crate) fn faces_near(
+        &self,
+        ground: &HeightField,
+        positions: impl Fn(u32) -> Vector,
+    ) -> Vec<bool> {
         let is_below = |[x, _, z]: Vector| z <= ground.height(x)[0];
         let below = |face: &[u32]| {
             let nodes: Vec<Vector> = face.iter().map(|&n| positions(n)).collect();

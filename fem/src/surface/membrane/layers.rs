@@ -75,7 +75,7 @@ impl Membrane {
     }
 
     /// Stiffness of all layers times the root of the area: the force at a strain of order one, N.
-    pub fn natural_force(&self) -> f64 {
+    pub(crate) fn natural_force(&self) -> f64 {
         let stiffness: f64 = self.laws.iter().map(|law| law.stiffness()).sum();
         stiffness * self.area().sqrt()
     }

@@ -107,7 +107,7 @@ impl Sheet {
     }
 
     /// Stiffness times the root of the area: the force at a strain of order one, N.
-    pub fn natural_force(&self) -> f64 {
+    pub(crate) fn natural_force(&self) -> f64 {
         self.elasticity.membrane[0][0] * self.area().sqrt()
     }
 

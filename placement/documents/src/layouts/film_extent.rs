@@ -70,7 +70,7 @@ impl FilmExtent {
     }
 
     /// Half of the angles that it covers around the wheel and along the section, degrees.
-    pub fn reach_deg(&self) -> [f64; 2] {
+    pub(crate) fn reach_deg(&self) -> [f64; 2] {
         let film = Film {
             length_mm: self.length_mm,
             width_mm: self.width_mm,

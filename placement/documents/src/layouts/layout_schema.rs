@@ -19,7 +19,7 @@ use crate::layouts::layout_settings::{Layouts, NOISE_SHARE};
 const SECTION: Range = Range::new(-180.0, 180.0, "degrees");
 
 /// The schema of `layouts`.
-pub fn layouts_schema(schemas: &mut Schemas) -> Value {
+pub(crate) fn layouts_schema(schemas: &mut Schemas) -> Value {
     schemas.define("Layouts", |schemas| {
         let mut layouts = Properties::default();
         describe_which(&mut layouts, schemas);

@@ -14,7 +14,7 @@ pub const STRAIN_UNIT: &str = "strain";
 /// Unit of glued films' signals.
 pub const VOLT_UNIT: &str = "V";
 /// Share of the crown's largest strain that a film's noise has unless the study says otherwise.
-pub const NOISE_SHARE: f64 = 0.02;
+pub(crate) const NOISE_SHARE: f64 = 0.02;
 
 /// The `[layouts]` of a study.
 #[derive(Debug, Clone, PartialEq)]
@@ -188,7 +188,7 @@ impl Layouts {
     }
 
     /// Numbers of films of the layouts that it names, those of a search apart.
-    pub fn film_counts(&self, asked: Directions) -> Vec<usize> {
+    pub(crate) fn film_counts(&self, asked: Directions) -> Vec<usize> {
         let (units, sections) = (self.unit_counts(), self.sections_deg().len());
         let mut counts = Vec::new();
         for set in self.sets(asked) {
@@ -305,7 +305,7 @@ pub fn farthest_section_deg(geometry: &Geometry) -> f64 {
 }
 
 /// Angle to the circumference, degrees.
-pub fn direction_deg(direction: Direction) -> f64 {
+pub(crate) fn direction_deg(direction: Direction) -> f64 {
     match direction {
         Direction::X => 0.0,
         Direction::Y => 90.0,

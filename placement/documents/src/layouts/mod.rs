@@ -5,8 +5,8 @@
 //! - [`layout_reader`], [`film_size_reader`]: read the table `layouts`, whose bounds are in [`layout_bounds`]; [`layout_schema`] describes it
 
 pub mod film_extent;
-pub mod film_size_reader;
+pub(crate) mod film_size_reader;
 pub mod layout_bounds;
 pub mod layout_reader;
-pub mod layout_schema;
+pub(crate) mod layout_schema;
 pub mod layout_settings;

@@ -7,5 +7,5 @@
 pub mod directions;
 pub mod film_model;
 pub mod film_place;
-pub mod scene_number;
-pub mod scene_reader;
+pub(crate) mod scene_number;
+pub(crate) mod scene_reader;

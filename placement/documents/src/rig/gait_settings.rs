@@ -151,7 +151,7 @@ fn check_frequency(frequency: &Frequency, fields: &Fields<'_>, faults: &mut Vec<
 
 impl Frequency {
     /// The slowest turn, Hz.
-    pub fn slowest_hz(self) -> f64 {
+    pub(crate) fn slowest_hz(self) -> f64 {
         match self {
             Self::Fixed { hz } => hz,
             Self::Randomised {

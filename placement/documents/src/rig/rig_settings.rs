@@ -176,7 +176,7 @@ impl TireVariant {
     }
 
     /// Whether it is the study's own.
-    pub fn is_own(&self) -> bool {
+    pub(crate) fn is_own(&self) -> bool {
         let usual = Self {
             learnt: self.learnt,
             ..Self::default()

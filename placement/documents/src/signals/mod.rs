@@ -4,5 +4,5 @@
 //! - [`series`]: the pressings and scenes that follow from it
 
 pub mod series;
-pub mod signal_reader;
+pub(crate) mod signal_reader;
 pub mod signal_settings;

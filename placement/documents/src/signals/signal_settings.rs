@@ -12,7 +12,7 @@ use crate::parts::film_model::FilmModel;
 pub const OWN_TIRE: &str = "own";
 
 /// Fields of a film that its place on the tire decides.
-pub const PLACED: [&str; 3] = ["theta_deg", "phi_deg", "angle_deg"];
+pub(crate) const PLACED: [&str; 3] = ["theta_deg", "phi_deg", "angle_deg"];
 
 /// The `[signals]` of a study.
 #[derive(Debug, Clone, PartialEq)]
@@ -153,7 +153,7 @@ impl FurtherTire {
 }
 
 /// The film as a table without its place.
-pub fn film_table(film: &Film) -> Value {
+pub(crate) fn film_table(film: &Film) -> Value {
     let mut table = table_value(film);
     if let Some(fields) = table.as_object_mut() {
         for name in PLACED {

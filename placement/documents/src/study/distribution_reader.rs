@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 const PARAMETER: Range = Range::new(-1e12, 1e12, "");
 
 /// Reads a distribution. None after a fault; all faults are added, each under the parameter it is about.
-pub fn read_distribution(
+pub(crate) fn read_distribution(
     value: &Value,
     pointer: &str,
     faults: &mut Vec<Fault>,
@@ -58,7 +58,7 @@ pub fn read_distribution(
 }
 
 /// The schema of a distribution: each kind with its parameters.
-pub fn distribution_schema(schemas: &mut Schemas) -> Value {
+pub(crate) fn distribution_schema(schemas: &mut Schemas) -> Value {
     schemas.define("Distribution", |_| {
         let mut properties = Properties::default();
         for kind in KINDS {

@@ -6,13 +6,13 @@
 //! - [`plan`]: the design points of a study, a pure function of the document
 
 pub(crate) mod candidate_reader;
-pub mod distribution_reader;
+pub(crate) mod distribution_reader;
 pub(crate) mod input_reader;
 pub(crate) mod method_reader;
 pub mod plan;
 mod reading_bounds;
-pub mod study_reader;
-pub mod study_schema;
+pub(crate) mod study_reader;
+pub(crate) mod study_schema;
 
 use document::typed::table_fields::table_value;
 use fem_client::hexadecimal::hexadecimal;

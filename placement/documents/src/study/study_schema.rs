@@ -16,7 +16,7 @@ use crate::study::method_reader::method_schema;
 use crate::study::study_reader::{BUDGET, LIMITS, LONGEST_NAME, TOLERANCE};
 
 /// The schema of a study.
-pub fn study_schema(schemas: &mut Schemas) -> Value {
+pub(crate) fn study_schema(schemas: &mut Schemas) -> Value {
     schemas.define("Study", |schemas| {
         let mut study = Properties::default();
         let name = String::schema(&LONGEST_NAME, schemas);

@@ -2,4 +2,4 @@
 
 pub mod film_field;
 pub mod hermite;
-pub mod separated;
+pub(crate) mod separated;

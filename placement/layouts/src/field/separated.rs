@@ -7,7 +7,7 @@ use crate::field::hermite::Turn;
 
 /// A separated field of several kinds of film.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Separated {
+pub(crate) struct Separated {
     /// c_r by depth and r.
     pub coefficients: Vec<Vec<f64>>,
     /// a_r by kind and r.

@@ -10,9 +10,9 @@ use crate::field::film_field::{LoadField, Noise};
 use crate::fisher::information::{Blind, Information};
 
 /// Standard deviation of an angle of which nothing is known: 360 / sqrt(12), degrees.
-pub const PRIOR_ANGLE_DEG: f64 = 103.923_048_454_132_64;
+pub(crate) const PRIOR_ANGLE_DEG: f64 = 103.923_048_454_132_64;
 /// Standard deviation of the depth before anything is measured, mm; of the ground's shifts, too.
-pub const PRIOR_DEPTH_MM: f64 = 1.0;
+pub(crate) const PRIOR_DEPTH_MM: f64 = 1.0;
 /// An angle known no better than this isn't known: half a turn.
 const BLIND_DEG: f64 = 180.0;
 
@@ -111,7 +111,11 @@ fn blind_at(contact_deg: f64, Blind(blind): Blind) -> String {
 }
 
 /// Bound of the angle's error with nothing but the prior known before, root mean square over the contact angles, degrees: finite for any layout.
-pub fn bayes_angle_deg(field: &LoadField, arrangement: &Arrangement, noise: &Noise) -> Option<f64> {
+pub(crate) fn bayes_angle_deg(
+    field: &LoadField,
+    arrangement: &Arrangement,
+    noise: &Noise,
+) -> Option<f64> {
     let prior = [
         PRIOR_ANGLE_DEG,
         PRIOR_DEPTH_MM,

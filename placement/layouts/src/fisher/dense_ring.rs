@@ -14,7 +14,7 @@ const MOST_UNITS: usize = 90;
 const KNEE: f64 = 2.0;
 
 /// Worst bound of the angle times the root of the number of units of a dense ring, degrees; `None` where even that tells nothing.
-pub fn dense_bound_deg(field: &LoadField, kinds: &[usize], noise: &Noise) -> Option<f64> {
+pub(crate) fn dense_bound_deg(field: &LoadField, kinds: &[usize], noise: &Noise) -> Option<f64> {
     let unknowns = 1 + field.kinds[kinds[0]].slopes.len();
     let mut information = Information::of(unknowns);
     for kind in kinds.iter().map(|&kind| &field.kinds[kind]) {

@@ -25,14 +25,14 @@ pub struct Findings {
 
 /// The best layouts so far, best first; of two equal ones the first in the order of places.
 #[derive(Default)]
-pub struct Best {
+pub(crate) struct Best {
     kept: Vec<FoundLayout>,
     looked_at: usize,
 }
 
 impl Best {
     /// Looks at one more.
-    pub fn offer(&mut self, places: &[usize], error_deg: f64) {
+    pub(crate) fn offer(&mut self, places: &[usize], error_deg: f64) {
         self.looked_at += 1;
         let is_worse = |last: &FoundLayout| last.error_deg <= error_deg;
         if self.kept.len() == KEPT && self.kept.last().is_some_and(is_worse) {

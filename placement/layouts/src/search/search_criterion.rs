@@ -92,7 +92,7 @@ impl Share {
     }
 
     /// Makes this the sum of two.
-    pub fn set_to_sum(&mut self, a: &Self, b: &Self) {
+    pub(crate) fn set_to_sum(&mut self, a: &Self, b: &Self) {
         let information = a.information.iter().zip(&b.information);
         for (sum, (a, b)) in self.information.iter_mut().zip(information) {
             *sum = std::array::from_fn(|k| a[k] + b[k]);

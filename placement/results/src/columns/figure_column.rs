@@ -147,14 +147,14 @@ impl Column {
 
     /// Shows people it in a view, beside the columns that are in it, too.
     #[must_use]
-    pub fn in_view(self, view: &'static str) -> Self {
+    pub(crate) fn in_view(self, view: &'static str) -> Self {
         let view = Some(view);
         Self { view, ..self }
     }
 
     /// Keeps it out of files: for people alone.
     #[must_use]
-    pub fn unexported(self) -> Self {
+    pub(crate) fn unexported(self) -> Self {
         Self {
             is_exported: false,
             ..self
@@ -180,6 +180,13 @@ impl Column {
     pub fn shown(&self, row: &Value) -> String {
         let value = self.value(row).map(|value| self.words(value));
         value.unwrap_or_else(|| "-".to_owned())
+    }
+
+    /// Title, value and unit, as in `off by 2.92 N`.
+    pub fn in_words(&self, row: &Value) -> String {
+        let unit = self.shown_unit().unwrap_or_default();
+        let words = format!("{} {} {unit}", self.title, self.shown(row));
+        words.trim_end().to_owned()
     }
 
     /// Words of its value with `+-` and the claimed error, where there is one.

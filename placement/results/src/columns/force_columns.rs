@@ -45,6 +45,37 @@ pub(super) fn forces() -> Table {
     }
 }
 
+/// Rows of [`force_on`](super::table_rows::force_on), for people alone.
+pub(super) fn elsewhere() -> Table {
+    let shown = |column: Column, title: &str, digits: usize| {
+        let column = column.titled(title, digits).in_view("other tires");
+        column.unexported()
+    };
+    let columns = vec![
+        shown(Column::float("rmse_n", "/other/error/rmse_n"), "off by", 2),
+        shown(
+            Column::float("own_rmse_n", "/force/fresh/rmse_n"),
+            "on its own tire",
+            2,
+        ),
+        shown(
+            Column::share("coverage", "/other/error/coverage"),
+            "covered",
+            0,
+        ),
+        shown(
+            Column::share("outside", "/other/error/outside"),
+            "flagged",
+            0,
+        ),
+    ];
+    Table {
+        name: "elsewhere",
+        parts: &[("force", "ForceError"), ("other", "ElsewhereError")],
+        columns,
+    }
+}
+
 /// Rows of a force and one of its models, as reports of fits have them.
 pub(super) fn models() -> Table {
     let judged = |name: &str, title: &str, digits: usize| {

@@ -18,7 +18,7 @@ pub use answer_table::Table;
 pub use figure_column::{Column, Kind, text};
 
 /// Every table but that of solved points, whose columns are a study's own inputs and locations.
-pub fn tables() -> [Table; 10] {
+pub fn tables() -> [Table; 11] {
     [
         location_columns::indices(),
         location_columns::locations(),
@@ -26,6 +26,7 @@ pub fn tables() -> [Table; 10] {
         layout_columns::candidates(),
         signal_columns::signals(),
         force_columns::forces(),
+        force_columns::elsewhere(),
         force_columns::models(),
         comparison_columns::compared_locations(),
         comparison_columns::designs(),

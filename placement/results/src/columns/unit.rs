@@ -3,7 +3,7 @@
 /// A pure number's.
 pub const PURE: &str = "1";
 /// Unit of hundredths, and of their differences.
-pub const PERCENT: &str = "%";
+pub(crate) const PERCENT: &str = "%";
 
 /// Endings of names with the units that they stand for; a longer one stands before those that it ends with.
 const ENDINGS: [(&str, &str); 11] = [

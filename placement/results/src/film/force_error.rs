@@ -1,6 +1,8 @@
 //! Errors of a force of the ground by a layout's films.
 
+use estimation::error_metrics::{nrmse_percent, r2, rmse};
 use estimation::recipe::{FeatureSet, Kind, SplitKind};
+use estimation::validation::SplitFigures;
 use serde::{Deserialize, Serialize};
 
 /// Error of one force by a layout's films, with an estimator that is learnt from runs of a virtual rig.
@@ -65,6 +67,28 @@ pub struct SplitError {
     pub reason: Option<String>,
 }
 
+impl SplitError {
+    /// Figures of a split, or why there are none; those that aren't finite are null.
+    pub fn of(by: SplitKind, figures: Result<&SplitFigures, &str>) -> Self {
+        let known = figures.ok();
+        let number = |of: fn(&SplitFigures) -> Option<f64>| {
+            known.and_then(of).filter(|x: &f64| x.is_finite())
+        };
+        let interval = known.and_then(|figures| figures.rmse_interval);
+        Self {
+            by,
+            rmse_n: number(|figures| Some(figures.rmse)),
+            rmse_interval_n: interval.filter(|(low, high)| low.is_finite() && high.is_finite()),
+            nrmse_percent: number(|figures| figures.nrmse_percent),
+            mean_nrmse_percent: number(|figures| figures.mean_nrmse_percent),
+            r2: number(|figures| figures.r2),
+            coverage: number(|figures| figures.intervals.map(|fared| fared.coverage)),
+            width_n: number(|figures| figures.intervals.map(|fared| fared.width)),
+            reason: figures.err().map(str::to_owned),
+        }
+    }
+}
+
 /// Estimates against true forces on runs that nobody learnt from, rows in the air among them.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -80,6 +104,21 @@ pub struct TrialError {
     /// Share of the rows that are flagged: one of their signals is beyond what was learnt from.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub outside: Option<f64>,
+}
+
+impl TrialError {
+    /// Errors of estimates, one for each true force, N, with the shares of rows whose interval holds the truth and that are flagged.
+    pub fn of(truth_n: &[f64], estimates_n: &[f64], covered: f64, flagged: f64) -> Self {
+        let error = rmse(truth_n, estimates_n);
+        let finite = |x: &f64| x.is_finite();
+        Self {
+            rmse_n: Some(error).filter(finite),
+            nrmse_percent: nrmse_percent(truth_n, error).filter(finite),
+            r2: r2(truth_n, estimates_n).filter(finite),
+            coverage: Some(covered),
+            outside: Some(flagged),
+        }
+    }
 }
 
 /// Error with a film dead.

@@ -12,7 +12,7 @@ const RANGE_FULL_SCALES: f64 = 2.0;
 
 /// All films of one run with their electronics.
 #[derive(Debug, Clone)]
-pub struct FilmChain {
+pub(crate) struct FilmChain {
     circuits: FilmCircuits,
     /// Gains of the films, drawn once a run: what each shows of its volts.
     gains: Vec<f64>,

@@ -23,14 +23,14 @@ impl Wired {
     }
 
     /// The capacitance that holds the charge, pF: of film and cable, or of an amplifier's feedback.
-    pub fn holding_pf(&self) -> f64 {
+    pub(crate) fn holding_pf(&self) -> f64 {
         1e3 / self.v_per_nc
     }
 }
 
 /// Films on their circuits, at one instant after another.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FilmCircuits {
+pub(crate) struct FilmCircuits {
     films: Vec<FilmNow>,
 }
 

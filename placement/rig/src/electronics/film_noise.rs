@@ -14,13 +14,13 @@ use documents::rig::rig_settings::Noise;
 const BOLTZMANN: f64 = 1.380_649e-23;
 
 /// Standard deviation of the voltage that heat makes on a capacitance, pF, at a temperature, K; V.
-pub fn thermal_v(temperature_k: f64, capacitance_pf: f64) -> f64 {
+pub(crate) fn thermal_v(temperature_k: f64, capacitance_pf: f64) -> f64 {
     (BOLTZMANN * temperature_k / (1e-12 * capacitance_pf)).sqrt()
 }
 
 /// A first-order Gauss-Markov process.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GaussMarkov {
+pub(crate) struct GaussMarkov {
     keep: f64,
     kick: f64,
     now: f64,

@@ -5,7 +5,7 @@
 
 /// A high-pass at even intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HighPass {
+pub(crate) struct HighPass {
     keep: f64,
     pass: f64,
 }

@@ -6,8 +6,8 @@
 //! - [`quantiser`]: a converter to whole steps
 //! - [`film_chain`]: all of that for all films of a run
 
-pub mod film_chain;
-pub mod film_circuit;
-pub mod film_noise;
-pub mod high_pass;
-pub mod quantiser;
+pub(crate) mod film_chain;
+pub(crate) mod film_circuit;
+pub(crate) mod film_noise;
+pub(crate) mod high_pass;
+pub(crate) mod quantiser;

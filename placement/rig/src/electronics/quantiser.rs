@@ -2,7 +2,7 @@
 
 /// A converter of a range of volts to both sides of zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Quantiser {
+pub(crate) struct Quantiser {
     /// 0: what comes is what is read.
     step_v: f64,
     lowest: f64,

@@ -4,13 +4,12 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use estimation::error_metrics::{nrmse_percent, r2, rmse};
-use estimation::estimator::{Estimate, is_outside};
 use estimation::features::GROUPS;
 
 use crate::contact_response::TurnableFilms;
 use crate::force_error::learnt_force::LearntForce;
 use crate::force_error::thinned_run::{ThinnedRun, thinning};
+use crate::force_error::tried_rows::{TriedRow, error_of, tried, worst_contact};
 use crate::seeded_draws::{SeededDraws, Stream};
 use documents::rig::rig_settings::RigSettings;
 use results::film::force_error::{
@@ -25,14 +24,10 @@ const AS_OF: usize = 4;
 const ASKEW_DEG: f64 = 3.0;
 /// Rows of all runs from which the film is told whose loss costs most.
 const DEAD_ROWS: usize = 160;
-/// Width of the parts of the wheel whose contacts are told apart, degrees.
-const CONTACT_DEG: f64 = 5.0;
-/// Errors of fewer rows of a part say little of it.
-const FEWEST_ROWS: usize = 20;
 
 /// Runs that nobody learns from.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FreshTrials {
+pub(crate) struct FreshTrials {
     fresh: Vec<ThinnedRun>,
     askew: Vec<ThinnedRun>,
     elsewhere: Vec<Elsewhere>,
@@ -56,22 +51,6 @@ struct Elsewhere {
     described: String,
     learnt: bool,
     runs: Vec<ThinnedRun>,
-}
-
-/// A true force with its estimate.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Tried {
-    truth: f64,
-    estimate: Estimate,
-    /// Whether a signal is beyond what was learnt from.
-    outside: bool,
-}
-
-impl Tried {
-    fn square(&self) -> f64 {
-        let error = self.estimate.force - self.truth;
-        error * error
-    }
 }
 
 impl FreshTrials {
@@ -120,14 +99,15 @@ impl FreshTrials {
     /// Tries it on the runs as they come; with the worst contacts.
     pub fn fresh(&self, learnt: &LearntForce, axis: usize) -> (TrialError, Option<WorstContact>) {
         let tried = tried(learnt, &self.fresh, axis);
-        (trial_error(&tried), self.worst_contact(&tried))
+        let worst = worst_contact(&self.fresh, &tried, self.contact_deg);
+        (error_of(&tried), worst)
     }
 
     /// Tries it on the runs with films askew.
     pub fn askew(&self, learnt: &LearntForce, axis: usize) -> AskewError {
         AskewError {
             std_deg: ASKEW_DEG,
-            error: trial_error(&tried(learnt, &self.askew, axis)),
+            error: error_of(&tried(learnt, &self.askew, axis)),
         }
     }
 
@@ -136,7 +116,7 @@ impl FreshTrials {
         let on = |other: &Elsewhere| ElsewhereError {
             tire: other.described.clone(),
             learnt: other.learnt,
-            error: trial_error(&tried(learnt, &other.runs, axis)),
+            error: error_of(&tried(learnt, &other.runs, axis)),
         };
         self.elsewhere.iter().map(on).collect()
     }
@@ -149,7 +129,7 @@ impl FreshTrials {
                 let few = (RUNS * run.time_s.len()).div_ceil(DEAD_ROWS).max(1);
                 let dead = run.with_dead_film(film);
                 let rows = (0..dead.time_s.len()).step_by(few);
-                let squares = rows.map(|row| at(learnt, &dead, axis, row).square());
+                let squares = rows.map(|row| TriedRow::of(learnt, &dead, axis, row).square());
                 squares.sum::<f64>()
             });
             runs.sum()
@@ -166,82 +146,7 @@ impl FreshTrials {
             .collect();
         Some(DeadFilmError {
             film,
-            error: trial_error(&tried(learnt, &dead, axis)),
+            error: error_of(&tried(learnt, &dead, axis)),
         })
-    }
-
-    fn worst_contact(&self, tried: &[Tried]) -> Option<WorstContact> {
-        let [from, to] = self.contact_deg;
-        let parts = (((to - from) / CONTACT_DEG).ceil() as usize).max(1);
-        let mut squares = vec![(0.0, 0usize); parts];
-        let rows = self
-            .fresh
-            .iter()
-            .flat_map(|run| (0..run.time_s.len()).map(move |row| (run, row)));
-        for ((run, row), tried) in rows.zip(tried) {
-            if run.touches(row) {
-                let part = ((run.contact_deg[row] - from) / CONTACT_DEG) as usize;
-                let (sum, count) = &mut squares[part.min(parts - 1)];
-                *sum += tried.square();
-                *count += 1;
-            }
-        }
-        let known = squares
-            .iter()
-            .enumerate()
-            .filter(|(_, (_, count))| *count >= FEWEST_ROWS);
-        let errors = known.map(|(part, (sum, count))| {
-            let begin = from + part as f64 * CONTACT_DEG;
-            WorstContact {
-                deg: 0.5 * (begin + (begin + CONTACT_DEG).min(to)),
-                rmse_n: (sum / *count as f64).sqrt(),
-            }
-        });
-        let worst = errors.max_by(|a, b| a.rmse_n.total_cmp(&b.rmse_n));
-        worst.filter(|worst| worst.rmse_n.is_finite())
-    }
-}
-
-fn at(learnt: &LearntForce, run: &ThinnedRun, axis: usize, row: usize) -> Tried {
-    let features = run.features.row(row);
-    let films = features.len() / GROUPS;
-    let features = features.to_vec();
-    Tried {
-        truth: run.true_force_n[[row, axis]],
-        estimate: learnt.model.estimate(&features),
-        outside: is_outside(&features[..films], &learnt.ranges),
-    }
-}
-
-fn tried(learnt: &LearntForce, runs: &[ThinnedRun], axis: usize) -> Vec<Tried> {
-    let rows = runs
-        .iter()
-        .flat_map(|run| (0..run.time_s.len()).map(move |row| (run, row)));
-    rows.map(|(run, row)| at(learnt, run, axis, row)).collect()
-}
-
-fn trial_error(tried: &[Tried]) -> TrialError {
-    if tried.is_empty() {
-        return TrialError::default();
-    }
-    let (truth, mean): (Vec<f64>, Vec<f64>) = tried
-        .iter()
-        .map(|tried| (tried.truth, tried.estimate.force))
-        .unzip();
-    let share = |is: fn(&Tried) -> bool| {
-        let count = tried.iter().filter(|tried| is(tried)).count();
-        count as f64 / tried.len() as f64
-    };
-    let covered = |Tried {
-                       truth, estimate, ..
-                   }: &Tried| { (estimate.low..=estimate.high).contains(truth) };
-    let error = rmse(&truth, &mean);
-    let finite = |x: &f64| x.is_finite();
-    TrialError {
-        rmse_n: Some(error).filter(finite),
-        nrmse_percent: nrmse_percent(&truth, error).filter(finite),
-        r2: r2(&truth, &mean).filter(finite),
-        coverage: Some(share(covered)),
-        outside: Some(share(|tried| tried.outside)),
     }
 }

@@ -28,7 +28,10 @@ struct Answer {
 }
 
 /// Least roots of the mean squared errors of the forces along, across and vertical over a run, N; those in the air are known.
-pub fn floors_n<R: ContactResponse + ?Sized>(response: &R, settings: &RigSettings) -> [f64; 3] {
+pub(crate) fn floors_n<R: ContactResponse + ?Sized>(
+    response: &R,
+    settings: &RigSettings,
+) -> [f64; 3] {
     let run = settings.runs as u64;
     let mut draws = SeededDraws::new(settings.seed, run, Stream::Gait);
     let gait = Gait::drawn(&settings.gait, response, &mut draws);

@@ -12,7 +12,7 @@ use estimation::recipe::{
 };
 use estimation::rows::LabelledRows;
 use estimation::split::Place;
-use estimation::validation::{Candidate, SplitFigures, Splits, candidates, judge};
+use estimation::validation::{Candidate, Splits, candidates, judge};
 use ndarray::{ArrayView2, Axis, concatenate};
 
 use crate::contact_response::ContactResponse;
@@ -163,7 +163,7 @@ pub fn learnt(
                 let splits = Splits::new(neighbours, recipe, interval_s);
                 on_split(chosen.candidate, by, neighbours, &splits, recipe)
             }
-            (_, Some(figures)) => split_error(by, Ok(figures)),
+            (_, Some(figures)) => SplitError::of(by, Ok(figures)),
             (_, None) => on_split(chosen.candidate, by, rows, &splits, recipe),
         });
     }
@@ -215,26 +215,8 @@ fn on_split(
     match judge(candidate, rows, &alone, recipe, false) {
         Ok(judged) => {
             let none = Err("the split wasn't made");
-            split_error(by, judged.on(by).map_or(none, Ok))
+            SplitError::of(by, judged.on(by).map_or(none, Ok))
         }
-        Err(reason) => split_error(by, Err(&reason)),
-    }
-}
-
-fn split_error(by: SplitKind, figures: Result<&SplitFigures, &str>) -> SplitError {
-    let known = figures.ok();
-    let number =
-        |of: fn(&SplitFigures) -> Option<f64>| known.and_then(of).filter(|x: &f64| x.is_finite());
-    let interval = known.and_then(|figures| figures.rmse_interval);
-    SplitError {
-        by,
-        rmse_n: number(|figures| Some(figures.rmse)),
-        rmse_interval_n: interval.filter(|(low, high)| low.is_finite() && high.is_finite()),
-        nrmse_percent: number(|figures| figures.nrmse_percent),
-        mean_nrmse_percent: number(|figures| figures.mean_nrmse_percent),
-        r2: number(|figures| figures.r2),
-        coverage: number(|figures| figures.intervals.map(|fared| fared.coverage)),
-        width_n: number(|figures| figures.intervals.map(|fared| fared.width)),
-        reason: figures.err().map(str::to_owned),
+        Err(reason) => SplitError::of(by, Err(&reason)),
     }
 }

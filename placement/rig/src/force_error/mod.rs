@@ -3,6 +3,7 @@
 //! - [`thinned_run`]: a run as an estimator reads it
 //! - [`learnt_force`]: the model of one force, and its errors on what was left out
 //! - [`fresh_trials`]: the same on runs that nobody learnt from, with films dead or askew
+//! - [`tried_rows`]: estimates beside true forces
 //! - [`instant_floor`]: how well one instant's readings can tell forces at all
 //! - [`layout_forces`]: all three forces of a layout
 //! - [`force_prices`]: what a force's error costs in films
@@ -11,7 +12,8 @@
 pub mod assumed_rig;
 pub mod force_prices;
 pub mod fresh_trials;
-pub mod instant_floor;
+pub(crate) mod instant_floor;
 pub mod layout_forces;
 pub mod learnt_force;
 pub mod thinned_run;
+pub(crate) mod tried_rows;

@@ -13,13 +13,13 @@ use crate::seeded_draws::{SeededDraws, Stream};
 use documents::rig::rig_settings::RigSettings;
 
 /// Rows of rolling mean and variance: the paper's.
-pub const WINDOW_ROWS: usize = 10;
+pub(crate) const WINDOW_ROWS: usize = 10;
 /// Rows are kept at this rate at most, Hz: five of the quickest stance.
 const MOST_HZ: f64 = 40.0;
 /// Rows of all runs that are learnt from, at most.
 const MOST_ROWS: f64 = 2000.0;
 /// Readings of one run whose random split is judged, one after another: about the paper's shorter recording of 2131.
-pub const NEIGHBOURS: usize = 2000;
+pub(crate) const NEIGHBOURS: usize = 2000;
 /// The golden ratio's fraction: multiples of it fill every interval evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
@@ -45,7 +45,7 @@ pub struct ThinnedRun {
 }
 
 /// Returns the number of instants of which one is kept where so many runs are recorded.
-pub fn thinning(settings: &RigSettings, runs: usize) -> usize {
+pub(crate) fn thinning(settings: &RigSettings, runs: usize) -> usize {
     let by_rate = settings.film_rate_hz / MOST_HZ;
     let instants = settings.film_rate_hz * settings.gait.longest_s() * runs as f64;
     by_rate.max(instants / MOST_ROWS).ceil().max(1.0) as usize
@@ -75,7 +75,7 @@ impl ThinnedRun {
     }
 
     /// Records a run and keeps its first instants, each beside the next.
-    pub fn begin_of<R: ContactResponse + ?Sized>(
+    pub(crate) fn begin_of<R: ContactResponse + ?Sized>(
         response: &R,
         settings: &RigSettings,
         run: u64,
@@ -112,7 +112,7 @@ impl ThinnedRun {
     }
 
     /// Returns the run with a film that shows nothing: all its features are 0.
-    pub fn with_dead_film(&self, film: usize) -> Self {
+    pub(crate) fn with_dead_film(&self, film: usize) -> Self {
         let mut dead = self.clone();
         let films = dead.features.ncols() / GROUPS;
         for group in 0..GROUPS {

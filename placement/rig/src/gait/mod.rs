@@ -3,5 +3,5 @@
 //! - [`stance`]: one turn of the crank, and where the ground is at an instant of it
 //! - [`drawn_gait`]: the stances of a run, and the contact at the instants of a clock
 
-pub mod drawn_gait;
+pub(crate) mod drawn_gait;
 pub mod stance;

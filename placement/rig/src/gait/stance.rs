@@ -66,7 +66,7 @@ impl Stance {
 }
 
 /// Deviation of a share along or across that goes evenly from one point of a disc of radius one to another, at a part of the way: each point has half of the radius.
-pub fn shear_deviation(progress: f64) -> f64 {
+pub(crate) fn shear_deviation(progress: f64) -> f64 {
     0.5 * progress.hypot(1.0 - progress)
 }
 

@@ -27,7 +27,7 @@ impl StoredSolves {
     }
 
     /// Whether something was asked that isn't stored.
-    pub fn is_incomplete(&self) -> bool {
+    pub(crate) fn is_incomplete(&self) -> bool {
         self.is_incomplete.load(Ordering::Relaxed)
     }
 }

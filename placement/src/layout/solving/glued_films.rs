@@ -24,7 +24,7 @@ pub(crate) struct GluedFilms<'s> {
 
 impl<'s> GluedFilms<'s> {
     /// Lists the glued films of layouts, on the tires of a level.
-    pub fn of_layouts(
+    pub(crate) fn of_layouts(
         film: &'s Film,
         scenes: &LayoutScenes,
         kinds: &'s [FilmKind],
@@ -51,7 +51,7 @@ impl<'s> GluedFilms<'s> {
     ///
     /// # Errors
     /// See [`RunError`]; within, why there is no transfer.
-    pub fn kinds_in_volts(
+    pub(crate) fn kinds_in_volts(
         &self,
         outcomes: &[Outcome],
         values: &[f64],

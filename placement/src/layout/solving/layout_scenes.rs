@@ -135,7 +135,7 @@ impl LayoutScenes {
 
     /// Returns which two of the solved loads give a glued film's transfer: of those asked for the nearest to a third and to two thirds of the largest, as
     /// of films' signals; of a single one those beside it count, too.
-    pub fn of_transfer(&self) -> Option<[usize; 2]> {
+    pub(crate) fn of_transfer(&self) -> Option<[usize; 2]> {
         let values =
             |loads: &[Pressed]| -> Vec<f64> { loads.iter().map(|load| load.value()).collect() };
         let (asked, solved) = (values(&self.loads), values(&self.solved));

@@ -1772,7 +1772,7 @@ class SweepEstimate:
     left: CountForecast
     """Solves left of all designs."""
     wall_s: Forecast | None = None
-    """Wall-clock time of all; None where a design's reasons say why."""
+    """Wall-clock time of all; None where a design's own is, which says why."""
     peak_memory_bytes: int
     """Largest memory of any design, bytes."""
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any
 
-from strainsite.answers._generated import FitReportFields, ForceReportFields
+from strainsite.answers._generated import FitReportFields, ForceReportFields, SplitReports
 from strainsite.answers.reading import whole
 from strainsite.answers.rows import table
 from strainsite.errors import StrainsiteError
@@ -14,7 +14,7 @@ from strainsite.views import frames, html
 if TYPE_CHECKING:
     import pandas as pd
 
-    from strainsite.answers._generated import SplitReport
+    from strainsite.answers.rows import Row
 
 
 class ForceReport(ForceReportFields):
@@ -68,37 +68,27 @@ class FitReport(FitReportFields):
 
     def frame(self) -> pd.DataFrame:
         """A row for each force and model: error on the split that chooses, RMSE on every split, leak factor."""
+        return frames.frame(self._rows())
+
+    def _rows(self) -> list[Row]:
         models = ((force, k, model) for force in self.forces for k, model in enumerate(force.models))
-        return frames.frame(
-            table("models", ({"force": force, "model": model, "chosen": k == 0} for force, k, model in models))
-        )
+        return table("models", ({"force": force, "model": model, "chosen": k == 0} for force, k, model in models))
 
     def __repr__(self) -> str:
         """A line for each force."""
         return "\n".join(["FitReport:", *(f"  {force}" for force in self.forces), f"  {self.promise}"])
 
     def _repr_html_(self) -> str:
-        head = ("force", "model", "features", "RMSE, N", "95 %", "NRMSE, %", "mean's, %", "covered", "width, N", "leak")
-        rows = [
-            (force.force, model.model, model.features, *_cells(model.validation), _digits(model.leak_factor))
-            for force in self.forces
-            for model in force.models
-        ]
+        """What each force is known by, then the columns of `frame`, those of single splits left out."""
+        splits = {f"{split.name}_rmse_n" for split in fields(SplitReports)}
+        rows = [{name: value for name, value in row.items() if name not in splits} for row in self._rows()]
+        cells = [[_cell(value) for value in row.values()] for row in rows]
         lines = [str(force) for force in self.forces]
-        return html.bullets(lines) + html.paragraph(self.promise) + html.table(head, rows) + html.bullets(self.notes)
+        head = [name.replace("_", " ") for name in rows[0]] if rows else []
+        return html.bullets(lines) + html.paragraph(self.promise) + html.table(head, cells) + html.bullets(self.notes)
 
 
-def _cells(error: SplitReport) -> tuple[str, ...]:
-    between = error.rmse_interval_n
-    return (
-        _digits(error.rmse_n),
-        "" if between is None else f"{_digits(between[0])} to {_digits(between[1])}",
-        _digits(error.nrmse_percent),
-        _digits(error.mean_nrmse_percent),
-        _digits(error.coverage),
-        _digits(error.width_n),
-    )
-
-
-def _digits(value: float | None) -> str:
-    return "none" if value is None else f"{value:.3g}"
+def _cell(value: object) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return f"{value:.3g}" if isinstance(value, float) else "none" if value is None else str(value)

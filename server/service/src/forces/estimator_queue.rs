@@ -28,9 +28,9 @@ use estimation::recipe::Recipe;
 /// Time to wait before the database is tried again.
 const RETRY: Duration = Duration::from_secs(1);
 /// Estimators that may wait: with the largest recordings 6 GB of the database.
-pub const MOST_WAITING: u32 = 100;
+pub(crate) const MOST_WAITING: u32 = 100;
 /// Rows of a force that weren't learnt from, as they are kept to be plotted.
-pub const MOST_LEFT_OUT: usize = 20_000;
+pub(crate) const MOST_LEFT_OUT: usize = 20_000;
 
 /// Takes estimators in, learns them, cancels them.
 pub struct EstimatorQueue {

@@ -15,7 +15,7 @@ const NUMBER: u64 = 8;
 const PER_TESTED: u64 = 6;
 
 /// An upper bound of the memory, bytes, but for what doesn't grow with the rows.
-pub fn fit_memory_bytes(runs: &Runs, recipe: &Recipe, threads: usize) -> u64 {
+pub(crate) fn fit_memory_bytes(runs: &Runs, recipe: &Recipe, threads: usize) -> u64 {
     let wide = |count: usize| count as u64;
     let rows: u64 = runs.runs.iter().map(|run| wide(run.rows())).sum();
     let (signals, forces) = (

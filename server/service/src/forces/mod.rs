@@ -11,7 +11,7 @@
 
 pub mod applying;
 pub mod estimator_queue;
-pub mod fit_memory;
+pub(crate) mod fit_memory;
 pub mod fitting;
 pub mod model_file;
 pub mod recorded_texts;

@@ -29,7 +29,7 @@ pub struct NamedText {
 ///
 /// # Errors
 /// Every fault: of lines and columns, or else of what the recipe wants of them.
-pub fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Vec<Fault>> {
+pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Vec<Fault>> {
     if files.is_empty() {
         return Err(vec![fault(
             "there is no recording; give one or more CSV files, one a run".to_owned(),

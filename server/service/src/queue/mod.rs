@@ -116,7 +116,7 @@ impl Queue {
     ///
     /// # Errors
     /// [`SubmitError::TooMany`], [`StoreError::Full`]; when the database can't be read.
-    pub async fn room_for(
+    pub(crate) async fn room_for(
         &self,
         connection: &mut SqliteConnection,
         studies: usize,

@@ -13,7 +13,7 @@ pub mod live;
 pub mod numerics;
 pub mod solver_choice;
 pub mod timekeeper;
-pub mod traced;
+pub(crate) mod traced;
 pub mod watched;
 
 /// Forwards what a solver around another one, its field `solver`, has that one tell of scenes.

@@ -19,7 +19,7 @@ const BEFORE: &str = "7ee1da29b2f5";
 const DIGITS: usize = 12;
 
 /// Another solver, with a fingerprint of its numerics in its version.
-pub struct Fingerprinted {
+pub(crate) struct Fingerprinted {
     solver: Arc<dyn Solver>,
     version: OnceLock<String>,
 }

@@ -8,7 +8,7 @@ use tracing::Span;
 use crate::solving::inner_tells;
 
 /// Another solver, whose every line in the log says what it is at work for.
-pub struct Traced {
+pub(crate) struct Traced {
     solver: Arc<dyn Solver>,
     span: Span,
 }

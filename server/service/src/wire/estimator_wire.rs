@@ -25,7 +25,7 @@ pub struct EstimatorDocument {
 
 /// A recipe: its schema is that of the document.
 #[derive(Debug, ToSchema)]
-pub struct RecipeDocument;
+pub(crate) struct RecipeDocument;
 
 /// A recording as text.
 #[derive(Debug, Serialize, Deserialize, ToSchema)]
@@ -101,7 +101,7 @@ pub struct LeftOutForces {
 
 /// Submission as it is stored, beside its recordings.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct StoredEstimator {
+pub(crate) struct StoredEstimator {
     /// The recipe as it was submitted.
     pub recipe: Value,
     /// The forces' columns.

@@ -3,7 +3,7 @@
 use store::queue::study_rows::State;
 
 /// Returns the state of a sweep by its designs: at work while any is or some still wait, cancelled when any was, done when any has a result.
-pub fn state_of(states: impl Iterator<Item = State> + Clone) -> State {
+pub(crate) fn state_of(states: impl Iterator<Item = State> + Clone) -> State {
     let any = |state: State| states.clone().any(|other| other == state);
     let waits = any(State::Queued);
     let begun = any(State::Running) || any(State::Done) || any(State::Failed);

@@ -102,7 +102,7 @@ pub struct SweepEstimate {
     pub designs: Vec<DesignEstimate>,
     /// Solves left of all designs.
     pub left: CountForecast,
-    /// Wall-clock time of all; null where a design's reasons say why.
+    /// Wall-clock time of all; null where a design's own is, which says why.
     pub wall_s: Option<Forecast>,
     /// Largest memory of any design, bytes.
     pub peak_memory_bytes: u64,

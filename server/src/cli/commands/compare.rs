@@ -24,7 +24,7 @@ use store::queue::sweep_rows;
 
 /// Compare studies, or the designs of a sweep: what differs, and which differences are real
 #[derive(Debug, Args)]
-pub struct Compare {
+pub(crate) struct Compare {
     /// Identifiers of studies or of one sweep, or their beginnings
     #[arg(required = true, value_name = "ID")]
     ids: Vec<String>,

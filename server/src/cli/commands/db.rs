@@ -22,7 +22,7 @@ use store::removal::retention::Retention;
 
 /// Look after the database file
 #[derive(Debug, Args)]
-pub struct Db {
+pub(crate) struct Db {
     #[command(subcommand)]
     task: Task,
     /// Database file

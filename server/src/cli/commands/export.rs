@@ -70,7 +70,7 @@ pub fn readable(format: FileFormat, output: Option<&Path>) -> Result<(), Failure
 }
 
 /// Writes the bytes of an export to a file, or to standard output.
-pub fn deliver(
+pub(crate) fn deliver(
     format: FileFormat,
     mut bytes: Vec<u8>,
     output: Option<&Path>,

@@ -24,7 +24,7 @@ const TOKEN_VARIABLE: &str = "STRAINSITE_TOKEN";
 
 /// Start the service and the dashboard
 #[derive(Debug, Args)]
-pub struct Serve {
+pub(crate) struct Serve {
     /// Address to listen on; port 0 takes a free one. One that other machines can reach needs a token
     #[arg(long, env = "STRAINSITE_ADDR", value_name = "IP:PORT", default_value = "127.0.0.1:8080",
           value_parser = address)]
@@ -88,7 +88,7 @@ struct Secret {
 
 impl Serve {
     /// Starts the log as the settings say.
-    pub fn start_log(&self) {
+    pub(crate) fn start_log(&self) {
         telemetry::start_service(&self.log, self.log_format);
         if let Some(file) = &self.file {
             tracing::info!(?file, "settings were read");

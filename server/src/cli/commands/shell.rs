@@ -13,7 +13,7 @@ use crate::cli::terminal::output_place::write;
 
 /// Print completions for a shell
 #[derive(Debug, Args)]
-pub struct Completions {
+pub(crate) struct Completions {
     /// The shell
     shell: Shell,
 }
@@ -29,7 +29,7 @@ impl Completions {
 
 /// Print the manual page, or write those of all commands into a folder
 #[derive(Debug, Args)]
-pub struct Manual {
+pub(crate) struct Manual {
     /// Folder for strainsite.1, strainsite-run.1 and so on
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,

@@ -21,7 +21,7 @@ use crate::cli::terminal::signals::stop_flag;
 
 /// Solve problems whose answer is known, and compare
 #[derive(Debug, Args)]
-pub struct Verify {
+pub(crate) struct Verify {
     /// The ends of what can be asked for, instead: incompressible rubber, thin walls, limit loads, first touch, other units
     #[arg(long)]
     extremes: bool,

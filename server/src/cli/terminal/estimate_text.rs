@@ -32,7 +32,7 @@ pub fn estimated<T>(
 }
 
 /// Returns all that `run --dry-run` prints.
-pub fn dry_run(name: &str, estimate: &Estimate) -> String {
+pub(crate) fn dry_run(name: &str, estimate: &Estimate) -> String {
     let title = painted(HEADER, name.escape_debug());
     let mut text = format!("{title}\n\n{}", solves(estimate));
     let time = estimate.wall_s.as_ref().map_or("unknown".to_owned(), range);
@@ -59,7 +59,7 @@ pub fn dry_run(name: &str, estimate: &Estimate) -> String {
 }
 
 /// Returns all that `sweep --dry-run` prints.
-pub fn dry_sweep(name: &str, threads: usize, sweep: &SweepEstimate) -> String {
+pub(crate) fn dry_sweep(name: &str, threads: usize, sweep: &SweepEstimate) -> String {
     let mut text = painted(HEADER, name.escape_debug()) + "\n\n";
     for DesignEstimate { name, estimate } in &sweep.designs {
         let time = estimate.wall_s.as_ref().map_or("unknown".to_owned(), range);

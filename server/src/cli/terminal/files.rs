@@ -17,7 +17,7 @@ pub struct Files {
 
 impl Files {
     /// A command that keeps its studies in this database.
-    pub fn of_database(path: &Path) -> Self {
+    pub(crate) fn of_database(path: &Path) -> Self {
         Self {
             database: Some(path.to_owned()),
             ..Self::default()
@@ -46,7 +46,7 @@ impl Files {
     }
 
     /// Adds a folder, which is made when it isn't there, and the files in it.
-    pub fn filling(mut self, folder: Option<&Path>, names: &[&str]) -> Self {
+    pub(crate) fn filling(mut self, folder: Option<&Path>, names: &[&str]) -> Self {
         if let Some(folder) = folder {
             self.folder = Some(folder.to_owned());
             let files = names.iter().map(|name| folder.join(name));

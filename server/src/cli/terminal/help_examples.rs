@@ -1,20 +1,20 @@
 //! Examples that `--help` shows of each command in use. A test reads every line as the program would.
 
 /// Examples of `serve`.
-pub const SERVE: &str = "Examples:
+pub(crate) const SERVE: &str = "Examples:
   strainsite serve
   strainsite serve --addr 127.0.0.1:9000 --db tires.db
   strainsite serve --config strainsite.toml --token-file token.txt --addr 0.0.0.0:8080";
 
 /// Examples of `run`.
-pub const RUN: &str = "Examples:
+pub(crate) const RUN: &str = "Examples:
   strainsite run foot-tire
   strainsite run studies/foot-tire.toml --dry-run
   strainsite run studies/foot-tire.toml --set geometry.wall_mm=2.5 --set accuracy.preset=coarse --set name=thin
   strainsite run studies/foot-tire.toml --db tires.db --out answer --json result.json";
 
 /// Examples of `solve`.
-pub const SOLVE: &str = "Examples:
+pub(crate) const SOLVE: &str = "Examples:
   strainsite solve scenes/foot-tire.toml
   strainsite solve scenes/foot-tire.toml --set pressure.internal_mpa=0.15 --set 'ground.depths_mm=[1,1,2,1,1]' --json -
   strainsite solve scenes/foot-tire.toml --set ground.load_n=13
@@ -22,18 +22,18 @@ pub const SOLVE: &str = "Examples:
   strainsite solve scenes/foot-tire.toml --set carcass=null --solver calculix";
 
 /// Examples of `gsa`.
-pub const GSA: &str = "Examples:
+pub(crate) const GSA: &str = "Examples:
   strainsite gsa plan inputs.toml -o points.csv
   strainsite gsa analyse inputs.toml values.csv --json indices.json
   strainsite gsa plan inputs.toml --values values.csv";
 
 /// Examples of `gsa plan`.
-pub const GSA_PLAN: &str = "Examples:
+pub(crate) const GSA_PLAN: &str = "Examples:
   strainsite gsa plan inputs.toml -o points.csv
   strainsite gsa plan inputs.toml --values values.csv";
 
 /// Examples of `gsa analyse`.
-pub const GSA_ANALYSE: &str = "Examples:
+pub(crate) const GSA_ANALYSE: &str = "Examples:
   strainsite gsa analyse inputs.toml values.csv
   strainsite gsa analyse inputs.toml values.csv --json -";
 
@@ -44,27 +44,27 @@ pub const FORCE: &str = "Examples:
   strainsite force apply model.json - -o forces.csv";
 
 /// Examples of `force fit`.
-pub const FORCE_FIT: &str = "Examples:
+pub(crate) const FORCE_FIT: &str = "Examples:
   strainsite force fit recipe.toml monday.csv tuesday.csv -o model.json
   strainsite force fit recipe.toml monday.csv tuesday.csv --json -";
 
 /// Examples of `force apply`.
-pub const FORCE_APPLY: &str = "Examples:
+pub(crate) const FORCE_APPLY: &str = "Examples:
   strainsite force apply model.json friday.csv -o forces.csv
   strainsite force apply model.json -";
 
 /// Examples of `force record`.
-pub const FORCE_RECORD: &str = "Examples:
+pub(crate) const FORCE_RECORD: &str = "Examples:
   strainsite force record studies/forces.toml --layout 1 -o recordings
   strainsite force record forces --layout 2 --set rig.electronics.time_constant_s=0.1";
 
 /// Examples of `trade`.
-pub const TRADE: &str = "Examples:
+pub(crate) const TRADE: &str = "Examples:
   strainsite trade studies/foot-tire.toml --out trade
   strainsite trade studies/foot-tire.toml --json -";
 
 /// Examples of `sweep`.
-pub const SWEEP: &str = "Examples:
+pub(crate) const SWEEP: &str = "Examples:
   strainsite sweep studies/foot-tire.toml --grid geometry.wall_mm=2.5,3,3.5 --grid carcass.angle_deg=50,55
   strainsite sweep studies/foot-tire.toml --grid geometry.wall_mm=2.5,3 --set accuracy.preset=coarse
   strainsite sweep studies/foot-tire.toml --grid 'layouts.spacings_deg=[60],[90]' --dry-run
@@ -72,7 +72,7 @@ pub const SWEEP: &str = "Examples:
   strainsite sweep --resume 019aa2b3 --grid geometry.wall_mm=4 --json sweep.json";
 
 /// Examples of `compare`.
-pub const COMPARE: &str = "Examples:
+pub(crate) const COMPARE: &str = "Examples:
   strainsite compare 019aa2b3 019aa2c7
   strainsite compare 019aa2b3 --baseline 019aa2d0 --json comparison.json
   strainsite compare 019aa2b3 --format parquet --table designs -o designs.parquet";
@@ -90,44 +90,44 @@ pub const LIST: &str = "Examples:
   strainsite list --state done --limit 10 --json -";
 
 /// Examples of `show`.
-pub const SHOW: &str = "Examples:
+pub(crate) const SHOW: &str = "Examples:
   strainsite show 019aa2b3
   strainsite show 019aa2b3 --db tires.db --json -";
 
 /// Examples of `export`.
-pub const EXPORT: &str = "Examples:
+pub(crate) const EXPORT: &str = "Examples:
   strainsite export 019aa2b3 --table locations -o locations.csv
   strainsite export 019aa2b3 --format parquet --table points -o points.parquet
   strainsite export 019aa2b3 --format vtu -o map.vtu";
 
 /// Examples of `db`.
-pub const DB: &str = "Examples:
+pub(crate) const DB: &str = "Examples:
   strainsite db check --db tires.db
   strainsite db backup copy.db
   strainsite db restore copy.db
   strainsite db vacuum";
 
 /// Examples of `validate`.
-pub const VALIDATE: &str = "Examples:
+pub(crate) const VALIDATE: &str = "Examples:
   strainsite validate studies/foot-tire.toml";
 
 /// Examples of `schema`.
-pub const SCHEMA: &str = "Examples:
+pub(crate) const SCHEMA: &str = "Examples:
   strainsite schema study
   strainsite schema recipe";
 
 /// Examples of `verify`.
-pub const VERIFY: &str = "Examples:
+pub(crate) const VERIFY: &str = "Examples:
   strainsite verify
   strainsite verify --extremes --json extremes.json";
 
 /// Examples of `completions`.
-pub const COMPLETIONS: &str = "Examples:
+pub(crate) const COMPLETIONS: &str = "Examples:
   strainsite completions bash
   strainsite completions zsh
   strainsite completions fish";
 
 /// Examples of `man`.
-pub const MAN: &str = "Examples:
+pub(crate) const MAN: &str = "Examples:
   strainsite man
   strainsite man --out /usr/local/share/man/man1";

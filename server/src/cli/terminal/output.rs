@@ -74,7 +74,7 @@ pub fn warn(text: &str) {
 }
 
 /// Whether what is told goes to a terminal.
-pub fn is_seen(json: Option<&JsonTarget>) -> bool {
+pub(crate) fn is_seen(json: Option<&JsonTarget>) -> bool {
     match json {
         Some(JsonTarget::Stdout) => std::io::stderr().is_terminal(),
         _ => std::io::stdout().is_terminal(),

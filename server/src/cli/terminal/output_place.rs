@@ -75,7 +75,7 @@ fn open_already(link: &Path) -> Option<Standing> {
 }
 
 /// Whether the path names the program's own standard output.
-pub fn is_stdout(path: &Path) -> bool {
+pub(crate) fn is_stdout(path: &Path) -> bool {
     matches!(standing(path), Ok(Standing::Stdout))
 }
 
@@ -146,7 +146,7 @@ pub fn check(path: &Path) -> Result<(), Failure> {
 ///
 /// # Errors
 /// A sentence that says why it can't.
-pub fn check_folder(folder: &Path) -> Result<(), Failure> {
+pub(crate) fn check_folder(folder: &Path) -> Result<(), Failure> {
     let there = folder.ancestors().find(|ancestor| ancestor.exists());
     probe(there.unwrap_or(Path::new(".")))
         .map_err(|error| Failure::input(unwritable(folder, &error)))
@@ -206,7 +206,7 @@ pub fn write(path: &Path, content: &[u8]) -> Result<(), Failure> {
 ///
 /// # Errors
 /// Anything else that the system says.
-pub fn write_to(mut out: impl Write, content: &[u8]) -> io::Result<()> {
+pub(crate) fn write_to(mut out: impl Write, content: &[u8]) -> io::Result<()> {
     let written = out.write_all(content).and_then(|()| out.flush());
     written.or_else(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Ok(()),

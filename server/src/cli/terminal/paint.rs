@@ -8,17 +8,17 @@ use std::fmt::Display;
 use anstyle::{AnsiColor, Style};
 
 /// A table's header, or a title.
-pub const HEADER: Style = Style::new().bold();
+pub(crate) const HEADER: Style = Style::new().bold();
 /// Style of what can be relied on: certain ranks, real differences.
-pub const STRONG: Style = Style::new().bold();
+pub(crate) const STRONG: Style = Style::new().bold();
 /// Style of what can't: uncertain ranks, differences within their error.
-pub const FAINT: Style = Style::new().dimmed();
+pub(crate) const FAINT: Style = Style::new().dimmed();
 /// Style of what is done or passed.
-pub const GOOD: Style = AnsiColor::Green.on_default();
+pub(crate) const GOOD: Style = AnsiColor::Green.on_default();
 /// Style of what failed.
-pub const BAD: Style = AnsiColor::Red.on_default();
+pub(crate) const BAD: Style = AnsiColor::Red.on_default();
 /// Style of what is to be looked at.
-pub const WARNING: Style = AnsiColor::Yellow.on_default();
+pub(crate) const WARNING: Style = AnsiColor::Yellow.on_default();
 
 /// The text in this style.
 pub fn painted(style: Style, text: impl Display) -> String {
@@ -47,7 +47,7 @@ pub fn header(lines: &str) -> String {
 }
 
 /// Returns the style of a study's state.
-pub fn of_state(state: &str) -> Style {
+pub(crate) fn of_state(state: &str) -> Style {
     match state {
         "done" => GOOD,
         "failed" => BAD,

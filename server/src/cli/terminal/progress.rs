@@ -11,7 +11,7 @@ use crate::cli::terminal::estimate_text::revised;
 use crate::cli::terminal::paint::{BAD, painted};
 
 /// A bar on standard error, on a terminal only, after a label.
-pub fn progress_bar(label: &str) -> ProgressBar {
+pub(crate) fn progress_bar(label: &str) -> ProgressBar {
     let bar = ProgressBar::new(0);
     if let Ok(style) = ProgressStyle::with_template(
         "{prefix}{wide_bar} {pos}/{len} points, {elapsed} gone, {eta} to go  {msg}",
@@ -23,12 +23,12 @@ pub fn progress_bar(label: &str) -> ProgressBar {
 }
 
 /// A bar that counts so many things of this kind.
-pub fn counting_bar(of: usize, kind: &str) -> ProgressBar {
+pub(crate) fn counting_bar(of: usize, kind: &str) -> ProgressBar {
     ticking_bar(number(of), &format!("{{pos}}/{{len}} {kind}"))
 }
 
 /// A bar of a file that grows to so many bytes.
-pub fn bytes_bar(of: u64) -> ProgressBar {
+pub(crate) fn bytes_bar(of: u64) -> ProgressBar {
     ticking_bar(of, "{bytes}/{total_bytes}")
 }
 
@@ -82,7 +82,7 @@ fn seen_in_time(bar: ProgressBar) -> ProgressBar {
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Interval at which a bar is drawn anew when nothing else moves it.
-pub const TICK: Duration = Duration::from_millis(200);
+pub(crate) const TICK: Duration = Duration::from_millis(200);
 
 /// Says how far the solve is that was told of last.
 fn solving(progress: &SolveProgress) -> String {
@@ -97,7 +97,7 @@ fn solving(progress: &SolveProgress) -> String {
 }
 
 /// Says above the bar which point failed, and why.
-pub fn say_failed(bar: &ProgressBar, ordinal: usize, cause: &str) {
+pub(crate) fn say_failed(bar: &ProgressBar, ordinal: usize, cause: &str) {
     let point = format!("point {ordinal}");
     let point = match AutoStream::choice(&std::io::stderr()) {
         ColorChoice::Never => point,
@@ -107,7 +107,7 @@ pub fn say_failed(bar: &ProgressBar, ordinal: usize, cause: &str) {
 }
 
 /// Moves the bar, and says above it what failed.
-pub fn show(bar: &ProgressBar, event: &Event) {
+pub(crate) fn show(bar: &ProgressBar, event: &Event) {
     match event {
         Event::Started { points, reused } => {
             bar.set_length(number(*points));

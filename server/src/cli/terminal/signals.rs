@@ -24,7 +24,7 @@ impl Signals {
     /// # Errors
     /// When the system refuses.
     #[cfg(unix)]
-    pub fn listen() -> Result<Self, Failure> {
+    pub(crate) fn listen() -> Result<Self, Failure> {
         use tokio::signal::unix::{SignalKind, signal};
         let hangup = || signal(SignalKind::hangup()).map_err(Failure::other);
         Ok(Self {
@@ -39,7 +39,7 @@ impl Signals {
     /// # Errors
     /// Never on this system.
     #[cfg(not(unix))]
-    pub fn listen() -> Result<Self, Failure> {
+    pub(crate) fn listen() -> Result<Self, Failure> {
         Ok(Self {})
     }
 
@@ -81,7 +81,7 @@ fn ignores_hangup() -> bool {
 ///
 /// # Errors
 /// When the system refuses.
-pub fn stop_flag(runtime: &Runtime) -> Result<Arc<AtomicBool>, Failure> {
+pub(crate) fn stop_flag(runtime: &Runtime) -> Result<Arc<AtomicBool>, Failure> {
     let stop = Arc::new(AtomicBool::new(false));
     let mut signals = runtime.block_on(async { Signals::listen() })?;
     let flag = stop.clone();

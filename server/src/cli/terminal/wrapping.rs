@@ -46,7 +46,7 @@ pub fn cut(text: String, most: usize) -> String {
 }
 
 /// Names in at most so many characters each: a longer one loses its middle, and first what all of them begin with, so that what differs is seen.
-pub fn told_apart(names: &[String], most: usize) -> Vec<String> {
+pub(crate) fn told_apart(names: &[String], most: usize) -> Vec<String> {
     let longest = names.iter().map(|name| name.chars().count()).max();
     if longest.unwrap_or(0) <= most {
         return names.to_vec();
@@ -75,7 +75,7 @@ fn shared_words(names: &[String]) -> usize {
 }
 
 /// A text of at most so many characters, of a longer one its beginning and its end.
-pub fn middle_cut(text: &str, most: usize) -> String {
+pub(crate) fn middle_cut(text: &str, most: usize) -> String {
     let letters: Vec<char> = text.chars().collect();
     if letters.len() <= most {
         return text.to_owned();

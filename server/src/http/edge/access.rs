@@ -125,7 +125,11 @@ fn cookies<'h>(headers: &'h HeaderMap, name: &str) -> impl Iterator<Item = &'h s
 }
 
 /// Refuses who doesn't know the token. Whether the service is up is no secret, and the address that works once is a key of its own.
-pub async fn authorise(State(access): State<Access>, request: Request, next: Next) -> Response {
+pub(crate) async fn authorise(
+    State(access): State<Access>,
+    request: Request,
+    next: Next,
+) -> Response {
     let open = match request.uri().path() {
         "/healthz" | "/readyz" => true,
         "/login" => *request.method() == Method::GET,

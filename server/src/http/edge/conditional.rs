@@ -25,7 +25,7 @@ pub fn json(headers: &HeaderMap, document: &impl Serialize) -> Result<Response, 
 }
 
 /// An answer with a tag and a rule for caches, or 304 for a client that names the tag.
-pub fn tagged(
+pub(crate) fn tagged(
     headers: &HeaderMap,
     tag: &str,
     caching: &'static str,

@@ -43,7 +43,7 @@ const DOCUMENT: BodyLimits = BodyLimits {
 static READERS: Semaphore = Semaphore::const_new(4);
 
 /// A request's body: a document that nobody has looked into yet.
-pub struct Document {
+pub(crate) struct Document {
     text: String,
     format: Format,
 }
@@ -85,7 +85,7 @@ impl Document {
 }
 
 /// A checked study from a request's body.
-pub struct StudyBody {
+pub(crate) struct StudyBody {
     /// The study with its plan.
     pub planned: Arc<PlannedStudy>,
 }
@@ -103,7 +103,7 @@ impl<S: Send + Sync> FromRequest<S> for StudyBody {
 }
 
 /// A study from a request's body of which only the cost is asked.
-pub struct EstimateBody {
+pub(crate) struct EstimateBody {
     /// The study, planned unless that takes long.
     pub study: Estimable,
 }
@@ -119,7 +119,7 @@ impl<S: Send + Sync> FromRequest<S> for EstimateBody {
 }
 
 /// A checked sweep from a request's body.
-pub struct SweepBody {
+pub(crate) struct SweepBody {
     /// The sweep.
     pub sweep: Sweep,
 }
@@ -233,7 +233,7 @@ async fn collect(
 ///
 /// # Errors
 /// 400 or 422, with the faults.
-pub fn well_formed(parsed: Result<Value, Vec<Fault>>) -> Result<Value, Problem> {
+pub(crate) fn well_formed(parsed: Result<Value, Vec<Fault>>) -> Result<Value, Problem> {
     let faults = match parsed {
         Ok(value) => return Ok(value),
         Err(faults) => faults,

@@ -15,7 +15,7 @@ use utoipa::IntoParams;
 use crate::http::edge::problem_document::Problem;
 
 /// The query of a request.
-pub struct Params<T>(pub T);
+pub(crate) struct Params<T>(pub T);
 
 impl<T: DeserializeOwned, S: Send + Sync> FromRequestParts<S> for Params<T> {
     type Rejection = Problem;
@@ -31,10 +31,10 @@ impl<T: DeserializeOwned, S: Send + Sync> FromRequestParts<S> for Params<T> {
 }
 
 /// The study's identifier in an address.
-pub struct StudyId(pub String);
+pub(crate) struct StudyId(pub String);
 
 /// The sweep's identifier in an address.
-pub struct SweepId(pub String);
+pub(crate) struct SweepId(pub String);
 
 impl<S: Send + Sync> FromRequestParts<S> for StudyId {
     type Rejection = Problem;
@@ -53,7 +53,7 @@ impl<S: Send + Sync> FromRequestParts<S> for SweepId {
 }
 
 /// A document's name in an address.
-pub struct DocumentName(pub String);
+pub(crate) struct DocumentName(pub String);
 
 impl<S: Send + Sync> FromRequestParts<S> for DocumentName {
     type Rejection = Problem;
@@ -64,10 +64,10 @@ impl<S: Send + Sync> FromRequestParts<S> for DocumentName {
 }
 
 /// The estimator's identifier in an address.
-pub struct EstimatorId(pub String);
+pub(crate) struct EstimatorId(pub String);
 
 /// The identifier of an estimator that is to be applied: `{id}:apply` is one part of an address, and routes are told apart by whole parts.
-pub struct AppliedId(pub String);
+pub(crate) struct AppliedId(pub String);
 
 /// Ending of an estimator's identifier where it is to be applied.
 const APPLY: &str = ":apply";
@@ -97,7 +97,7 @@ impl<S: Send + Sync> FromRequestParts<S> for AppliedId {
 }
 
 /// The part of an address that either of them ends, whatever the method.
-pub struct AnyEstimatorId(String);
+pub(crate) struct AnyEstimatorId(String);
 
 impl<S: Send + Sync> FromRequestParts<S> for AnyEstimatorId {
     type Rejection = Problem;
@@ -108,7 +108,7 @@ impl<S: Send + Sync> FromRequestParts<S> for AnyEstimatorId {
 }
 
 /// Refuses a method that neither of them takes.
-pub async fn no_method(AnyEstimatorId(id): AnyEstimatorId) -> Response {
+pub(crate) async fn no_method(AnyEstimatorId(id): AnyEstimatorId) -> Response {
     wrong_method(&id)
 }
 
@@ -136,7 +136,7 @@ async fn identifier<S: Send + Sync>(parts: &mut Parts, state: &S) -> Result<Stri
 #[derive(Debug, IntoParams)]
 #[into_params(parameter_in = Path)]
 #[expect(dead_code, reason = "it describes; StudyId reads")]
-pub struct StudyPath {
+pub(crate) struct StudyPath {
     /// Identifier of the study, as its submission answered
     #[param(example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b")]
     id: String,
@@ -146,7 +146,7 @@ pub struct StudyPath {
 #[derive(Debug, IntoParams)]
 #[into_params(parameter_in = Path)]
 #[expect(dead_code, reason = "it describes; SweepId reads")]
-pub struct SweepPath {
+pub(crate) struct SweepPath {
     /// Identifier of the sweep, as its submission answered
     #[param(example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6c")]
     id: String,
@@ -156,7 +156,7 @@ pub struct SweepPath {
 #[derive(Debug, IntoParams)]
 #[into_params(parameter_in = Path)]
 #[expect(dead_code, reason = "it describes; EstimatorId and AppliedId read")]
-pub struct EstimatorPath {
+pub(crate) struct EstimatorPath {
     /// Identifier of the estimator, as its submission answered
     #[param(example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6d")]
     id: String,
@@ -165,7 +165,7 @@ pub struct EstimatorPath {
 /// Whether a study, a sweep or an estimator is removed, or cancelled only.
 #[derive(Debug, Deserialize, IntoParams)]
 #[into_params(parameter_in = Query)]
-pub struct RemovalQuery {
+pub(crate) struct RemovalQuery {
     /// Remove it for good: `purge` or `purge=true`
     #[param(example = "true", allow_reserved)]
     purge: Option<String>,
@@ -176,7 +176,7 @@ impl RemovalQuery {
     ///
     /// # Errors
     /// 400 for what is neither yes nor no.
-    pub fn removes(&self) -> Result<bool, Problem> {
+    pub(crate) fn removes(&self) -> Result<bool, Problem> {
         match self.purge.as_deref() {
             Some("" | "true") => Ok(true),
             None | Some("false") => Ok(false),

@@ -134,7 +134,7 @@ pub async fn admit(State(hosts): State<HostList>, request: Request, next: Next) 
 }
 
 /// Tells browsers to keep to this service's own files, and to guess nothing.
-pub async fn harden(request: Request, next: Next) -> Response {
+pub(crate) async fn harden(request: Request, next: Next) -> Response {
     let mut response = next.run(request).await;
     for (name, value) in SECURITY_HEADERS {
         response

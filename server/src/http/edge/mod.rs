@@ -14,14 +14,14 @@
 //! - [`refusals`]: bodies for what hyper refuses
 
 pub mod access;
-pub mod conditional;
-pub mod document_body;
-pub mod extract;
+pub(crate) mod conditional;
+pub(crate) mod document_body;
+pub(crate) mod extract;
 pub mod guard;
 pub mod listener;
 pub mod packed;
 pub mod places;
-pub mod problem_document;
+pub(crate) mod problem_document;
 pub mod reading;
 pub mod refusals;
 pub mod request_id;

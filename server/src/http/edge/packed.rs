@@ -23,7 +23,7 @@ pub fn layer() -> CompressionLayer<And<DefaultPredicate, SizeAbove>> {
 }
 
 /// Makes the tag of a packed answer a weak one.
-pub async fn weaken(mut answer: Response) -> Response {
+pub(crate) async fn weaken(mut answer: Response) -> Response {
     let headers = answer.headers_mut();
     if headers.contains_key(header::CONTENT_ENCODING)
         && let Some(tag) = headers.get(header::ETAG)

@@ -21,7 +21,7 @@ const MOST: usize = 512;
 const STRANGERS: usize = 384;
 /// Time that a stranger is heard before another one may have its place. At most 1024 wait to be accepted, so that the last of them waits for three times as
 /// long.
-pub const HEARING: Duration = Duration::from_millis(250);
+pub(crate) const HEARING: Duration = Duration::from_millis(250);
 
 /// The places of a service.
 #[derive(Debug, Clone, Default)]
@@ -133,7 +133,7 @@ impl Place {
     }
 
     /// Waits until somebody else is to have this place.
-    pub async fn asked_to_leave(&mut self) {
+    pub(crate) async fn asked_to_leave(&mut self) {
         // Nothing is ever sent.
         let _ = (&mut self.leave).await;
     }
@@ -156,7 +156,7 @@ pub struct Standing {
 
 impl Standing {
     /// A request of this connection was let in.
-    pub fn belongs(&self) {
+    pub(crate) fn belongs(&self) {
         self.change(|connection| connection.belongs = true);
     }
 

@@ -29,7 +29,7 @@ impl Problem {
     }
 
     /// Makes the problem of something asked for that isn't there.
-    pub fn not_found(detail: impl Into<String>) -> Self {
+    pub(crate) fn not_found(detail: impl Into<String>) -> Self {
         Self::new(StatusCode::NOT_FOUND, detail)
     }
 
@@ -47,7 +47,7 @@ impl Problem {
     }
 
     /// Adds faults to the problem.
-    pub fn with_errors(mut self, errors: Vec<Fault>) -> Self {
+    pub(crate) fn with_errors(mut self, errors: Vec<Fault>) -> Self {
         self.errors = errors;
         self
     }

@@ -11,7 +11,7 @@ use tokio::time::{Sleep, sleep};
 
 /// A connection whose writes fail when the other side has taken nothing for a while.
 #[derive(Debug)]
-pub struct WhileRead {
+pub(crate) struct WhileRead {
     stream: TcpStream,
     limit: Duration,
     /// Runs while a write waits for the other side.

@@ -17,7 +17,7 @@ use crate::http::edge::problem_document::Problem;
 
 /// A connection on which every refusal has a problem document.
 #[derive(Debug)]
-pub struct Refusals<S> {
+pub(crate) struct Refusals<S> {
     stream: S,
     /// Bytes that are written instead of hyper's answer, and how many of them were.
     instead: Option<(Vec<u8>, usize)>,

@@ -113,7 +113,7 @@ fn crowded(what: &str) -> Problem {
 }
 
 /// A place to make an answer of a whole result. A handler that makes one has it as an argument.
-pub struct Making {
+pub(crate) struct Making {
     _place: OwnedSemaphorePermit,
 }
 
@@ -130,7 +130,7 @@ where
 }
 
 /// A piece that may be read now.
-pub struct Piece {
+pub(crate) struct Piece {
     turn: Option<OwnedSemaphorePermit>,
     place: Option<OwnedSemaphorePermit>,
 }

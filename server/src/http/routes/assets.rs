@@ -19,7 +19,7 @@ const INDEX: &str = "index.html";
 
 /// Answers what no route answers: a file of the dashboard, its first page for any other address that a browser
 /// opens, or a problem document.
-pub async fn fallback(request: Request) -> Response {
+pub(crate) async fn fallback(request: Request) -> Response {
     let path = request.uri().path();
     let nothing = || Problem::not_found(format!("there is nothing at {path:?}")).into_response();
     if path == "/v1" || path.starts_with("/v1/") {

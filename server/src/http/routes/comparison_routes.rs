@@ -29,7 +29,7 @@ use service::wire::study_wire::ProblemDocument;
 use service::wire::sweep_examples;
 
 /// `/v1/comparison` and its export.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new()
         .routes(routes!(compare_studies))
         .routes(routes!(export_comparison))

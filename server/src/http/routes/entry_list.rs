@@ -36,7 +36,7 @@ impl PageQuery {
     }
 
     /// The one state whose entries are listed.
-    pub fn of_state(&self) -> Result<Option<State>, Problem> {
+    pub(crate) fn of_state(&self) -> Result<Option<State>, Problem> {
         let named = |name: &str| {
             let wrong = || wrong("state is one of queued, running, done, failed, cancelled");
             State::named(name).ok_or_else(wrong)

@@ -41,7 +41,7 @@ const BATCH: u32 = 100;
 const KEEP_ALIVE: Duration = Duration::from_secs(15);
 
 /// `/v1/studies/{id}/events`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new().routes(routes!(follow))
 }
 

@@ -14,7 +14,7 @@ use store::StoreError;
 use store::queue::turns;
 
 /// `/healthz` and `/readyz`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new()
         .routes(routes!(alive))
         .routes(routes!(ready))

@@ -17,7 +17,7 @@ use crate::http::edge::extract::Params;
 use crate::http::edge::problem_document::Problem;
 
 /// `/login`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new().routes(routes!(login, invite))
 }
 

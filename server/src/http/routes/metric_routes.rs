@@ -20,7 +20,7 @@ use store::queue::{estimator_rows, study_rows};
 const NO_ROUTE: &str = "other";
 
 /// `/metrics`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new().routes(routes!(metrics))
 }
 

@@ -16,16 +16,16 @@
 //! - [`assets`]: the dashboard, and the page of the operations
 
 pub mod answers;
-pub mod assets;
-pub mod comparison_routes;
+pub(crate) mod assets;
+pub(crate) mod comparison_routes;
 mod entry_list;
 pub mod estimators;
-pub mod event_routes;
-pub mod health;
-pub mod login_routes;
-pub mod metric_routes;
+pub(crate) mod event_routes;
+pub(crate) mod health;
+pub(crate) mod login_routes;
+pub(crate) mod metric_routes;
 pub mod openapi;
-pub mod preset_routes;
-pub mod preview_routes;
-pub mod study_routes;
-pub mod sweep_routes;
+pub(crate) mod preset_routes;
+pub(crate) mod preview_routes;
+pub(crate) mod study_routes;
+pub(crate) mod sweep_routes;

@@ -102,7 +102,7 @@ pub fn described() -> OpenApiRouter<AppState> {
 }
 
 /// All routes with their operations.
-pub fn routes() -> OpenApiRouter<AppState> {
+pub(crate) fn routes() -> OpenApiRouter<AppState> {
     described()
         .merge(study_routes::router())
         .merge(preview_routes::router())
@@ -122,7 +122,7 @@ pub fn routes() -> OpenApiRouter<AppState> {
 const METHODS: [&str; 4] = ["get", "post", "patch", "delete"];
 
 /// `/openapi.json` and `/docs`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new()
         .routes(routes!(description))
         .routes(routes!(page))

@@ -15,7 +15,7 @@ use service::study_document::shipped::shipped;
 use service::wire::study_wire::Presets;
 
 /// `/v1/presets` and `/v1/schemas/{name}`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new()
         .routes(routes!(presets))
         .routes(routes!(schema))

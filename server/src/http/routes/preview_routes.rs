@@ -19,7 +19,7 @@ use service::wire::preview_wire::Preview;
 use service::wire::study_wire::{ProblemDocument, StudyDocument};
 
 /// `/v1/studies:preview`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new().routes(routes!(preview))
 }
 

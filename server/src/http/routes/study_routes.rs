@@ -33,7 +33,7 @@ use store::queue::study_rows::{self, Filter, State as StudyState, StudyRow};
 use store::queue::sweep_rows;
 
 /// `/v1/studies` and `/v1/studies/{id}`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new()
         .routes(routes!(list, submit))
         .routes(routes!(show, cancel, change))

@@ -33,7 +33,7 @@ use store::Store;
 use store::queue::sweep_rows::{self, DesignRow, SweepRow};
 
 /// `/v1/sweeps` and what is below it.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new()
         .routes(routes!(list_sweeps, submit_sweep))
         .routes(routes!(show_sweep, cancel_sweep, change_sweep))

@@ -71,7 +71,6 @@ pub async fn is_measured(
 #[cfg(test)]
 mod tests {
     use placement::ladder::trade::Rung;
-    use results::FidelityReport;
 
     use super::*;
     use crate::database::tests::fresh;
@@ -79,21 +78,9 @@ mod tests {
     fn trade(study: &str, wall_s: f64) -> Trade {
         let rung = Rung {
             label: "draft mdrm 3".to_owned(),
-            fidelity: FidelityReport {
-                level: "draft".to_owned(),
-                method: "mdrm".to_owned(),
-                nodes: 3,
-                check_points: 5,
-            },
             wall_s,
-            cpu_s: 0.3,
-            solves: 16,
             error_true: Some(0.02),
-            error_claimed: None,
-            covered: Some(1.0),
-            ranking_agrees: true,
-            pareto: true,
-            indices: Vec::new(),
+            ..Rung::default()
         };
         Trade {
             study: study.to_owned(),

@@ -33,7 +33,7 @@ pub enum Content {
 ///
 /// # Errors
 /// [`StoreError::Open`] that says which of these it is.
-pub async fn fit_to_write(place: &Place, held: &mut FileLock) -> Result<(), StoreError> {
+pub(crate) async fn fit_to_write(place: &Place, held: &mut FileLock) -> Result<(), StoreError> {
     let mut connection = look(place, held).await?;
     let checked = fit(place, &mut connection).await;
     connection.close().await?;
@@ -41,7 +41,7 @@ pub async fn fit_to_write(place: &Place, held: &mut FileLock) -> Result<(), Stor
 }
 
 /// Whether a file and its log belong together and can be read, whoever wrote them. Changes nothing.
-pub async fn is_sound(place: &Place, held: &mut FileLock) -> bool {
+pub(crate) async fn is_sound(place: &Place, held: &mut FileLock) -> bool {
     let Ok(mut connection) = look(place, held).await else {
         return false;
     };
@@ -68,7 +68,7 @@ async fn look(place: &Place, held: &mut FileLock) -> Result<SqliteConnection, St
 ///
 /// # Errors
 /// As [`fit_to_write`].
-pub fn fit_to_read(place: &Place) -> Result<(), StoreError> {
+pub(crate) fn fit_to_read(place: &Place) -> Result<(), StoreError> {
     place.check()?;
     let id = FileId::at(&place.real).ok_or_else(|| place.failed("there is no such file"))?;
     // A file that this process holds must not be opened and closed beside SQLite.
@@ -188,7 +188,7 @@ fn fits(place: &Place, head: &[u8]) -> Result<(), StoreError> {
 }
 
 /// Bytes of the write-ahead log; 0 where there is none.
-pub fn log_bytes(place: &Place) -> u64 {
+pub(crate) fn log_bytes(place: &Place) -> u64 {
     std::fs::metadata(place.log()).map_or(0, |log| log.len())
 }
 
@@ -208,7 +208,7 @@ pub fn foreign(place: &Place) -> StoreError {
 }
 
 /// A database of version 0.1.
-pub fn past(place: &Place) -> StoreError {
+pub(crate) fn past(place: &Place) -> StoreError {
     place.failed(
         "strainsite 0.1 wrote it, whose databases later versions don't read, and it was left as it is: use version 0.1 to export what is in it, \
          or start a new file with --db",
@@ -216,7 +216,7 @@ pub fn past(place: &Place) -> StoreError {
 }
 
 /// A database of a newer version.
-pub fn newer(place: &Place, newest: i64) -> StoreError {
+pub(crate) fn newer(place: &Place, newest: i64) -> StoreError {
     place.failed(format!(
         "a newer version of strainsite wrote it (its tables are of change {newest}, this version knows {}): use that version, or restore a \
          copy from before",

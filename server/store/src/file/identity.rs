@@ -9,7 +9,7 @@ const LOOKS: usize = 5;
 
 /// A file of this machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct FileId {
+pub(crate) struct FileId {
     device: u64,
     number: u64,
 }
@@ -43,7 +43,7 @@ impl FileId {
 
     /// The process that locks the file, where the system tells.
     #[cfg(target_os = "linux")]
-    pub fn locked_by(self) -> Option<u32> {
+    pub(crate) fn locked_by(self) -> Option<u32> {
         // The list is read in pieces: when others give a lock back meanwhile, a line may be missed between two of them.
         (0..LOOKS).find_map(|_| self.listed_holder())
     }
@@ -69,7 +69,7 @@ impl FileId {
 
     /// The process that locks the file: the system doesn't tell.
     #[cfg(not(target_os = "linux"))]
-    pub fn locked_by(self) -> Option<u32> {
+    pub(crate) fn locked_by(self) -> Option<u32> {
         None
     }
 }

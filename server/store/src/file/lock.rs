@@ -20,7 +20,7 @@ static HELD: Mutex<Vec<FileId>> = Mutex::new(Vec::new());
 
 /// Holds a database for this process until it is dropped or the process ends, however it ends.
 #[derive(Debug)]
-pub struct DatabaseLock {
+pub(crate) struct DatabaseLock {
     _file: FileLock,
     _name: NameLock,
 }
@@ -40,7 +40,7 @@ impl DatabaseLock {
 pub struct FileLock {
     // In this order: the file is closed before another part of this process may open it.
     file: File,
-    claim: Claim,
+    _claim: Claim,
 }
 
 impl FileLock {
@@ -65,15 +65,13 @@ impl FileLock {
             let metadata = file.metadata().map_err(|error| place.failed(error))?;
             // Another file may have taken the name between the first look and the lock.
             if FileId::of(&metadata) == id && FileId::at(&place.real) == Some(id) {
-                return Ok(Some(Self { file, claim }));
+                return Ok(Some(Self {
+                    file,
+                    _claim: claim,
+                }));
             }
         }
         Err(place.failed("another file takes its name again and again"))
-    }
-
-    /// The file that is locked.
-    pub fn id(&self) -> FileId {
-        self.claim.id
     }
 
     /// The open file, which must not be opened otherwise.
@@ -93,7 +91,7 @@ impl FileLock {
 }
 
 /// Whether this process holds the file.
-pub fn is_held(id: FileId) -> bool {
+pub(crate) fn is_held(id: FileId) -> bool {
     let held = HELD.lock().unwrap_or_else(PoisonError::into_inner);
     held.contains(&id)
 }
@@ -214,7 +212,8 @@ mod tests {
         let folder = tempfile::tempdir().expect("temp dir");
         let database = folder.path().join("a.db");
         std::fs::write(&database, "").expect("writes");
-        let held = taken(&database).expect("free").expect("there");
-        assert_eq!(held.id().locked_by(), Some(std::process::id()));
+        let _held = taken(&database).expect("free").expect("there");
+        let id = FileId::at(&database).expect("there");
+        assert_eq!(id.locked_by(), Some(std::process::id()));
     }
 }

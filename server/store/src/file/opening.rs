@@ -24,7 +24,10 @@ pub enum Missing {
 ///
 /// # Errors
 /// [`StoreError::InUse`] when another process has it, [`StoreError::Open`] when it isn't fit to be written.
-pub async fn to_write(path: &Path, missing: Missing) -> Result<(Place, DatabaseLock), StoreError> {
+pub(crate) async fn to_write(
+    path: &Path,
+    missing: Missing,
+) -> Result<(Place, DatabaseLock), StoreError> {
     let place = Place::of(path)?;
     if let Some(mut file) = FileLock::take(&place)? {
         condition::fit_to_write(&place, &mut file).await?;

@@ -19,7 +19,7 @@ const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
 
 /// Sets the write-ahead log and brings the tables up to date, on a connection of its own: several connections that switch a fresh file
 /// at once find it locked.
-pub async fn bootstrap(place: &Place) -> Result<(), StoreError> {
+pub(crate) async fn bootstrap(place: &Place) -> Result<(), StoreError> {
     let options = writing(place).journal_mode(SqliteJournalMode::Wal);
     let mut connection = SqliteConnection::connect_with(&options)
         .await
@@ -66,13 +66,13 @@ pub async fn writer(place: &Place, most_bytes: Option<u64>) -> Result<SqlitePool
 }
 
 /// Connections that can only read.
-pub async fn readers(place: &Place) -> Result<SqlitePool, StoreError> {
+pub(crate) async fn readers(place: &Place) -> Result<SqlitePool, StoreError> {
     only_reading(place, READERS).await
 }
 
 /// The one connection that reads whole results. Each connection has a thread, which keeps what it took for the longest text that it read: a pool gives its
 /// connections out in turn, so that all of them would come to hold that.
-pub async fn whole_reader(place: &Place) -> Result<SqlitePool, StoreError> {
+pub(crate) async fn whole_reader(place: &Place) -> Result<SqlitePool, StoreError> {
     only_reading(place, 1).await
 }
 
@@ -86,7 +86,7 @@ async fn only_reading(place: &Place, connections: u32) -> Result<SqlitePool, Sto
 }
 
 /// A connection that is never used: as long as there is one SQLite keeps its log, whatever becomes of the others.
-pub async fn keeper(place: &Place) -> Result<SqliteConnection, StoreError> {
+pub(crate) async fn keeper(place: &Place) -> Result<SqliteConnection, StoreError> {
     Ok(condition::connect(reading(place)).await?)
 }
 

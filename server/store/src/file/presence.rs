@@ -10,7 +10,7 @@ use crate::store_error::StoreError;
 
 /// The files of an open database.
 #[derive(Debug)]
-pub struct Presence {
+pub(crate) struct Presence {
     files: Vec<(PathBuf, FileId)>,
 }
 

@@ -12,7 +12,7 @@ static CHANGES: [(&str, &str); 1] = [(
 )];
 
 /// All changes, in order.
-pub static MIGRATIONS: LazyLock<Migrator> = LazyLock::new(|| {
+pub(crate) static MIGRATIONS: LazyLock<Migrator> = LazyLock::new(|| {
     let migrations = CHANGES.iter().filter_map(|(file, sql)| change(file, sql));
     Migrator::with_migrations(migrations.collect())
 });

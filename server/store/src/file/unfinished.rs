@@ -11,7 +11,7 @@ use crate::store_error::StoreError;
 /// Ending of a file's name while it is being written.
 const ENDING: &str = ".unfinished";
 /// Endings of what SQLite may leave beside a file.
-pub const COMPANIONS: [&str; 3] = ["-wal", "-shm", "-journal"];
+pub(crate) const COMPANIONS: [&str; 3] = ["-wal", "-shm", "-journal"];
 
 /// A file that isn't whole yet; removed when it is dropped before it has its place. What a kill leaves is written over by the next try.
 #[derive(Debug)]

@@ -95,7 +95,7 @@ pub async fn all(
 ///
 /// # Errors
 /// When the database can't be written.
-pub async fn forget(connection: &mut SqliteConnection) -> Result<u64, StoreError> {
+pub(crate) async fn forget(connection: &mut SqliteConnection) -> Result<u64, StoreError> {
     let forgotten = sqlx::query("delete from crashes")
         .execute(connection)
         .await?;

@@ -17,7 +17,7 @@ pub struct Retention {
 ///
 /// # Errors
 /// When the database can't be read.
-pub async fn old_studies(
+pub(crate) async fn old_studies(
     connection: &mut SqliteConnection,
     retention: &Retention,
 ) -> Result<Vec<String>, StoreError> {
@@ -34,7 +34,7 @@ pub async fn old_studies(
 ///
 /// # Errors
 /// When the database can't be read.
-pub async fn old_sweeps(
+pub(crate) async fn old_sweeps(
     connection: &mut SqliteConnection,
     retention: &Retention,
 ) -> Result<Vec<String>, StoreError> {
@@ -62,7 +62,7 @@ async fn ids(
 ///
 /// # Errors
 /// When the database can't be written.
-pub async fn remove_old_trades(
+pub(crate) async fn remove_old_trades(
     connection: &mut SqliteConnection,
     retention: &Retention,
 ) -> Result<u64, StoreError> {

@@ -3,6 +3,13 @@
 import type { Estimate, StudyCost } from "../../wire.ts";
 import { bytes, duration } from "../format.ts";
 
+/** What it took in time and memory, by name. */
+export const took = (cost: StudyCost): [string, string][] => [
+  ["Wall time", duration(cost.wall_s)],
+  ["Processor time", duration(cost.cpu_s)],
+  ["Peak memory", bytes(cost.peak_memory_bytes)],
+];
+
 interface Expectation {
   what: string;
   expected: string;

@@ -45,7 +45,7 @@ impl Apart {
 }
 
 /// Returns the command of this program, to solve for its parent.
-pub fn own_program() -> Command {
+pub(crate) fn own_program() -> Command {
     // Linux knows it even after its file was replaced by another version, whose numbers may be others.
     let program = match cfg!(target_os = "linux") {
         true => PathBuf::from("/proc/self/exe"),

@@ -4,4 +4,4 @@ mod document_schema;
 mod validate;
 
 pub use document_schema::Schema;
-pub use validate::Validate;
+pub(crate) use validate::Validate;

@@ -14,7 +14,7 @@ use service::study_document::{format_of, read_study, read_study_file};
 
 /// Check a study or scene file without running it
 #[derive(Debug, Args)]
-pub struct Validate {
+pub(crate) struct Validate {
     /// Study or scene file, TOML or JSON
     file: PathBuf,
 }

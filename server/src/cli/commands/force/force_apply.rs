@@ -20,7 +20,7 @@ use crate::cli::terminal::output_place::{write, write_to};
 const LONGEST_LINE: u64 = 1 << 20;
 
 #[derive(Debug, Args)]
-pub struct Apply {
+pub(crate) struct Apply {
     /// Model of `force fit`
     model: PathBuf,
     /// Recording, CSV; `-` reads rows from standard input and answers each at once

@@ -19,7 +19,7 @@ use crate::cli::terminal::output_place::write;
 use crate::config::Config;
 
 #[derive(Debug, Args)]
-pub struct Record {
+pub(crate) struct Record {
     /// Study with a rig, TOML or JSON
     study: PathBuf,
     /// Set a field of the study or its scene otherwise; may be given more than once

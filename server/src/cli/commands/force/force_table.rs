@@ -15,7 +15,7 @@ use crate::cli::terminal::paint::{BAD, GOOD, painted};
 const NAMED: usize = 16;
 
 /// The report as text.
-pub fn report_text(report: &Report) -> String {
+pub(crate) fn report_text(report: &Report) -> String {
     let mut text = String::new();
     for force in &report.forces {
         text.push_str(&answer(force));

@@ -69,7 +69,7 @@ pub async fn study(connection: &mut SqliteConnection, id: &str) -> Result<StudyR
 }
 
 /// Returns what was found under the beginning of an identifier, where that is one.
-pub fn the_only<T>(mut found: Vec<T>, kind: &str, beginning: &str) -> Result<T, Failure> {
+pub(crate) fn the_only<T>(mut found: Vec<T>, kind: &str, beginning: &str) -> Result<T, Failure> {
     match (found.pop(), found.is_empty()) {
         (Some(one), true) => Ok(one),
         (Some(_), false) => Err(Failure::input(format!(
@@ -83,7 +83,7 @@ pub fn the_only<T>(mut found: Vec<T>, kind: &str, beginning: &str) -> Result<T, 
 
 /// List the studies of a database, newest first
 #[derive(Debug, Args)]
-pub struct List {
+pub(crate) struct List {
     #[command(flatten)]
     database: Database,
     /// Studies of this state alone: queued, running, done, failed, cancelled
@@ -237,7 +237,7 @@ fn headed(kind: &str, counted: &str, lines: &[Line], json: Option<&JsonTarget>) 
 
 /// Show a study: its ranked table, or how far it is
 #[derive(Debug, Args)]
-pub struct Show {
+pub(crate) struct Show {
     /// Identifier of the study, or its beginning
     id: String,
     #[command(flatten)]

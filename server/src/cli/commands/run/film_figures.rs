@@ -25,7 +25,7 @@ type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 ///
 /// # Errors
 /// A sentence, when it can't be drawn.
-pub fn figure_5(signals: &Signals) -> Result<String, String> {
+pub(crate) fn figure_5(signals: &Signals) -> Result<String, String> {
     svg(signals, &[SignalAxis::Load, SignalAxis::Pressure])
 }
 
@@ -33,7 +33,7 @@ pub fn figure_5(signals: &Signals) -> Result<String, String> {
 ///
 /// # Errors
 /// A sentence, when it can't be drawn.
-pub fn figure_4(signals: &Signals) -> Result<String, String> {
+pub(crate) fn figure_4(signals: &Signals) -> Result<String, String> {
     svg(signals, &[SignalAxis::Contact])
 }
 

@@ -1,7 +1,7 @@
 //! `strainsite run`: one study without the service, with the same engine and the same database.
 
 mod film_figures;
-pub mod study_runner;
+pub(crate) mod study_runner;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -24,7 +24,7 @@ use store::queue::turns;
 use store::{Store, StoreError};
 
 /// Runner of studies, with its database open.
-pub struct StudyRunner<'c> {
+pub(crate) struct StudyRunner<'c> {
     config: &'c Config,
     /// Runs what waits.
     pub runtime: Runtime,

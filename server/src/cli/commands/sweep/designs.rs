@@ -24,7 +24,7 @@ use store::queue::sweep_rows::DesignRow;
 use store::queue::turns;
 
 /// Crew that runs designs.
-pub struct Crew<'c> {
+pub(crate) struct Crew<'c> {
     pub runtime: &'c Handle,
     pub engine: &'c Engine,
     /// A solver for each design at work: one remembers the tire that it solved last.

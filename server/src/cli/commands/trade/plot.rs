@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use placement::ladder::trade::{Rung, Trade};
+use placement::ladder::trade::Trade;
 
 const SIZE: (u32, u32) = (900, 560);
 const TRUE: RGBColor = RGBColor(0, 90, 156);
@@ -22,9 +22,9 @@ pub fn svg(trade: &Trade) -> Result<String, String> {
     Ok(text)
 }
 
-/// Time and error of a rung.
-fn point(rung: &Rung, error: Option<f64>) -> Option<(f64, f64)> {
-    error.map(|error| (rung.wall_s, error.max(LEAST)))
+/// Place of the mark of a time and an error.
+fn drawn((wall_s, error): (f64, f64)) -> (f64, f64) {
+    (wall_s, error.max(LEAST))
 }
 
 /// A range that holds all values and some room, in whole powers of ten.
@@ -43,11 +43,11 @@ fn draw(trade: &Trade, text: &mut String) -> Result<(), DrawingAreaErrorKind<std
     let rungs = &trade.rungs;
     let truth: Vec<_> = rungs
         .iter()
-        .filter_map(|rung| point(rung, rung.error_true))
+        .filter_map(|rung| rung.true_mark().map(drawn))
         .collect();
     let claims: Vec<_> = rungs
         .iter()
-        .filter_map(|rung| point(rung, rung.error_claimed))
+        .filter_map(|rung| rung.claimed_mark().map(drawn))
         .collect();
     let both = || truth.iter().chain(&claims);
     let area = SVGBackend::with_string(text, SIZE).into_drawing_area();
@@ -71,7 +71,7 @@ fn draw(trade: &Trade, text: &mut String) -> Result<(), DrawingAreaErrorKind<std
     let mut front: Vec<_> = rungs
         .iter()
         .filter(|rung| rung.pareto)
-        .filter_map(|rung| point(rung, rung.error_true))
+        .filter_map(|rung| rung.true_mark().map(drawn))
         .collect();
     front.sort_by(|a, b| a.0.total_cmp(&b.0));
     chart
@@ -88,7 +88,7 @@ fn draw(trade: &Trade, text: &mut String) -> Result<(), DrawingAreaErrorKind<std
         .legend(|(x, y)| Circle::new((x + 8, y), 5, TRUE.filled()));
     let mut labels: Vec<_> = rungs
         .iter()
-        .filter_map(|rung| Some((point(rung, rung.error_true)?, &rung.label)))
+        .filter_map(|rung| Some((drawn(rung.true_mark()?), &rung.label)))
         .collect();
     labels.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));
     // Neighbours in time have their labels above and below, the slowest theirs to the left.

@@ -131,21 +131,19 @@ fn elsewhere(told: &[(&RankedLayout, &ForceError)]) -> String {
             tires.push(&other.tire);
         }
     }
+    let table = table("elsewhere");
+    let columns = table.view("other tires");
     let of_tire = |tire: &&str| {
         let words = useful().filter_map(|(layout, force)| {
-            let error = force
-                .elsewhere
-                .iter()
-                .find(|other| other.tire == **tire)?
-                .error;
-            let percent = |share: Option<f64>| number(share.map(|share| 100.0 * share), 0);
+            let mut others = force.elsewhere.iter();
+            let row = table_rows::force_on(others.find(|other| other.tire == **tire)?, force);
+            let figures = columns.iter().map(|column| column.in_words(&row));
+            let figures: Vec<String> = figures.collect();
             Some(format!(
-                "layout {}: {} off by {} N, {} % covered, {} % flagged",
+                "layout {}: {} {}",
                 layout.rank,
                 force.axis,
-                number(error.rmse_n, 2),
-                percent(error.coverage),
-                percent(error.outside)
+                figures.join(", ")
             ))
         });
         let words: Vec<String> = words.collect();

@@ -1,7 +1,7 @@
 //! Ranks as people read them: `2=` where two share the second.
 
 /// A rank, right-aligned in five columns, with a sign where others of the list share it.
-pub fn rank_cell(rank: usize, all: impl Iterator<Item = usize>) -> String {
+pub(crate) fn rank_cell(rank: usize, all: impl Iterator<Item = usize>) -> String {
     let shared = all.filter(|other| *other == rank).nth(1).is_some();
     let sign = if shared { '=' } else { ' ' };
     format!("{rank:>4}{sign}")

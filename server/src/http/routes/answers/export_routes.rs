@@ -22,7 +22,7 @@ use service::wire::examples;
 use service::wire::study_wire::ProblemDocument;
 
 /// `/v1/studies/{id}/export`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new().routes(routes!(export))
 }
 

@@ -27,7 +27,7 @@ use service::wire::examples;
 use service::wire::study_wire::ProblemDocument;
 
 /// `/v1/studies/{id}/surface`, `/sections` and `/rings`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new()
         .routes(routes!(surface))
         .routes(routes!(sections))

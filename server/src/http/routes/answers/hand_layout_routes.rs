@@ -32,7 +32,7 @@ use service::wire::layout_wire::{HandLayoutsDocument, ScoredLayouts};
 use service::wire::study_wire::ProblemDocument;
 
 /// `/v1/studies/{id}/layouts:score` and `/layouts/fields`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new()
         .routes(routes!(score))
         .routes(routes!(fields))

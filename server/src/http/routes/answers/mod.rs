@@ -5,18 +5,18 @@
 //! - [`hand_layout_routes`]: layouts that somebody moves by hand
 //! - [`export_routes`]: answers as files
 
-pub mod export_routes;
-pub mod field_routes;
-pub mod hand_layout_routes;
-pub mod result_routes;
-pub mod sent_result;
+pub(crate) mod export_routes;
+pub(crate) mod field_routes;
+pub(crate) mod hand_layout_routes;
+pub(crate) mod result_routes;
+pub(crate) mod sent_result;
 
 use utoipa_axum::router::OpenApiRouter;
 
 use crate::http::app_state::AppState;
 
 /// Returns the routes of all of them.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     result_routes::router()
         .merge(field_routes::router())
         .merge(hand_layout_routes::router())

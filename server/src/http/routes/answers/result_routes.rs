@@ -36,7 +36,7 @@ use store::queue::study_rows::StudyRow;
 use store::{Store, StoreError};
 
 /// `/v1/studies/{id}/result` and its parts.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new()
         .routes(routes!(whole))
         .routes(routes!(locations))

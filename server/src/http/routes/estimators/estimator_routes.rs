@@ -29,7 +29,7 @@ use store::queue::estimator_rows::{self, EstimatorRow};
 use store::queue::study_rows::State as StudyState;
 
 /// `/v1/estimators` and `/v1/estimators/{id}`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new()
         .routes(routes!(list_estimators, submit_estimator))
         .routes(routes!(show_estimator, cancel_estimator))

@@ -46,7 +46,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 static APPLIERS: Semaphore = Semaphore::const_new(2);
 
 /// Returns the routes below `/v1/estimators/{id}`, and `/v1/estimators/{id}:apply`.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::with_openapi(Applying::openapi())
         .routes(routes!(estimator_report))
         .routes(routes!(estimator_model))

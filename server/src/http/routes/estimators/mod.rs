@@ -4,15 +4,15 @@
 //! - [`learnt_routes`]: what was learnt, and estimates by it
 //! - [`recordings_body`]: bodies with recordings
 
-pub mod estimator_routes;
-pub mod learnt_routes;
-pub mod recordings_body;
+pub(crate) mod estimator_routes;
+pub(crate) mod learnt_routes;
+pub(crate) mod recordings_body;
 
 use utoipa_axum::router::OpenApiRouter;
 
 use crate::http::app_state::AppState;
 
 /// `/v1/estimators` and what is below it.
-pub fn router() -> OpenApiRouter<AppState> {
+pub(crate) fn router() -> OpenApiRouter<AppState> {
     estimator_routes::router().merge(learnt_routes::router())
 }

@@ -34,7 +34,7 @@ static HELD_BYTES: Semaphore = Semaphore::const_new(HELD);
 static CHECKERS: Semaphore = Semaphore::const_new(1);
 
 /// A request's body: a document with recordings that nobody has looked into yet.
-pub struct RecordingsBody {
+pub(crate) struct RecordingsBody {
     text: String,
     held: Held,
 }

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Rung, Trade } from "../../../wire.ts";
-import { cheapest, front, LEAST_ERROR, marks } from "./trade-marks.ts";
+import { cheapest, front, LEAST_ERROR, trueMarks } from "./trade-marks.ts";
 
 function rung(label: string, wall_s: number, change: Partial<Rung> = {}): Rung {
   return {
@@ -25,7 +25,7 @@ function trade(rungs: Rung[]): Trade {
 }
 
 test("a rung without an error has no mark, and an error of zero has the least", () => {
-  const found = marks(trade([rung("a", 1, { error_true: null }), rung("b", 2, { error_true: 0 })]), "error_true");
+  const found = trueMarks(trade([rung("a", 1, { error_true: null }), rung("b", 2, { error_true: 0 })]));
   assert.deepEqual(
     found.map((mark) => [mark.rung.label, mark.error]),
     [["b", LEAST_ERROR]],

@@ -12,17 +12,22 @@ export interface RungMark {
   error: number;
 }
 
-/** The marks of one kind of error, the rungs without it left out. */
-export function marks(trade: Trade, kind: "error_true" | "error_claimed"): RungMark[] {
+/** True errors, the rungs without one left out. */
+export const trueMarks = (trade: Trade): RungMark[] => marks(trade, (rung) => rung.error_true);
+
+/** Errors that rungs claim, those that claim nothing left out. */
+export const claimedMarks = (trade: Trade): RungMark[] => marks(trade, (rung) => rung.error_claimed);
+
+function marks(trade: Trade, errorOf: (rung: Rung) => number | null | undefined): RungMark[] {
   return trade.rungs.flatMap((rung) => {
-    const error = rung[kind];
+    const error = errorOf(rung);
     return error == null ? [] : [{ rung, seconds: rung.wall_s, error: Math.max(error, LEAST_ERROR) }];
   });
 }
 
 /** True errors on the Pareto front, fastest first. */
 export function front(trade: Trade): RungMark[] {
-  return marks(trade, "error_true")
+  return trueMarks(trade)
     .filter((mark) => mark.rung.pareto)
     .sort((a, b) => a.seconds - b.seconds);
 }

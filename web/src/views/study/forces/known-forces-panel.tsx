@@ -2,7 +2,15 @@ import { heading, view } from "../../../lib/study/figures/columns.ts";
 import { fixed } from "../../../lib/format.ts";
 import { AXIS_WORDS, bestKnown, floorOf, type KnownForce, knownForces, untoldAxes } from "../../../lib/layouts/known-forces.ts";
 import { layoutWords } from "../../../lib/layouts/layout-words.ts";
-import { type FilmAnglesReport, FORCES_COLUMNS, type ForceFindings, type ForcePrice, type RankedLayout, type TableReport } from "../../../wire.ts";
+import {
+  ELSEWHERE_COLUMNS,
+  type FilmAnglesReport,
+  FORCES_COLUMNS,
+  type ForceFindings,
+  type ForcePrice,
+  type RankedLayout,
+  type TableReport,
+} from "../../../wire.ts";
 import { FigureCells } from "../figure-cells.tsx";
 import { ScrollTable, words } from "../../shared/scroll-table.tsx";
 
@@ -76,6 +84,8 @@ function Prices({ known, prices }: { known: KnownForce[]; prices: ForcePrice[] }
   );
 }
 
+const ELSEWHERE = view(ELSEWHERE_COLUMNS, "other tires");
+
 /** The same estimators on other tires. */
 function OtherTires({ known }: { known: KnownForce[] }) {
   const rows = known.flatMap(({ layout, force }) => (force.elsewhere ?? []).map((other) => ({ layout, force, other })));
@@ -83,7 +93,7 @@ function OtherTires({ known }: { known: KnownForce[] }) {
   return (
     <details>
       <summary>On other tires</summary>
-      <ScrollTable name="Forces on other tires" columns={[words("Tire"), words("Layout"), "Force", "Off by N", "Own tire N", "Covered", "Flagged"]}>
+      <ScrollTable name="Forces on other tires" columns={[words("Tire"), words("Layout"), "Force", ...ELSEWHERE.map(heading)]}>
         <tbody>
           {rows.map(({ layout, force, other }) => (
             <tr key={`${other.tire} ${layout.rank} ${force.axis}`}>
@@ -95,10 +105,7 @@ function OtherTires({ known }: { known: KnownForce[] }) {
                 {layoutWords(layout)}
               </th>
               <td>{name(force.axis)}</td>
-              <td>{fixed(other.error.rmse_n, 2)}</td>
-              <td>{fixed(force.fresh.rmse_n, 2)}</td>
-              <td>{fixed(other.error.coverage, 2)}</td>
-              <td>{fixed(other.error.outside, 2)}</td>
+              <FigureCells columns={ELSEWHERE} row={{ force, other }} />
             </tr>
           ))}
         </tbody>

@@ -1,5 +1,5 @@
-import { bytes, duration, integer, percent } from "../../../lib/format.ts";
-import { compare } from "../../../lib/study/expected-cost.ts";
+import { integer, percent } from "../../../lib/format.ts";
+import { compare, took } from "../../../lib/study/expected-cost.ts";
 import type { Estimate, StudyCost } from "../../../wire.ts";
 import { Facts } from "../../shared/facts.tsx";
 
@@ -9,9 +9,7 @@ export function CostPanel({ cost, estimate }: { cost: StudyCost; estimate: Estim
     ["Points", integer(cost.solves)],
     ["Reused", integer(cost.reused)],
     ["Newton iterations", integer(cost.newton_iterations)],
-    ["Wall time", duration(cost.wall_s)],
-    ["Processor time", duration(cost.cpu_s)],
-    ["Peak memory", bytes(cost.peak_memory_bytes)],
+    ...took(cost),
   ];
   return (
     <section class="panel" aria-labelledby="cost-title">

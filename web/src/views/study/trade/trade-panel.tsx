@@ -3,7 +3,7 @@ import { across, frameOf, upwards } from "../../../lib/chart/frame.ts";
 import { decades, logTicks } from "../../../lib/chart/scales.ts";
 import { duration, significant } from "../../../lib/format.ts";
 import { heading, view } from "../../../lib/study/figures/columns.ts";
-import { cheapest, front, marks, type RungMark } from "../../../lib/study/trade/trade-marks.ts";
+import { cheapest, claimedMarks, front, type RungMark, trueMarks } from "../../../lib/study/trade/trade-marks.ts";
 import { fidelityOf, ownRung, stepWords } from "../../../lib/study/trade/own-rung.ts";
 import { placeLabels } from "../../../lib/study/trade/trade-labels.ts";
 import { type Rung, RUNGS_COLUMNS, type StudyDetail, type Trade } from "../../../wire.ts";
@@ -41,7 +41,7 @@ export function TradePanel({ trade, study, level }: { trade: Trade; study: Study
 }
 
 function Plot({ trade, study, own }: { trade: Trade; study: string; own: Rung | null }) {
-  const [truth, claimed] = [marks(trade, "error_true"), marks(trade, "error_claimed")];
+  const [truth, claimed] = [trueMarks(trade), claimedMarks(trade)];
   const all = [...truth, ...claimed];
   const x = decades(
     all.map((mark) => mark.seconds),

@@ -1,1 +1,0 @@
-export{rn as readToml}from"../views-DhnuyNmF.js";

@@ -1,0 +1,1 @@
+export{in as readToml}from"../views-Dn8xua13.js";
