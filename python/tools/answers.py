@@ -96,7 +96,9 @@ def columns_of(tables: dict[str, Any]) -> str:
     """Columns of tables as their names, the pointers of their values, and the unit of the rows that have one."""
     exported = {name: [each for each in table["columns"] if each["exported"]] for name, table in tables.items()}
     columns = {
-        name: [(each["name"], each["at"], each.get("of_unit")) for each in table] for name, table in exported.items() if table
+        name: [(each["name"], each["at"], each.get("of_unit")) for each in table]
+        for name, table in exported.items()
+        if table
     }
     return f"COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {columns}"
 
