@@ -12,8 +12,7 @@ pub(crate) const USEFUL_SHARE: f64 = 0.95;
 const AS_GOOD: f64 = 1.05;
 
 /// The report of a fit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Report {
     /// Recordings that were learnt from.
     pub recordings: Vec<RecordingFigures>,
@@ -28,8 +27,7 @@ pub struct Report {
 }
 
 /// Figures of a recording.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct RecordingFigures {
     /// File of the recording.
     pub file: String,
@@ -46,8 +44,7 @@ pub struct RecordingFigures {
 }
 
 /// Findings for a force.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ForceReport {
     /// Column of the force.
     pub force: String,
@@ -62,8 +59,7 @@ pub struct ForceReport {
 }
 
 /// Report of a candidate.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ModelReport {
     /// The model.
     pub model: Kind,
@@ -83,8 +79,7 @@ pub struct ModelReport {
 }
 
 /// A model that is part of a blend.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct MemberReport {
     /// The model.
     pub model: Kind,
@@ -93,8 +88,7 @@ pub struct MemberReport {
 }
 
 /// A candidate on every split.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct SplitReports {
     /// A fifth of the rows, drawn at random.
     pub random: Option<SplitReport>,
@@ -109,8 +103,7 @@ pub struct SplitReports {
 }
 
 /// A candidate on one split.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct SplitReport {
     /// The split.
     pub by: SplitKind,
@@ -131,8 +124,7 @@ pub struct SplitReport {
 }
 
 /// Cost of a fit.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FitCost {
     /// Candidates that were judged, of all forces.
     pub candidates: usize,

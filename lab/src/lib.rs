@@ -4,16 +4,16 @@
 //! - [`cpu`]: processor time of a thread
 //! - [`limit`]: the limit of a value under refinement, with its error
 //! - [`mesh_families`]: ever finer meshes of the reference tire
-//! - [`opinions`]: second opinions on kinds of film
+//! - [`figures`]: second figures on kinds of film
 //! - [`published`]: the published study's tables of force errors, and a virtual rig under the same conditions
 //! - [`reference_tire`]: the reference tire, and one solve of it
 //! - [`study_runs`]: studies on any mesh level, and what they are run with
 
 pub(crate) mod all_cores;
 pub mod cpu;
+pub mod film_criteria;
 pub mod limit;
 pub mod mesh_families;
-pub mod opinions;
 pub mod published;
 pub mod reference_tire;
 pub mod study_runs;

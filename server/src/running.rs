@@ -12,9 +12,9 @@ use tokio::task::JoinHandle;
 
 use crate::http::app_state::AppState;
 use crate::http::edge::access::Access;
+use crate::http::edge::answer_limits::AnswerLimits;
 use crate::http::edge::guard::{HostList, HostName};
 use crate::http::edge::listener;
-use crate::http::edge::room::Room;
 use crate::http::edge::streams::Streams;
 use crate::http::router::app;
 use crate::http::routes::answers::sent_result::Intact;
@@ -193,7 +193,7 @@ impl Service {
             access,
             metrics,
             streams: Streams::new(limits.event_streams),
-            room: Room::default(),
+            answers: AnswerLimits::default(),
             intact: Intact::default(),
             memory_bytes: limits.memory_bytes,
         };

@@ -11,8 +11,7 @@ use crate::visible::visible;
 pub const MAX_FAULTS: usize = 100;
 
 /// A fault of a document: where it is, and what would be right.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Fault {
     /// JSON pointer (RFC 6901) to the faulty value; empty for the document itself.
     pub pointer: String,

@@ -4,7 +4,6 @@ pub mod direction;
 pub mod film_comparison;
 pub(crate) mod film_state;
 pub mod gauge;
-#[cfg(feature = "openapi")]
 pub mod object_schema;
 pub mod readout;
 pub mod response;
@@ -79,7 +78,7 @@ pub trait Solver: Send + Sync {
     ///
     /// # Errors
     /// As [`Solver::solve`], and [`SolveError::Crashed`].
-    fn solve_apart(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+    fn solve_isolated(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
         self.solve(request)
     }
 }

@@ -126,8 +126,7 @@ pub struct ResponseError {
 }
 
 /// Summary of a model: what was modelled and what was left out.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ModelSummary {
     /// `3d`, `3d-half` or `3d-quarter`.
     pub dimension: String,
@@ -144,8 +143,7 @@ pub struct ModelSummary {
 }
 
 /// A modelling choice with its reason.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Choice {
     /// The part.
     pub what: String,
@@ -176,8 +174,7 @@ pub struct StrainMap {
 }
 
 /// Places of the points of a map: x in the rolling direction, y along the axle, z upward, from the wheel's centre.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct MapShape {
     /// Positions in the inflated state before contact, mm, rows x columns.
     pub inflated_mm: Vec<[f64; 3]>,
@@ -200,7 +197,6 @@ pub struct Ring {
     pub turned: Vec<Vec<f64>>,
 }
 
-#[cfg(feature = "openapi")]
 mod schemas {
     use utoipa::openapi::{RefOr, Schema};
     use utoipa::{PartialSchema, ToSchema};

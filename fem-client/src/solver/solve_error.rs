@@ -111,8 +111,7 @@ impl NoEquilibrium {
 }
 
 /// Loads that a failed solve got to.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Reached {
     /// Internal pressure of the last equilibrium, MPa.
     pub pressure_mpa: f64,

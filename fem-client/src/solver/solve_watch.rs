@@ -14,8 +14,7 @@ pub trait Watch: Sync {
 }
 
 /// Progress of a solve.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct SolveProgress {
     /// Stage of the loads.
     pub stage: Stage,
@@ -28,8 +27,7 @@ pub struct SolveProgress {
 }
 
 /// Stage of the loads on a tire.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Stage {
     /// Inflation.

@@ -1,11 +1,11 @@
-//! The ways to a scene's place on the ground: the inflated tire is pressed, then the ground may be dragged.
+//! The paths to a scene's place on the ground: the inflated tire is pressed, then the ground may be dragged.
 
 use fem::problem::{Loads, State};
 use fem_client::scene::Scene;
 
 use crate::model::{DRAG_STEPS, FRICTION_STEPS, load_step};
 
-/// A part of a way.
+/// A part of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Leg {
     /// The ground rises.
@@ -14,9 +14,9 @@ pub(crate) enum Leg {
     Dragging,
 }
 
-/// A way of the loads, with the equilibrium where it begins.
+/// A path of the loads, with the equilibrium where it begins.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Way<'w> {
+pub(crate) struct GroundPath<'w> {
     pub(crate) leg: Leg,
     pub(crate) begin: &'w State,
     pub(crate) start: &'w Loads,
@@ -32,7 +32,7 @@ impl Leg {
         }
     }
 
-    /// Share of the way that the tire may bear, 1 or less.
+    /// Share of the path that the tire may bear, 1 or less.
     pub(crate) fn bearable(self, scene: &Scene) -> f64 {
         match self {
             Self::Pressing => load_step(scene),
@@ -49,7 +49,7 @@ impl Leg {
         }
     }
 
-    /// Says where a way stopped, in words: after a share of it, at a load (N) where there is one.
+    /// Says where a path stopped, in words: after a share of it, at a load (N) where there is one.
     pub(crate) fn stopped(self, scene: &Scene, share: f64, load: Option<f64>) -> String {
         let (asked, percent) = (self.asked(scene), 100.0 * share);
         match (self, load) {
@@ -65,7 +65,7 @@ impl Leg {
         }
     }
 
-    /// Two shares of a way, in words.
+    /// Two shares of a path, in words.
     pub(crate) fn between(self, scene: &Scene, shares: [f64; 2]) -> String {
         let asked = self.asked(scene);
         match (self, scene.ground.load_n) {

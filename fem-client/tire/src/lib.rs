@@ -10,7 +10,7 @@
 //! - [`readout`]: strains of an equilibrium with their errors
 //! - `self_contact`: whether a pressed tire touches itself
 //! - `session`: one solve on its way: a scene's model, its Newton method, and the loads they meet
-//! - `way`: the ways to the ground: pressing, dragging
+//! - `ground_path`: the paths of the ground: pressing, dragging
 //! - `press_failure`: why a tire can't be pressed further, or dragged
 //! - `inflate`: the inflated state, or why there is none
 //! - `neighbourhood`: what solves from the same equilibrium share
@@ -18,6 +18,7 @@
 //! - [`embedded`]: the solver
 
 pub mod embedded;
+mod ground_path;
 mod inflate;
 pub mod mesh;
 pub mod mesh_error;
@@ -30,4 +31,3 @@ pub mod readout;
 mod rubber;
 mod self_contact;
 mod session;
-mod way;

@@ -4,11 +4,11 @@ use fem::newton::iteration::NewtonSettings;
 use fem::newton::path::{PathReport, Stability};
 use fem::problem::{Loads, State};
 
+use crate::ground_path::{GroundPath, Leg};
 use crate::neighbourhood::Pressed;
-use crate::press_failure::{self_contact, way_failure};
+use crate::press_failure::{path_failure, self_contact};
 use crate::self_contact::touches_itself;
 use crate::session::Session;
-use crate::way::{Leg, Way};
 use fem_client::solver::SolveError;
 
 impl Session<'_> {
@@ -42,21 +42,21 @@ impl Session<'_> {
         target: &Loads,
         near: Option<(&State, &Loads)>,
     ) -> Result<(State, PathReport), SolveError> {
-        let way = Way {
+        let path = GroundPath {
             leg: Leg::Pressing,
             begin: &self.above_ground(inflated),
             start: &self.inflation(),
             target,
         };
-        self.set_smallest_step(way.leg);
+        self.set_smallest_step(path.leg);
         if let Some((equilibrium, loads)) = near {
             let (mut state, loads) = self.leaving(equilibrium, loads, target);
-            let path = self.follow(&mut state, &loads, target, Stability::Ignored);
-            if let Ok(report) = path {
-                return self.unfolded((state, report), &way);
+            let followed = self.follow(&mut state, &loads, target, Stability::Ignored);
+            if let Ok(report) = followed {
+                return self.unfolded((state, report), &path);
             }
         }
-        self.go(&way)
+        self.go(&path)
     }
 
     fn drag(
@@ -65,14 +65,14 @@ impl Session<'_> {
         undragged: &Loads,
         target: &Loads,
     ) -> Result<(State, PathReport), SolveError> {
-        let way = Way {
+        let path = GroundPath {
             leg: Leg::Dragging,
             begin: pressed,
             start: undragged,
             target,
         };
-        self.set_smallest_step(way.leg);
-        self.go(&way)
+        self.set_smallest_step(path.leg);
+        self.go(&path)
     }
 
     fn set_smallest_step(&mut self, leg: Leg) {
@@ -80,27 +80,27 @@ impl Session<'_> {
         self.newton.settings.smallest_load_step = smallest * leg.bearable(self.scene);
     }
 
-    /// All of a way.
-    fn go(&mut self, way: &Way<'_>) -> Result<(State, PathReport), SolveError> {
+    /// All of a path.
+    fn go(&mut self, path: &GroundPath<'_>) -> Result<(State, PathReport), SolveError> {
         if self.scene.contact.friction > 0.0 {
-            self.newton.settings.largest_load_step = 1.0 / way.leg.friction_steps() as f64;
+            self.newton.settings.largest_load_step = 1.0 / path.leg.friction_steps() as f64;
         }
-        let mut state = way.begin.clone();
-        let found = match self.follow(&mut state, way.start, way.target, Stability::Ignored) {
+        let mut state = path.begin.clone();
+        let found = match self.follow(&mut state, path.start, path.target, Stability::Ignored) {
             Ok(report) => (state, report),
-            Err(failure) => way_failure(self, way, &state, &failure)?,
+            Err(failure) => path_failure(self, path, &state, &failure)?,
         };
-        self.unfolded(found, way)
+        self.unfolded(found, path)
     }
 
-    /// Returns what was found at the end of a way, unless the tire touches itself there and on all of the way's branches.
+    /// Returns what was found at the end of a path, unless the tire touches itself there and on all of the path's branches.
     fn unfolded(
         &mut self,
         found: (State, PathReport),
-        way: &Way<'_>,
+        path: &GroundPath<'_>,
     ) -> Result<(State, PathReport), SolveError> {
         match touches_itself(self.model, &found.0) {
-            true => self_contact(self, way),
+            true => self_contact(self, path),
             false => Ok(found),
         }
     }

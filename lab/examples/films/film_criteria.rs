@@ -2,12 +2,12 @@
 //! effective independence, pivoted QR and the variance at the contact's centre, by which the paper ranks; and how far these orders agree. The section "Which
 //! film tells most" of `docs/use/layouts.md`.
 //!
-//! `cargo run --release -p lab --example film_opinions [-- STUDY [LEVEL]]`: a study that ships or the path of one, layouts when left out; standard when left
+//! `cargo run --release -p lab --example film_criteria [-- STUDY [LEVEL]]`: a study that ships or the path of one, layouts when left out; standard when left
 //! out, two minutes on two cores.
 
 use fem_client::scene::Level;
-use lab::opinions::criteria::{Opinion, agreement, criteria, opinions};
-use lab::opinions::study_films::{StudyFilms, study_films};
+use lab::film_criteria::criteria::{FilmFigures, agreement, criteria, figures};
+use lab::film_criteria::study_films::{StudyFilms, study_films};
 use lab::study_runs::{level_argument, study_on};
 use results::CandidateFilm;
 
@@ -20,17 +20,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         fields,
         depths_mm,
     } = study_films(study_on(&study, level))?;
-    let opinions = opinions(&fields, &depths_mm);
+    let figures = figures(&fields, &depths_mm);
     println!(
         "| section angle, deg | direction | size, mm | angle information, 1/deg | depth information, 1/mm | signal | effective independence | pivot | std at the centre |"
     );
     println!("|---|---|---|---|---|---|---|---|---|");
-    let mut rows: Vec<_> = films.iter().zip(&opinions).collect();
+    let mut rows: Vec<_> = films.iter().zip(&figures).collect();
     rows.sort_by(|(a, _), (b, _)| b.angle_information.total_cmp(&a.angle_information));
-    for (film, opinion) in rows {
-        println!("{}", row(film, opinion));
+    for (film, own) in rows {
+        println!("{}", row(film, own));
     }
-    let criteria = criteria(&films, &opinions);
+    let criteria = criteria(&films, &figures);
     let names = criteria.each_ref().map(|(name, _)| *name);
     println!("\n| Kendall's tau | {} |", names.join(" | "));
     println!("|{}", "---|".repeat(1 + names.len()));
@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-fn row(film: &CandidateFilm, opinion: &Opinion) -> String {
+fn row(film: &CandidateFilm, own: &FilmFigures) -> String {
     let size = film.length_mm.zip(film.width_mm);
     format!(
         "| {} | {} | {} | {}{} | {} | {} | {:.3} | {} | {:.2e} |",
@@ -55,11 +55,10 @@ fn row(film: &CandidateFilm, opinion: &Opinion) -> String {
             .map_or(String::new(), |error| format!(" +- {error:.4}")),
         number(Some(film.depth_information), 2),
         number(Some(film.signal), 4),
-        opinion.effective_independence,
-        opinion
-            .pivot_rank
+        own.effective_independence,
+        own.pivot_rank
             .map_or("-".to_owned(), |rank| rank.to_string()),
-        opinion.centre_std,
+        own.centre_std,
     )
 }
 

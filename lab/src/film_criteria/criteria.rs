@@ -4,8 +4,8 @@ use layouts::field::film_field::{DepthFields, LoadField};
 use layouts::ranking::kendall::tau;
 use results::CandidateFilm;
 
-use crate::opinions::modes::leading_modes;
-use crate::opinions::pivots::{effective_independence, pivot_order};
+use crate::film_criteria::modes::leading_modes;
+use crate::film_criteria::pivots::{effective_independence, pivot_order};
 
 /// Share of the snapshots' sum of squares that the modes hold.
 const OF_SNAPSHOTS: f64 = 0.99;
@@ -14,9 +14,9 @@ const STEP_DEG: usize = 5;
 /// Depths over which the signal at the centre varies.
 const DEPTHS: usize = 16;
 
-/// Opinions of others on a kind of film.
+/// Figures of a kind of film by criteria that no answer uses.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Opinion {
+pub struct FilmFigures {
     /// Effective independence: its share in what all kinds together tell apart, 0 to 1.
     pub effective_independence: f64,
     /// Place among the kinds that pivoting picks, 1 first; none of those that add nothing.
@@ -28,15 +28,15 @@ pub struct Opinion {
 /// A criterion and each kind's figure by it; the greatest is best.
 pub type Criterion = (&'static str, Vec<f64>);
 
-/// Opinions on kinds of film by what they read at loads of these depths.
-pub fn opinions(fields: &DepthFields, depths_mm: &[f64]) -> Vec<Opinion> {
+/// Figures of kinds of film by what they read at loads of these depths.
+pub fn figures(fields: &DepthFields, depths_mm: &[f64]) -> Vec<FilmFigures> {
     let loads: Vec<LoadField> = depths_mm.iter().map(|depth| fields.at(*depth)).collect();
     let modes = leading_modes(&snapshots(&loads), OF_SNAPSHOTS);
     let (order, leverage) = (pivot_order(&modes), effective_independence(&modes));
     let [low, high] = fields.depths.ends();
     let depths = (0..DEPTHS).map(|k| low + (high - low) * (k as f64 + 0.5) / DEPTHS as f64);
     let depths: Vec<LoadField> = depths.map(|depth| fields.at(depth)).collect();
-    let opinion = |(kind, effective_independence): (usize, f64)| Opinion {
+    let figures_of = |(kind, effective_independence): (usize, f64)| FilmFigures {
         effective_independence,
         pivot_rank: order
             .iter()
@@ -44,7 +44,7 @@ pub fn opinions(fields: &DepthFields, depths_mm: &[f64]) -> Vec<Opinion> {
             .map(|place| place + 1),
         centre_std: centre_std(kind, &depths),
     };
-    leverage.into_iter().enumerate().map(opinion).collect()
+    leverage.into_iter().enumerate().map(figures_of).collect()
 }
 
 /// Returns what each kind reads every few degrees around the wheel, at all loads.
@@ -70,11 +70,11 @@ fn centre_std(kind: usize, depths: &[LoadField]) -> f64 {
 }
 
 /// Kinds of film by all criteria.
-pub fn criteria(films: &[CandidateFilm], opinions: &[Opinion]) -> [Criterion; 6] {
+pub fn criteria(films: &[CandidateFilm], figures: &[FilmFigures]) -> [Criterion; 6] {
     let known = |of: fn(&CandidateFilm) -> f64| films.iter().map(of).collect();
-    let said = |of: &dyn Fn(&Opinion) -> f64| opinions.iter().map(of).collect();
+    let said = |of: &dyn Fn(&FilmFigures) -> f64| figures.iter().map(of).collect();
     // The first that is taken stands highest.
-    let pivot = |it: &Opinion| -(it.pivot_rank.unwrap_or(opinions.len() + 1) as f64);
+    let pivot = |it: &FilmFigures| -(it.pivot_rank.unwrap_or(figures.len() + 1) as f64);
     [
         ("angle information", known(|film| film.angle_information)),
         ("depth information", known(|film| film.depth_information)),
@@ -125,7 +125,7 @@ mod tests {
     #[test]
     fn criteria_see_different_things() {
         let (fields, loads) = (bell_and_slope(), [1.0]);
-        let found = opinions(&fields, &loads);
+        let found = figures(&fields, &loads);
         let [bell, slope] = found[..] else {
             panic!("two kinds: {found:?}");
         };

@@ -1,4 +1,4 @@
-//! Second opinions on kinds of film, beside what one film of each knows of angle and depth.
+//! Kinds of film by other criteria, beside what one film of each knows of angle and depth.
 //!
 //! - [`study_films`]: what a study's kinds of film read
 //! - [`modes`]: the leading modes of what they read together

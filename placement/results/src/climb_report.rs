@@ -3,8 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// The way from a draft to the accuracy asked for.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Climb {
     /// Largest error of an index that was asked for.
     pub tolerance: Option<f64>,
@@ -17,8 +16,7 @@ pub struct Climb {
 }
 
 /// A step of the way.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ClimbRung {
     /// Label in a few words.
     pub label: String,
@@ -33,8 +31,7 @@ pub struct ClimbRung {
 }
 
 /// A fidelity as it stands in documents.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FidelityReport {
     /// Mesh level.
     pub level: String,

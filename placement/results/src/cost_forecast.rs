@@ -3,8 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Estimate of what a study will cost, and be worth.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Estimate {
     /// Equilibria to solve.
     pub solves: SolveForecast,
@@ -23,8 +22,7 @@ pub struct Estimate {
 }
 
 /// Equilibria that are expected to be solved.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct SolveForecast {
     /// Points on the meshes of the answer and of the rungs before it.
     pub own: usize,
@@ -45,8 +43,7 @@ pub struct SolveForecast {
 }
 
 /// A number of solves with its range.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct CountForecast {
     /// Least count.
     pub least: usize,
@@ -57,8 +54,7 @@ pub struct CountForecast {
 }
 
 /// A figure with its range.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Forecast {
     /// Least value.
     pub least: f64,
@@ -69,8 +65,7 @@ pub struct Forecast {
 }
 
 /// Accuracy that studies of this kind had where that was measured: the largest error of the ten indices that the paper's study ranks by, absolute.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ExpectedAccuracy {
     /// Mesh and method of the answer, in a few words.
     pub fidelity: String,

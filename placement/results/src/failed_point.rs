@@ -18,15 +18,14 @@ pub struct Unsolved {
 }
 
 /// A point without a response.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FailedPoint {
     /// Ordinal in the plan.
     pub ordinal: usize,
     /// Input values.
     pub values: Vec<f64>,
     /// Cause of the failure.
-    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    #[schema(value_type = String)]
     pub cause: Cause,
 }
 

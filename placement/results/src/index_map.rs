@@ -8,8 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::named;
 
 /// First-order indices over the dense grid.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct IndexMap {
     /// Angles of the columns from the contact centre, degrees.
     pub theta_deg: Vec<f64>,
@@ -22,11 +21,10 @@ pub struct IndexMap {
 }
 
 /// A direction of the map; all lists are rows x columns.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct MapLayer {
     /// `x` or `y`.
-    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    #[schema(value_type = String)]
     pub direction: Direction,
     /// Strain at the cut point.
     pub strain: Vec<f64>,
@@ -42,6 +40,6 @@ pub struct MapLayer {
     pub total: Vec<Vec<Option<f64>>>,
     /// `ok`, `constant`, `product-form-broken` or `unusable`, rows x columns.
     #[serde(with = "named::list")]
-    #[cfg_attr(feature = "openapi", schema(value_type = Vec<String>))]
+    #[schema(value_type = Vec<String>)]
     pub status: Vec<Status>,
 }

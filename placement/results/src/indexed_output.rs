@@ -8,13 +8,12 @@ use serde::{Deserialize, Serialize};
 use crate::named;
 
 /// Indices of one strain.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Output {
     /// P1, P2, ...
     pub location: String,
     /// `x` circumferential, `y` meridional.
-    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    #[schema(value_type = String)]
     pub direction: Direction,
     /// Mean strain.
     pub mean: Option<f64>,
@@ -26,11 +25,11 @@ pub struct Output {
     pub total: Option<Vec<f64>>,
     /// Form that gave `first_order` and `total`: `mdrm`, `additive`, `shifted`, `corrected`, `bivariate`, `tensor`, `pce` or `saltelli`.
     #[serde(with = "named")]
-    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    #[schema(value_type = String)]
     pub method: Form,
     /// `ok`, `constant`, `product-form-broken` or `unusable`.
     #[serde(with = "named")]
-    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    #[schema(value_type = String)]
     pub status: Status,
     /// Reason why the status isn't `ok`.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -49,8 +48,7 @@ pub struct Output {
 }
 
 /// Indices of the same points on a coarser mesh: the witness of the mesh's error, and of how much of it two studies share.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct CoarserIndices {
     /// First-order index of each input.
     pub first_order: Vec<f64>,
@@ -59,8 +57,7 @@ pub struct CoarserIndices {
 }
 
 /// Misses of a form at the check points: the witness of the method's error, and of how much of it two studies share.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FormMisses {
     /// Number of the node of its input's rule at each coordinate of each check point, point after point.
     pub nodes: Vec<usize>,
@@ -105,8 +102,7 @@ impl FormMisses {
 }
 
 /// Parts of the error of an index, absolute.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct IndexError {
     /// Error of the mesh.
     pub mesh: Option<f64>,

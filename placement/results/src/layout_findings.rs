@@ -4,8 +4,7 @@ use documents::parts::film_place::FilmPlace;
 use serde::{Deserialize, Serialize};
 
 /// Findings of a study's layouts together: loads, knees, fronts, kinds of film.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct LayoutFindings {
     /// Mesh level of the fields, which is fine to 60 degrees from the contact.
     pub level: String,
@@ -36,8 +35,7 @@ pub struct LayoutFindings {
 }
 
 /// A load at which layouts are scored.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct LayoutLoad {
     /// Height of the ground above the inflated outer radius, mm.
     pub depth_mm: Option<f64>,
@@ -56,8 +54,7 @@ pub struct LayoutLoad {
 }
 
 /// Findings by dragging the ground a little at a load.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct LoadShear {
     /// Forces along the wheel and across it by the shifts that way, N/mm.
     pub slopes_n_per_mm: [f64; 2],
@@ -66,8 +63,7 @@ pub struct LoadShear {
 }
 
 /// Knee: the number of units from which on more of them bring no more than their number.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Knee {
     /// Section angle from the crown, degrees.
     pub section_deg: f64,
@@ -82,8 +78,7 @@ pub struct Knee {
 }
 
 /// A layout that no other beats with as few films.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FrontLayout {
     /// Count of its films.
     pub film_count: usize,
@@ -94,8 +89,7 @@ pub struct FrontLayout {
 }
 
 /// Search for layouts, and what it looked at.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct LayoutSearch {
     /// Films of the layouts.
     pub films: usize,
@@ -114,8 +108,7 @@ pub struct LayoutSearch {
 }
 
 /// A kind of film: where in the section, along which direction, how large.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct CandidateFilm {
     /// Section angle from the crown, degrees.
     pub section_deg: f64,
@@ -137,8 +130,7 @@ pub struct CandidateFilm {
 }
 
 /// Signals around the wheel at one load, of one kind of film: strains, or volts of glued films.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct StrainRing {
     /// Section angle from the crown, degrees.
     pub section_deg: f64,

@@ -44,8 +44,7 @@ use serde::{Deserialize, Serialize};
 pub use study_cost::StudyCost;
 
 /// The whole answer.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct StudyResult {
     /// Identity of the study.
     pub study: StudyIdentity,
@@ -100,8 +99,7 @@ impl StudyResult {
 }
 
 /// Identity of a study: which document, which program.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct StudyIdentity {
     /// Identifier in the database.
     pub id: String,
@@ -114,21 +112,19 @@ pub struct StudyIdentity {
 }
 
 /// An input as it was understood.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct InputReport {
     /// Name of the input.
     pub name: String,
     /// Path of the scene's field.
     pub vary: String,
     /// Distribution as in the document.
-    #[cfg_attr(feature = "openapi", schema(value_type = Object))]
+    #[schema(value_type = Object)]
     pub distribution: serde_json::Value,
 }
 
 /// The response at the means.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct CutPoint {
     /// Input values.
     pub values: Vec<f64>,

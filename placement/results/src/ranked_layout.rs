@@ -6,8 +6,7 @@ use super::film::force_error::ForceError;
 use documents::parts::film_place::FilmPlace;
 
 /// A layout in the ranking.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct RankedLayout {
     /// 1 is best. Layouts of equal score share the rank of the first of them.
     pub rank: usize,
@@ -62,8 +61,7 @@ impl RankedLayout {
 }
 
 /// A layout's scores at one load.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct LoadScore {
     /// Height of the ground above the inflated outer radius, mm.
     pub depth_mm: Option<f64>,
@@ -74,8 +72,7 @@ pub struct LoadScore {
 }
 
 /// Scores of a layout: how well it sees the contact, over all angles at which it can touch down.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct LayoutScore {
     /// Signal of the film that sees most, strain or volts of a glued one, at the contact angle where that is least.
     pub weakest_signal: Option<f64>,
@@ -132,8 +129,7 @@ pub struct LayoutScore {
 }
 
 /// Claimed errors of a layout's scores, each in the unit of its score.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct LayoutError {
     /// Error of the bound of the angle, worst angle, degrees.
     pub worst_angle_error_deg: Option<f64>,
@@ -149,8 +145,7 @@ pub struct LayoutError {
 
 /// Cramer-Rao bounds with four unknowns: contact angle, depth, and the ground's shifts along the wheel and across it, about a contact that isn't dragged. A
 /// shift across that no film feels doesn't enter.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ShearScore {
     /// Bound of the contact angle, worst angle, degrees.
     pub worst_angle_error_deg: Option<f64>,
@@ -165,8 +160,7 @@ pub struct ShearScore {
 }
 
 /// Claimed errors of bounds with four unknowns, each in the unit of its bound.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ShearError {
     /// Error of the bound of the angle, degrees.
     pub worst_angle_error_deg: Option<f64>,
@@ -175,8 +169,7 @@ pub struct ShearError {
 }
 
 /// Two contacts that readings can hardly tell apart.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct AlikeContacts {
     /// Angle of the first, degrees; its depth is that of the load.
     pub angle_deg: f64,
@@ -189,8 +182,7 @@ pub struct AlikeContacts {
 }
 
 /// Score that is left when a film dies.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct DeadFilm {
     /// The film, counted from 0.
     pub film: usize,

@@ -69,7 +69,6 @@ impl<'de> Deserialize<'de> for LocationScores {
     }
 }
 
-#[cfg(feature = "openapi")]
 mod schema {
     use fem_client::solver::direction::Direction;
     use fem_client::solver::object_schema::{ObjectSchema, Type};

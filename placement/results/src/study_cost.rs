@@ -3,8 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Cost of a study.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct StudyCost {
     /// Points of the plan.
     pub solves: usize,

@@ -35,8 +35,7 @@ pub struct Entry {
 }
 
 /// The table.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Comparison {
     /// The study that differences are taken from; null when none of them has a result.
     pub baseline: Option<String>,
@@ -49,15 +48,14 @@ pub struct Comparison {
 }
 
 /// A study of those compared.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ComparedStudy {
     /// Identifier of the study.
     pub id: String,
     /// Name of the study, or that of the design.
     pub name: String,
     /// Settings of the design, by path; null for a study that belongs to no sweep.
-    #[cfg_attr(feature = "openapi", schema(value_type = Option<Object>))]
+    #[schema(value_type = Option<Object>)]
     pub set: Option<Map<String, Value>>,
     /// `queued`, `running`, `done`, `failed` or `cancelled`.
     pub state: String,
@@ -88,8 +86,7 @@ pub struct ComparedStudy {
 }
 
 /// A location in one of the studies.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ComparedLocation {
     /// The study.
     pub study: String,
@@ -121,8 +118,7 @@ impl ComparedLocation {
 }
 
 /// An index beside the baseline's.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ComparedIndex {
     /// The index, percent.
     pub gsi_percent: Option<f64>,
@@ -137,8 +133,7 @@ pub struct ComparedIndex {
 }
 
 /// Verdict on a difference.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// Difference beyond its error.

@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 
 use super::accuracy::expected_accuracy;
-use super::law::{How, Machine};
 use super::peak_memory::memory_bytes;
+use super::solve_time::{How, Machine};
 use super::workload::{Point, Stage, Workload};
 use documents::study::Accuracy;
 use results::{CountForecast, Estimate, Forecast, SolveForecast};
@@ -24,14 +24,17 @@ const LEARNING_S: f64 = 5.0;
 
 /// Estimates what a workload costs on a machine, where the points with the `known` content keys needn't be solved.
 pub fn estimate(work: &Workload, known: &HashSet<String>, machine: &Machine) -> Estimate {
-    let bills: Vec<Bill> = work
+    let stages: Vec<StageCost> = work
         .stages
         .iter()
-        .map(|stage| Bill::of(stage, known, machine))
+        .map(|stage| StageCost::of(stage, known, machine))
         .collect();
-    let expected = likely(work, &bills);
-    let sum = |bills: &[Bill], part: fn(&Bill) -> f64| bills.iter().map(part).sum::<f64>();
-    let count = |bills: &[Bill], part: fn(&Bill) -> usize| bills.iter().map(part).sum::<usize>();
+    let expected = likely(work, &stages);
+    let sum =
+        |stages: &[StageCost], part: fn(&StageCost) -> f64| stages.iter().map(part).sum::<f64>();
+    let count = |stages: &[StageCost], part: fn(&StageCost) -> usize| {
+        stages.iter().map(part).sum::<usize>()
+    };
     let spread = SPREAD[usize::from(machine.samples == 0)];
     let analysis_s = |count: usize| -> f64 {
         let stages = work.stages[..count].iter();
@@ -41,9 +44,9 @@ pub fn estimate(work: &Workload, known: &HashSet<String>, machine: &Machine) -> 
                 .sum::<f64>()
     };
     let mut wall_s = Forecast {
-        least: (analysis_s(1) + sum(&bills[..1], |bill| bill.planned_s)) / spread,
-        expected: analysis_s(expected) + sum(&bills[..expected], Bill::expected_s),
-        most: (analysis_s(bills.len()) + sum(&bills, Bill::most_s)) * spread,
+        least: (analysis_s(1) + sum(&stages[..1], |stage| stage.planned_s)) / spread,
+        expected: analysis_s(expected) + sum(&stages[..expected], StageCost::expected_s),
+        most: (analysis_s(stages.len()) + sum(&stages, StageCost::most_s)) * spread,
     };
     if let Accuracy::Budget(seconds) = work.accuracy {
         wall_s.expected = wall_s.expected.min(seconds);
@@ -52,17 +55,19 @@ pub fn estimate(work: &Workload, known: &HashSet<String>, machine: &Machine) -> 
     }
     Estimate {
         solves: SolveForecast {
-            own: count(&bills[..expected], |bill| bill.own),
-            coarser: count(&bills[..expected], |bill| bill.coarser),
-            effects: count(&bills[..expected], |bill| bill.effects),
-            signals: count(&bills[..expected], |bill| bill.signals),
-            layouts: count(&bills[..expected], |bill| bill.layouts),
-            tables: count(&bills[..expected], |bill| bill.tables),
-            known: count(&bills[..expected], |bill| bill.known),
+            own: count(&stages[..expected], |stage| stage.own),
+            coarser: count(&stages[..expected], |stage| stage.coarser),
+            effects: count(&stages[..expected], |stage| stage.effects),
+            signals: count(&stages[..expected], |stage| stage.signals),
+            layouts: count(&stages[..expected], |stage| stage.layouts),
+            tables: count(&stages[..expected], |stage| stage.tables),
+            known: count(&stages[..expected], |stage| stage.known),
             left: CountForecast {
-                least: bills[0].left,
-                expected: count(&bills[..expected], |bill| bill.left + bill.extra_expected),
-                most: count(&bills, |bill| bill.left + bill.extra_most),
+                least: stages[0].left,
+                expected: count(&stages[..expected], |stage| {
+                    stage.left + stage.extra_expected
+                }),
+                most: count(&stages, |stage| stage.left + stage.extra_most),
             },
         },
         wall_s: is_timed(work, machine).then_some(wall_s),
@@ -89,7 +94,7 @@ fn is_timed(work: &Workload, machine: &Machine) -> bool {
 }
 
 /// Returns how many stages are expected to run.
-fn likely(work: &Workload, bills: &[Bill]) -> usize {
+fn likely(work: &Workload, stages: &[StageCost]) -> usize {
     match work.accuracy {
         Accuracy::Preset => 1,
         Accuracy::Tolerance(tolerance) => {
@@ -98,16 +103,16 @@ fn likely(work: &Workload, bills: &[Bill]) -> usize {
                 claimed.is_some_and(|claimed| claimed <= tolerance)
             };
             let first = work.stages.iter().position(serves);
-            first.map_or(bills.len(), |index| index + 1)
+            first.map_or(stages.len(), |index| index + 1)
         }
         Accuracy::Budget(seconds) => {
             let mut spent = ANALYSIS_S;
-            let mut fits = |bill: &Bill| {
-                spent += bill.expected_s();
+            let mut fits = |stage: &StageCost| {
+                spent += stage.expected_s();
                 spent <= seconds
             };
-            let in_time = bills.iter().position(|bill| !fits(bill));
-            in_time.unwrap_or(bills.len()).max(1)
+            let in_time = stages.iter().position(|stage| !fits(stage));
+            in_time.unwrap_or(stages.len()).max(1)
         }
     }
 }
@@ -152,7 +157,7 @@ fn reasons(work: &Workload, machine: &Machine, spread: f64) -> Vec<String> {
 }
 
 /// Cost of a stage.
-struct Bill {
+struct StageCost {
     own: usize,
     coarser: usize,
     effects: usize,
@@ -168,7 +173,7 @@ struct Bill {
     extra_s: f64,
 }
 
-impl Bill {
+impl StageCost {
     fn of(stage: &Stage, known: &HashSet<String>, machine: &Machine) -> Self {
         let lacking = stage.series().map(|series| {
             let lacking = series.iter().filter(|point| !known.contains(&point.key));

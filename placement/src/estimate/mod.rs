@@ -1,18 +1,18 @@
 //! Estimate of a study before anything is solved: solves, time, memory, and the accuracy to expect.
 //!
-//! [`Workload::of`] lists the solves, `law` says how long each takes, and [`estimate`] adds them up for a machine and a database that may have
+//! [`Workload::of`] lists the solves, `solve_time` says how long each takes, and [`estimate`] adds them up for a machine and a database that may have
 //! some of them already. [`Pace`] corrects that while a study runs, and [`NextLevel`] says what a surer answer would take. All of it is a function of its arguments: who asks brings what was measured and what is known.
 
 mod accuracy;
-mod bill;
-mod law;
+mod estimated_cost;
 mod next_level;
 mod pace;
 mod peak_memory;
+mod solve_time;
 mod workload;
 
-pub use self::bill::estimate;
-pub use self::law::{Machine, Sample};
+pub use self::estimated_cost::estimate;
 pub use self::next_level::NextLevel;
 pub use self::pace::Pace;
+pub use self::solve_time::{Machine, Sample};
 pub use self::workload::Workload;

@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use fem_client::scene::Level;
 use fem_client::solver::Solver;
 
-use super::bill::estimate;
-use super::law::Machine;
+use super::estimated_cost::estimate;
+use super::solve_time::Machine;
 use super::workload::Workload;
 use crate::ladder::fidelity::Fidelity;
 use documents::study::plan::{Estimable, PlanError, PlannedStudy};

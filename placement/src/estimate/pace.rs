@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-use super::bill::{SPREAD, estimate};
-use super::law::{How, Machine, Taken, Task, TaskKind};
+use super::estimated_cost::{SPREAD, estimate};
+use super::solve_time::{How, Machine, Taken, Task, TaskKind};
 use super::workload::Workload;
 use documents::study::Accuracy;
 use results::{Estimate, Forecast};

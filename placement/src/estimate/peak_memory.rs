@@ -3,7 +3,7 @@
 //! An upper bound rather than a mean, because a study is refused by it: measured peaks are two fifths to all of it. Fitted to the peaks of whole
 //! studies by all methods on the draft, coarse and standard meshes, with and without maps of up to 40 602 numbers.
 
-use super::law::{How, Machine};
+use super::solve_time::{How, Machine};
 use super::workload::{Point, Stage, Workload};
 
 /// The program without a study, bytes.

@@ -8,7 +8,7 @@ use fem_client::solver::direction::Direction;
 use fem_client::solver::{Readout, Solver};
 use gsa::method::{Kind, Method};
 
-use super::law::{How, Task, mirror_class, tire};
+use super::solve_time::{How, Task, mirror_class, tire};
 use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings};

@@ -26,8 +26,7 @@ use results::location_scores::GSI;
 use results::{RankedLocation, StudyResult};
 
 /// The measured trade of a study.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Trade {
     /// Name of the study.
     pub study: String,
@@ -40,8 +39,7 @@ pub struct Trade {
 }
 
 /// A way to answer the study, and what it gave.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Rung {
     /// Label in a few words.
     pub label: String,
@@ -80,18 +78,17 @@ impl Rung {
 }
 
 /// Index by which a location is ranked.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Index {
     /// Name of the location.
     pub location: String,
     /// Rank of the location.
     pub rank: usize,
     /// First-order indices for the x and the y strain, percent.
-    #[cfg_attr(feature = "openapi", schema(value_type = Vec<Option<f64>>))]
+    #[schema(value_type = Vec<Option<f64>>)]
     pub gsi_percent: PerDirection<Option<f64>>,
     /// Claimed errors of the indices, percentage points.
-    #[cfg_attr(feature = "openapi", schema(value_type = Vec<Option<f64>>))]
+    #[schema(value_type = Vec<Option<f64>>)]
     pub error_percent: PerDirection<Option<f64>>,
 }
 

@@ -70,7 +70,7 @@ fn attempt(
     // Nothing of ours is half-changed by an unwinding solve: it only reads what it was given.
     let solve = || match process {
         Process::Own => solver.solve(request),
-        Process::Apart => solver.solve_apart(request),
+        Process::Apart => solver.solve_isolated(request),
     };
     let outcome = catch_unwind(AssertUnwindSafe(solve));
     let broken = |detail| SolveError::Broken { detail };

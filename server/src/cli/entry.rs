@@ -14,7 +14,7 @@ use crate::cli::terminal::files::Files;
 use crate::cli::terminal::help_examples;
 use crate::cli::terminal::output::{JsonTarget, warn};
 use crate::telemetry;
-use service::solving::apart::child::ARGUMENT;
+use service::solving::isolated::child::ARGUMENT;
 use service::solving::solver_choice::solve_for_parent;
 
 /// Ranks strain-sensor locations in a smart tire

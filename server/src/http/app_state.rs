@@ -12,7 +12,7 @@ use service::shutdown::Shutdown;
 use store::Store;
 
 use crate::http::edge::access::Access;
-use crate::http::edge::room::Room;
+use crate::http::edge::answer_limits::AnswerLimits;
 use crate::http::edge::streams::Streams;
 use crate::http::routes::answers::sent_result::Intact;
 
@@ -39,14 +39,14 @@ pub struct AppState {
     pub metrics: Arc<Metrics>,
     /// Places for event streams.
     pub streams: Streams,
-    /// Room for large answers.
-    pub room: Room,
+    /// Limits of large answers.
+    pub answers: AnswerLimits,
     /// Results that were intact lately.
     pub intact: Intact,
 }
 
-impl FromRef<AppState> for Room {
+impl FromRef<AppState> for AnswerLimits {
     fn from_ref(state: &AppState) -> Self {
-        state.room.clone()
+        state.answers.clone()
     }
 }

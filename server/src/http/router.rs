@@ -10,17 +10,17 @@ use tower_http::catch_panic::CatchPanicLayer;
 
 use crate::http::app_state::AppState;
 use crate::http::edge::problem_document::Problem;
-use crate::http::edge::{access, guard, packed, request_id, room};
+use crate::http::edge::{access, answer_limits, guard, packed, request_id};
 use crate::http::routes::{assets, metric_routes, openapi};
 
 /// All routes, guarded: the innermost layer stands first.
 pub fn app(state: AppState, hosts: guard::HostList) -> Router {
     let (router, _) = openapi::routes().split_for_parts();
     let (access, counted) = (state.access.clone(), state.metrics.clone());
-    let room = state.room.clone();
+    let answers = state.answers.clone();
     router
         // The dashboard's files, which no route answers, lie in the program and cost nothing.
-        .route_layer(from_fn_with_state(room, room::count))
+        .route_layer(from_fn_with_state(answers, answer_limits::count))
         .method_not_allowed_fallback(wrong_method)
         .fallback(assets::fallback)
         .with_state(state)

@@ -11,8 +11,8 @@ use fem_client::solver::{
     Grid, Readout, RingLine, SolveError, SolveRequest, Solved, Solver, StartState,
 };
 use serde_json::{Value, json};
-use service::solving::apart::child::ARGUMENT;
-use service::solving::apart::parent::Apart;
+use service::solving::isolated::child::ARGUMENT;
+use service::solving::isolated::parent::Isolated;
 use service::solving::solver_choice::{SolverName, solver};
 
 /// Time far beyond what a draft takes.
@@ -59,14 +59,14 @@ fn readout() -> Readout {
 /// Answers both ways.
 fn both(scene: &Scene, start: Option<&StartState>) -> [Result<Solved, SolveError>; 2] {
     let here = solver(SolverName::Embedded, LIMIT).expect("a solver");
-    let apart = Apart::new(Arc::clone(&here), program);
+    let isolated = Isolated::new(Arc::clone(&here), program);
     let request = SolveRequest {
         scene,
         readout: &readout(),
         start,
         watch: &AtomicBool::new(false),
     };
-    [here.solve(&request), apart.solve_apart(&request)]
+    [here.solve(&request), isolated.solve_isolated(&request)]
 }
 
 /// The response as stored, in which every float has the digits of its bits, and the state's bytes.
@@ -78,8 +78,8 @@ fn bits(solved: &Solved) -> (String, Vec<u8>) {
 #[test]
 fn an_answer_from_a_process_of_its_own_is_the_same_to_the_bit() {
     let cut = scene(&[]);
-    let [here, apart] = both(&cut, None).map(|solved| solved.expect("an equilibrium"));
-    assert_eq!(bits(&apart), bits(&here));
+    let [here, isolated] = both(&cut, None).map(|solved| solved.expect("an equilibrium"));
+    assert_eq!(bits(&isolated), bits(&here));
     let neighbours = [
         scene(&[("ground.depths_mm", json!([1.1, 1.0, 1.2, 0.9, 0.7]))]),
         scene(&[("contact.friction", json!(0.3))]),
@@ -95,12 +95,12 @@ fn an_answer_from_a_process_of_its_own_is_the_same_to_the_bit() {
 #[test]
 fn so_is_the_reason_why_there_is_none() {
     let bare = scene(&[("carcass.stiffness_n_per_mm", json!(0.001))]);
-    let [here, apart] = both(&bare, None).map(|solved| solved.map(|_| ()));
+    let [here, isolated] = both(&bare, None).map(|solved| solved.map(|_| ()));
     assert!(
         matches!(here, Err(SolveError::NoEquilibrium { .. })),
         "{here:?}"
     );
-    assert_eq!(apart, here);
+    assert_eq!(isolated, here);
 }
 
 #[test]

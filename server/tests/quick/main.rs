@@ -1,12 +1,12 @@
 //! The program from outside: its command line, and the service over HTTP with the closed-form solver behind it.
 
-mod apart;
 mod api;
 mod app;
 mod cli;
 mod estimators;
 mod forces;
 mod interrupted;
+mod isolated;
 mod long_results;
 mod numerics;
 mod own_models;

@@ -3,8 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// A film of a layout.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FilmPlace {
     /// Wheel angle, degrees.
     pub theta_deg: f64,

@@ -1,4 +1,4 @@
-//! Wishes of a grid or a list of designs, before a study is made of them.
+//! Drafts of designs, of a grid or a list, before a study is made of them.
 
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -22,7 +22,7 @@ const MOST_SET: usize = 100;
 const MOST_BYTES: usize = 4 * MAX_BYTES;
 
 /// A design before its study is made.
-pub(super) struct Wish {
+pub(super) struct DesignDraft {
     pub name: Option<String>,
     pub set: Map<String, Value>,
     /// Places of the values in the document, in their order.
@@ -40,7 +40,11 @@ pub(super) fn name(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Optio
 }
 
 /// Every combination, the last path varying fastest. None after a fault.
-pub(super) fn of_grid(grid: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Vec<Wish>> {
+pub(super) fn of_grid(
+    grid: &Value,
+    pointer: &str,
+    faults: &mut Vec<Fault>,
+) -> Option<Vec<DesignDraft>> {
     let Some(table) = grid.as_object().filter(|table| !table.is_empty()) else {
         let what = "a table with a list of values for each path";
         let detail = format!("must be {what}; it is {}", shown(grid));
@@ -110,10 +114,10 @@ fn bytes(value: &Value) -> usize {
     value.to_string().len()
 }
 
-fn combinations(axes: &[Axis<'_>], pointer: &str) -> impl Iterator<Item = Wish> {
+fn combinations(axes: &[Axis<'_>], pointer: &str) -> impl Iterator<Item = DesignDraft> {
     let designs: usize = axes.iter().map(|axis| axis.values.len()).product();
     (0..designs).map(move |number| {
-        let mut wish = Wish {
+        let mut draft = DesignDraft {
             name: None,
             set: Map::new(),
             pointers: Vec::new(),
@@ -124,11 +128,11 @@ fn combinations(axes: &[Axis<'_>], pointer: &str) -> impl Iterator<Item = Wish> 
             stride /= axis.values.len();
             let index = number / stride % axis.values.len();
             if let Some(value) = axis.values.get(index) {
-                wish.set.insert(axis.path.clone(), value.clone());
-                wish.pointers.push(entry(&axis.at, index));
+                draft.set.insert(axis.path.clone(), value.clone());
+                draft.pointers.push(entry(&axis.at, index));
             }
         }
-        wish
+        draft
     })
 }
 
@@ -141,7 +145,11 @@ fn too_many_set() -> String {
 }
 
 /// The designs one by one. None after a fault.
-pub(super) fn of_list(list: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Vec<Wish>> {
+pub(super) fn of_list(
+    list: &Value,
+    pointer: &str,
+    faults: &mut Vec<Fault>,
+) -> Option<Vec<DesignDraft>> {
     let Some(items) = list.as_array().filter(|items| !items.is_empty()) else {
         let detail = format!("must be a list of designs; it is {}", shown(list));
         Fault::add(faults, pointer, detail);
@@ -151,15 +159,15 @@ pub(super) fn of_list(list: &Value, pointer: &str, faults: &mut Vec<Fault>) -> O
         Fault::add(faults, pointer, too_many());
         return None;
     }
-    let wishes = items
+    let drafts = items
         .iter()
         .enumerate()
         .filter_map(|(index, item)| of_item(item, entry(pointer, index), faults));
-    let wishes: Vec<Wish> = wishes.collect();
-    (wishes.len() == items.len()).then_some(wishes)
+    let drafts: Vec<DesignDraft> = drafts.collect();
+    (drafts.len() == items.len()).then_some(drafts)
 }
 
-fn of_item(item: &Value, pointer: String, faults: &mut Vec<Fault>) -> Option<Wish> {
+fn of_item(item: &Value, pointer: String, faults: &mut Vec<Fault>) -> Option<DesignDraft> {
     let fields = Fields::open(item, &pointer, &["name", "set"], faults)?;
     let name = name(&fields, faults);
     let (set, within) = fields.required("set", "a table of values by path", faults)?;
@@ -174,7 +182,7 @@ fn of_item(item: &Value, pointer: String, faults: &mut Vec<Fault>) -> Option<Wis
     }
     let before = faults.len();
     refuse_twins(set, &within, faults);
-    (faults.len() == before).then_some(Wish {
+    (faults.len() == before).then_some(DesignDraft {
         name: name?,
         set: set.clone(),
         pointers: set.keys().map(|path| member(&within, path)).collect(),
@@ -183,9 +191,9 @@ fn of_item(item: &Value, pointer: String, faults: &mut Vec<Fault>) -> Option<Wis
 }
 
 /// The names that designs have, or else what they set: paths by their last step, where that tells them apart.
-pub(super) fn names(wishes: &[Wish]) -> Vec<String> {
+pub(super) fn names(drafts: &[DesignDraft]) -> Vec<String> {
     let last = |path: &str| path.rsplit('.').next().unwrap_or(path).to_owned();
-    let mut paths: Vec<&String> = wishes.iter().flat_map(|wish| wish.set.keys()).collect();
+    let mut paths: Vec<&String> = drafts.iter().flat_map(|draft| draft.set.keys()).collect();
     paths.sort();
     paths.dedup();
     let mut count: HashMap<String, usize> = HashMap::new();
@@ -196,8 +204,8 @@ pub(super) fn names(wishes: &[Wish]) -> Vec<String> {
         Some(1) => last(path),
         _ => path.to_owned(),
     };
-    let named = |wish: &Wish| {
-        let texts: Vec<String> = wish
+    let named = |draft: &DesignDraft| {
+        let texts: Vec<String> = draft
             .set
             .iter()
             .map(|(path, value)| match value {
@@ -205,7 +213,7 @@ pub(super) fn names(wishes: &[Wish]) -> Vec<String> {
                 other => format!("{} = {other}", short(path)),
             })
             .collect();
-        match (&wish.name, texts.is_empty()) {
+        match (&draft.name, texts.is_empty()) {
             (Some(name), _) => name.clone(),
             (None, true) => "unchanged".to_owned(),
             // As short and as harmless as a name that somebody gives.
@@ -215,5 +223,5 @@ pub(super) fn names(wishes: &[Wish]) -> Vec<String> {
                 .collect(),
         }
     };
-    wishes.iter().map(named).collect()
+    drafts.iter().map(named).collect()
 }

@@ -6,9 +6,9 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+mod design_draft;
 pub mod sweep_schema;
 mod typed;
-mod wish;
 
 use std::collections::HashMap;
 
@@ -18,9 +18,9 @@ use document::visible::visible;
 use fem_client::scene::edit::put_in;
 use serde_json::{Map, Value, json};
 
+pub use design_draft::MOST_DESIGNS;
+use design_draft::{DesignDraft, field_of, name, names, of_grid, of_list};
 pub use typed::{typed_grid, typed_settings};
-pub use wish::MOST_DESIGNS;
-use wish::{Wish, field_of, name, names, of_grid, of_list};
 
 use crate::parts::scene_reader::Resolve;
 use crate::study::Study;
@@ -168,8 +168,8 @@ pub fn changed(
     }
     let base = base.study;
     let list = json!([{"name": base.name, "set": set}]);
-    let wish = of_list(&list, "", &mut faults).and_then(|mut wishes| wishes.pop());
-    let planned = wish.and_then(|wish| study_of(&base, &wish, &base.name, &mut faults));
+    let draft = of_list(&list, "", &mut faults).and_then(|mut drafts| drafts.pop());
+    let planned = draft.and_then(|draft| study_of(&base, &draft, &base.name, &mut faults));
     match planned {
         Some(mut planned) if faults.is_empty() => {
             planned.study.name = base.name;
@@ -211,7 +211,7 @@ fn of_setting(fault: Fault) -> Fault {
 }
 
 fn read_designs(base: &Study, fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Vec<Design>> {
-    let wishes = match (fields.get("grid"), fields.get("designs")) {
+    let drafts = match (fields.get("grid"), fields.get("designs")) {
         (Some((grid, pointer)), None) => of_grid(grid, &pointer, faults)?,
         (None, Some((list, pointer))) => of_list(list, &pointer, faults)?,
         _ => {
@@ -221,27 +221,27 @@ fn read_designs(base: &Study, fields: &Fields<'_>, faults: &mut Vec<Fault>) -> O
             return None;
         }
     };
-    let names = names(&wishes);
+    let names = names(&drafts);
     let mut seen: HashMap<String, String> = HashMap::new();
     let (mut designs, mut solves) = (Vec::new(), 0_usize);
-    for (wish, name) in wishes.into_iter().zip(names) {
+    for (draft, name) in drafts.into_iter().zip(names) {
         // Its plan is let go: those of all designs together would be large.
-        let Some(PlannedStudy { study, .. }) = study_of(base, &wish, &name, faults) else {
+        let Some(PlannedStudy { study, .. }) = study_of(base, &draft, &name, faults) else {
             continue;
         };
         solves = solves.saturating_add(study.method.first_points(study.inputs.len()));
         if solves > MOST_SOLVES && !designs.is_empty() {
             let detail = format!("the designs ask for more than {MOST_SOLVES} solves together");
-            Fault::add(faults, &wish.pointer, detail);
+            Fault::add(faults, &draft.pointer, detail);
             return None;
         }
-        if let Some(twin) = seen.insert(nameless(&study), wish.pointer.clone()) {
+        if let Some(twin) = seen.insert(nameless(&study), draft.pointer.clone()) {
             let detail = format!("is the same design as that of {twin}");
-            Fault::add(faults, &wish.pointer, detail);
+            Fault::add(faults, &draft.pointer, detail);
         }
         designs.push(Design {
             name,
-            set: wish.set,
+            set: draft.set,
             study,
         });
     }
@@ -260,11 +260,11 @@ pub fn nameless(study: &Study) -> String {
 /// The study of a design; its faults stand where the values do.
 fn study_of(
     base: &Study,
-    wish: &Wish,
+    draft: &DesignDraft,
     name: &str,
     faults: &mut Vec<Fault>,
 ) -> Option<PlannedStudy> {
-    let (of_study, of_scene): (Vec<_>, Vec<_>) = wish
+    let (of_study, of_scene): (Vec<_>, Vec<_>) = draft
         .set
         .iter()
         .map(|(path, value)| (field_of(path), value))
@@ -274,7 +274,7 @@ fn study_of(
     if let Err(refused) = scene.set_all(&of_scene) {
         found.extend(refused);
     }
-    let asked = wish.set.keys().any(|path| field_of(path) == "model.level");
+    let asked = draft.set.keys().any(|path| field_of(path) == "model.level");
     if asked || scene.model.level != base.scene.model.level {
         let detail = "the mesh of a study is set by accuracy.preset";
         Fault::add(&mut found, "/model/level", detail);
@@ -305,7 +305,7 @@ fn study_of(
         Err(found) => {
             found
                 .iter()
-                .for_each(|fault| blame(wish, name, fault, faults));
+                .for_each(|fault| blame(draft, name, fault, faults));
             None
         }
     }
@@ -322,12 +322,12 @@ fn full_name(base: &Study, name: &str) -> String {
 }
 
 /// A fault of a design's study, told of the value that made it: once, however many designs of a grid share it.
-fn blame(wish: &Wish, name: &str, fault: &Fault, faults: &mut Vec<Fault>) {
+fn blame(draft: &DesignDraft, name: &str, fault: &Fault, faults: &mut Vec<Fault>) {
     let within = fault
         .pointer
         .strip_prefix("/scene")
         .unwrap_or(&fault.pointer);
-    let culprit = wish.set.keys().zip(&wish.pointers).find(|(path, _)| {
+    let culprit = draft.set.keys().zip(&draft.pointers).find(|(path, _)| {
         let of_path = as_pointer(field_of(path));
         within == of_path || within.starts_with(&format!("{of_path}/"))
     });
@@ -337,7 +337,7 @@ fn blame(wish: &Wish, name: &str, fault: &Fault, faults: &mut Vec<Fault>) {
             detail: fault.detail.clone(),
         },
         None => Fault {
-            pointer: wish.pointer.clone(),
+            pointer: draft.pointer.clone(),
             detail: format!("the design {}: {fault}", visible(name)),
         },
     };

@@ -7,7 +7,7 @@ use serde_json::json;
 
 use crate::study::study_reader::LONGEST_NAME;
 use crate::study::study_schema::study_schema;
-use crate::sweep::wish::MOST_DESIGNS;
+use crate::sweep::design_draft::MOST_DESIGNS;
 
 /// The schema of a sweep: a study, and a grid or designs.
 pub fn sweep_schema(schemas: &mut Schemas) -> Value {

@@ -5,8 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::certainty_word::Certainty;
 
 /// Answer of a study: where the films go, how sure that is, and what could overturn it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Answer {
     /// The answer: the best layout and what it knows, or the best place where no layouts are asked for.
     pub sentence: String,
@@ -25,8 +24,7 @@ pub struct Answer {
 }
 
 /// The location that ranks first.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct PlaceAnswer {
     /// All that share the first rank or, where the verdict is tied, can't be told from the first.
     pub names: Vec<String>,
@@ -45,8 +43,7 @@ pub struct PlaceAnswer {
 }
 
 /// The layout that ranks first.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct LayoutAnswer {
     /// Rank in `layouts`.
     pub rank: usize,
@@ -69,8 +66,7 @@ pub struct LayoutAnswer {
 }
 
 /// Part that the model leaves out.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct LeftOut {
     /// Name of the part, as in `model.left_out`.
     pub what: String,
@@ -83,8 +79,7 @@ pub struct LeftOut {
 }
 
 /// Price of a surer answer.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Surer {
     /// Sentence that says what the next level would do, and how long it would take.
     pub sentence: String,

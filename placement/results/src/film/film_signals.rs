@@ -8,8 +8,7 @@ use super::signal_words::{Claim, Holds, SignalAxis, Trend};
 use documents::parts::film_model::FilmModel;
 
 /// Films' signals over load, pressure and contact angle.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Signals {
     /// Readings of each film at each pressing.
     pub rows: Vec<SignalRow>,
@@ -24,18 +23,17 @@ pub struct Signals {
 }
 
 /// Reading of one film at one pressing.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct SignalRow {
     /// Name of the tire; the study's own is `own`.
     pub tire: String,
     /// Model of the film.
     pub film: FilmModel,
     /// Position of the film in the section.
-    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    #[schema(value_type = String)]
     pub position: Position,
     /// Direction of its length: x circumferential, y meridional.
-    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    #[schema(value_type = String)]
     pub direction: Direction,
     /// Curve that it is a point of.
     pub over: SignalAxis,
@@ -60,7 +58,7 @@ pub struct SignalRow {
     /// Standard deviation of that by noise, gain and temperature, V.
     pub output_std_v: Option<f64>,
     /// Whether the film bears that: `ok`, `beyond-yield` or `wrinkled`; null where that isn't known.
-    #[cfg_attr(feature = "openapi", schema(value_type = Option<String>))]
+    #[schema(value_type = Option<String>)]
     pub state: Option<FilmCondition>,
     /// Errors by the mesh; null without a coarser mesh.
     pub error: Option<SignalError>,
@@ -81,8 +79,7 @@ impl SignalRow {
 }
 
 /// Errors of a film's reading by the mesh, absolute: the change from the next coarser mesh, times Richardson's factor.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct SignalError {
     /// Error of the strain.
     pub strain: f64,
@@ -95,18 +92,17 @@ pub struct SignalError {
 }
 
 /// The open circuit's voltage of one film over loads, pressures or contact angles.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct SignalCurve {
     /// Name of the tire.
     pub tire: String,
     /// Model of the film.
     pub film: FilmModel,
     /// Position of the film in the section.
-    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    #[schema(value_type = String)]
     pub position: Position,
     /// Direction of its length.
-    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    #[schema(value_type = String)]
     pub direction: Direction,
     /// Quantity that changes along it.
     pub over: SignalAxis,
@@ -121,15 +117,14 @@ pub struct SignalCurve {
 }
 
 /// The difference of two films at the crown, 30 degrees before and behind a point of the wheel, as the contact moves away from that point.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FilmPair {
     /// Name of the tire.
     pub tire: String,
     /// Model of the films.
     pub film: FilmModel,
     /// Direction of their length.
-    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    #[schema(value_type = String)]
     pub direction: Direction,
     /// Wheel angles from that point to the contact, degrees.
     pub contact_deg: Vec<f64>,
@@ -142,8 +137,7 @@ pub struct FilmPair {
 }
 
 /// A Gaussian in the von Mises stress of the inner surface around the wheel at the crown: offset + amplitude exp(-angle^2 / (2 width^2)).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct StressWidth {
     /// Name of the tire.
     pub tire: String,
@@ -165,18 +159,17 @@ pub struct StressWidth {
 }
 
 /// Whether a claim holds of one film.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ClaimRow {
     /// Name of the tire.
     pub tire: String,
     /// Model of the film.
     pub film: FilmModel,
     /// Position of the film in the section.
-    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    #[schema(value_type = String)]
     pub position: Position,
     /// Direction of its length.
-    #[cfg_attr(feature = "openapi", schema(value_type = String))]
+    #[schema(value_type = String)]
     pub direction: Direction,
     /// Claim about the curve.
     pub claim: Claim,

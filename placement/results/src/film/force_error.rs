@@ -6,8 +6,7 @@ use estimation::validation::SplitFigures;
 use serde::{Deserialize, Serialize};
 
 /// Error of one force by a layout's films, with an estimator that is learnt from runs of a virtual rig.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ForceError {
     /// `fx`: along the wheel, `fy`: across it, `fz`: vertical.
     pub axis: String,
@@ -43,8 +42,7 @@ pub struct ForceError {
 }
 
 /// The chosen model on rows that were left out by one split.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct SplitError {
     /// The split: `random` readings of the begin of one run, whose neighbours are learnt from; later `time`; whole `run`s or `cycle`s.
     pub by: SplitKind,
@@ -90,8 +88,7 @@ impl SplitError {
 }
 
 /// Estimates against true forces on runs that nobody learnt from, rows in the air among them.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct TrialError {
     /// Root of the mean squared error, N.
     pub rmse_n: Option<f64>,
@@ -122,8 +119,7 @@ impl TrialError {
 }
 
 /// Error with a film dead.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct DeadFilmError {
     /// The film, counted from 0.
     pub film: usize,
@@ -132,8 +128,7 @@ pub struct DeadFilmError {
 }
 
 /// Error on another tire.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ElsewhereError {
     /// Difference from the study's tire, in words.
     pub tire: String,
@@ -144,8 +139,7 @@ pub struct ElsewhereError {
 }
 
 /// Error with films askew.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct AskewError {
     /// Standard deviation of the films' places around the wheel, degrees.
     pub std_deg: f64,
@@ -154,8 +148,7 @@ pub struct AskewError {
 }
 
 /// Contacts about one wheel angle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct WorstContact {
     /// Middle of five degrees of the wheel.
     pub deg: f64,

@@ -3,8 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Findings of a virtual rig.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ForceFindings {
     /// The table of responses that the rig reads; absent where there is none.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -21,8 +20,7 @@ pub struct ForceFindings {
 }
 
 /// A layout that knows a force better than all that have as many films or fewer.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ForcePrice {
     /// `fx`: along the wheel, `fy`: across it, `fz`: vertical.
     pub axis: String,
@@ -35,8 +33,7 @@ pub struct ForcePrice {
 }
 
 /// A table of a tire's responses to any contact.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct TableReport {
     /// Mesh level.
     pub level: String,
@@ -54,8 +51,7 @@ pub struct TableReport {
 }
 
 /// Glued films solved with the tire around the wheel, in a table on undragged ground; errors are over the largest signal of their kind.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FilmAnglesReport {
     /// Mesh level of the tire with a film.
     pub level: String,
@@ -74,8 +70,7 @@ pub struct FilmAnglesReport {
 }
 
 /// Errors of a table over all kinds of film, wheel angles and tested solves, relative.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct TableError {
     /// Solves that it was tested by.
     pub solves: usize,

@@ -3,8 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Signals of every kind of film at every load of a study's layouts.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FilmFields {
     /// Unit of the signals: `strain`, or `V` of glued films.
     pub unit: String,
@@ -19,8 +18,7 @@ pub struct FilmFields {
 }
 
 /// Errors of a film's reading: the variance of one of signal h is floor² + (gain h)² + (place dh/du)².
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FilmNoise {
     /// Standard deviation whatever the signal, in its unit.
     pub floor: f64,
@@ -31,8 +29,7 @@ pub struct FilmNoise {
 }
 
 /// Place of a film in the section, and how it is turned.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FilmKindPlace {
     /// Section angle from the crown, degrees.
     pub phi_deg: f64,
@@ -41,8 +38,7 @@ pub struct FilmKindPlace {
 }
 
 /// Fields of films at one load.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FieldLoad {
     /// Height of the ground above the inflated outer radius, mm.
     pub depth_mm: f64,

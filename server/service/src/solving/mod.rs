@@ -2,13 +2,13 @@
 //!
 //! - [`solver_choice`]: which solver answers
 //! - [`watched`]: solves that come to an end in time
-//! - [`apart`]: solves in a process of their own
+//! - [`isolated`]: solves in a process of their own
 //! - [`live`]: the solves under way
 //! - [`numerics`]: solves told apart by the processor's last digits
 //! - [`timekeeper`]: how long they take beside what was expected
 //! - [`traced`]: solves whose lines in the log say for which study
 
-pub mod apart;
+pub mod isolated;
 pub mod live;
 pub mod numerics;
 pub mod solver_choice;

@@ -78,8 +78,8 @@ impl Solver for Fingerprinted {
         self.solver.solve(request)
     }
 
-    fn solve_apart(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
-        self.solver.solve_apart(request)
+    fn solve_isolated(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        self.solver.solve_isolated(request)
     }
 }
 

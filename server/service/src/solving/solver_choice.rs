@@ -9,8 +9,8 @@ use calculix::CalculixSolver;
 use fem_client::solver::Solver;
 use tire::embedded::EmbeddedSolver;
 
-use crate::solving::apart::child;
-use crate::solving::apart::parent::{Apart, own_program};
+use crate::solving::isolated::child;
+use crate::solving::isolated::parent::{Isolated, own_program};
 use crate::solving::numerics::Fingerprinted;
 use crate::solving::watched::Watched;
 
@@ -39,8 +39,8 @@ pub fn solver(name: SolverName<'_>, limit: Duration) -> Result<Arc<dyn Solver>, 
     let solver: Arc<dyn Solver> = match name {
         SolverName::Embedded => {
             let solver = Arc::new(EmbeddedSolver::default());
-            let apart = Apart::new(solver, own_program);
-            Arc::new(Fingerprinted::new(Arc::new(apart)))
+            let isolated = Isolated::new(solver, own_program);
+            Arc::new(Fingerprinted::new(Arc::new(isolated)))
         }
         // Its solves are in a process of their own already.
         SolverName::Calculix(program) => Arc::new(CalculixSolver::new(program, limit + GRACE)?),

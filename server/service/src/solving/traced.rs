@@ -31,7 +31,7 @@ impl Solver for Traced {
         self.span.in_scope(|| self.solver.solve(request))
     }
 
-    fn solve_apart(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
-        self.span.in_scope(|| self.solver.solve_apart(request))
+    fn solve_isolated(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        self.span.in_scope(|| self.solver.solve_isolated(request))
     }
 }

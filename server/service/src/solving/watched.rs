@@ -67,7 +67,7 @@ pub struct Watched {
 
 type SolveResult = Result<Solved, SolveError>;
 /// Choice of a solver's two ways to solve.
-type Way = fn(&dyn Solver, &SolveRequest<'_>) -> SolveResult;
+type Solving = fn(&dyn Solver, &SolveRequest<'_>) -> SolveResult;
 /// Result of a solve, and the processor time of its thread, s.
 type Timed = (SolveResult, f64);
 
@@ -152,14 +152,14 @@ impl Solver for Watched {
         self.watch(request, |solver, request| solver.solve(request))
     }
 
-    fn solve_apart(&self, request: &SolveRequest<'_>) -> SolveResult {
-        self.watch(request, |solver, request| solver.solve_apart(request))
+    fn solve_isolated(&self, request: &SolveRequest<'_>) -> SolveResult {
+        self.watch(request, |solver, request| solver.solve_isolated(request))
     }
 }
 
 impl Watched {
     /// Has one thread solve, and waits for it.
-    fn watch(&self, request: &SolveRequest<'_>, way: Way) -> SolveResult {
+    fn watch(&self, request: &SolveRequest<'_>, solving: Solving) -> SolveResult {
         let (tell, answers) = sync_channel(1);
         let relay = Arc::new(Relay::new(request.watch.is_stopped()));
         let (solver, watch) = (self.solver.clone(), relay.clone());
@@ -175,7 +175,7 @@ impl Watched {
                 watch: &*watch,
             };
             // Nobody listens any more to a solve that was left behind.
-            let answer = way(&*solver, &request);
+            let answer = solving(&*solver, &request);
             let _ = tell.send((answer, cpu_s()));
         };
         match thread::Builder::new().name("solve".to_owned()).spawn(solve) {

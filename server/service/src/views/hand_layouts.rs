@@ -60,7 +60,7 @@ pub async fn of<T: Send + 'static>(
     work: impl FnOnce(&HandLayouts, &AtomicBool) -> Option<T> + Send + 'static,
 ) -> Result<T, HandLayoutsError> {
     let owned = row.clone();
-    let planned = apart(move || {
+    let planned = off_thread(move || {
         let planned =
             stored_plan(&owned).map_err(|cause| HandLayoutsError::Unreadable { cause })?;
         let study = StoredStudy::of(planned, findings, solver.as_ref())?;
@@ -71,7 +71,7 @@ pub async fn of<T: Send + 'static>(
     let outcomes = outcomes(store, &row.id, &scenes).await?;
     let waiting = Waiting::default();
     let stop = waiting.0.clone();
-    apart(move || {
+    off_thread(move || {
         let fields = study.read(|coarser| StoredSolves::new(outcomes, coarser), &stop)?;
         let made = work(&fields, &stop).ok_or(HandError::Stopped)?;
         Ok(made)
@@ -80,7 +80,7 @@ pub async fn of<T: Send + 'static>(
 }
 
 /// Works on a thread that may be busy for long.
-async fn apart<T: Send + 'static>(
+async fn off_thread<T: Send + 'static>(
     work: impl FnOnce() -> Result<T, HandLayoutsError> + Send + 'static,
 ) -> Result<T, HandLayoutsError> {
     let made = tokio::task::spawn_blocking(work).await;

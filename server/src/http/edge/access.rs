@@ -12,7 +12,7 @@ use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use serde_json::{Value, json};
 
-use crate::http::edge::places::Standing;
+use crate::http::edge::connection_slots::Standing;
 use crate::http::edge::problem_document::Problem;
 use crate::token::{Token, TokenError};
 

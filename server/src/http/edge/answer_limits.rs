@@ -1,4 +1,4 @@
-//! Room for large answers: how many are made at once, and how many bytes of them wait for whoever asked.
+//! Limits of large answers: how many are made at once, and how many bytes of them wait for whoever asked.
 //!
 //! A client decides how fast it reads. What waits for it meanwhile is counted until its last byte has gone to the kernel, and there is one bound for the answers of
 //! all clients together.
@@ -33,15 +33,15 @@ const SMALL: usize = 64 << 10;
 /// A piece of a result that is sent in pieces. SQLite reads all of a text for each of its pieces: larger ones are quicker.
 const PIECE: usize = 1 << 20;
 
-/// Room for large answers.
+/// Limits of large answers.
 #[derive(Debug, Clone)]
-pub struct Room {
+pub struct AnswerLimits {
     making: Arc<Semaphore>,
     reading: Arc<Semaphore>,
     held: Arc<Semaphore>,
 }
 
-impl Default for Room {
+impl Default for AnswerLimits {
     fn default() -> Self {
         Self {
             making: Arc::new(Semaphore::new(MAKING)),
@@ -51,7 +51,7 @@ impl Default for Room {
     }
 }
 
-impl Room {
+impl AnswerLimits {
     /// A place to make an answer of a whole result, for as long as it is kept.
     ///
     /// # Errors
@@ -119,13 +119,13 @@ pub(crate) struct Making {
 
 impl<S> FromRequestParts<S> for Making
 where
-    Room: FromRef<S>,
+    AnswerLimits: FromRef<S>,
     S: Send + Sync,
 {
     type Rejection = Problem;
 
     async fn from_request_parts(_: &mut Parts, state: &S) -> Result<Self, Problem> {
-        Room::from_ref(state).make().await
+        AnswerLimits::from_ref(state).make().await
     }
 }
 
@@ -166,8 +166,8 @@ impl AsRef<[u8]> for Counted {
     }
 }
 
-/// Counts large answers, or refuses them when there is no room. An answer of unknown size is a stream, which counts its pieces itself.
-pub async fn count(State(room): State<Room>, request: Request, next: Next) -> Response {
+/// Counts large answers, or refuses them when there is no answers. An answer of unknown size is a stream, which counts its pieces itself.
+pub async fn count(State(answers): State<AnswerLimits>, request: Request, next: Next) -> Response {
     let (head, body) = next.run(request).await.into_parts();
     let size = body.size_hint().exact();
     if size.is_none_or(|size| size <= SMALL as u64) {
@@ -175,7 +175,7 @@ pub async fn count(State(room): State<Room>, request: Request, next: Next) -> Re
     }
     // In one piece already: nothing is copied, and nothing can fail.
     let whole = to_bytes(body, usize::MAX).await.unwrap_or_default();
-    match room.hold(whole) {
+    match answers.hold(whole) {
         Ok(counted) => Response::from_parts(head, Body::from(counted)),
         Err(problem) => problem.into_response(),
     }
@@ -187,11 +187,11 @@ mod tests {
 
     #[test]
     fn large_answers_have_one_bound_and_give_back_what_they_took() {
-        let room = Room::default();
-        let half = || room.hold(Bytes::from(vec![1; HELD / 2]));
+        let answers = AnswerLimits::default();
+        let half = || answers.hold(Bytes::from(vec![1; HELD / 2]));
         let (first, second) = (half().expect("fits"), half().expect("fits"));
         assert!(half().is_err(), "the room is full");
-        let small = room.hold(Bytes::from(vec![1; SMALL]));
+        let small = answers.hold(Bytes::from(vec![1; SMALL]));
         assert!(small.is_ok(), "what any connection may hold isn't counted");
         // A part keeps the whole in memory.
         let part = first.slice(..1);
@@ -200,16 +200,16 @@ mod tests {
         drop(part);
         assert!(half().is_ok());
         drop(second);
-        let larger = room.hold(Bytes::from(vec![1; HELD]));
+        let larger = answers.hold(Bytes::from(vec![1; HELD]));
         assert!(larger.is_ok() && half().is_ok());
     }
 
     #[tokio::test]
     async fn pieces_become_small_when_much_is_held_and_are_never_refused() {
-        let room = Room::default();
+        let answers = AnswerLimits::default();
         let mut unread = Vec::new();
         for _ in 0..HELD / PIECE {
-            let piece = room.piece().await;
+            let piece = answers.piece().await;
             let size = piece.size();
             unread.push(piece.holding(vec![1; size]));
         }
@@ -217,10 +217,10 @@ mod tests {
         assert_eq!(large, HELD / PIECE / 2);
         assert!(unread.iter().skip(large).all(|piece| piece.len() == SMALL));
         assert!(
-            room.hold(Bytes::from(vec![1; HELD])).is_ok(),
+            answers.hold(Bytes::from(vec![1; HELD])).is_ok(),
             "there is room for other answers"
         );
         drop(unread);
-        assert_eq!(room.piece().await.size(), PIECE);
+        assert_eq!(answers.piece().await.size(), PIECE);
     }
 }

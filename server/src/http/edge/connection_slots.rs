@@ -1,4 +1,4 @@
-//! Places for connections: who hasn't shown that it belongs makes room for others.
+//! Slots for connections: who hasn't shown that it belongs makes room for others.
 //!
 //! A connection begins as a stranger. It belongs as soon as one of its requests was let in: with the token or its cookie where the service asks for one, and elsewhere
 //! with any request but a health check. However many strangers there are and whatever they do, the next newcomer is taken after [`HEARING`] at the latest and has as
@@ -17,20 +17,20 @@ use tokio::time::timeout_at;
 
 /// Connections at once.
 const MOST: usize = 512;
-/// Places of these that strangers may have.
+/// Slots of these that strangers may have.
 const STRANGERS: usize = 384;
-/// Time that a stranger is heard before another one may have its place. At most 1024 wait to be accepted, so that the last of them waits for three times as
+/// Time that a stranger is heard before another one may have its slot. At most 1024 wait to be accepted, so that the last of them waits for three times as
 /// long.
 pub(crate) const HEARING: Duration = Duration::from_millis(250);
 
-/// The places of a service.
+/// The slots of a service.
 #[derive(Debug, Clone, Default)]
-pub struct Places(Arc<Shared>);
+pub(crate) struct ConnectionSlots(Arc<Shared>);
 
 #[derive(Debug, Default)]
 struct Shared {
     taken: Mutex<Taken>,
-    /// Told when a place, or one of those who belong, may have become free.
+    /// Told when a slot, or one of those who belong, may have become free.
     changed: Notify,
 }
 
@@ -76,13 +76,13 @@ impl Taken {
     }
 }
 
-impl Places {
-    /// A place for a newcomer, as soon as there is one.
-    pub async fn take(&self) -> Place {
+impl ConnectionSlots {
+    /// A slot for a newcomer, as soon as there is one.
+    pub async fn take(&self) -> Slot {
         loop {
             let changed = self.0.changed.notified();
             match self.try_take(Instant::now()) {
-                Ok(place) => return place,
+                Ok(slot) => return slot,
                 Err(Some(until)) => {
                     // Either way there may be one now.
                     let _ = timeout_at(until.into(), changed).await;
@@ -92,7 +92,7 @@ impl Places {
         }
     }
 
-    fn try_take(&self, now: Instant) -> Result<Place, Option<Instant>> {
+    fn try_take(&self, now: Instant) -> Result<Slot, Option<Instant>> {
         let mut taken = self.0.taken();
         taken.make_room(now)?;
         let (stay, leave) = oneshot::channel();
@@ -107,9 +107,9 @@ impl Places {
         taken.connections.insert(id, connection);
         let standing = Standing {
             id,
-            places: self.0.clone(),
+            slots: self.0.clone(),
         };
-        Ok(Place { standing, leave })
+        Ok(Slot { standing, leave })
     }
 }
 
@@ -119,31 +119,31 @@ impl Shared {
     }
 }
 
-/// A connection's place, free again when it is dropped.
+/// A connection's slot, free again when it is dropped.
 #[derive(Debug)]
-pub struct Place {
+pub struct Slot {
     standing: Standing,
     leave: oneshot::Receiver<()>,
 }
 
-impl Place {
+impl Slot {
     /// Returns what requests of this connection change.
     pub fn standing(&self) -> Standing {
         self.standing.clone()
     }
 
-    /// Waits until somebody else is to have this place.
+    /// Waits until somebody else is to have this slot.
     pub(crate) async fn asked_to_leave(&mut self) {
         // Nothing is ever sent.
         let _ = (&mut self.leave).await;
     }
 }
 
-impl Drop for Place {
+impl Drop for Slot {
     fn drop(&mut self) {
-        let Standing { id, places } = &self.standing;
-        places.taken().connections.remove(id);
-        places.changed.notify_one();
+        let Standing { id, slots } = &self.standing;
+        slots.taken().connections.remove(id);
+        slots.changed.notify_one();
     }
 }
 
@@ -151,7 +151,7 @@ impl Drop for Place {
 #[derive(Debug, Clone)]
 pub struct Standing {
     id: u64,
-    places: Arc<Shared>,
+    slots: Arc<Shared>,
 }
 
 impl Standing {
@@ -168,7 +168,7 @@ impl Standing {
 
     fn change(&self, change: impl FnOnce(&mut Connection)) {
         // One that was asked to leave isn't there any more.
-        if let Some(connection) = self.places.taken().connections.get_mut(&self.id) {
+        if let Some(connection) = self.slots.taken().connections.get_mut(&self.id) {
             change(connection);
         }
     }
@@ -182,7 +182,7 @@ impl Drop for Busy {
     fn drop(&mut self) {
         self.0
             .change(|connection| connection.idle = Some(Instant::now()));
-        self.0.places.changed.notify_one();
+        self.0.slots.changed.notify_one();
     }
 }
 
@@ -224,34 +224,34 @@ impl HttpBody for Answer {
 mod tests {
     use super::*;
 
-    /// Takes so many places at a moment.
-    fn taken(places: &Places, count: usize, now: Instant) -> Vec<Place> {
-        let take = |_| places.try_take(now).expect("a place");
+    /// Takes so many slots at a moment.
+    fn taken(slots: &ConnectionSlots, count: usize, now: Instant) -> Vec<Slot> {
+        let take = |_| slots.try_take(now).expect("a slot");
         (0..count).map(take).collect()
     }
 
-    fn left(places: &mut [Place]) -> Vec<usize> {
+    fn left(slots: &mut [Slot]) -> Vec<usize> {
         let asked =
-            |place: &mut Place| place.leave.try_recv() != Err(oneshot::error::TryRecvError::Empty);
-        let each = places.iter_mut().enumerate();
-        each.filter_map(|(index, place)| asked(place).then_some(index))
+            |slot: &mut Slot| slot.leave.try_recv() != Err(oneshot::error::TryRecvError::Empty);
+        let each = slots.iter_mut().enumerate();
+        each.filter_map(|(index, slot)| asked(slot).then_some(index))
             .collect()
     }
 
     #[test]
     fn a_newcomer_has_the_place_of_the_stranger_that_was_heard_longest() {
-        let (places, now) = (Places::default(), Instant::now());
-        let mut strangers = taken(&places, STRANGERS, now);
-        let early = places
+        let (slots, now) = (ConnectionSlots::default(), Instant::now());
+        let mut strangers = taken(&slots, STRANGERS, now);
+        let early = slots
             .try_take(now + HEARING / 2)
             .expect_err("none was heard");
         assert_eq!(early, Some(now + HEARING));
-        // A request in flight keeps no stranger's place: it may never end.
+        // A request in flight keeps no stranger's slot: it may never end.
         let _busy = strangers[0].standing().busy();
-        let _newcomer = places.try_take(now + HEARING).expect("a place");
+        let _newcomer = slots.try_take(now + HEARING).expect("a slot");
         assert_eq!(left(&mut strangers), [0]);
         strangers[1].standing().belongs();
-        let _next = places.try_take(now + HEARING).expect("a place");
+        let _next = slots.try_take(now + HEARING).expect("a slot");
         assert_eq!(
             left(&mut strangers),
             [0],
@@ -261,19 +261,19 @@ mod tests {
 
     #[test]
     fn who_belongs_leaves_when_all_places_are_taken_and_the_one_idle_longest_first() {
-        let (places, now) = (Places::default(), Instant::now());
+        let (slots, now) = (ConnectionSlots::default(), Instant::now());
         let mut belonging = Vec::new();
         for _ in 0..MOST {
-            let place = places.try_take(now).expect("a place");
-            place.standing().belongs();
-            belonging.push(place);
+            let slot = slots.try_take(now).expect("a slot");
+            slot.standing().belongs();
+            belonging.push(slot);
         }
         let busy: Vec<Busy> = belonging
             .iter()
             .map(|each| each.standing().busy())
             .collect();
         assert_eq!(
-            places.try_take(now + HEARING).err(),
+            slots.try_take(now + HEARING).err(),
             Some(None),
             "all are busy"
         );
@@ -281,24 +281,24 @@ mod tests {
         let (first, second) = (busy.next(), busy.next());
         drop(second);
         drop(first);
-        let _newcomer = places.try_take(Instant::now()).expect("a place");
+        let _newcomer = slots.try_take(Instant::now()).expect("a slot");
         assert_eq!(left(&mut belonging), [1]);
         drop(belonging.pop());
         assert!(
-            places.try_take(Instant::now()).is_ok(),
+            slots.try_take(Instant::now()).is_ok(),
             "one has left by itself"
         );
     }
 
     #[test]
     fn strangers_leave_places_to_those_who_belong() {
-        let (places, now) = (Places::default(), Instant::now());
-        let mut strangers = taken(&places, STRANGERS - 1, now);
+        let (slots, now) = (ConnectionSlots::default(), Instant::now());
+        let mut strangers = taken(&slots, STRANGERS - 1, now);
         let mut belonging = Vec::new();
         for round in 1..=u32::try_from(MOST - STRANGERS).expect("fits") {
-            let place = places.try_take(now + HEARING * round).expect("a place");
-            place.standing().belongs();
-            belonging.push(place);
+            let slot = slots.try_take(now + HEARING * round).expect("a slot");
+            slot.standing().belongs();
+            belonging.push(slot);
         }
         assert!(left(&mut strangers).is_empty());
         assert!(left(&mut belonging).is_empty());

@@ -16,7 +16,7 @@ use hyper_util::service::TowerToHyperService;
 use tokio::net::{TcpListener, TcpSocket, TcpStream};
 use tokio::task::JoinSet;
 
-use crate::http::edge::places::{Answer, HEARING, Place, Places};
+use crate::http::edge::connection_slots::{Answer, ConnectionSlots, HEARING, Slot};
 use crate::http::edge::reading::WhileRead;
 use crate::http::edge::refusals::Refusals;
 use service::shutdown::Shutdown;
@@ -59,25 +59,25 @@ pub fn bind(address: SocketAddr) -> io::Result<TcpListener> {
 
 /// Serves until `shutdown`, then waits for requests in flight, but not for long.
 pub async fn serve(listener: TcpListener, app: Router, mut shutdown: Shutdown) {
-    let places = Places::default();
+    let slots = ConnectionSlots::default();
     let mut connections = JoinSet::new();
     loop {
-        let (stream, place) = tokio::select! {
+        let (stream, slot) = tokio::select! {
             () = shutdown.wait() => break,
-            next = next(&listener, &places) => next,
+            next = next(&listener, &slots) => next,
         };
-        connections.spawn(converse(stream, app.clone(), place, shutdown.clone()));
+        connections.spawn(converse(stream, app.clone(), slot, shutdown.clone()));
         while connections.try_join_next().is_some() {}
     }
     drop(listener);
     while connections.join_next().await.is_some() {}
 }
 
-/// The next connection, with its place.
-async fn next(listener: &TcpListener, places: &Places) -> (TcpStream, Place) {
+/// The next connection, with its slot.
+async fn next(listener: &TcpListener, slots: &ConnectionSlots) -> (TcpStream, Slot) {
     loop {
         match listener.accept().await {
-            Ok((stream, _)) => return (stream, places.take().await),
+            Ok((stream, _)) => return (stream, slots.take().await),
             Err(error) => {
                 tracing::warn!(%error, "a connection could not be accepted");
                 tokio::time::sleep(Duration::from_millis(100)).await;
@@ -86,9 +86,9 @@ async fn next(listener: &TcpListener, places: &Places) -> (TcpStream, Place) {
     }
 }
 
-async fn converse(stream: TcpStream, app: Router, mut place: Place, mut shutdown: Shutdown) {
+async fn converse(stream: TcpStream, app: Router, mut slot: Slot, mut shutdown: Shutdown) {
     let stream = Refusals::on(WhileRead::new(stream, READ_TIMEOUT));
-    let (app, standing) = (TowerToHyperService::new(app), place.standing());
+    let (app, standing) = (TowerToHyperService::new(app), slot.standing());
     let answering = service_fn(|mut request: Request<Incoming>| {
         let busy = standing.busy();
         request.extensions_mut().insert(standing.clone());
@@ -110,7 +110,7 @@ async fn converse(stream: TcpStream, app: Router, mut place: Place, mut shutdown
     let patience = tokio::select! {
         ended = connection.as_mut() => return note(ended),
         () = shutdown.wait() => GRACE,
-        () = place.asked_to_leave() => FAREWELL,
+        () = slot.asked_to_leave() => FAREWELL,
     };
     connection.as_mut().graceful_shutdown();
     note(

@@ -9,21 +9,21 @@
 //! - [`conditional`]: answers that needn't be sent again
 //! - [`packed`]: answers packed by gzip
 //! - [`streams`]: places for event streams
-//! - [`room`]: room for large answers
-//! - [`listener`], [`places`], [`reading`]: accepts connections, keeps places for those who belong, and drops those that nobody reads from
+//! - [`answer_limits`]: how many large answers are made and held at once
+//! - [`listener`], [`connection_slots`], [`reading`]: accepts connections, keeps places for those who belong, and drops those that nobody reads from
 //! - [`refusals`]: bodies for what hyper refuses
 
 pub mod access;
+pub(crate) mod answer_limits;
 pub(crate) mod conditional;
+pub(crate) mod connection_slots;
 pub(crate) mod document_body;
 pub(crate) mod extract;
 pub mod guard;
 pub mod listener;
 pub mod packed;
-pub mod places;
 pub(crate) mod problem_document;
 pub mod reading;
 pub mod refusals;
 pub mod request_id;
-pub mod room;
 pub mod streams;

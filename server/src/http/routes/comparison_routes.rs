@@ -16,9 +16,9 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use crate::http::app_state::AppState;
+use crate::http::edge::answer_limits::Making;
 use crate::http::edge::extract::Params;
 use crate::http::edge::problem_document::Problem;
-use crate::http::edge::room::Making;
 use crate::http::routes::answers::export_routes::{both, file};
 use crate::http::routes::study_routes;
 use crate::http::routes::sweep_routes;

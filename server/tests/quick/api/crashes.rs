@@ -8,7 +8,7 @@ use std::time::Duration;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use serde_json::Value;
-use service::solving::apart::parent::Apart;
+use service::solving::isolated::parent::Isolated;
 use service::solving::watched::Watched;
 use store::file::{opening, upkeep};
 
@@ -24,7 +24,7 @@ struct Trapped {
     solver: ClosedFormSolver,
     trap: fn(),
     /// Process in which that point is solved alone.
-    apart: Apart,
+    isolated: Isolated,
 }
 
 impl Trapped {
@@ -35,11 +35,11 @@ impl Trapped {
             shell.args(["-c", "echo lost >&2; kill -ABRT $$"]);
             shell
         };
-        let apart = Apart::new(Arc::new(solver.clone()), aborting);
+        let isolated = Isolated::new(Arc::new(solver.clone()), aborting);
         Self {
             solver,
             trap,
-            apart,
+            isolated,
         }
     }
 
@@ -61,9 +61,9 @@ impl Solver for Trapped {
         self.solver.solve(request)
     }
 
-    fn solve_apart(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+    fn solve_isolated(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
         match Self::is_trap(request) {
-            true => self.apart.solve_apart(request),
+            true => self.isolated.solve_isolated(request),
             false => self.solver.solve(request),
         }
     }

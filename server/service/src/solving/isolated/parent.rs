@@ -26,13 +26,13 @@ type Start = Box<dyn Fn() -> Command + Send + Sync>;
 type SolveResult = Result<Solved, SolveError>;
 
 /// Another solver, which is also asked in a process of its own.
-pub struct Apart {
+pub struct Isolated {
     solver: Arc<dyn Solver>,
     start: Start,
 }
 
-impl Apart {
-    /// Solves by `solver`, and apart by what the command starts: this program with [`ARGUMENT`], or what speaks like it.
+impl Isolated {
+    /// Solves by `solver`, and in a process of its own by what the command starts: this program with [`ARGUMENT`], or what speaks like it.
     pub fn new(
         solver: Arc<dyn Solver>,
         start: impl Fn() -> Command + Send + Sync + 'static,
@@ -56,7 +56,7 @@ pub(crate) fn own_program() -> Command {
     command
 }
 
-impl Solver for Apart {
+impl Solver for Isolated {
     fn version(&self) -> String {
         self.solver.version()
     }
@@ -67,7 +67,7 @@ impl Solver for Apart {
         self.solver.solve(request)
     }
 
-    fn solve_apart(&self, request: &SolveRequest<'_>) -> SolveResult {
+    fn solve_isolated(&self, request: &SolveRequest<'_>) -> SolveResult {
         let order = serde_json::to_string(&Order::of(request)).map_err(broken)?;
         let mut command = (self.start)();
         command
@@ -214,8 +214,8 @@ mod tests {
             command.args(["-c", script]);
             command
         };
-        let solver = Apart::new(Arc::new(ClosedFormSolver::new()), shell);
-        solver.solve_apart(&SolveRequest {
+        let solver = Isolated::new(Arc::new(ClosedFormSolver::new()), shell);
+        solver.solve_isolated(&SolveRequest {
             scene: &Scene::default(),
             readout: &Readout::default(),
             start: None,

@@ -12,9 +12,9 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use crate::http::app_state::AppState;
+use crate::http::edge::answer_limits::Making;
 use crate::http::edge::extract::{Params, StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
-use crate::http::edge::room::Making;
 use crate::http::routes::answers::result_routes::with_map;
 use crate::http::routes::study_routes::known;
 use service::export::{Export, ExportError, FileFormat, Table};

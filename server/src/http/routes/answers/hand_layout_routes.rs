@@ -18,11 +18,11 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use crate::http::app_state::AppState;
+use crate::http::edge::answer_limits::Making;
 use crate::http::edge::conditional::{has, tagged};
 use crate::http::edge::document_body::Document;
 use crate::http::edge::extract::{StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
-use crate::http::edge::room::Making;
 use crate::http::routes::answers::result_routes::{hashed_part, part};
 use crate::http::routes::study_routes::known;
 use service::study_document::stored_study;
@@ -70,7 +70,7 @@ async fn score(
     let study = stored_study(&row).map_err(|cause| HandLayoutsError::Unreadable { cause })?;
     let asked = document.checked(move |value| hand_layout_reader::hand_layouts(value, &study));
     let asked = asked.await?;
-    let _making = state.room.make().await?;
+    let _making = state.answers.make().await?;
     let solver = Arc::clone(&state.engine.solver);
     let work = hand_layouts::of(
         &state.store,

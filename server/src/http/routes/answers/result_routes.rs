@@ -18,10 +18,10 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use crate::http::app_state::AppState;
+use crate::http::edge::answer_limits::Making;
 use crate::http::edge::conditional::{has, tagged};
 use crate::http::edge::extract::{Params, StudyId, StudyPath};
 use crate::http::edge::problem_document::Problem;
-use crate::http::edge::room::Making;
 use crate::http::routes::answers::sent_result;
 use crate::http::routes::study_routes::known;
 use service::views::point_views;
@@ -77,7 +77,7 @@ async fn whole(
     let body = if has(&headers, &text.content_sha256) {
         Body::empty()
     } else {
-        let from = (&state.store, &state.room, &state.intact);
+        let from = (&state.store, &state.answers, &state.intact);
         sent_result::body(from, &text).await?
     };
     let kind = [
@@ -118,7 +118,7 @@ async fn without_map(
     if has(headers, &tag) {
         return Ok(tagged(headers, &tag, "no-cache", ()));
     }
-    let _making = state.room.make().await?;
+    let _making = state.answers.make().await?;
     let result: StudyResult = part(&state.store, id).await?;
     Ok(tagged(headers, &tag, "no-cache", Json(result)))
 }

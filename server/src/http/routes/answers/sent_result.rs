@@ -10,8 +10,8 @@ use std::time::{Duration, Instant};
 use axum::body::{Body, Bytes};
 use futures_util::stream;
 
+use crate::http::edge::answer_limits::AnswerLimits;
 use crate::http::edge::problem_document::Problem;
-use crate::http::edge::room::Room;
 use store::answers::result_text::{Reading, ResultText};
 use store::{Store, StoreError};
 
@@ -39,7 +39,7 @@ impl Intact {
 /// # Errors
 /// 500 when it is damaged; 503 when too many are read at once.
 pub(super) async fn body(
-    (store, room, intact): (&Arc<Store>, &Room, &Intact),
+    (store, answers, intact): (&Arc<Store>, &AnswerLimits, &Intact),
     text: &ResultText,
 ) -> Result<Body, Problem> {
     if text.bytes <= SHORT {
@@ -47,7 +47,7 @@ pub(super) async fn body(
         let whole = text.reading().next(&mut connection, SHORT).await?;
         return Ok(whole.map(Body::from).unwrap_or_default());
     }
-    let turn = room.turn().await?;
+    let turn = answers.turn().await?;
     if !intact.lately().contains_key(text) {
         compare(store, text).await?;
         intact.lately().insert(text.clone(), Instant::now());
@@ -55,7 +55,7 @@ pub(super) async fn body(
     drop(turn);
     let sending = Sending {
         store: store.clone(),
-        room: room.clone(),
+        answers: answers.clone(),
         reading: text.reading(),
     };
     let pieces = stream::try_unfold(sending, Sending::next);
@@ -75,14 +75,14 @@ async fn compare(store: &Store, text: &ResultText) -> Result<(), StoreError> {
 /// A text that is being sent.
 struct Sending {
     store: Arc<Store>,
-    room: Room,
+    answers: AnswerLimits,
     reading: Reading,
 }
 
 impl Sending {
     /// The next piece. A fault ends the connection before the whole text was sent.
     async fn next(mut self) -> Result<Option<(Bytes, Self)>, StoreError> {
-        let piece = self.room.piece().await;
+        let piece = self.answers.piece().await;
         let read = async {
             let mut connection = self.store.read_whole().await?;
             self.reading.next(&mut connection, piece.size()).await

@@ -20,10 +20,10 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use crate::http::app_state::AppState;
+use crate::http::edge::answer_limits::Making;
 use crate::http::edge::conditional::{has, tagged};
 use crate::http::edge::extract::{AppliedId, EstimatorId, EstimatorPath, no_method};
 use crate::http::edge::problem_document::Problem;
-use crate::http::edge::room::Making;
 use crate::http::routes::estimators::estimator_routes::known;
 use crate::http::routes::estimators::recordings_body::RecordingsBody;
 use service::export::FileFormat;
