@@ -1,4 +1,4 @@
-"""The rules of the house: no import circle between files or rooms, no name public that nothing outside its crate needs, no crowded folder, no file name twice, a
+"""The rules of the house: no import circle between files or folders, no name public that nothing outside its crate needs, no crowded folder, no file name twice, a
 short map, pages that name what is there, comments that begin with a noun."""
 
 import re
@@ -29,7 +29,7 @@ def check(root):
     of_rust = rust.edges(root, files)
     return [
         *import_circles(root, files, of_rust),
-        *room_circles(root, of_rust),
+        *folder_circles(root, of_rust),
         *publicity.breaches(root, files),
         *crowded_folders(files),
         *names_twice(files),
@@ -54,11 +54,11 @@ def import_circles(root, files, of_rust):
         yield f"{members[0]}: {len(members)} files import one another in a circle{imports}"
 
 
-def room_circles(root, of_rust):
+def folder_circles(root, of_rust):
     """Circles between the folders right below a crate's `src`, and files there. Tests may look anywhere."""
     edges = set()
     for file, line, other in of_rust:
-        here, there = room(file), room(other)
+        here, there = folder(file), folder(other)
         if here and there and here != there and here.parent == there.parent and line < first_test_line((root / file).read_text()):
             edges.add((str(here), f"{file}:{line}", str(there)))
     for circle in circles.circles(edges):
@@ -66,10 +66,10 @@ def room_circles(root, of_rust):
         if not any((root / member).is_dir() for member in members):
             continue  # files, which are told as such
         imports = "".join(f"\n  {place}: imports {there}" for _, place, there in circle)
-        yield f"{members[0]}: {len(members)} rooms import one another in a circle{imports}"
+        yield f"{members[0]}: {len(members)} folders import one another in a circle{imports}"
 
 
-def room(file):
+def folder(file):
     """What a file is in below its crate's `src`; None of a crate's roots, of tests and of what lies elsewhere."""
     parts = Path(file).with_suffix("").parts
     if "src" not in parts[:-1] or parts[-1] == "tests" or parts[-1].endswith("_tests"):

@@ -44,7 +44,7 @@ CASES = {
         {**CRATE, "a/tests/x.rs": '#[path = "../shared/y.rs"]\nmod y;\nuse y::Y;\nstruct X;\n', "a/shared/y.rs": "pub use super::X;\n"},
         "a/shared/y.rs:1: imports a/tests/x.rs",
     ),
-    "rooms": (
+    "folders": (
         {
             **CRATE,
             "a/src/lib.rs": "pub mod disc;\npub mod ring;\n",
@@ -53,7 +53,7 @@ CASES = {
             "a/src/disc/face.rs": "pub struct Face;\n",
             "a/src/ring.rs": "use crate::disc::face::Face;\npub struct Ring;\n",
         },
-        "a/src/disc: 2 rooms import one another in a circle\n  a/src/disc/edge.rs:1: imports a/src/ring\n  a/src/ring.rs:1: imports a/src/disc",
+        "a/src/disc: 2 folders import one another in a circle\n  a/src/disc/edge.rs:1: imports a/src/ring\n  a/src/ring.rs:1: imports a/src/disc",
     ),
     "names that others need": (
         {
@@ -74,7 +74,7 @@ CASES = {
         },
         "a/src/lib.rs:5: `Edge` is public, and nothing outside `a` needs it",
     ),
-    "a room's tests": (
+    "a folder's tests": (
         {
             **CRATE,
             "a/src/lib.rs": "pub mod disc;\npub mod ring;\n",

@@ -3,7 +3,7 @@
 //! Films, strain gauges or whatever a rig has give signals; a force sensor beside them gives the truth for some runs. This crate learns forces from signals and says
 //! how far off they will be on a run that it hasn't seen. Arrays and texts go in, numbers or a typed error come out: it knows no tire, file, clock or thread.
 //!
-//! Rooms in reading order:
+//! Folders in reading order:
 //!
 //! - [`recipe`]: what is to be done, every field with a default
 //! - [`recording`]: runs from CSV texts

@@ -12,7 +12,7 @@
 //! | `A` | tangent dP/dF, 9 x 9, row and column index 3 i + J |
 //! | `G` | cofactor J F^-T |
 //!
-//! Rooms in reading order, each importing only those above it; a room's page lists its modules:
+//! Folders in reading order, each importing only those above it; the page of each lists its modules:
 //!
 //! - [`tensor`]: 3 x 3 algebra
 //! - [`cell`]: reference cells, meshes, structured blocks

@@ -21,7 +21,7 @@
 //! | rho_i, v_i | mean and variance of section i |
 //! | S_i, S_Ti | first-order and total index of input i |
 //!
-//! Rooms in reading order; a room's page lists its modules:
+//! Folders in reading order; the page of each lists its modules:
 //!
 //! - [`law`]: the laws of the inputs and their Gauss rules
 //! - [`design`]: the runs to make

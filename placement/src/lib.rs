@@ -1,6 +1,6 @@
 //! Placement of films: from a study to ranked locations and layouts.
 //!
-//! Rooms in reading order; a room's page lists its modules:
+//! Folders in reading order; the page of each lists its modules:
 //!
 //! - [`points`]: solves the points that the archive lacks, on all cores
 //! - [`score`]: responses to indices and ranked locations

@@ -1,6 +1,6 @@
 //! Documents that users write: studies with their layouts, signals and rigs, sweeps of them, and inputs of models of their own.
 //!
-//! Rooms in reading order; a room's page lists its modules:
+//! Folders in reading order; the page of each lists its modules:
 //!
 //! - [`parts`]: what several documents have, from names to scenes
 //! - [`layouts`]: layouts of films

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { decades, linear, linearTicks, log, logTicks, percents, places, placeTicks, room, type Ticks } from "./scales.ts";
+import { decades, linear, linearTicks, log, logTicks, percents, places, placeTicks, padded, type Ticks } from "./scales.ts";
 
 const texts = <T>({ values, text }: Ticks<T>): string[] => values.map(text);
 
@@ -44,7 +44,7 @@ test("names have places of equal breadth, half a gap at the ends", () => {
 });
 
 test("a range holds many values, one, and none", () => {
-  assert.deepEqual(room([0, 100]), [-5, 105]);
-  assert.deepEqual(room([3]), [2, 4]);
-  assert.deepEqual(room([]), [0, 1]);
+  assert.deepEqual(padded([0, 100]), [-5, 105]);
+  assert.deepEqual(padded([3]), [2, 4]);
+  assert.deepEqual(padded([]), [0, 1]);
 });

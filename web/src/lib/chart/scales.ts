@@ -61,7 +61,7 @@ export function placeTicks<T extends string | number>(scale: ScaleBand<T>): Tick
 }
 
 /** Ends of a scale that holds all values and a little more. */
-export function room(values: readonly number[]): Ends {
+export function padded(values: readonly number[]): Ends {
   if (values.length === 0) return [0, 1];
   const low = values.reduce((least, value) => Math.min(least, value));
   const high = values.reduce((most, value) => Math.max(most, value));

@@ -1,7 +1,7 @@
 /** Truth, estimate and 95 % band over time, as lines to be drawn. */
 
 import { closedPath, linePath, type Point } from "../chart/paths.ts";
-import { type Ends, room } from "../chart/scales.ts";
+import { type Ends, padded } from "../chart/scales.ts";
 import type { LeftOutRows } from "../../wire.ts";
 
 export interface BandRow {
@@ -94,7 +94,7 @@ export function forceRange(runs: readonly BandRun[]): Ends {
       high = Math.max(high, high_n, truth_n ?? high_n);
     }
   }
-  return room([low, high]);
+  return padded([low, high]);
 }
 
 export function timeRange(rows: readonly BandRow[]): Ends {

@@ -119,10 +119,10 @@ fn draw_panel(area: &Area<'_>, title: &str, axis: SignalAxis, rows: &[&SignalRow
     };
     let volts = |film| {
         let ends = all(film).flat_map(|p| [p.volts - p.error, p.volts + p.error]);
-        room(ends.chain([0.0]))
+        padded(ends.chain([0.0]))
     };
     let [coupled, bare] = [FilmModel::Coupled, FilmModel::Bare];
-    let along = room(rows.iter().map(|row| row.along()));
+    let along = padded(rows.iter().map(|row| row.along()));
     let mut chart = ChartBuilder::on(area)
         .caption(title, ("sans-serif", 14))
         .margin(8)
@@ -181,7 +181,7 @@ fn point(row: &SignalRow) -> Option<Point> {
 }
 
 /// A range that holds all values and a little more.
-fn room(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
+fn padded(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (low.min(value), high.max(value))
     });

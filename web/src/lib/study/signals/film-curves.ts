@@ -1,6 +1,6 @@
 /** Films' readings as curves to draw: a panel for each tire and direction, a curve for each position and model of the film. */
 
-import { room, type Ends } from "../../chart/scales.ts";
+import { type Ends, padded } from "../../chart/scales.ts";
 import type { SignalAxis, SignalRow } from "../../../wire.ts";
 
 /** Models that are drawn; what a transfer gives lies on the coupled film's curve. */
@@ -52,13 +52,13 @@ function panel(rows: SignalRow[], tire: string, direction: string, over: SignalA
       points: pointsOf(rows.filter((row) => row.position === position && row.film === film)),
     })),
   );
-  const ends = (film: Drawn): Ends => room([0, ...curves.filter((curve) => curve.film === film).flatMap((curve) => curve.points.flatMap(endsOf))]);
+  const ends = (film: Drawn): Ends => padded([0, ...curves.filter((curve) => curve.film === film).flatMap((curve) => curve.points.flatMap(endsOf))]);
   return {
     tire,
     direction,
     over,
     curves: curves.filter((curve) => curve.points.length > 0),
-    range: room(rows.map(placeOf)),
+    range: padded(rows.map(placeOf)),
     volts: { bare: ends("bare"), coupled: ends("coupled") },
   };
 }
