@@ -11,6 +11,8 @@ ITEM = re.compile(
 # What an implementation of a trait hands out.
 ASSOCIATED = re.compile(r"^[ \t]+type \w+ = ([^;]*);", re.M)
 WORD = re.compile(r"\w+")
+# What may stand in a signature; other items with a name that does are a coincidence.
+TYPES = ("struct", "enum", "union", "trait", "type")
 
 
 def breaches(root, files):
@@ -30,7 +32,7 @@ def breaches(root, files):
         grown = True
         while grown:
             seen = set().union(*(item["face"] for item in items if item["name"] in needed))
-            more = {item["name"] for item in items if item["name"] in seen} - needed
+            more = {item["name"] for item in items if item["kind"] in TYPES and item["name"] in seen} - needed
             needed |= more
             grown = bool(more)
         for item in items:

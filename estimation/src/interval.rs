@@ -43,7 +43,7 @@ pub(crate) fn factor_by(kind: SplitKind, left_out: &[LeftOut]) -> Option<f64> {
     }
 }
 
-/// Factor on the deviation so that an interval holds [`PROMISE`] of a new group's rows; none of no rows.
+/// Factor on the deviation so that an interval holds `PROMISE` of a new group's rows; none of no rows.
 pub fn factor(left_out: &[LeftOut]) -> Option<f64> {
     let mut groups: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
     for row in left_out {

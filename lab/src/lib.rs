@@ -1,10 +1,10 @@
 //! Tools that the measuring rigs share. Each rig is an example of this crate: `cargo run --release -p lab --example NAME` prints a table of `docs/`.
 //!
-//! - [`all_cores`]: pieces of work on all cores
+//! - `all_cores`: pieces of work on all cores
 //! - [`cpu`]: processor time of a thread
 //! - [`limit`]: the limit of a value under refinement, with its error
 //! - [`mesh_families`]: ever finer meshes of the reference tire
-//! - [`figures`]: second figures on kinds of film
+//! - [`film_criteria`]: kinds of film by criteria that no answer uses
 //! - [`published`]: the published study's tables of force errors, and a virtual rig under the same conditions
 //! - [`reference_tire`]: the reference tire, and one solve of it
 //! - [`study_runs`]: studies on any mesh level, and what they are run with

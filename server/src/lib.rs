@@ -2,15 +2,15 @@
 //!
 //! The modules, in reading order:
 //!
-//! - [`config`]: settings from flags and environment
-//! - [`telemetry`]: the log
+//! - `config`: settings from flags and environment
+//! - `telemetry`: the log
 //! - [`token`]: the secret that lets a client in
 //! - [`http`]: routes and dashboard
 //! - [`running`]: database, queue and HTTP together
 //! - [`cli`]: the command line
 
 pub mod cli;
-pub mod config;
+pub(crate) mod config;
 pub mod http;
 pub mod running;
 pub(crate) mod telemetry;

@@ -5,7 +5,7 @@
 //!
 //! | function | type | value | what it is for |
 //! |---|---|---|---|
-//! | [`covering_quantile`] | 1 | x_k with k = n p, rounded up | a bound: at least the share p of the numbers doesn't exceed it |
+//! | `covering_quantile` | 1 | x_k with k = n p, rounded up | a bound: at least the share p of the numbers doesn't exceed it |
 //! | [`interpolated_quantile`] | 7 | on straight lines through x_k at the shares (k - 1) / (n - 1) | a figure of a law that was sampled: it moves evenly with p, and so do differences of two |
 //!
 //! Neither promises that another number falls below it with the probability p; with n exchangeable numbers that takes k = (n + 1) p, rounded up. Type 8, which

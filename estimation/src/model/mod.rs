@@ -1,8 +1,8 @@
 //! Models of one force, one contract: rows of features in, a mean and its standard deviation out.
 //!
 //! - [`contract`]: what they are given, and what they say
-//! - [`feature_scale`]: features on one scale
-//! - [`training_mean`], [`ridge`], [`gpr`], [`ann`]: the models
+//! - `feature_scale`: features on one scale
+//! - `training_mean`, [`ridge`], [`gpr`], [`ann`]: the models
 //! - [`fitted`]: one of them, learnt
 //! - `box_search`: the least value of a smooth function within bounds
 //! - `even_subset`: fewer rows, evenly taken

@@ -44,7 +44,7 @@ impl Piezo {
     }
 
     /// Charge by which a rise of the cavity's pressure changes that, nC/kPa.
-    pub fn charge_by_pressure_nc_per_kpa(&self, area: f64) -> f64 {
+    pub(crate) fn charge_by_pressure_nc_per_kpa(&self, area: f64) -> f64 {
         // 1 kPa is 1e-3 MPa of compression through the thickness.
         -1e-6 * self.d33_pc_per_n * area
     }

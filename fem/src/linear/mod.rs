@@ -1,6 +1,6 @@
 //! The linear system of one Newton step, in reading order:
 //!
-//! - `coupled`, [`ordering`], [`sparsity`]: which unknowns are coupled, equation numbers in elimination order, and the pattern of the tangent
+//! - `coupled`, `ordering`, [`sparsity`]: which unknowns are coupled, equation numbers in elimination order, and the pattern of the tangent
 //! - `substitution`, `rounding`, [`symbolic`], [`factor`]: the sparse factor and what is solved with it
 //! - [`setup`]: what all states of a problem share
 //! - [`system`], `face_buffers`, [`assembly`], `condensed_pressures`: residual and tangent of the whole problem

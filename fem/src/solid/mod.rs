@@ -9,7 +9,7 @@
 //!
 //! > r_u = integral of (P_iso + p G) : grad(du),   r_p = integral of q (J - 1) - c M p,   M = integral of q q.
 //!
-//! One Newton step eliminates the pressures on the element. Where c is smaller than the compliance [`SolidModel::step_compliance`]
+//! One Newton step eliminates the pressures on the element. Where c is smaller than the compliance `SolidModel::step_compliance`
 //! the step (never the residual) uses that larger one: a proximal step, whose limit is the exact constraint and whose
 //! matrix stays positive definite and well conditioned for any bulk modulus. Pressures kept as unknowns make this
 //! converge where p = kappa (J - 1), inserted, does not.

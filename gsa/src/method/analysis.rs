@@ -58,7 +58,7 @@ pub struct Analysis {
     /// S_Ti = 1 - Var\[E\[Y|all but X_i\]\]/Var\[Y\], per input.
     pub total: Option<Vec<f64>>,
     /// S_ij, the share of each pair of inputs alone, pairs in the order 12, 13, .., 23, ..; for up to
-    /// [`MOST_FOR_PAIRS`] inputs, and only by methods that have it.
+    /// `MOST_FOR_PAIRS` inputs, and only by methods that have it.
     pub second_order: Option<Vec<f64>>,
     /// The form behind the numbers above; `Mdrm`, as asked for, where there are none.
     pub method: Form,

@@ -8,7 +8,7 @@
 //! - `bivariate`: lines and the grids of all pairs
 //! - `tensor_grid`: the whole grid
 //! - `auto`: lines, and whatever more it takes to meet a tolerance; `correction`: what check points mend
-//! - `pce`, [`saltelli`]: polynomial chaos, and pairs of samples; `scattered`: what these have in common
+//! - `pce`, `saltelli`: polynomial chaos, and pairs of samples; `scattered`: what these have in common
 
 pub mod analysis;
 mod auto;

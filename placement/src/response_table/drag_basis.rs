@@ -24,7 +24,7 @@ pub(crate) const PARTS: [[bool; 2]; 4] =
     [[false, false], [true, false], [false, true], [true, true]];
 
 /// Products of a drag and a part.
-pub const PRODUCTS: usize = DRAGS.len() * PARTS.len();
+pub(crate) const PRODUCTS: usize = DRAGS.len() * PARTS.len();
 
 /// Returns what each part of each drag's response, less the undragged one, contributes at a shift, as shares of the largest along and across: by drag, then
 /// part.

@@ -1,14 +1,14 @@
 //! Responses of a tire with films to any contact, between solves: for a virtual rig, which needs thousands of contacts a second.
 //!
-//! - [`table_settings`]: loads and shifts of the ground that are solved
-//! - [`table_scenes`]: the scenes, and those that test the table
-//! - [`drag_basis`]: how a response depends on the ground's shift
-//! - [`solved_table`]: signals and forces between what was solved
-//! - `film_angles`: glued films around the wheel, solved with the tire; [`angle_residual`]: what their transfer misses
-//! - [`table_error`]: how far they are off
+//! - `table_settings`: loads and shifts of the ground that are solved
+//! - `table_scenes`: the scenes, and those that test the table
+//! - `drag_basis`: how a response depends on the ground's shift
+//! - `solved_table`: signals and forces between what was solved
+//! - `film_angles`: glued films around the wheel, solved with the tire; `angle_residual`: what their transfer misses
+//! - `table_error`: how far they are off
 //! - `bare_film`: a bare film as a kind whose signal is in volts
 //! - [`laid_films`]: a layout's films, as a rig asks for them
-//! - [`table_solving`]: the solves, as points of a study; [`study_table`]: those of a study with a rig; `measuring_forces`: puts what it shows into the result
+//! - `table_solving`: the solves, as points of a study; [`study_table`]: those of a study with a rig; `measuring_forces`: puts what it shows into the result
 
 pub(crate) mod angle_residual;
 mod bare_film;

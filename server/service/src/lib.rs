@@ -8,7 +8,7 @@
 //! - [`views`]: what a study has solved as a reader sees it
 //! - [`wire`]: what goes over the wire
 //! - [`metrics`]: what is counted and measured
-//! - [`database_archive`]: the database as the place where solved points are kept
+//! - `database_archive`: the database as the place where solved points are kept
 //! - [`forecast`]: what a study would cost
 //! - [`previewer`]: places at once, for somebody who writes a document
 //! - [`engine`]: runs one study from its document to its end

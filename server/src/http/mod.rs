@@ -1,9 +1,9 @@
 //! The service's outside: routes under `/v1`, health, and the dashboard.
 //!
 //! - [`edge`]: what every request passes on its way to a handler and back
-//! - [`app_state`]: what every handler may use
-//! - [`routes`]: the handlers, each with its operation
-//! - [`router`]: all of it, guarded
+//! - `app_state`: what every handler may use
+//! - `routes`: the handlers, each with its operation
+//! - `router`: all of it, guarded
 
 pub(crate) mod app_state;
 pub mod edge;

@@ -2,7 +2,7 @@
 //!
 //! - [`layout_settings`]: what is asked
 //! - [`film_extent`]: the rectangle that a film covers
-//! - [`layout_reader`], [`film_size_reader`]: read the table `layouts`, whose bounds are in [`layout_bounds`]; [`layout_schema`] describes it
+//! - [`layout_reader`], `film_size_reader`: read the table `layouts`, whose bounds are in [`layout_bounds`]; `layout_schema` describes it
 
 pub mod film_extent;
 pub(crate) mod film_size_reader;

@@ -2,7 +2,7 @@
 //!
 //! - [`directions`]: which strains are asked for, and what follows from that
 //! - [`film_place`], [`film_model`]: where a film lies, and how it is modelled
-//! - [`scene_number`], [`scene_reader`]: read a number as a scene has it, and a scene
+//! - `scene_number`, `scene_reader`: read a number as a scene has it, and a scene
 
 pub mod directions;
 pub mod film_model;

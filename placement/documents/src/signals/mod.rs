@@ -1,6 +1,6 @@
 //! Films' signals, as a study asks for them.
 //!
-//! - [`signal_settings`]: what is asked, read by [`signal_reader`]
+//! - [`signal_settings`]: what is asked, read by `signal_reader`
 //! - [`series`]: the pressings and scenes that follow from it
 
 pub mod series;

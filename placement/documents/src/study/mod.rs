@@ -1,7 +1,7 @@
 //! The study document: what varies, what is asked.
 //!
-//! - [`study_reader`] and, for its parts, `candidate_reader`, [`distribution_reader`], `input_reader` and `method_reader`: read a study, with every fault at once
-//! - [`study_schema`]: its JSON Schema
+//! - `study_reader` and, for its parts, `candidate_reader`, `distribution_reader`, `input_reader` and `method_reader`: read a study, with every fault at once
+//! - `study_schema`: its JSON Schema
 //! - `reading_bounds`: rules of a rig beside layouts
 //! - [`plan`]: the design points of a study, a pure function of the document
 

@@ -118,7 +118,7 @@ impl Column {
 
     /// Gives it a value in rows of this unit alone.
     #[must_use]
-    pub fn of_unit(self, unit: &'static str) -> Self {
+    pub(crate) fn of_unit(self, unit: &'static str) -> Self {
         Self {
             of_unit: Some(unit),
             ..self

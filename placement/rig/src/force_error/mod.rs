@@ -3,8 +3,8 @@
 //! - [`thinned_run`]: a run as an estimator reads it
 //! - [`learnt_force`]: the model of one force, and its errors on what was left out
 //! - [`fresh_trials`]: the same on runs that nobody learnt from, with films dead or askew
-//! - [`tried_rows`]: estimates beside true forces
-//! - [`instant_floor`]: how well one instant's readings can tell forces at all
+//! - `tried_rows`: estimates beside true forces
+//! - `instant_floor`: how well one instant's readings can tell forces at all
 //! - [`layout_forces`]: all three forces of a layout
 //! - [`force_prices`]: what a force's error costs in films
 //! - [`assumed_rig`]: what is assumed of the rig, in sentences

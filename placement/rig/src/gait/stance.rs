@@ -34,7 +34,7 @@ pub struct Stance {
 
 impl Stance {
     /// Returns the time at which its turn ends, s.
-    pub fn end_s(&self) -> f64 {
+    pub(crate) fn end_s(&self) -> f64 {
         self.begin_s + self.hz.recip()
     }
 

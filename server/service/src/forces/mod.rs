@@ -1,7 +1,7 @@
 //! Forces from recordings: recipes and recordings of users in, estimators, reports and estimates out.
 //!
 //! - [`recorded_texts`]: recordings from their texts
-//! - [`fit_memory`]: how much memory a fit may take
+//! - `fit_memory`: how much memory a fit may take
 //! - [`submission_reader`]: recipe and recordings in one document
 //! - [`fitting`]: learns an estimator on all cores
 //! - [`model_file`]: estimators as texts

@@ -5,14 +5,14 @@
 //! - [`isolated`]: solves in a process of their own
 //! - [`live`]: the solves under way
 //! - [`numerics`]: solves told apart by the processor's last digits
-//! - [`timekeeper`]: how long they take beside what was expected
-//! - [`traced`]: solves whose lines in the log say for which study
+//! - `timekeeper`: how long they take beside what was expected
+//! - `traced`: solves whose lines in the log say for which study
 
 pub mod isolated;
 pub mod live;
 pub mod numerics;
 pub mod solver_choice;
-pub mod timekeeper;
+pub(crate) mod timekeeper;
 pub(crate) mod traced;
 pub mod watched;
 
