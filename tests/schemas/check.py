@@ -1,7 +1,9 @@
 """Holds the schemas of documents against the readers: see `run`."""
 
 import copy
+import functools
 import json
+import operator
 import random
 import re
 import subprocess
@@ -18,6 +20,8 @@ PROGRAM = sys.argv[1]
 # Documents, the reader that fuzzing knows, and what ships.
 DOCUMENTS = {"study": "study", "scene": "scene", "sweep": "sweep", "gsa": "inputs"}
 FAULTS = 200
+# Changed documents, and how many of them a reader has to take, so that the comparison says something.
+NUDGED = (400, 200)
 # A number that no field takes, texts and lists in the place of others, and a table where there is none.
 # How faults of range, type and name begin; others are of rules between fields, or of paths.
 OF_ONE_FIELD = r"(unknown field|must be (an? (number|whole number|list|table|text)|true or false|\"))"
@@ -33,6 +37,7 @@ def main():
     committed(schemas)
     shipped(schemas)
     fuzzed(schemas)
+    nudged(schemas["study"])
     faulty(schemas["study"])
     exemplified()
 
@@ -135,12 +140,49 @@ def parsed(text):
         return None
 
 
+def nudged(schema):
+    """Studies that ship with two figures changed or left out: what the reader takes, the schema takes. Fuzzed studies are hardly ever whole."""
+    documents, draw, cases = studies(), random.Random(2), []
+    for _ in range(NUDGED[0]):
+        document = draw.choice(documents)
+        for place in draw.sample(list(leaves(document, ())), 2):
+            document = without(document, place) if draw.random() < 0.2 else put(document, place, near(draw, value_at(document, place)))
+        cases.append(document)
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
+        ended = list(pool.map(lambda case: validated(folder, *case), enumerate(cases)))
+    taken = [document for document, end in zip(cases, ended, strict=True) if end.returncode == 0]
+    assert len(taken) >= NUDGED[1], f"only {len(taken)} of {len(cases)} changed studies are read"
+    for document in taken:
+        fits(schema, document, json.dumps(document)[:300])
+    print(f"{len(taken)} of {len(cases)} studies with two figures changed are read, and fit")
+
+
+def near(draw, value):
+    """A value of the same type, not far from this one; texts stay."""
+    if isinstance(value, list):
+        return [near(draw, item) for item in value]
+    if isinstance(value, bool):
+        return not value
+    if isinstance(value, int):
+        return value + draw.choice([-1, 1])
+    return value * draw.choice([0.5, 0.9, 1.1, 2]) if isinstance(value, float) else value
+
+
+def studies():
+    said = subprocess.run([PROGRAM, "presets", "--json", "-"], capture_output=True, text=True, check=True)
+    return [preset["document"] for preset in json.loads(said.stdout)["studies"]]
+
+
+def validated(folder, number, document):
+    file = Path(folder) / f"{number}.json"
+    file.write_text(json.dumps(document))
+    return subprocess.run([PROGRAM, "validate", file], capture_output=True, text=True)
+
+
 def faulty(schema):
     """Faults of range, type and name in documents that have every field: the schema finds them as the reader does."""
-    said = subprocess.run([PROGRAM, "presets", "--json", "-"], capture_output=True, text=True, check=True)
-    documents = [preset["document"] for preset in json.loads(said.stdout)["studies"]]
     draw, cases = random.Random(1), []
-    for document in documents:
+    for document in studies():
         places = list(leaves(document, ()))
         cases += [(document, place, wrong) for place in places for wrong in WRONG]
         cases += [(document, (*place, "colour"), 1) for place in tables(document, ())]
@@ -161,9 +203,7 @@ def faulty(schema):
 def is_refused(folder, numbered):
     """Whether the reader finds a fault of range, type or name at the place that was changed; None where it takes the document."""
     number, (document, place, wrong) = numbered
-    file = Path(folder) / f"{number}.json"
-    file.write_text(json.dumps(put(document, place, wrong)))
-    ended = subprocess.run([PROGRAM, "validate", file], capture_output=True, text=True)
+    ended = validated(folder, number, put(document, place, wrong))
     if ended.returncode == 0:
         return None
     pointer = re.escape("/" + "/".join(map(str, place)))
@@ -177,6 +217,16 @@ def put(document, place, value):
         inner = inner[step]
     inner[place[-1]] = value
     return changed
+
+
+def without(document, place):
+    changed = copy.deepcopy(document)
+    value_at(changed, place[:-1]).pop(place[-1])
+    return changed
+
+
+def value_at(document, place):
+    return functools.reduce(operator.getitem, place, document)
 
 
 def leaves(value, at):
