@@ -72,7 +72,7 @@ def describe(name: str, thing: object) -> None:
     if not inspect.isclass(thing):
         return
     lines = [f"- `{field}`: `{kind}`{said and '. ' + ' '.join(said.split())}" for field, kind, said in fields(thing)]
-    for member, value in vars(thing).items():
+    for member, value in members(thing).items():
         if member.startswith("_") or is_error:
             continue
         if isinstance(value, property):
@@ -83,6 +83,12 @@ def describe(name: str, thing: object) -> None:
             lines.append(f"- `.{member}{signature(value)}`: {first(value)}")
     if lines:
         print("\n**Members**\n\n" + "\n".join(lines))
+
+
+def members(kind: type) -> dict[str, object]:
+    """What a class has, and its bases within the client, its own last."""
+    own = [base for base in kind.__mro__ if base.__module__.startswith("strainsite")]
+    return {name: value for base in reversed(own) for name, value in vars(base).items()}
 
 
 def fields(kind: type) -> list[tuple[str, str, str]]:

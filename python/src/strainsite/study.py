@@ -24,6 +24,7 @@ from .answers.skins import Surface
 from .connection.download import download
 from .connection.follow import ENDED, Follower
 from .connection.progress import Deadline, Progress
+from .entry import ListedEntry
 from .errors import NotFound, StudyCancelled, StudyFailed
 from .views import frames, html
 
@@ -35,10 +36,9 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from .answers._generated import Table
-    from .connection.transport import Transport
 
 
-class Study:
+class Study(ListedEntry[StudySummary]):
     """A study in the service.
 
     Attributes:
@@ -46,25 +46,8 @@ class Study:
 
     """
 
-    def __init__(self, transport: Transport, summary: StudySummary) -> None:
-        self._transport = transport
-        self.summary = summary
-        self._path = f"/v1/studies/{summary.id}"
-
-    @property
-    def id(self) -> str:
-        """Its identifier."""
-        return self.summary.id
-
-    @property
-    def name(self) -> str:
-        """Its name in lists: the document's, unless `rename` changed it."""
-        return self.summary.name
-
-    @property
-    def state(self) -> str:
-        """Asks the service: `queued`, `running`, `done`, `failed` or `cancelled`."""
-        return self.refresh().summary.state
+    _kind = StudySummary
+    _list = "studies"
 
     @property
     def document(self) -> dict[str, Any]:
@@ -76,11 +59,6 @@ class Study:
         """What it was expected to take when it last started; None before that."""
         estimate = self._transport.get(self._path).get("estimate")
         return None if estimate is None else read(Estimate, estimate, "estimate")
-
-    def refresh(self) -> Study:
-        """Asks the service where it stands."""
-        self.summary = read(StudySummary, self._transport.get(self._path))
-        return self
 
     def wait(self, *, progress: bool = True, timeout: float | None = None) -> Study:
         """Waits until it is done; a bar shows points done and time left on terminals and in notebooks.
@@ -108,42 +86,6 @@ class Study:
                 follower.run(state)
         self._check()
         return self
-
-    def cancel(self) -> Study:
-        """Cancels it; what it has solved is kept. Nothing happens to a study that has ended."""
-        answer = self._transport.request("DELETE", self._path)
-        self.summary = read(StudySummary, answer.json())
-        return self
-
-    def rename(self, name: str) -> Study:
-        """Gives it another name in lists; document and result keep the one that was submitted.
-
-        Raises:
-            ProblemError: It is no name: 1 to 200 characters without control characters (422).
-
-        """
-        return self._change({"name": name})
-
-    def archive(self) -> Study:
-        """Leaves it out of lists; nothing of it is lost."""
-        return self._change({"archived": True})
-
-    def unarchive(self) -> Study:
-        """Takes it back into lists."""
-        return self._change({"archived": False})
-
-    def _change(self, change: Mapping[str, Any]) -> Study:
-        self.summary = read(StudySummary, self._transport.patch(self._path, change))
-        return self
-
-    def remove(self) -> None:
-        """Removes it for good, running or not, with its result and the points that no other study has.
-
-        Raises:
-            ProblemError: It is a design of a sweep, with which it can be removed (409).
-
-        """
-        self._transport.request("DELETE", f"{self._path}?purge")
 
     def result(self) -> Result:
         """The whole answer.
@@ -282,10 +224,6 @@ class Study:
             raise StudyFailed(self.id, self.summary.error or "the service gave no reason")
         if self.summary.state == "cancelled":
             raise StudyCancelled(self.id)
-
-    def __repr__(self) -> str:
-        """Name, state as last seen, identifier."""
-        return f"Study({self.name!r}, {self.summary.state}, {self.id})"
 
     def _repr_html_(self) -> str:
         summary = self.summary

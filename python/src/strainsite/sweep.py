@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from .answers._generated import Design, SweepSummary
 from .answers.comparison import Comparison
@@ -11,6 +11,7 @@ from .connection.download import download
 from .connection.follow import look
 from .connection.progress import Deadline, Progress
 from .documents import designs_body
+from .entry import ListedEntry
 from .errors import StudyCancelled, StudyFailed
 from .study import Study, id_of
 from .views import frames, html
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
     from .connection.transport import Transport
 
 
-class Sweep:
+class Sweep(ListedEntry[SweepSummary]):
     """A sweep in the service.
 
     Attributes:
@@ -34,31 +35,19 @@ class Sweep:
 
     """
 
-    def __init__(self, transport: Transport, document: Mapping[str, Any]) -> None:
-        self._transport = transport
-        self._take(document)
-        self._path = f"/v1/sweeps/{self.summary.id}"
+    _kind = SweepSummary
+    _list = "sweeps"
+    _designs: tuple[Design, ...] | None = None
 
-    def _take(self, document: Mapping[str, Any]) -> None:
+    def __init__(self, transport: Transport, document: dict[str, Any]) -> None:
+        super().__init__(transport, read(SweepSummary, document))
+        self._take(document)
+
+    def _take(self, document: dict[str, Any]) -> Self:
         """What the service says; lists of sweeps leave the designs out."""
-        self.summary = read(SweepSummary, document)
         listed = document.get("designs")
         self._designs = None if listed is None else records(listed, Design, "designs")
-
-    @property
-    def id(self) -> str:
-        """Its identifier."""
-        return self.summary.id
-
-    @property
-    def name(self) -> str:
-        """Its name in lists: as it was submitted, unless `rename` changed it."""
-        return self.summary.name
-
-    @property
-    def state(self) -> str:
-        """Asks the service: `queued`, `running`, `done`, `failed` or `cancelled`."""
-        return self.refresh().summary.state
+        return super()._take(document)
 
     @property
     def designs(self) -> tuple[Design, ...]:
@@ -70,11 +59,6 @@ class Sweep:
     def studies(self) -> tuple[Study, ...]:
         """The study of each design."""
         return tuple(Study(self._transport, design.study) for design in self.designs)
-
-    def refresh(self) -> Sweep:
-        """Asks the service where it stands."""
-        self._take(self._transport.get(self._path))
-        return self
 
     def wait(self, *, progress: bool = True, timeout: float | None = None) -> Sweep:
         """Waits until every design has ended; a bar shows points done, time left and designs done.
@@ -105,40 +89,9 @@ class Sweep:
             raise StudyCancelled(self.id)
         return self
 
-    def cancel(self) -> Sweep:
-        """Cancels all designs that haven't ended; what is solved is kept."""
-        self._take(self._transport.request("DELETE", self._path).json())
-        return self
-
-    def rename(self, name: str) -> Sweep:
-        """Gives it another name in lists; its designs keep theirs.
-
-        Raises:
-            ProblemError: It is no name: 1 to 200 characters without control characters (422).
-
-        """
-        return self._change({"name": name})
-
-    def archive(self) -> Sweep:
-        """Leaves it out of lists; nothing of it is lost."""
-        return self._change({"archived": True})
-
-    def unarchive(self) -> Sweep:
-        """Takes it back into lists."""
-        return self._change({"archived": False})
-
-    def _change(self, change: Mapping[str, Any]) -> Sweep:
-        self.summary = read(SweepSummary, self._transport.patch(self._path, change))
-        return self
-
-    def remove(self) -> None:
-        """Removes it for good, with its designs, their results and the points that no other study has."""
-        self._transport.request("DELETE", f"{self._path}?purge")
-
     def resume(self) -> Sweep:
         """Lets designs that were cancelled or failed run again, as new studies; what is solved isn't solved again."""
-        self._take(self._transport.post(f"{self._path}/resume"))
-        return self
+        return self._take(self._transport.post(f"{self._path}/resume"))
 
     def extend(
         self,
@@ -147,8 +100,7 @@ class Sweep:
         designs: Sequence[Mapping[str, Any]] | None = None,
     ) -> Sweep:
         """Adds designs, as `Client.sweep` takes them; those that it has already aren't run again."""
-        self._take(self._transport.post(f"{self._path}/designs", designs_body(grid, designs)))
-        return self
+        return self._take(self._transport.post(f"{self._path}/designs", designs_body(grid, designs)))
 
     def comparison(self, baseline: Study | str | None = None) -> Comparison:
         """Compares its designs, with the first one or with `baseline`."""
@@ -193,10 +145,6 @@ class Sweep:
             for design in self.designs
         ]
         return frames.frame(rows)
-
-    def __repr__(self) -> str:
-        """Name, state as last seen, identifier."""
-        return f"Sweep({self.name!r}, {self.summary.state}, {self.id})"
 
     def _repr_html_(self) -> str:
         rows = [(design.ordinal, design.name, design.study.state, design.study.error or "") for design in self.designs]

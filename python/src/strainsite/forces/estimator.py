@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from strainsite.answers._generated import EstimatorSummary
-from strainsite.answers.reading import read, records
+from strainsite.answers.reading import records
 from strainsite.connection.download import write_whole
 from strainsite.connection.follow import look
 from strainsite.connection.progress import Deadline, Progress
+from strainsite.entry import Entry
 from strainsite.errors import AnswerError, FitFailed, ProblemError, StrainsiteError
 from strainsite.views import frames, html
 
@@ -26,15 +27,13 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
-    from strainsite.connection.transport import Transport
-
     from .recordings import Run
 
 # 409: asked for what only a fit that is done has.
 _NOTHING_YET = 409
 
 
-class Estimator:
+class Estimator(Entry[EstimatorSummary]):
     """An estimator of forces in the service, and the fit that makes it.
 
     Attributes:
@@ -42,35 +41,13 @@ class Estimator:
 
     """
 
-    def __init__(self, transport: Transport, summary: EstimatorSummary) -> None:
-        self._transport = transport
-        self.summary = summary
-        self._path = f"/v1/estimators/{summary.id}"
-
-    @property
-    def id(self) -> str:
-        """Its identifier."""
-        return self.summary.id
-
-    @property
-    def name(self) -> str:
-        """Its name in lists."""
-        return self.summary.name
-
-    @property
-    def state(self) -> str:
-        """Asks the service: `queued`, `running`, `done`, `failed` or `cancelled`."""
-        return self.refresh().summary.state
+    _kind = EstimatorSummary
+    _list = "estimators"
 
     @property
     def recipe(self) -> dict[str, Any]:
         """The recipe as it was submitted."""
         return dict(self._transport.get(self._path)["recipe"])
-
-    def refresh(self) -> Estimator:
-        """Asks the service where it stands."""
-        self.summary = read(EstimatorSummary, self._transport.get(self._path))
-        return self
 
     def wait(self, *, progress: bool = True, timeout: float | None = None) -> Estimator:
         """Waits until it is done; a bar shows models judged, on terminals and in notebooks.
@@ -169,15 +146,6 @@ class Estimator:
         files = [recording.file for recording in self.summary.recordings]
         return self.left_out(force).plot(files, figure)
 
-    def cancel(self) -> Estimator:
-        """Cancels its fit; nothing happens to one that has ended."""
-        self.summary = read(EstimatorSummary, self._transport.request("DELETE", self._path).json())
-        return self
-
-    def remove(self) -> None:
-        """Removes it for good, at work or not, with its recordings."""
-        self._transport.request("DELETE", f"{self._path}?purge")
-
     def _answer(self, part: str) -> dict[str, Any]:
         try:
             return self._transport.get(f"{self._path}/{part}")
@@ -193,10 +161,6 @@ class Estimator:
             raise FitFailed(self.id, self.summary.error or "the service gave no reason")
         if self.summary.state == "cancelled":
             raise FitFailed(self.id, "it was cancelled")
-
-    def __repr__(self) -> str:
-        """Name, state as last seen, identifier."""
-        return f"Estimator({self.name!r}, {self.summary.state}, {self.id})"
 
     def _repr_html_(self) -> str:
         summary = self.summary
