@@ -37,16 +37,13 @@ class Sweep(ListedEntry[SweepSummary]):
 
     _kind = SweepSummary
     _list = "sweeps"
-    _designs: tuple[Design, ...] | None = None
 
     def __init__(self, transport: Transport, document: dict[str, Any]) -> None:
         super().__init__(transport, read(SweepSummary, document))
-        self._take(document)
+        self._designs = _designs(document)
 
     def _take(self, document: dict[str, Any]) -> Self:
-        """What the service says; lists of sweeps leave the designs out."""
-        listed = document.get("designs")
-        self._designs = None if listed is None else records(listed, Design, "designs")
+        self._designs = _designs(document)
         return super()._take(document)
 
     @property
@@ -150,3 +147,9 @@ class Sweep(ListedEntry[SweepSummary]):
         rows = [(design.ordinal, design.name, design.study.state, design.study.error or "") for design in self.designs]
         caption = f"{self.name}: {self.summary.state}"
         return html.table(("", "design", "state", ""), rows, caption=caption)
+
+
+def _designs(document: dict[str, Any]) -> tuple[Design, ...] | None:
+    """Designs of a sweep; lists of sweeps leave them out."""
+    listed = document.get("designs")
+    return None if listed is None else records(listed, Design, "designs")
