@@ -7,8 +7,8 @@ use fem_client::solver::direction::Direction;
 use super::answer_table::Table;
 use super::figure_column::Column;
 
-/// Rows of a location and its study.
-pub(super) fn compared_locations() -> Table {
+/// Columns for rows of a location and its study.
+pub fn compared_locations() -> Table {
     let mut columns = vec![
         Column::text("location", "/row/location"),
         Column::integer("rank", "/row/rank"),
@@ -50,8 +50,8 @@ pub(super) fn compared_locations() -> Table {
     }
 }
 
-/// Rows of a study.
-pub(super) fn designs() -> Table {
+/// Columns for rows of a study.
+pub fn designs() -> Table {
     let mut columns = vec![
         Column::text("state", "/study/state"),
         Column::text("reason", "/study/reason"),

@@ -3,8 +3,8 @@
 use super::answer_table::Table;
 use super::figure_column::Column;
 
-/// Rows of [`forces`](super::table_rows::forces).
-pub(super) fn forces() -> Table {
+/// Columns for rows of [`forces`](super::table_rows::forces).
+pub fn forces() -> Table {
     let mut columns = vec![
         Column::integer("layout_rank", "/layout/rank").titled("rank", 0),
         Column::integer("films", "/layout/film_count"),
@@ -45,8 +45,8 @@ pub(super) fn forces() -> Table {
     }
 }
 
-/// Rows of [`force_on`](super::table_rows::force_on), for people alone.
-pub(super) fn elsewhere() -> Table {
+/// Columns for rows of [`force_on`](super::table_rows::force_on), for people alone.
+pub fn elsewhere() -> Table {
     let shown = |column: Column, title: &str, digits: usize| {
         let column = column.titled(title, digits).in_view("other tires");
         column.unexported()
@@ -76,8 +76,8 @@ pub(super) fn elsewhere() -> Table {
     }
 }
 
-/// Rows of a force and one of its models, as reports of fits have them.
-pub(super) fn models() -> Table {
+/// Columns for rows of a force and one of its models, as reports of fits have them.
+pub fn models() -> Table {
     let judged = |name: &str, title: &str, digits: usize| {
         let column = Column::float(name, &format!("/model/validation/{name}"));
         column.titled(title, digits).in_view("judged")

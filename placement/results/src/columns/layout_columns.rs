@@ -5,8 +5,8 @@ use documents::layouts::layout_settings::{STRAIN_UNIT, VOLT_UNIT};
 use super::answer_table::Table;
 use super::figure_column::Column;
 
-/// Rows of [`layouts`](super::table_rows::layouts).
-pub(super) fn layouts() -> Table {
+/// Columns for rows of [`layouts`](super::table_rows::layouts).
+pub fn layouts() -> Table {
     let columns = vec![
         Column::integer("rank", "/layout/rank"),
         Column::float("spacing_deg", "/layout/spacing_deg").titled("spacing", 1),
@@ -113,8 +113,8 @@ pub(super) fn layouts() -> Table {
     }
 }
 
-/// Rows of [`candidates`](super::table_rows::candidates).
-pub(super) fn candidates() -> Table {
+/// Columns for rows of [`candidates`](super::table_rows::candidates).
+pub fn candidates() -> Table {
     let columns = vec![
         Column::float("section_deg", "/film/section_deg").titled("section angle", 1),
         Column::text("direction", "/film/direction"),

@@ -6,8 +6,8 @@ use super::answer_table::Table;
 use super::figure_column::Column;
 use crate::location_scores::SCORES;
 
-/// Rows of [`locations`](super::table_rows::locations).
-pub(super) fn locations() -> Table {
+/// Columns for rows of [`locations`](super::table_rows::locations).
+pub fn locations() -> Table {
     let at = |name: &str| format!("/location/{name}");
     let float = |name: String| Column::float(&name, &at(&name));
     let of_each = |field: &dyn Fn(Direction) -> Option<String>| {
@@ -40,8 +40,8 @@ pub(super) fn locations() -> Table {
     }
 }
 
-/// Rows of [`indices`](super::table_rows::indices).
-pub(super) fn indices() -> Table {
+/// Columns for rows of [`indices`](super::table_rows::indices).
+pub fn indices() -> Table {
     let columns = vec![
         Column::text("location", "/output/location"),
         Column::text("direction", "/output/direction"),

@@ -15,30 +15,27 @@ pub mod table_rows;
 pub mod unit;
 
 pub use answer_table::Table;
+pub use comparison_columns::{compared_locations, designs};
 pub use figure_column::{Column, Kind, text};
+pub use force_columns::{elsewhere, forces, models};
+pub use layout_columns::{candidates, layouts};
+pub use location_columns::{indices, locations};
+pub use rung_columns::rungs;
+pub use signal_columns::signals;
 
 /// Every table but that of solved points, whose columns are a study's own inputs and locations.
 pub fn tables() -> [Table; 11] {
     [
-        location_columns::indices(),
-        location_columns::locations(),
-        layout_columns::layouts(),
-        layout_columns::candidates(),
-        signal_columns::signals(),
-        force_columns::forces(),
-        force_columns::elsewhere(),
-        force_columns::models(),
-        comparison_columns::compared_locations(),
-        comparison_columns::designs(),
-        rung_columns::rungs(),
+        indices(),
+        locations(),
+        layouts(),
+        candidates(),
+        signals(),
+        forces(),
+        elsewhere(),
+        models(),
+        compared_locations(),
+        designs(),
+        rungs(),
     ]
-}
-
-/// The table of this name.
-///
-/// # Panics
-/// When there is none: names are constants of the program.
-pub fn table(name: &str) -> Table {
-    let named = tables().into_iter().find(|table| table.name == name);
-    named.unwrap_or_else(|| panic!("there is no table {name}"))
 }

@@ -3,8 +3,8 @@
 use super::answer_table::Table;
 use super::figure_column::Column;
 
-/// Rows of a rung.
-pub(super) fn rungs() -> Table {
+/// Columns for rows of a rung.
+pub fn rungs() -> Table {
     let shown =
         |column: Column, title: &str, digits: usize| column.titled(title, digits).in_view("rungs");
     let columns = vec![

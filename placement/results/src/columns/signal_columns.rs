@@ -3,8 +3,8 @@
 use super::answer_table::Table;
 use super::figure_column::Column;
 
-/// Rows of [`signals`](super::table_rows::signals).
-pub(super) fn signals() -> Table {
+/// Columns for rows of [`signals`](super::table_rows::signals).
+pub fn signals() -> Table {
     let columns = vec![
         Column::text("tire", "/row/tire"),
         Column::text("film", "/row/film"),

@@ -114,13 +114,13 @@ fn locations(comparison: &Comparison) -> TypedTable {
         let study = by_id.get(row.study.as_str())?;
         Some(json!({ "row": row, "study": study, "comparison": named(comparison) }))
     });
-    typed("compared_locations", comparison, rows.collect())
+    typed(&columns::compared_locations(), comparison, rows.collect())
 }
 
 fn designs(comparison: &Comparison) -> TypedTable {
     let studies = comparison.studies.iter();
     let rows = studies.map(|study| json!({ "study": study, "comparison": named(comparison) }));
-    typed("designs", comparison, rows.collect())
+    typed(&columns::designs(), comparison, rows.collect())
 }
 
 /// Part of a row that is the comparison itself.
@@ -129,7 +129,7 @@ fn named(comparison: &Comparison) -> Value {
 }
 
 /// A table that begins with the study, its name, and each field that any design sets.
-fn typed(name: &str, comparison: &Comparison, mut rows: Vec<Value>) -> TypedTable {
+fn typed(described: &columns::Table, comparison: &Comparison, mut rows: Vec<Value>) -> TypedTable {
     let sets = comparison.studies.iter().filter_map(|s| s.set.as_ref());
     let paths: BTreeSet<&String> = sets.clone().flat_map(|set| set.keys()).collect();
     let mut columns = vec![
@@ -150,7 +150,6 @@ fn typed(name: &str, comparison: &Comparison, mut rows: Vec<Value>) -> TypedTabl
         let set = |path: &&String| row["study"]["set"].get(*path).cloned().map(plain);
         row["set"] = paths.iter().map(set).collect();
     }
-    let described = columns::table(name);
     columns.extend(described.exported().cloned());
     TypedTable::of(&columns, &rows)
 }

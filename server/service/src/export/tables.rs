@@ -15,16 +15,15 @@ use crate::wire::study_wire::EvaluationView;
 
 /// A table of a result; `points` are read for [`Table::Points`] alone.
 pub fn table(table: Table, result: &StudyResult, points: &[EvaluationView]) -> TypedTable {
-    let rows = match table {
-        Table::Indices => table_rows::indices(result),
-        Table::Locations => table_rows::locations(result),
-        Table::Layouts => table_rows::layouts(result),
-        Table::Candidates => table_rows::candidates(result),
-        Table::Signals => table_rows::signals(result),
-        Table::Forces => table_rows::forces(result),
+    let (described, rows) = match table {
+        Table::Indices => (columns::indices(), table_rows::indices(result)),
+        Table::Locations => (columns::locations(), table_rows::locations(result)),
+        Table::Layouts => (columns::layouts(), table_rows::layouts(result)),
+        Table::Candidates => (columns::candidates(), table_rows::candidates(result)),
+        Table::Signals => (columns::signals(), table_rows::signals(result)),
+        Table::Forces => (columns::forces(), table_rows::forces(result)),
         Table::Points => return signed(solved(&result.inputs, points), result),
     };
-    let described = columns::table(table.as_str());
     signed(TypedTable::of(described.exported(), &rows), result)
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use estimation::fit_report::{ForceReport, ModelReport, Report};
 use estimation::recipe::Kind;
 
-use results::columns::table;
+use results::columns;
 use serde_json::json;
 
 use crate::cli::terminal::figures::Figures;
@@ -84,7 +84,7 @@ fn chosen(model: &ModelReport) -> String {
 fn models(force: &ForceReport) -> String {
     let row = |model: &ModelReport| json!({ "force": { "force": force.force }, "model": model });
     let rows: Vec<_> = force.models.iter().map(row).collect();
-    let table = table("models");
+    let table = columns::models();
     let columns = ["judged", "splits", "leak"].map(|view| table.view(view));
     let figures = Figures::of(&columns.concat(), &rows);
     let names = format!("{:<8}features", force.force);

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use placement::ladder::trade::{Rung, Trade};
-use results::columns::table;
+use results::columns;
 use serde_json::{Value, json};
 use service::export;
 
@@ -16,7 +16,7 @@ const NAMED: usize = 24;
 /// Returns all that `trade` prints.
 pub fn report(trade: &Trade) -> String {
     let mut text = painted(HEADER, trade.study.escape_debug()) + "\n\n";
-    let figures = Figures::of(&table("rungs").view("rungs"), &rows(&trade.rungs));
+    let figures = Figures::of(&columns::rungs().view("rungs"), &rows(&trade.rungs));
     text.push_str(&figures.head("mesh, method, nodes", NAMED, "  ranking   front"));
     for (row, rung) in trade.rungs.iter().enumerate() {
         text.push_str(&line(rung, &figures.row(row)));
@@ -67,5 +67,5 @@ fn verdict(trade: &Trade) -> String {
 /// Writes a line per rung, the reference last.
 pub fn csv(trade: &Trade) -> String {
     let rungs = trade.rungs.iter().chain([&trade.reference]);
-    export::csv_of(&table("rungs"), &rows(rungs))
+    export::csv_of(&columns::rungs(), &rows(rungs))
 }

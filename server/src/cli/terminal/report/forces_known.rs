@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use document::visible::visible;
-use results::columns::{table, table_rows};
+use results::columns::{self, table_rows};
 use results::{
     FilmAnglesReport, ForceError, ForceFindings, RankedLayout, StudyResult, TableReport,
 };
@@ -43,7 +43,7 @@ pub fn forces(result: &StudyResult) -> String {
         let row =
             |(layout, force): &&(&RankedLayout, &ForceError)| table_rows::force(layout, force);
         let rows: Vec<_> = shown.iter().map(row).collect();
-        let figures = Figures::of(&table("forces").view("known"), &rows);
+        let figures = Figures::of(&columns::forces().view("known"), &rows);
         text.push_str(&figures.head(NAMES, NAMED, ""));
         for (row, (layout, _)) in shown.iter().enumerate() {
             let _ = writeln!(
@@ -131,7 +131,7 @@ fn elsewhere(told: &[(&RankedLayout, &ForceError)]) -> String {
             tires.push(&other.tire);
         }
     }
-    let table = table("elsewhere");
+    let table = columns::elsewhere();
     let columns = table.view("other tires");
     let of_tire = |tire: &&str| {
         let words = useful().filter_map(|(layout, force)| {

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use document::visible::visible;
 use documents::layouts::layout_settings::VOLT_UNIT;
-use results::columns::{Table, table, table_rows};
+use results::columns::{self, Table, table_rows};
 use results::{RankedLayout, StudyResult};
 
 use crate::cli::terminal::figures::Figures;
@@ -38,7 +38,7 @@ pub fn layouts(result: &StudyResult) -> String {
     let shown = (0..result.layouts.len().min(SHOWN)).chain(beyond);
     let shown: Vec<&RankedLayout> = shown.map(|row| &result.layouts[row]).collect();
     let ranks = || result.layouts.iter().map(|layout| layout.rank);
-    let table = table("layouts");
+    let table = columns::layouts();
     let figures = figures(&table, "ranked", &shown);
     text.push_str(&figures.head(NAMES, NAMED, "  rank is"));
     for (row, layout) in shown.iter().enumerate() {
@@ -246,7 +246,7 @@ mod tests {
         assert!(!is_the_papers(&layout) && described(&layout).ends_with("staggered"));
         layout.staggered = false;
         assert!(is_the_papers(&layout));
-        let figures = figures(&table("layouts"), "ranked", &[&layout]);
+        let figures = figures(&columns::layouts(), "ranked", &[&layout]);
         assert!(ranked(&layout, "   1 ", &figures.row(0)).contains(" - "));
         layout.name = Some("mine".to_owned());
         assert_eq!(described(&layout), "mine");
