@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use placement::points::usage::machine_memory_bytes;
+use placement::points::machine_memory::machine_memory_bytes;
 use store::{Store, StoreError};
 
 /// Configuration: where studies are kept, and how many solves run at once.

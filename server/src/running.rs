@@ -6,9 +6,10 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use fem_client::solver::Solver;
-use placement::points::usage::machine_memory_bytes;
+use placement::points::machine_memory::machine_memory_bytes;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
+use tokio::time::Instant;
 
 use crate::http::app_state::AppState;
 use crate::http::edge::access::Access;
@@ -20,15 +21,17 @@ use crate::http::router::app;
 use crate::http::routes::answers::sent_result::Intact;
 use crate::token::{Token, TokenError};
 use service::engine::Engine;
-use service::forces::estimator_queue::{self, EstimatorQueue};
+use service::forces::estimator_queue::{self, EstimatorQueue, FitMeans};
+use service::memory_share::MemoryShare;
 use service::metrics::Metrics;
+use service::own_process::parent::Start;
 use service::previewer::Previewer;
 use service::queue::{self, Queue};
 use service::shutdown;
 use store::{Store, StoreError};
 
-/// A solver that does not heed its stop flag is not waited for longer.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// Time that all parts have to end. What lasts longer ends with the program: what was stored is whole, and the rest is done again after the next start.
+const PATIENCE: Duration = Duration::from_secs(3);
 
 /// Parts of a service.
 pub struct ServiceParts {
@@ -40,6 +43,8 @@ pub struct ServiceParts {
     pub solver: Arc<dyn Solver>,
     /// Solver of previews: another one, so that a running study keeps what its solves share.
     pub previewer: Arc<dyn Solver>,
+    /// Starts a process that learns an estimator.
+    pub learner: Start,
     /// Solves that run at once.
     pub threads: usize,
     /// Time that a study runs before another one that waits has its turn.
@@ -164,12 +169,14 @@ impl Service {
         estimator_queue::recover(&store).await?;
         let (shutdown, stopping) = shutdown::channel();
         let metrics = Metrics::new();
+        let memory = Arc::new(MemoryShare::new(limits.memory_bytes));
         let engine = Engine {
             store: store.clone(),
             solver: parts.solver,
             threads: parts.threads,
             metrics: metrics.clone(),
             live: Arc::default(),
+            memory: memory.clone(),
         };
         let queue = Arc::new(Queue::new(
             engine.clone(),
@@ -177,7 +184,14 @@ impl Service {
             limits.waiting_studies,
             stopping.clone(),
         ));
-        let estimators = EstimatorQueue::new(store.clone(), parts.threads, stopping.clone());
+        let means = FitMeans {
+            start: parts.learner,
+            threads: parts.threads,
+            turn: parts.turn,
+            memory_bytes: limits.memory_bytes,
+            memory,
+        };
+        let estimators = EstimatorQueue::new(store.clone(), means, stopping.clone());
         let estimators = Arc::new(estimators);
         let previewer = Previewer::new(parts.previewer, parts.threads, stopping.clone());
         let access = Access::of(token.clone(), address.port());
@@ -232,12 +246,13 @@ impl Service {
     /// [`StoreError::Gone`] when the database was removed or replaced meanwhile.
     pub async fn stop(self) -> Result<(), StoreError> {
         self.shutdown.send_replace(true);
+        let deadline = Instant::now() + PATIENCE;
         for (what, task) in [
             ("queue", self.worker),
             ("estimators", self.learner),
             ("listener", self.http),
         ] {
-            match tokio::time::timeout(PATIENCE, task).await {
+            match tokio::time::timeout_at(deadline, task).await {
                 Ok(Ok(())) => {}
                 Ok(Err(error)) => tracing::error!(%error, what, "a part of the service broke"),
                 Err(_) => tracing::warn!(what, "a part of the service did not end in time"),

@@ -1,5 +1,6 @@
 //! Cost of judging layouts on one core: bounds of many, and simulations of the shipped ones. The strains are a bell's, as wide as the foot tire's.
 
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use layouts::arrangement::{Arrangement, LaidFilm};
@@ -18,6 +19,8 @@ const NOISE: Noise = Noise {
     place_std_deg: 0.0,
 };
 
+static GO_ON: AtomicBool = AtomicBool::new(false);
+
 fn main() {
     let fields = fields();
     let slot = |slot: usize| {
@@ -35,7 +38,8 @@ fn main() {
             loads: &at(&[1.0]),
             others: &others,
         };
-        SearchPlaces::new((0..24).flat_map(slot).collect(), criterion, &fields, &NOISE)
+        let films = (0..24).flat_map(slot).collect();
+        SearchPlaces::new(films, criterion, &fields, &NOISE, &GO_ON).expect("nobody stops it")
     };
     let [by_bound, by_errors] = SearchCriterion::ALL.map(places);
     println!("| what | number | s |\n|---|---|---|");
@@ -56,7 +60,7 @@ fn main() {
     }
     for (name, places) in [("bound", &by_bound), ("interval errors", &by_errors)] {
         let begun = Instant::now();
-        let found = places.search(12);
+        let found = places.search(12, &GO_ON).expect("nobody stops it");
         println!(
             "| search for twelve films, by {name} | {} | {:.2} |",
             found.looked_at,

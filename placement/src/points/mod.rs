@@ -4,11 +4,12 @@
 //! - `planned_points`: solves a plan's points; `attempt` solves one, `point_readouts` says what is read off, `point_watch` tells how far a solve is
 //! - `finite`: refuses what isn't a number
 //! - `run_event`, `run_error`: what is told meanwhile, and why nothing came of it
-//! - [`worker_threads`]: work on as many threads as a user asks for; [`usage`]: time and memory of this process
+//! - [`worker_threads`]: work on as many threads as a user asks for; [`usage`]: time and memory of this process; [`machine_memory`]: how much there is
 
 pub mod archive;
 mod attempt;
 mod finite;
+pub mod machine_memory;
 pub mod memory;
 mod planned_points;
 mod point_readouts;

@@ -70,14 +70,6 @@ pub fn memory_bytes() -> u64 {
         .map_or(0, |kib| kib * 1024)
 }
 
-/// Memory of the machine, bytes; without bound where `/proc` is absent.
-pub fn machine_memory_bytes() -> u64 {
-    read_to_string("/proc/meminfo")
-        .ok()
-        .and_then(|text| kib(&text, "MemTotal:"))
-        .map_or(u64::MAX, |kib| kib * 1024)
-}
-
 fn kib(status: &str, field: &str) -> Option<u64> {
     let line = status.lines().find_map(|line| line.strip_prefix(field))?;
     line.split_whitespace().next()?.parse().ok()
@@ -127,6 +119,5 @@ mod tests {
         // A test binary maps more than a megabyte of itself.
         assert!(memory_bytes() > 1 << 20);
         assert!(peak_memory_bytes() >= memory_bytes());
-        assert!(machine_memory_bytes() > memory_bytes());
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! The modules, in reading order:
 //!
+//! - [`own_process`]: work in a process of its own
 //! - [`solving`]: which solver answers, chosen here and nowhere else, and how a solve is watched
 //! - [`shutdown`]: the wish to stop
 //! - [`study_document`]: study documents from files and from the database
@@ -12,6 +13,7 @@
 //! - [`forecast`]: what a study would cost
 //! - [`previewer`]: places at once, for somebody who writes a document
 //! - [`engine`]: runs one study from its document to its end
+//! - [`memory_share`]: memory that studies and fits share
 //! - [`queue`]: the queue of studies; sweeps; removal
 //! - [`comparison`]: studies side by side
 //! - [`forces`]: forces from recordings
@@ -23,7 +25,9 @@ pub mod engine;
 pub mod export;
 pub mod forces;
 pub mod forecast;
+pub mod memory_share;
 pub mod metrics;
+pub mod own_process;
 pub mod previewer;
 pub mod queue;
 pub mod shutdown;

@@ -1,5 +1,6 @@
 //! Chooses the command, runs it, and chooses the exit code.
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -14,7 +15,8 @@ use crate::cli::terminal::files::Files;
 use crate::cli::terminal::help_examples;
 use crate::cli::terminal::output::{JsonTarget, warn};
 use crate::telemetry;
-use service::solving::isolated::child::ARGUMENT;
+use service::forces::fit_process::{self, learn_for_parent};
+use service::solving::isolated::child;
 use service::solving::solver_choice::solve_for_parent;
 
 /// Ranks strain-sensor locations in a smart tire
@@ -85,8 +87,12 @@ enum Command {
 
 /// Runs the program: the one place that prints failures and chooses the exit code.
 pub fn main() -> ExitCode {
-    if std::env::args_os().skip(1).eq([ARGUMENT]) {
+    let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
+    if arguments == [child::ARGUMENT] {
         return solve_for_parent();
+    }
+    if arguments == [fit_process::ARGUMENT] {
+        return learn_for_parent();
     }
     let command = match settings::parse::<Cli>() {
         Ok(cli) => cli.command,

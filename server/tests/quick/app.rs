@@ -1,6 +1,7 @@
 //! Starts services and waits for studies.
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -11,6 +12,7 @@ use reqwest::redirect::Policy;
 use reqwest::{Client, Response, StatusCode};
 use serde_json::{Value, json};
 use server::running::{Limits, Outside, Service, ServiceParts, StartError};
+use service::forces::fit_process::ARGUMENT;
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{Connection, SqliteConnection};
 use tempfile::TempDir;
@@ -101,6 +103,7 @@ async fn serve_to(
         database,
         previewer: solver.clone(),
         solver,
+        learner: Box::new(learner),
         threads: 2,
         turn,
         outside,
@@ -109,6 +112,13 @@ async fn serve_to(
         service: Service::start(parts).await?,
         client: client(),
     })
+}
+
+/// The program, which learns for its parent.
+fn learner() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_strainsite"));
+    command.arg(ARGUMENT);
+    command
 }
 
 /// A client that shows redirections instead of following them.

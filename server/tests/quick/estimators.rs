@@ -1,7 +1,6 @@
 //! `/v1/estimators` from outside.
 
 use std::fmt::Write as _;
-use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use estimation::recipe::Recipe;
@@ -110,8 +109,7 @@ async fn what_the_service_learns_and_estimates_is_what_the_command_line_does() {
     let recipe = Recipe::from_value(&document["recipe"]).expect("a recipe");
     let work = Work {
         threads: 1,
-        stop: &AtomicBool::new(false),
-        told: &|_, _| {},
+        told: &|_| {},
     };
     let here = fit(&recipe, &files, work).expect("learns");
     let path = format!("/v1/estimators/{id}");

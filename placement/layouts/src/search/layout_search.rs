@@ -1,5 +1,7 @@
 //! Layouts of so many films out of many places: exhaustive where that is quick, else greedy with exchange.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
@@ -23,18 +25,23 @@ pub struct SearchPlaces {
 }
 
 impl SearchPlaces {
-    /// Shares of a film at each place in the criterion.
+    /// Shares of a film at each place in the criterion; `None` when it is stopped meanwhile.
     pub fn new(
         films: Vec<LaidFilm>,
         criterion: SearchCriterion,
         fields: &SearchFields<'_>,
         noise: &Noise,
-    ) -> Self {
-        let share = |film: &LaidFilm| criterion.share(film, fields, noise);
-        Self {
-            shares: films.iter().map(share).collect(),
+        stop: &AtomicBool,
+    ) -> Option<Self> {
+        let share = |film: &LaidFilm| {
+            go_on(stop)?;
+            Some(criterion.share(film, fields, noise))
+        };
+        let shares: Option<Vec<Share>> = films.iter().map(share).collect();
+        Some(Self {
+            shares: shares?,
             films,
-        }
+        })
     }
 
     /// Counts the places.
@@ -47,20 +54,20 @@ impl SearchPlaces {
         self.films[place]
     }
 
-    /// The best layouts of so many films.
+    /// The best layouts of so many films; `None` when it is stopped meanwhile.
     ///
     /// # Panics
     /// If there are fewer places.
-    pub fn search(&self, films: usize) -> Findings {
+    pub fn search(&self, films: usize, stop: &AtomicBool) -> Option<Findings> {
         assert!(
             films <= self.count(),
             "{films} films for {} places",
             self.count()
         );
         if combinations(self.count(), films) < EXHAUSTIVE {
-            self.exhaustive(films)
+            self.exhaustive(films, stop)
         } else {
-            self.greedy(films)
+            self.greedy(films, stop)
         }
     }
 
@@ -83,47 +90,47 @@ impl SearchPlaces {
         sum
     }
 
-    fn exhaustive(&self, films: usize) -> Findings {
-        let mut best = Best::default();
+    fn exhaustive(&self, films: usize, stop: &AtomicBool) -> Option<Findings> {
+        let mut seen = Seen::new(films, stop);
         let mut chosen = Vec::with_capacity(films);
-        self.deepen(films, 0, &self.nothing(), &mut chosen, &mut best);
-        best.findings(true)
+        self.deepen(0, &self.nothing(), &mut chosen, &mut seen)?;
+        Some(seen.best.findings(true))
     }
 
     /// Adds every place from `first` on to those chosen, until there are enough.
     fn deepen(
         &self,
-        films: usize,
         first: usize,
         sum: &Share,
         chosen: &mut Vec<usize>,
-        best: &mut Best,
-    ) {
-        if chosen.len() == films {
-            best.offer(chosen, sum.error_deg());
-            return;
+        seen: &mut Seen<'_>,
+    ) -> Option<()> {
+        if chosen.len() == seen.films {
+            seen.best.offer(chosen, sum.error_deg());
+            return go_on(seen.stop);
         }
-        let missing = films - chosen.len();
+        let missing = seen.films - chosen.len();
         let mut with = sum.nothing();
         for place in first..=self.count() - missing {
             with.set_to_sum(sum, &self.shares[place]);
             chosen.push(place);
-            self.deepen(films, place + 1, &with, chosen, best);
+            self.deepen(place + 1, &with, chosen, seen)?;
             chosen.pop();
         }
+        Some(())
     }
 
     /// Adds one film after the other where it helps most, then exchanges; the same from films at random, because exchange ends in a layout that no single move
     /// makes better.
-    fn greedy(&self, films: usize) -> Findings {
-        let mut best = Best::default();
+    fn greedy(&self, films: usize, stop: &AtomicBool) -> Option<Findings> {
+        let mut seen = Seen::new(films, stop);
         let (mut chosen, mut sum) = (Vec::new(), self.nothing());
         for _ in 0..films {
-            let place = self.best_place(&chosen, &sum, &mut best, films);
+            let place = self.best_place(&chosen, &sum, &mut seen)?;
             sum.add(&self.shares[place]);
             chosen.push(place);
         }
-        self.exchange(chosen, &mut best);
+        self.exchange(chosen, &mut seen)?;
         let mut rng = ChaCha8Rng::seed_from_u64(SEED);
         for _ in 0..STARTS {
             let mut places: Vec<usize> = (0..self.count()).collect();
@@ -133,46 +140,68 @@ impl SearchPlaces {
                 places.swap(film, other);
             }
             places.truncate(films);
-            self.exchange(places, &mut best);
+            self.exchange(places, &mut seen)?;
         }
-        best.findings(false)
+        Some(seen.best.findings(false))
     }
 
     /// Takes each film out and puts it back where it helps most, until none moves.
-    fn exchange(&self, mut chosen: Vec<usize>, best: &mut Best) {
-        let films = chosen.len();
+    fn exchange(&self, mut chosen: Vec<usize>, seen: &mut Seen<'_>) -> Option<()> {
         for _ in 0..MOST_ROUNDS {
             let before = chosen.clone();
-            for film in 0..films {
+            for film in 0..seen.films {
                 chosen.remove(film);
                 // Afresh, so that round-off doesn't add up.
                 let sum = self.sum(&chosen);
-                let better = self.best_place(&chosen, &sum, best, films);
+                let better = self.best_place(&chosen, &sum, seen)?;
                 chosen.insert(film, better);
             }
             if chosen == before {
-                return;
+                break;
             }
         }
+        Some(())
     }
 
     /// Returns the place where one film more helps most; whole layouts are offered as they come.
-    fn best_place(&self, chosen: &[usize], sum: &Share, best: &mut Best, films: usize) -> usize {
+    fn best_place(&self, chosen: &[usize], sum: &Share, seen: &mut Seen<'_>) -> Option<usize> {
         let (mut found, mut with) = ((f64::INFINITY, 0), sum.nothing());
         for place in (0..self.count()).filter(|place| !chosen.contains(place)) {
+            go_on(seen.stop)?;
             with.set_to_sum(sum, &self.shares[place]);
             let error = with.error_deg();
-            if chosen.len() + 1 == films {
+            if chosen.len() + 1 == seen.films {
                 let mut whole = [chosen, &[place]].concat();
                 whole.sort_unstable();
-                best.offer(&whole, error);
+                seen.best.offer(&whole, error);
             }
             if error < found.0 {
                 found = (error, place);
             }
         }
-        found.1
+        Some(found.1)
     }
+}
+
+/// What a search of so many films has seen so far, and whether it is to stop.
+struct Seen<'a> {
+    films: usize,
+    best: Best,
+    stop: &'a AtomicBool,
+}
+
+impl<'a> Seen<'a> {
+    fn new(films: usize, stop: &'a AtomicBool) -> Self {
+        Self {
+            films,
+            best: Best::default(),
+            stop,
+        }
+    }
+}
+
+fn go_on(stop: &AtomicBool) -> Option<()> {
+    (!stop.load(Ordering::Relaxed)).then_some(())
 }
 
 /// Counts the layouts; infinite beyond what floats count.
@@ -187,6 +216,8 @@ mod tests {
     use super::*;
     use crate::fisher::bounds::tests::{NOISE, gaussian};
     use crate::search::best_layouts::KEPT;
+
+    static GO_ON: AtomicBool = AtomicBool::new(false);
 
     fn places(criterion: SearchCriterion, slots: usize, width_deg: f64) -> SearchPlaces {
         let slot = |slot: usize| {
@@ -204,7 +235,17 @@ mod tests {
                 others: &[0.5, 0.75, 1.0, 1.25, 1.5].map(|depth| fields.at(depth)),
             },
             &NOISE,
+            &GO_ON,
         )
+        .expect("nobody stops it")
+    }
+
+    #[test]
+    fn a_search_heeds_its_stop_flag() {
+        let stop = AtomicBool::new(true);
+        let places = places(SearchCriterion::Bound, 24, 12.0);
+        assert_eq!(places.exhaustive(3, &stop), None);
+        assert_eq!(places.greedy(3, &stop), None);
     }
 
     #[test]
@@ -217,7 +258,11 @@ mod tests {
         ] {
             let places = places(criterion, 24, width);
             for &films in counts {
-                let (all, greedy) = (places.exhaustive(films), places.greedy(films));
+                let (all, greedy) = (
+                    places.exhaustive(films, &GO_ON),
+                    places.greedy(films, &GO_ON),
+                );
+                let (all, greedy) = (all.expect("ends"), greedy.expect("ends"));
                 assert!(all.is_exhaustive && all.looked_at as f64 == combinations(48, films));
                 let ratio = greedy.best[0].error_deg / all.best[0].error_deg;
                 // Turned or mirrored, a layout is as good: the same to rounding, of distances to single precision.
@@ -229,7 +274,9 @@ mod tests {
 
     #[test]
     fn the_best_are_sorted_and_differ() {
-        let found = places(SearchCriterion::Bound, 12, 14.0).search(3);
+        let found = places(SearchCriterion::Bound, 12, 14.0)
+            .search(3, &GO_ON)
+            .expect("ends");
         assert_eq!(found.best.len(), KEPT);
         for pair in found.best.windows(2) {
             assert!(pair[0].error_deg <= pair[1].error_deg && pair[0].places != pair[1].places);
@@ -238,7 +285,9 @@ mod tests {
 
     #[test]
     fn all_places_taken_are_one_layout() {
-        let found = places(SearchCriterion::Bound, 3, 14.0).search(6);
+        let found = places(SearchCriterion::Bound, 3, 14.0)
+            .search(6, &GO_ON)
+            .expect("ends");
         assert_eq!((found.best.len(), found.looked_at), (1, 1));
         assert_eq!(combinations(48, 4), 194_580.0);
     }

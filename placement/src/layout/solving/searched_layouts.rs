@@ -32,18 +32,23 @@ pub(crate) fn search(
         loads: &loads,
         others: &fields.evenly(OTHER_DEPTHS),
     };
-    let searches = SearchCriterion::ALL.map(|criterion| {
-        let places = SearchPlaces::new(asked.places.clone(), criterion, &fields, noise);
-        (criterion, places)
-    });
+    let searched = |criterion| {
+        let films = asked.places.clone();
+        let places = SearchPlaces::new(films, criterion, &fields, noise, context.stop)?;
+        Some((criterion, places))
+    };
+    let searches: Option<Vec<_>> = SearchCriterion::ALL.into_iter().map(searched).collect();
+    let searches = searches?;
     let numbers = search.films.iter();
     let tasks: Vec<(usize, &(SearchCriterion, SearchPlaces))> = numbers
         .flat_map(|&films| searches.iter().map(move |search| (films, search)))
         .collect();
     let found = in_parallel(tasks.len(), context.threads, context.stop, |task| {
         let (films, (_, places)) = tasks[task];
-        places.search(films)
+        places.search(films, context.stop)
     })?;
+    let found: Option<Vec<Findings>> = found.into_iter().collect();
+    let found = found?;
     let reports = tasks
         .iter()
         .zip(&found)

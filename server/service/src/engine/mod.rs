@@ -28,6 +28,7 @@ use tokio::time::timeout;
 use crate::database_archive::StoreArchive;
 use crate::engine::answered::{Answered, answered};
 use crate::forecast::{ForecastError, forecast_next, pace};
+use crate::memory_share::MemoryShare;
 use crate::metrics::{Metrics, PointOutcome};
 use crate::solving::live::{Live, Turn};
 use crate::solving::timekeeper::Timekeeper;
@@ -55,6 +56,8 @@ pub struct Engine {
     pub metrics: Arc<Metrics>,
     /// Tells of the solves under way.
     pub live: Arc<Live>,
+    /// Memory that is shared with fits.
+    pub memory: Arc<MemoryShare>,
 }
 
 /// End of a run.
@@ -118,6 +121,13 @@ impl Engine {
             Some(Ok(prepared)) => prepared,
             Some(Err(error)) => return End::failed(error),
             None => return End::Stopped,
+        };
+        let needed = pace
+            .as_ref()
+            .map_or(0, |pace| pace.estimate().peak_memory_bytes);
+        let taking = unless_stopped(stop, self.memory.take(needed));
+        let Some(_memory) = runtime.block_on(taking) else {
+            return End::Stopped;
         };
         let timekeeper = Arc::new(Timekeeper::new(pace));
         let archive = StoreArchive::new(

@@ -1,59 +1,60 @@
-//! The line of estimators that the service learns: one at a time, beside the studies' queue.
+//! The line of estimators that the service learns, in turns, beside the studies' queue.
 //!
-//! A fit works on a plain thread and touches no database: what it finds is stored here, guarded by the state, so that what was cancelled or removed meanwhile stays so.
-//! How far it is stays in memory.
+//! Each is learnt in a process of its own, which touches no database: what it finds is stored here, guarded by the state, so that what was cancelled or removed meanwhile
+//! stays so. A process keeps its turn while nobody waits; otherwise it rests where it is, and the next one works. How far they are stays in memory.
 
-use std::any::Any;
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::collections::{HashMap, VecDeque};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use document::fault::Fault;
-use store::content::encode;
+use estimation::recipe::Recipe;
 use store::file::upkeep;
-use store::queue::estimator_rows::{self, EstimatorRow, Part};
+use store::queue::estimator_rows::{self, EstimatorRow};
 use store::{Store, StoreError};
-use tokio::sync::{Notify, oneshot, watch};
+use tokio::sync::Notify;
 
-use crate::forces::fitting::{Fit, FitFailure, Work, fit};
-use crate::forces::model_file::model_text;
+use crate::forces::fit_process::FitOrder;
+use crate::forces::learning::{Ending, FitWork, Learning, sentence};
 use crate::forces::recorded_texts::NamedText;
 use crate::forces::submission_reader::Submission;
+use crate::memory_share::{MemoryShare, TakenMemory};
+use crate::own_process::parent::Start;
 use crate::shutdown::Shutdown;
-use crate::wire::estimator_wire::LeftOutRows;
-use crate::wire::estimator_wire::{FitProgress, LeftOutForces, StoredEstimator};
-use estimation::recipe::Recipe;
+use crate::wire::estimator_wire::{FitProgress, StoredEstimator};
 
 /// Time to wait before the database is tried again.
 const RETRY: Duration = Duration::from_secs(1);
+/// Interval at which it is looked whether another one waits, once a turn is over.
+const LOOK: Duration = Duration::from_secs(1);
 /// Estimators that may wait: with the largest recordings 6 GB of the database.
 pub(crate) const MOST_WAITING: u32 = 100;
-/// Rows of a force that weren't learnt from, as they are kept to be plotted.
-pub(crate) const MOST_LEFT_OUT: usize = 20_000;
+/// Estimators that may rest: each keeps its memory.
+const MOST_RESTING: usize = 3;
+/// Crashes of its own process after which an estimator is given up, as a point of a study is.
+const QUARANTINE: i64 = 3;
 
 /// Takes estimators in, learns them, cancels them.
 pub struct EstimatorQueue {
     store: Arc<Store>,
-    threads: usize,
+    means: FitMeans,
     news: Notify,
-    current: watch::Sender<Option<Current>>,
+    learning: Mutex<HashMap<String, Arc<FitWork>>>,
     shutdown: Shutdown,
 }
 
-/// The estimator that is being learnt.
-#[derive(Clone)]
-struct Current {
-    estimator: String,
-    work: Arc<FitWork>,
-}
-
-/// State that a fit and those who look at it share.
-#[derive(Default)]
-struct FitWork {
-    stop: AtomicBool,
-    done: AtomicUsize,
-    of: AtomicUsize,
+/// Means that fits have.
+pub struct FitMeans {
+    /// Starts a process that learns: this program with [`ARGUMENT`](crate::forces::fit_process::ARGUMENT).
+    pub start: Start,
+    /// Threads of a process.
+    pub threads: usize,
+    /// Time that a process works before another one that waits has its turn.
+    pub turn: Duration,
+    /// Memory that a process may take, bytes.
+    pub memory_bytes: u64,
+    /// Memory that is shared with studies.
+    pub memory: Arc<MemoryShare>,
 }
 
 /// Reason why an estimator was not taken in.
@@ -70,24 +71,14 @@ pub enum UntakenError {
     Store(#[from] StoreError),
 }
 
-/// Ending of the work on an estimator.
-enum Ending {
-    /// Parts that were learnt.
-    Learnt(Vec<(Part, String)>),
-    /// Failure, a sentence.
-    Failed(String),
-    /// Stop on request.
-    Stopped,
-}
-
 impl EstimatorQueue {
-    /// A line whose fits have so many threads, until `shutdown`.
-    pub fn new(store: Arc<Store>, threads: usize, shutdown: Shutdown) -> Self {
+    /// A line whose fits have these means, until `shutdown`.
+    pub fn new(store: Arc<Store>, means: FitMeans, shutdown: Shutdown) -> Self {
         Self {
             store,
-            threads,
+            means,
             news: Notify::new(),
-            current: watch::Sender::new(None),
+            learning: Mutex::default(),
             shutdown,
         }
     }
@@ -119,7 +110,13 @@ impl EstimatorQueue {
         let files = &submission.files;
         let texts = files.iter().map(|file| (&*file.name, &*file.text));
         let (name, document) = (&submission.name, &submission.document);
-        let id = estimator_rows::insert(&mut transaction, name, document, texts).await?;
+        let id = estimator_rows::insert(
+            &mut transaction,
+            (name, document),
+            submission.memory_bytes,
+            texts,
+        )
+        .await?;
         if let Some(key) = key {
             estimator_rows::insert_key(&mut transaction, key, &id, &sha256).await?;
         }
@@ -130,15 +127,10 @@ impl EstimatorQueue {
 
     /// Returns how far the fit of an estimator is; `None` of one that isn't being learnt.
     pub fn progress(&self, id: &str) -> Option<FitProgress> {
-        let current = self.current.borrow();
-        let current = current.as_ref().filter(|current| current.estimator == id)?;
-        Some(FitProgress {
-            done: current.work.done.load(Ordering::Relaxed),
-            of: current.work.of.load(Ordering::Relaxed),
-        })
+        Some(self.learning().get(id)?.progress())
     }
 
-    /// Cancels an estimator; one that has ended stays as it is. A fit ends with the models that it is judging.
+    /// Cancels an estimator; one that has ended stays as it is. Its process ends at once.
     ///
     /// # Errors
     /// When the database can't be written.
@@ -163,19 +155,23 @@ impl EstimatorQueue {
     }
 
     fn stop(&self, id: &str) {
-        let current = self.current.borrow();
-        if let Some(current) = current.as_ref().filter(|current| current.estimator == id) {
-            current.work.stop.store(true, Ordering::Relaxed);
+        if let Some(work) = self.learning().get(id) {
+            work.stop();
         }
     }
 
-    /// Learns estimators until the service stops. One that is being learnt then goes back into the line, and its thread isn't waited for.
+    fn learning(&self) -> MutexGuard<'_, HashMap<String, Arc<FitWork>>> {
+        self.learning.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Learns estimators until the service stops. Those that are being learnt then go back into the line.
     pub async fn work(&self) {
         let mut shutdown = self.shutdown.clone();
+        let mut resting = VecDeque::new();
         while !shutdown.requested() {
-            match self.learn_next().await {
-                Ok(true) => {}
-                Ok(false) => {
+            match self.next(&mut resting).await {
+                Ok(Some(learning)) => resting.extend(self.turn(learning, resting.len()).await),
+                Ok(None) => {
                     tokio::select! {
                         () = self.news.notified() => {}
                         () = shutdown.wait() => {}
@@ -187,82 +183,140 @@ impl EstimatorQueue {
                 }
             }
         }
+        for learning in resting {
+            learning.work.stop();
+            self.settle(&learning.row, &Ending::Stopped).await;
+        }
     }
 
-    /// Learns the estimator that has waited longest; false when none waits.
-    async fn learn_next(&self) -> Result<bool, StoreError> {
+    /// The estimator whose turn it is: one that waits, where there is room for it, or the one that has rested longest.
+    async fn next(&self, resting: &mut VecDeque<Learning>) -> Result<Option<Learning>, StoreError> {
+        let begun = match resting.len() < MOST_RESTING {
+            true => self.begin(resting.is_empty()).await?,
+            false => None,
+        };
+        Ok(begun.or_else(|| {
+            let learning = resting.pop_front()?;
+            learning.work.go_on();
+            Some(learning)
+        }))
+    }
+
+    /// Begins the estimator that has waited longest, as soon as its memory is free, or where it is; none where none waits.
+    async fn begin(&self, waits: bool) -> Result<Option<Learning>, StoreError> {
+        let mut connection = self.store.read().await?;
+        let foremost = estimator_rows::foremost(&mut connection).await?;
+        drop(connection);
+        let Some((id, memory_bytes)) = foremost else {
+            return Ok(None);
+        };
+        let Some(memory) = self.memory(memory_bytes, waits).await else {
+            return Ok(None);
+        };
         let mut transaction = self.store.begin().await?;
-        let claimed = estimator_rows::claim(&mut transaction).await?;
-        let Some(row) = claimed else {
-            return Ok(false);
+        let Some(row) = estimator_rows::claim(&mut transaction, &id).await? else {
+            return Ok(None);
         };
-        let work = Arc::new(FitWork::default());
-        // Before others can see it running, so that no cancel finds nothing to stop.
-        self.current.send_replace(Some(Current {
-            estimator: row.id.clone(),
-            work: work.clone(),
-        }));
-        let ended = match self.store.commit(transaction, 0).await {
-            Ok(()) => self.learn(&row, work).await,
-            Err(error) => Err(error),
-        };
-        self.current.send_replace(None);
-        ended.map(|()| true)
-    }
-
-    async fn learn(&self, row: &EstimatorRow, work: Arc<FitWork>) -> Result<(), StoreError> {
+        self.store.commit(transaction, 0).await?;
         tracing::info!(estimator = row.id, name = ?row.name, "estimator started");
-        let ending = match self.asked(row).await {
-            Ok((stored, files)) => self.learnt(stored, files, work).await,
-            // What is damaged stays so: others may go on.
-            Err(error @ StoreError::Damaged { .. }) => Ending::Failed(error.to_string()),
-            Err(error) => {
-                self.settle(row, &Ending::Stopped).await;
-                return Err(error);
+        match self.asked(&row).await {
+            Ok(Ok(order)) => {
+                let learning = Learning::start(row, (self.means.start)(), order, memory);
+                self.started(learning).await.map(Some)
             }
-        };
-        self.settle(row, &ending).await;
-        Ok(())
+            Ok(Err(faults)) => {
+                self.settle(&row, &Ending::Failed(sentence(&faults))).await;
+                Ok(None)
+            }
+            // What is damaged stays so: others may go on.
+            Err(error @ StoreError::Damaged { .. }) => {
+                self.settle(&row, &Ending::Failed(error.to_string())).await;
+                Ok(None)
+            }
+            Err(error) => {
+                self.settle(&row, &Ending::Stopped).await;
+                Err(error)
+            }
+        }
     }
 
-    async fn asked(
-        &self,
-        row: &EstimatorRow,
-    ) -> Result<(StoredEstimator, Vec<NamedText>), StoreError> {
-        let stored = StoredEstimator::of(row)?;
+    async fn memory(&self, bytes: u64, waits: bool) -> Option<TakenMemory> {
+        if !waits {
+            return self.means.memory.try_take(bytes);
+        }
+        let mut shutdown = self.shutdown.clone();
+        tokio::select! {
+            taken = self.means.memory.take(bytes) => taken,
+            () = shutdown.wait() => None,
+        }
+    }
+
+    /// Makes a process known to those who cancel. A cancel that came before has changed the state instead.
+    async fn started(&self, learning: Learning) -> Result<Learning, StoreError> {
+        let id = &learning.row.id;
+        self.learning().insert(id.clone(), learning.work.clone());
+        let mut connection = self.store.read().await?;
+        if !estimator_rows::is_running(&mut connection, id).await? {
+            learning.work.stop();
+        }
+        Ok(learning)
+    }
+
+    async fn asked(&self, row: &EstimatorRow) -> Result<Result<FitOrder, Vec<Fault>>, StoreError> {
+        let recipe = match Recipe::from_value(&StoredEstimator::of(row)?.recipe) {
+            Ok(recipe) => recipe,
+            Err(faults) => return Ok(Err(faults)),
+        };
         let mut connection = self.store.read().await?;
         let rows = estimator_rows::recordings(&mut connection, &row.id).await?;
         let named = rows.into_iter().map(|row| NamedText {
             name: row.file,
             text: row.text,
         });
-        Ok((stored, named.collect()))
+        Ok(Ok(FitOrder {
+            recipe,
+            files: named.collect(),
+            threads: self.means.threads,
+            memory_bytes: self.means.memory_bytes,
+        }))
     }
 
-    /// Learns on a thread of its own, so that the runtime stays free, until its end or a shutdown.
-    async fn learnt(
-        &self,
-        stored: StoredEstimator,
-        files: Vec<NamedText>,
-        work: Arc<FitWork>,
-    ) -> Ending {
-        let (tell, told) = oneshot::channel();
-        let (threads, shared) = (self.threads, work.clone());
-        let thread = std::thread::Builder::new()
-            .name("fit".to_owned())
-            .spawn(move || {
-                // The receiver is gone when the service ends first.
-                let _ = tell.send(caught(|| ending(&stored, &files, threads, &shared)));
-            });
-        if let Err(error) = thread {
-            return Ending::Failed(format!("no thread could be started for the fit: {error}"));
-        }
+    /// Lets a process work until its end, a shutdown, or the end of its turn; returns what then rests.
+    async fn turn(&self, mut learning: Learning, resting: usize) -> Option<Learning> {
         let mut shutdown = self.shutdown.clone();
-        tokio::select! {
-            told = told => told.unwrap_or_else(|_| broken()),
+        let ending = tokio::select! {
+            ending = learning.ended() => ending,
+            () = self.turn_over(resting) => {
+                learning.work.rest();
+                return Some(learning);
+            }
             () = shutdown.wait() => {
-                work.stop.store(true, Ordering::Relaxed);
+                learning.work.stop();
                 Ending::Stopped
+            }
+        };
+        self.settle(&learning.row, &ending).await;
+        None
+    }
+
+    /// Waits until another one is to have its turn, once this turn has lasted long enough.
+    async fn turn_over(&self, resting: usize) {
+        tokio::time::sleep(self.means.turn).await;
+        while resting == 0 && !self.is_awaited().await {
+            tokio::time::sleep(LOOK.min(self.means.turn)).await;
+        }
+    }
+
+    async fn is_awaited(&self) -> bool {
+        let waiting = async {
+            let mut connection = self.store.read().await?;
+            estimator_rows::waiting(&mut connection).await
+        };
+        match waiting.await {
+            Ok(waiting) => waiting > 0,
+            Err(error) => {
+                tracing::warn!(%error, "whether an estimator waits isn't known");
+                false
             }
         }
     }
@@ -270,6 +324,7 @@ impl EstimatorQueue {
     /// Records the end, however long the database takes to be writable again; at a shutdown the estimator may be left as running, and goes back into the line at
     /// the next start.
     async fn settle(&self, row: &EstimatorRow, ending: &Ending) {
+        self.learning().remove(&row.id);
         loop {
             match self.record(row, ending).await {
                 Ok("queued") => {
@@ -304,10 +359,21 @@ impl EstimatorQueue {
                 let kept = estimator_rows::fail(&mut transaction, &row.id, error).await?;
                 (kept, "failed")
             }
-            // Only one runs, so that no other is meant.
+            Ending::Crashed(detail) => {
+                let crashes = estimator_rows::count_crash(&mut transaction, &row.id).await?;
+                if crashes < QUARANTINE {
+                    let released = estimator_rows::release(&mut transaction, &row.id).await?;
+                    (released, "queued")
+                } else {
+                    let error =
+                        format!("its process crashed {crashes} times, the last time by {detail}");
+                    let kept = estimator_rows::fail(&mut transaction, &row.id, &error).await?;
+                    (kept, "failed")
+                }
+            }
             Ending::Stopped => {
-                let released = estimator_rows::release_all(&mut transaction).await?;
-                (released > 0, "queued")
+                let released = estimator_rows::release(&mut transaction, &row.id).await?;
+                (released, "queued")
             }
         };
         self.store.commit(transaction, 0).await?;
@@ -340,124 +406,120 @@ pub async fn recover(store: &Store) -> Result<(), StoreError> {
     Ok(())
 }
 
-/// Returns the ending that a panic leaves: its place is in the log.
-fn broken() -> Ending {
-    Ending::Failed("the fit broke; the service's log says where".to_owned())
-}
-
-fn caught(work: impl FnOnce() -> Ending) -> Ending {
-    // What it works on is dropped with it: nobody sees it half done.
-    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_: Box<dyn Any + Send>| broken())
-}
-
-fn ending(
-    stored: &StoredEstimator,
-    files: &[NamedText],
-    threads: usize,
-    shared: &FitWork,
-) -> Ending {
-    let told = |done: usize, of: usize| {
-        shared.of.store(of, Ordering::Relaxed);
-        // Threads tell in any order.
-        shared.done.fetch_max(done, Ordering::Relaxed);
-    };
-    let work = Work {
-        threads,
-        stop: &shared.stop,
-        told: &told,
-    };
-    let found = Recipe::from_value(&stored.recipe)
-        .map_err(FitFailure::Input)
-        .and_then(|recipe| fit(&recipe, files, work));
-    match found {
-        Ok(found) => written(found).map_or_else(Ending::Failed, Ending::Learnt),
-        Err(FitFailure::Input(faults)) => Ending::Failed(sentence(&faults)),
-        Err(FitFailure::Stopped) => Ending::Stopped,
-        Err(FitFailure::Other(detail)) => Ending::Failed(detail),
-    }
-}
-
-fn sentence(faults: &[Fault]) -> String {
-    let faults: Vec<String> = faults.iter().map(Fault::to_string).collect();
-    faults.join("; ")
-}
-
-/// The parts as they are stored.
-fn written(found: Fit) -> Result<Vec<(Part, String)>, String> {
-    let told = |error: StoreError| error.to_string();
-    let left_out = LeftOutForces {
-        forces: found.left_out.iter().map(thinned).collect(),
-    };
-    Ok(vec![
-        (
-            Part::Report,
-            encode("a report", &found.report).map_err(told)?,
-        ),
-        (Part::Model, model_text(&found.estimator)?),
-        (
-            Part::LeftOut,
-            encode("rows that were left out", &left_out).map_err(told)?,
-        ),
-    ])
-}
-
-/// An even subset of the rows, where there are more than a plot can show.
-fn thinned(rows: &LeftOutRows) -> LeftOutRows {
-    let count = rows.time_s.len();
-    let kept = count.min(MOST_LEFT_OUT);
-    let places: Vec<usize> = (0..kept).map(|place| place * count / kept).collect();
-    let of = |all: &[f64]| -> Vec<f64> { places.iter().map(|place| all[*place]).collect() };
-    LeftOutRows {
-        force: rows.force.clone(),
-        run: places.iter().map(|place| rows.run[*place]).collect(),
-        time_s: of(&rows.time_s),
-        truth_n: of(&rows.truth_n),
-        estimate_n: of(&rows.estimate_n),
-        low_n: of(&rows.low_n),
-        high_n: of(&rows.high_n),
-    }
-}
-
-#[cfg(test)]
+#[cfg(all(test, target_os = "linux"))]
 mod tests {
+    use std::process::Command;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::time::Instant;
+
+    use serde_json::json;
+    use tempfile::TempDir;
+
     use super::*;
+    use crate::forces::submission_reader::{FitLimits, read_submission};
+    use crate::shutdown;
 
-    #[test]
-    fn a_fit_that_panics_fails() {
-        let Ending::Failed(error) = caught(|| panic!("not to be told")) else {
-            panic!("must fail");
+    /// Far beyond what anything here takes.
+    const PATIENCE: Duration = Duration::from_secs(30);
+
+    fn submission(name: &str) -> Submission {
+        let row = |row: i32| {
+            format!(
+                "{},{},{}\n",
+                0.01 * f64::from(row),
+                2 * (row % 10),
+                row % 10
+            )
         };
-        assert_eq!(error, "the fit broke; the service's log says where");
+        let text = "time_s,s1,fz_n\n".to_owned() + &(0..60).map(row).collect::<String>();
+        let document = json!({"name": name, "recordings": [{"file": "a.csv", "text": text}]});
+        let limits = FitLimits {
+            threads: 1,
+            memory_bytes: u64::MAX,
+        };
+        read_submission(document, limits).expect("reads")
     }
 
-    #[test]
-    fn rows_to_plot_are_an_even_subset() {
-        let rows = |count: usize| LeftOutRows {
-            force: "fz_n".to_owned(),
-            run: vec![0; count],
-            time_s: (0..count).map(|row| row as f64).collect(),
-            truth_n: vec![1.0; count],
-            estimate_n: vec![2.0; count],
-            low_n: vec![0.0; count],
-            high_n: vec![3.0; count],
+    /// A line in which the scripts learn, one after the other, the last of them again and again.
+    async fn line(scripts: Vec<&'static str>) -> (TempDir, Arc<EstimatorQueue>) {
+        let folder = tempfile::tempdir().expect("a folder");
+        let store = Store::open(&folder.path().join("a.db")).await;
+        let started = AtomicUsize::new(0);
+        let start = move || {
+            let number = started.fetch_add(1, Ordering::Relaxed);
+            let mut command = Command::new("sh");
+            command.args(["-c", scripts[number.min(scripts.len() - 1)]]);
+            command
         };
-        for count in [0, 7, MOST_LEFT_OUT] {
-            assert_eq!(thinned(&rows(count)), rows(count));
+        let means = FitMeans {
+            start: Box::new(start),
+            threads: 1,
+            turn: Duration::from_millis(100),
+            memory_bytes: 1 << 30,
+            memory: Arc::new(MemoryShare::new(1 << 30)),
+        };
+        let (trigger, shutdown) = shutdown::channel();
+        // Nobody stops this line: the runtime ends with its test.
+        std::mem::forget(trigger);
+        let store = Arc::new(store.expect("opens"));
+        let queue = Arc::new(EstimatorQueue::new(store, means, shutdown));
+        let worker = queue.clone();
+        tokio::spawn(async move { worker.work().await });
+        (folder, queue)
+    }
+
+    async fn row(queue: &EstimatorQueue, id: &str) -> EstimatorRow {
+        let mut connection = queue.store.read().await.expect("reads");
+        let row = estimator_rows::find(&mut connection, id).await;
+        row.expect("reads").expect("is there")
+    }
+
+    async fn ended(queue: &EstimatorQueue, id: &str) -> EstimatorRow {
+        let begun = Instant::now();
+        loop {
+            let row = row(queue, id).await;
+            if row.finished.is_some() {
+                return row;
+            }
+            assert!(begun.elapsed() < PATIENCE, "{row:?}");
+            tokio::time::sleep(Duration::from_millis(5)).await;
         }
-        let few = thinned(&rows(4 * MOST_LEFT_OUT));
-        assert_eq!(few.run.len(), MOST_LEFT_OUT);
-        assert!(few.time_s.windows(2).all(|pair| pair[1] - pair[0] == 4.0));
     }
 
-    #[test]
-    fn faults_become_one_sentence() {
-        let fault = |pointer: &str| Fault {
-            pointer: pointer.to_owned(),
-            detail: "is wrong".to_owned(),
-        };
-        assert_eq!(
-            sentence(&[fault("/a"), fault("")]),
-            "/a: is wrong; is wrong"
-        );
+    async fn submit(queue: &EstimatorQueue, name: &str) -> String {
+        let id = queue.submit(&submission(name), None).await;
+        id.expect("is taken in")
+    }
+
+    #[tokio::test(flavor = "multi_thread")]
+    async fn a_fit_that_crashes_its_process_is_given_up_after_three_times() {
+        let crashes = "read order; echo memory allocation failed >&2; kill -ABRT $$";
+        let (_folder, queue) = line(vec![crashes]).await;
+        let id = submit(&queue, "large").await;
+        let failed = ended(&queue, &id).await;
+        let error =
+            "its process crashed 3 times, the last time by SIGABRT: memory allocation failed";
+        assert_eq!(failed.error.as_deref(), Some(error));
+    }
+
+    #[tokio::test(flavor = "multi_thread")]
+    async fn a_short_fit_has_its_turn_beside_a_long_one_and_both_end_when_they_are_cancelled() {
+        let long =
+            r#"read order; echo 'told {"stage":"learning","done":1,"of":2}'; exec sleep 3600"#;
+        let short = r#"read order; echo 'answer {"other":"no model"}'"#;
+        let (_folder, queue) = line(vec![long, short]).await;
+        let first = submit(&queue, "long").await;
+        let second = submit(&queue, "short").await;
+        let failed = ended(&queue, &second).await;
+        assert_eq!(failed.error.as_deref(), Some("no model"));
+        let progress = queue.progress(&first).expect("is being learnt");
+        assert_eq!((progress.done, progress.of), (1, 2));
+        let begun = Instant::now();
+        queue.cancel(&first).await.expect("cancels");
+        let third = submit(&queue, "next").await;
+        ended(&queue, &third).await;
+        assert!(begun.elapsed() < Duration::from_secs(2));
+        assert_eq!(row(&queue, &first).await.error, None);
+        assert_eq!(queue.progress(&first), None);
     }
 }

@@ -6,6 +6,7 @@ use std::time::Instant;
 use document::fault::Fault;
 use estimation::estimator::{Estimator, FORMAT, ForceModel, Stream, VERSION};
 use estimation::fit_report::{FitCost, ForceReport, Ranking, RecordingFigures, Report, promise};
+use estimation::model::contract::FitError;
 use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
 use estimation::recording::Recording;
 use estimation::rows::{LabelledRows, Runs};
@@ -18,7 +19,7 @@ use placement::points::worker_threads::in_parallel;
 use store::content::sha256;
 
 use crate::forces::recorded_texts::{NamedText, read_runs};
-use crate::wire::estimator_wire::LeftOutRows;
+use crate::wire::estimator_wire::{FitProgress, FitStage, LeftOutRows};
 
 /// Fit of an estimator.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,24 +37,17 @@ pub struct Fit {
 pub enum FitFailure {
     /// The recipe or the recordings are wrong.
     Input(Vec<Fault>),
-    /// Stop on request.
-    Stopped,
     /// Another reason, a sentence.
     Other(String),
 }
 
-/// Hears how many pieces of work are done, of how many.
-pub type Told<'a> = &'a (dyn Fn(usize, usize) + Sync);
-
-/// Work of a fit: on how many threads, until when, and who is told.
+/// Work of a fit: on how many threads, and who is told.
 #[derive(Clone, Copy)]
 pub struct Work<'a> {
     /// Threads.
     pub threads: usize,
-    /// Whether to stop.
-    pub stop: &'a AtomicBool,
     /// Is told how far it is.
-    pub told: Told<'a>,
+    pub told: &'a (dyn Fn(FitProgress) + Sync),
 }
 
 /// Learns from recordings.
@@ -63,7 +57,7 @@ pub struct Work<'a> {
 pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, FitFailure> {
     let begun = Instant::now();
     let runs = read_runs(recipe, files).map_err(FitFailure::Input)?;
-    let subtract_start = subtract_start(recipe, &runs, work)?;
+    let subtract_start = subtract_start(recipe, &runs, work);
     let rows = rows_of_forces(recipe, &runs, subtract_start);
     let splits: Vec<Splits> = rows
         .iter()
@@ -125,9 +119,9 @@ fn rows_of_forces(recipe: &Recipe, runs: &Runs, subtract_start: bool) -> Vec<Lab
 }
 
 /// Whether first readings are taken off: as the recipe says, or as left-out runs say of lines and processes on raw signals.
-fn subtract_start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> Result<bool, FitFailure> {
+fn subtract_start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> bool {
     if let Some(subtract) = runs.subtract_start(recipe.preprocess.start_value) {
-        return Ok(subtract);
+        return subtract;
     }
     let tried: Vec<(bool, Vec<LabelledRows>)> = [true, false]
         .map(|subtract| (subtract, rows_of_forces(recipe, runs, subtract)))
@@ -141,11 +135,7 @@ fn subtract_start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> Result<bool, 
             (0..runs.names.forces.len()).flat_map(move |force| kinds.map(|kind| (way, force, kind)))
         })
         .collect();
-    let quiet = Work {
-        told: &|_, _| {},
-        ..work
-    };
-    let errors = told_in_parallel(pieces.len(), quiet, |piece| {
+    let errors = told_in_parallel(FitStage::StartValue, pieces.len(), work, |piece| {
         let (way, force, candidate) = pieces[piece];
         let rows = &tried[way].1[force];
         let splits = Splits::new(rows, recipe, runs.interval_s.1);
@@ -153,7 +143,7 @@ fn subtract_start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> Result<bool, 
         judged
             .on(splits.by)
             .map(|figures| figures.rmse / figures.mean_rmse)
-    })?;
+    });
     // The better of the two models, summed over forces.
     let of_way = |way: usize| -> f64 {
         let least = |force: usize| {
@@ -166,7 +156,7 @@ fn subtract_start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> Result<bool, 
         };
         (0..runs.names.forces.len()).map(least).sum()
     };
-    Ok(of_way(0) <= of_way(1))
+    of_way(0) <= of_way(1)
 }
 
 /// A force by its number, and why a candidate of it couldn't be learnt.
@@ -186,10 +176,10 @@ fn judged(
         .flat_map(|candidate| (0..rows.len()).map(move |force| (force, *candidate)))
         .collect();
     pieces.reverse();
-    let judged = told_in_parallel(pieces.len(), work, |piece| {
+    let judged = told_in_parallel(FitStage::Judging, pieces.len(), work, |piece| {
         let (force, candidate) = pieces[piece];
         judge(candidate, &rows[force], &splits[force], recipe, true)
-    })?;
+    });
     let mut of_forces: Vec<Vec<Judged>> = vec![Vec::new(); rows.len()];
     let mut failures = Vec::new();
     for ((force, candidate), judged) in pieces.iter().zip(judged) {
@@ -219,6 +209,12 @@ fn judged(
     Ok((rankings.collect(), failures))
 }
 
+/// Piece of the work on a model that was chosen.
+enum Piece {
+    Model(Result<LearntModel, FitError>),
+    Chance(Option<Tested>),
+}
+
 /// The chosen models, learnt from all rows, and what chance would do.
 #[allow(clippy::type_complexity, reason = "two lists of one length")]
 fn learnt(
@@ -228,28 +224,30 @@ fn learnt(
     rankings: &[Ranking],
     work: Work<'_>,
 ) -> Result<(Vec<ForceModel>, Vec<Option<f64>>), FitFailure> {
-    let quiet = Work {
-        told: &|_, _| {},
-        ..work
-    };
     let members: Vec<(usize, Candidate)> = rankings
         .iter()
         .enumerate()
         .filter_map(|(force, ranking)| Some((force, ranking.chosen()?)))
         .flat_map(|(force, chosen)| chosen.members.iter().map(move |member| (force, *member)))
         .collect();
-    let learnt = told_in_parallel(members.len(), quiet, |piece| {
-        let (force, member) = members[piece];
-        (
-            LearntModel::whole(member, &rows[force], recipe),
-            rolled(member, &rows[force], &splits[force], recipe),
-        )
-    })?;
+    // Of each member two pieces, the model and what chance would do, so that no core waits for both.
+    let pieces = 2 * members.len();
+    let made = told_in_parallel(FitStage::Learning, pieces, work, |piece| {
+        let (force, member) = members[piece / 2];
+        match piece % 2 {
+            0 => Piece::Model(LearntModel::whole(member, &rows[force], recipe)),
+            _ => Piece::Chance(rolled(member, &rows[force], &splits[force], recipe)),
+        }
+    });
     let mut of_forces: Vec<(Vec<LearntModel>, Vec<Tested>)> = vec![Default::default(); rows.len()];
-    for ((force, _), (model, rolled)) in members.iter().zip(learnt) {
+    for ((force, _), piece) in members.iter().flat_map(|member| [member; 2]).zip(made) {
         let (models, said) = &mut of_forces[*force];
-        models.push(model.map_err(|error| FitFailure::Other(error.to_string()))?);
-        said.extend(rolled);
+        match piece {
+            Piece::Model(model) => {
+                models.push(model.map_err(|error| FitFailure::Other(error.to_string()))?);
+            }
+            Piece::Chance(rolled) => said.extend(rolled),
+        }
     }
     let forces = of_forces.into_iter().zip(rankings).zip(splits);
     let found = forces.filter_map(|(((models, rolled), ranking), splits)| {
@@ -359,15 +357,25 @@ fn left_out_rows(
 
 /// Computes `of` of each number below `count`, on all threads.
 fn told_in_parallel<T: Send>(
+    stage: FitStage,
     count: usize,
     work: Work<'_>,
     of: impl Fn(usize) -> T + Sync,
-) -> Result<Vec<T>, FitFailure> {
+) -> Vec<T> {
+    let tell = |done| {
+        (work.told)(FitProgress {
+            stage,
+            done,
+            of: count,
+        });
+    };
+    tell(0);
     let done = AtomicUsize::new(0);
     let told = |piece| {
         let made = of(piece);
-        (work.told)(done.fetch_add(1, Ordering::Relaxed) + 1, count);
+        tell(done.fetch_add(1, Ordering::Relaxed) + 1);
         made
     };
-    in_parallel(count, work.threads, work.stop, told).ok_or(FitFailure::Stopped)
+    let go_on = AtomicBool::new(false);
+    in_parallel(count, work.threads, &go_on, told).expect("nobody stops it: its process is ended")
 }

@@ -10,6 +10,7 @@ use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::recording_fault::RecordingFault;
 use estimation::recording::{PAUSE_INTERVALS, Recording};
 use estimation::rows::{Refusal, Runs};
+use serde::{Deserialize, Serialize};
 
 /// Most bytes of a recording: a million rows of 30 columns.
 pub const MOST_RECORDING_BYTES: usize = 1 << 28;
@@ -17,7 +18,7 @@ pub const MOST_RECORDING_BYTES: usize = 1 << 28;
 pub const MOST_ROWS: usize = 2_000_000;
 
 /// A file as it was given.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NamedText {
     /// Name of the file, for people.
     pub name: String,

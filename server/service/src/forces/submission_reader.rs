@@ -29,6 +29,8 @@ pub struct Submission {
     pub document: String,
     /// The recordings.
     pub files: Vec<NamedText>,
+    /// Memory that learning may take, bytes.
+    pub memory_bytes: u64,
 }
 
 impl Submission {
@@ -93,6 +95,7 @@ pub fn read_submission(document: Value, limits: FitLimits) -> Result<Submission,
         name,
         document,
         files,
+        memory_bytes: needed,
     })
 }
 

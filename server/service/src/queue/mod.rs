@@ -281,15 +281,16 @@ impl Queue {
         told.unwrap_or_else(|_| End::failed("the study's thread panicked; the log says where"))
     }
 
-    /// Waits until a study of higher priority waits or, once the turn has lasted long enough, one of the same.
+    /// Waits until a study of higher priority waits or, once the turn has lasted long enough, one of the same, or a fit for memory.
     async fn turn_over(&self, priority: i64) {
         let begun = Instant::now();
         loop {
             tokio::time::sleep(LOOK.min(self.turn)).await;
             let rival = priority + i64::from(begun.elapsed() < self.turn);
+            let is_over = begun.elapsed() >= self.turn;
             match self.is_awaited(rival).await {
-                Ok(true) => return,
-                Ok(false) => {}
+                Ok(awaited) if awaited || (is_over && self.engine.memory.is_awaited()) => return,
+                Ok(_) => {}
                 Err(error) => tracing::warn!(%error, "whether a study waits isn't known"),
             }
         }

@@ -9,8 +9,9 @@ use calculix::CalculixSolver;
 use fem_client::solver::Solver;
 use tire::embedded::EmbeddedSolver;
 
+use crate::own_process::parent::own_program;
 use crate::solving::isolated::child;
-use crate::solving::isolated::parent::{Isolated, own_program};
+use crate::solving::isolated::parent::Isolated;
 use crate::solving::numerics::Fingerprinted;
 use crate::solving::watched::Watched;
 
@@ -39,7 +40,7 @@ pub fn solver(name: SolverName<'_>, limit: Duration) -> Result<Arc<dyn Solver>, 
     let solver: Arc<dyn Solver> = match name {
         SolverName::Embedded => {
             let solver = Arc::new(EmbeddedSolver::default());
-            let isolated = Isolated::new(solver, own_program);
+            let isolated = Isolated::new(solver, || own_program(child::ARGUMENT));
             Arc::new(Fingerprinted::new(Arc::new(isolated)))
         }
         // Its solves are in a process of their own already.

@@ -64,12 +64,29 @@ pub struct EstimatorSummary {
 }
 
 /// Progress of a fit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub struct FitProgress {
-    /// Models judged.
+    /// Stage of the fit.
+    pub stage: FitStage,
+    /// Pieces of work of this stage that are done.
     pub done: usize,
-    /// Models to judge; 0 until that is known.
+    /// Pieces of work of this stage; 0 until that is known.
     pub of: usize,
+}
+
+/// Stage of a fit.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FitStage {
+    /// Recordings are read.
+    #[default]
+    Reading,
+    /// Whether first readings are taken off is tried.
+    StartValue,
+    /// Models are judged on rows that they didn't learn from.
+    Judging,
+    /// The chosen models are learnt from all rows.
+    Learning,
 }
 
 /// An estimator with its recipe.

@@ -17,6 +17,8 @@ use crate::http::edge::guard::HostName;
 use crate::running::{Limits, Outside, Service, ServiceParts};
 use crate::telemetry::{self, LogFilter, LogFormat};
 use crate::token::{Token, TokenError};
+use service::forces::fit_process::ARGUMENT;
+use service::own_process::parent::own_program;
 use service::solving::solver_choice::preview_solver;
 
 /// The environment variable that may hold the token: unlike an argument, it is in no list of processes.
@@ -139,6 +141,7 @@ impl Serve {
             return Err(faults);
         }
         let parts = ServiceParts {
+            learner: Box::new(|| own_program(ARGUMENT)),
             address: self.addr,
             database: self.config.db.clone(),
             solver,

@@ -6,10 +6,16 @@ use sqlx::SqlSafeStr;
 use sqlx::migrate::{Migration, MigrationType, Migrator};
 
 /// The files of `migrations`, in order, each by its number and name.
-static CHANGES: [(&str, &str); 1] = [(
-    "0001_tables",
-    include_str!("../../../../migrations/0001_tables.sql"),
-)];
+static CHANGES: [(&str, &str); 2] = [
+    (
+        "0001_tables",
+        include_str!("../../../../migrations/0001_tables.sql"),
+    ),
+    (
+        "0002_estimators_in_processes",
+        include_str!("../../../../migrations/0002_estimators_in_processes.sql"),
+    ),
+];
 
 /// All changes, in order.
 pub(crate) static MIGRATIONS: LazyLock<Migrator> = LazyLock::new(|| {

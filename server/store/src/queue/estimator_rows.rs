@@ -105,18 +105,20 @@ impl Part {
 /// When the database can't be written.
 pub async fn insert<'r>(
     connection: &mut SqliteConnection,
-    name: &str,
-    document: &str,
+    (name, document): (&str, &str),
+    memory_bytes: u64,
     recordings: impl Iterator<Item = (&'r str, &'r str)>,
 ) -> Result<String, StoreError> {
     let id = uuid::Uuid::now_v7().to_string();
-    let query = "insert into estimators (id, name, document, document_sha256, state, created)
-                 values (?, ?, ?, ?, 'queued', ?)";
+    let query =
+        "insert into estimators (id, name, document, document_sha256, memory_bytes, state, created)
+                 values (?, ?, ?, ?, ?, 'queued', ?)";
     sqlx::query(query)
         .bind(&id)
         .bind(name)
         .bind(document)
         .bind(document_sha256(document))
+        .bind(i64::try_from(memory_bytes).unwrap_or(i64::MAX))
         .bind(now())
         .execute(&mut *connection)
         .await?;
@@ -220,17 +222,69 @@ pub async fn waiting(connection: &mut SqliteConnection) -> Result<u32, StoreErro
     Ok(sqlx::query_scalar(query).fetch_one(connection).await?)
 }
 
-/// Takes the estimator that has waited longest; `None` when none waits.
+/// The estimator that has waited longest, and the memory that learning it may take, bytes.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn foremost(
+    connection: &mut SqliteConnection,
+) -> Result<Option<(String, u64)>, StoreError> {
+    let query =
+        "select id, memory_bytes from estimators where state = 'queued' order by id limit 1";
+    let found: Option<(String, i64)> = sqlx::query_as(query).fetch_optional(connection).await?;
+    Ok(found.map(|(id, bytes)| (id, u64::try_from(bytes).unwrap_or(0))))
+}
+
+/// Takes an estimator that waits; `None` when it doesn't any more.
 ///
 /// # Errors
 /// When the database can't be written.
-pub async fn claim(connection: &mut SqliteConnection) -> Result<Option<EstimatorRow>, StoreError> {
+pub async fn claim(
+    connection: &mut SqliteConnection,
+    id: &str,
+) -> Result<Option<EstimatorRow>, StoreError> {
     let query = "update estimators set state = 'running', started = coalesce(started, ?)
-                 where id = (select id from estimators where state = 'queued' order by id limit 1) returning *";
+                 where id = ? and state = 'queued' returning *";
     Ok(sqlx::query_as(query)
         .bind(now())
+        .bind(id)
         .fetch_optional(connection)
         .await?)
+}
+
+/// Whether an estimator is being learnt.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn is_running(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
+    let query = "select exists (select 1 from estimators where id = ? and state = 'running')";
+    Ok(sqlx::query_scalar(query)
+        .bind(id)
+        .fetch_one(connection)
+        .await?)
+}
+
+/// Puts a running estimator back into the line; false when it isn't running any more.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn release(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
+    let query = "update estimators set state = 'queued' where id = ? and state = 'running'";
+    let done = sqlx::query(query).bind(id).execute(connection).await?;
+    Ok(done.rows_affected() == 1)
+}
+
+/// Counts a crash of the process that learns an estimator, and returns how many there were.
+///
+/// # Errors
+/// When the database can't be written.
+pub async fn count_crash(connection: &mut SqliteConnection, id: &str) -> Result<i64, StoreError> {
+    let query = "update estimators set crashes = crashes + 1 where id = ? returning crashes";
+    let found = sqlx::query_scalar(query)
+        .bind(id)
+        .fetch_optional(connection)
+        .await?;
+    Ok(found.unwrap_or(0))
 }
 
 /// Puts every running estimator back into the line, and returns how many there were.
@@ -430,7 +484,7 @@ mod tests {
 
     async fn queued(connection: &mut SqliteConnection, name: &str) -> String {
         let recordings = [("monday.csv", "time_s,s1,fz_n\n"), ("tuesday.csv", "")];
-        let id = insert(connection, name, "{}", recordings.into_iter()).await;
+        let id = insert(connection, (name, "{}"), 1000, recordings.into_iter()).await;
         id.expect("stores")
     }
 
@@ -440,7 +494,10 @@ mod tests {
         let mut write = store.begin().await.expect("begins");
         let first = queued(&mut write, "first").await;
         let second = queued(&mut write, "second").await;
-        let claimed = claim(&mut write).await.expect("claims").expect("one waits");
+        let foremost = foremost(&mut write).await.expect("reads");
+        assert_eq!(foremost, Some((first.clone(), 1000)));
+        let claimed = claim(&mut write, &first).await.expect("claims");
+        let claimed = claimed.expect("it waits");
         assert_eq!((&claimed.id, claimed.state()), (&first, State::Running));
         assert_eq!(waiting(&mut write).await.expect("counts"), 1);
         let texts = recordings(&mut write, &first).await.expect("reads");
@@ -453,7 +510,16 @@ mod tests {
         let model = part(&mut write, &first, Part::Model).await.expect("reads");
         assert_eq!(model.as_deref(), Some("{\"model\": 1}"));
 
-        claim(&mut write).await.expect("claims").expect("one waits");
+        let claimed = claim(&mut write, &second).await.expect("claims");
+        assert!(claimed.is_some() && is_running(&mut write, &second).await.expect("reads"));
+        assert!(release(&mut write, &second).await.expect("releases"));
+        assert!(!release(&mut write, &second).await.expect("is guarded"));
+        assert_eq!(count_crash(&mut write, &second).await.expect("counts"), 1);
+        assert_eq!(count_crash(&mut write, &second).await.expect("counts"), 2);
+        claim(&mut write, &second)
+            .await
+            .expect("claims")
+            .expect("it waits");
         assert_eq!(release_all(&mut write).await.expect("releases"), 1);
         assert!(cancel(&mut write, &second).await.expect("cancels"));
         assert!(!finish(&mut write, &second, &parts).await.expect("guards"));
@@ -461,7 +527,7 @@ mod tests {
             part(&mut write, &second, Part::Report).await.expect("read"),
             None
         );
-        assert!(claim(&mut write).await.expect("claims").is_none());
+        assert!(claim(&mut write, &second).await.expect("claims").is_none());
 
         let newest = page(&mut write, (None, None), None, 1).await.expect("read");
         assert_eq!(newest[0].id, second);
@@ -494,7 +560,7 @@ mod tests {
             let (_folder, store) = fresh().await;
             let mut write = store.begin().await.expect("begins");
             let id = queued(&mut write, "spoiled").await;
-            claim(&mut write).await.expect("claims");
+            claim(&mut write, &id).await.expect("claims");
             let parts = Part::ALL.map(|part| (part, "{\"n\": 1}".to_owned()));
             finish(&mut write, &id, &parts).await.expect("ends");
             check(&mut write, &id).await.expect("is whole");
@@ -518,7 +584,7 @@ mod tests {
             .expect("stores");
         let under = under_key(&mut write, "key").await.expect("reads");
         assert_eq!(under, Some((id.clone(), "hash".to_owned())));
-        claim(&mut write).await.expect("claims");
+        claim(&mut write, &id).await.expect("claims");
         let parts = [(Part::Report, "{}".to_owned())];
         finish(&mut write, &id, &parts).await.expect("ends");
         remove(&mut write, &id).await.expect("removes");

@@ -1,14 +1,17 @@
 //! `strainsite force fit`.
 
 use std::path::PathBuf;
+use std::sync::atomic::Ordering;
 
 use clap::Args;
 use estimation::recipe::Recipe;
-use service::forces::fitting::{Fit as Found, FitFailure, Work, fit};
-use service::forces::model_file::model_text;
+use placement::points::machine_memory::machine_memory_bytes;
+use service::forces::fit_process::{ARGUMENT, FitOrder, Learnt, Unlearnt, learn};
 use service::forces::recorded_texts::{MOST_RECORDING_BYTES, NamedText};
+use service::own_process::parent::{Wish, own_program};
 use service::study_document::text_files::read_text;
 use service::study_document::{format_of, read_file};
+use service::wire::estimator_wire::FitProgress;
 use tokio::runtime::Runtime;
 
 use crate::cli::commands::force::force_table::report_text;
@@ -65,10 +68,9 @@ impl Fit {
             Ok(recipe) if faults.is_empty() => recipe,
             _ => return Err(Failure::Input(faults)),
         };
-        let found = self.fit(&recipe, &files)?;
+        let found = self.learnt(recipe, files)?;
         if let Some(path) = &self.output {
-            let text = model_text(&found.estimator).map_err(Failure::Other)?;
-            write(path, text.as_bytes())?;
+            write(path, found.model.as_bytes())?;
         }
         if let Some(target) = &self.json {
             target.write(&found.report)?;
@@ -92,22 +94,32 @@ impl Fit {
         (files, unread)
     }
 
-    fn fit(&self, recipe: &Recipe, files: &[NamedText]) -> Result<Found, Failure> {
+    /// Learns in a process of its own, so that a signal ends it at once and a lack of memory ends it alone.
+    fn learnt(&self, recipe: Recipe, files: Vec<NamedText>) -> Result<Learnt, Failure> {
         let runtime = Runtime::new().map_err(Failure::other)?;
         let stop = stop_flag(&runtime)?;
         let bar = counting_bar(0, "models judged");
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        let work = Work {
+        let order = FitOrder {
+            recipe,
+            files,
             threads: self.threads.map_or(cores, usize::from),
-            stop: &stop,
-            told: &|done, of| count(&bar, done, of),
+            memory_bytes: machine_memory_bytes(),
         };
-        let found = fit(recipe, files, work);
+        let wish = || match stop.load(Ordering::Relaxed) {
+            true => Wish::Stop,
+            false => Wish::GoOn,
+        };
+        let told = |progress: FitProgress| count(&bar, progress.done, progress.of);
+        let found = learn(own_program(ARGUMENT), &order, &wish, &told);
         bar.finish_and_clear();
         found.map_err(|failure| match failure {
-            FitFailure::Input(faults) => Failure::Input(faults),
-            FitFailure::Stopped => Failure::Other("stopped on request".to_owned()),
-            FitFailure::Other(detail) => Failure::Other(detail),
+            Unlearnt::Input(faults) => Failure::Input(faults),
+            Unlearnt::Stopped => Failure::Other("stopped on request".to_owned()),
+            Unlearnt::Crashed(detail) => {
+                Failure::Other(format!("the fit's process crashed: {detail}"))
+            }
+            Unlearnt::Other(detail) => Failure::Other(detail),
         })
     }
 }

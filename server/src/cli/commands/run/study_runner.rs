@@ -17,6 +17,7 @@ use crate::cli::terminal::signals::stop_flag;
 use crate::config::Config;
 use service::engine::{End, Engine};
 use service::forecast::admit;
+use service::memory_share::MemoryShare;
 use service::metrics::Metrics;
 use service::queue::{enqueue, recover};
 use store::queue::study_rows::{self, StudyRow};
@@ -58,6 +59,7 @@ impl<'c> StudyRunner<'c> {
                 threads,
                 metrics: Metrics::new(),
                 live: Arc::default(),
+                memory: Arc::new(MemoryShare::new(memory_bytes)),
             },
             stop,
         })

@@ -26,6 +26,7 @@ use crate::config::Config;
 use service::comparison::of_designs;
 use service::engine::Engine;
 use service::forecast::{admit, forecast_sweep, plan_study};
+use service::memory_share::MemoryShare;
 use service::metrics::Metrics;
 use service::queue::recover;
 use service::queue::sweeps::{Continuation, designs_of, store};
@@ -94,6 +95,7 @@ impl Sweep {
             threads: self.config.threads(),
             metrics: Metrics::new(),
             live: Arc::default(),
+            memory: Arc::new(MemoryShare::new(self.config.memory_bytes())),
         };
         let ended = self.run(&runtime, &engine, plan.as_ref());
         let closed = runtime.block_on(engine.store.close());

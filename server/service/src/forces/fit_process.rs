@@ -1,0 +1,135 @@
+//! Fits in a process of their own: one that is cancelled ends at once, and one that runs out of memory ends alone.
+
+use std::process::{Command, ExitCode};
+
+use document::fault::Fault;
+use estimation::fit_report::Report;
+use estimation::recipe::Recipe;
+use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
+use serde::{Deserialize, Serialize};
+
+use crate::forces::fitting::{Fit, FitFailure, Work, fit};
+use crate::forces::model_file::model_text;
+use crate::forces::recorded_texts::NamedText;
+use crate::own_process::child;
+use crate::own_process::parent::{Unanswered, Wish, ask};
+use crate::wire::estimator_wire::{FitProgress, LeftOutRows};
+
+/// The program's only argument when it is started for this. It is no command of its users.
+pub const ARGUMENT: &str = "learn-apart";
+
+/// Order to learn.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct FitOrder {
+    /// Recipe of what is to be done.
+    pub recipe: Recipe,
+    /// The recordings.
+    pub files: Vec<NamedText>,
+    /// Threads.
+    pub threads: usize,
+    /// Memory that the process may take, bytes; one that needs more ends.
+    pub memory_bytes: u64,
+}
+
+/// Fit as texts and as far as people look at it.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Learnt {
+    /// The model file.
+    pub model: String,
+    /// Report of what was found.
+    pub report: Report,
+    /// Predictions of rows that weren't learnt from, one list a force.
+    pub left_out: Vec<LeftOutRows>,
+}
+
+/// Reason why a process learnt nothing.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Unlearnt {
+    /// The recipe or the recordings are wrong.
+    Input(Vec<Fault>),
+    /// Stop on request.
+    Stopped,
+    /// What it learnt ended its process: how.
+    Crashed(String),
+    /// Another reason, a sentence.
+    Other(String),
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Answer {
+    Learnt(Box<Learnt>),
+    Input(Vec<Fault>),
+    Other(String),
+}
+
+/// Learns in the process that the command starts; `told` hears how far it is.
+///
+/// # Errors
+/// See [`Unlearnt`].
+pub fn learn(
+    command: Command,
+    order: &FitOrder,
+    wish: &dyn Fn() -> Wish,
+    told: &(dyn Fn(FitProgress) + Sync),
+) -> Result<Learnt, Unlearnt> {
+    let order = serde_json::to_string(order).map_err(|error| Unlearnt::Other(error.to_string()))?;
+    let heard = |line: &str| {
+        if let Ok(progress) = serde_json::from_str(line) {
+            told(progress);
+        }
+    };
+    let answer = ask(command, &order, wish, &heard).map_err(|reason| match reason {
+        Unanswered::Stopped => Unlearnt::Stopped,
+        Unanswered::Crashed(detail) => Unlearnt::Crashed(detail),
+        Unanswered::Broken(detail) => Unlearnt::Other(detail),
+    })?;
+    match serde_json::from_str(&answer) {
+        Ok(Answer::Learnt(learnt)) => Ok(*learnt),
+        Ok(Answer::Input(faults)) => Err(Unlearnt::Input(faults)),
+        Ok(Answer::Other(detail)) => Err(Unlearnt::Other(detail)),
+        Err(error) => Err(Unlearnt::Other(format!(
+            "what the fit answered can't be read: {error}"
+        ))),
+    }
+}
+
+/// Learns for the parent process of this one.
+pub fn learn_for_parent() -> ExitCode {
+    child::answer(|order| match serde_json::from_str::<FitOrder>(order) {
+        Ok(order) => answer(&order),
+        Err(error) => Answer::Other(format!("the fit's order can't be read: {error}")),
+    })
+}
+
+fn answer(order: &FitOrder) -> Answer {
+    limit_memory(order.memory_bytes);
+    let work = Work {
+        threads: order.threads,
+        told: &|progress| child::tell(&progress),
+    };
+    match fit(&order.recipe, &order.files, work) {
+        Ok(found) => learnt(found).unwrap_or_else(Answer::Other),
+        Err(FitFailure::Input(faults)) => Answer::Input(faults),
+        Err(FitFailure::Other(detail)) => Answer::Other(detail),
+    }
+}
+
+fn learnt(found: Fit) -> Result<Answer, String> {
+    Ok(Answer::Learnt(Box::new(Learnt {
+        model: model_text(&found.estimator)?,
+        report: found.report,
+        left_out: found.left_out,
+    })))
+}
+
+/// Has the system refuse this process more memory than that: an allocation that is refused ends it.
+fn limit_memory(bytes: u64) {
+    let before = getrlimit(Resource::Data);
+    let limit = Rlimit {
+        current: Some(before.current.map_or(bytes, |earlier| earlier.min(bytes))),
+        maximum: before.maximum,
+    };
+    // Where the system has no such limit, the parent's forecast is what there is.
+    let _ = setrlimit(Resource::Data, limit);
+}
