@@ -23,6 +23,20 @@ pub struct Findings {
     pub looked_at: usize,
 }
 
+/// Findings of searches from several starts as those of one, in the order of the starts; none of none.
+pub fn joined(searches: impl IntoIterator<Item = Findings>) -> Option<Findings> {
+    searches.into_iter().reduce(|one, other| {
+        let mut best = Best::default();
+        for found in one.best.iter().chain(&other.best) {
+            best.offer(&found.places, found.error_deg);
+        }
+        Findings {
+            looked_at: one.looked_at + other.looked_at,
+            ..best.findings(one.is_exhaustive)
+        }
+    })
+}
+
 /// The best layouts so far, best first; of two equal ones the first in the order of places.
 #[derive(Default)]
 pub(crate) struct Best {
@@ -55,7 +69,7 @@ impl Best {
     }
 
     /// All that was seen.
-    pub fn findings(self, is_exhaustive: bool) -> Findings {
+    pub(crate) fn findings(self, is_exhaustive: bool) -> Findings {
         Findings {
             best: self.kept,
             is_exhaustive,

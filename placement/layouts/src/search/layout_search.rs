@@ -54,20 +54,24 @@ impl SearchPlaces {
         self.films[place]
     }
 
-    /// The best layouts of so many films; `None` when it is stopped meanwhile.
+    /// Returns how many searches for so many films there are, each from a start of its own: pieces of work that whoever has cores can share out.
+    pub fn starts(&self, films: usize) -> usize {
+        starts(self.count(), films)
+    }
+
+    /// The best layouts of so many films that the search from one start finds; `None` when it is stopped meanwhile.
     ///
     /// # Panics
     /// If there are fewer places.
-    pub fn search(&self, films: usize, stop: &AtomicBool) -> Option<Findings> {
+    pub fn search(&self, films: usize, start: usize, stop: &AtomicBool) -> Option<Findings> {
         assert!(
             films <= self.count(),
             "{films} films for {} places",
             self.count()
         );
-        if combinations(self.count(), films) < EXHAUSTIVE {
-            self.exhaustive(films, stop)
-        } else {
-            self.greedy(films, stop)
+        match self.starts(films) {
+            1 => self.exhaustive(films, stop),
+            _ => self.greedy(films, start, stop),
         }
     }
 
@@ -105,11 +109,17 @@ impl SearchPlaces {
         chosen: &mut Vec<usize>,
         seen: &mut Seen<'_>,
     ) -> Option<()> {
-        if chosen.len() == seen.films {
-            seen.best.offer(chosen, sum.error_deg());
-            return go_on(seen.stop);
-        }
+        go_on(seen.stop)?;
         let missing = seen.films - chosen.len();
+        if missing == 1 {
+            for place in first..self.count() {
+                chosen.push(place);
+                let error = sum.error_of_sum_deg(&self.shares[place]);
+                seen.best.offer(chosen, error);
+                chosen.pop();
+            }
+            return Some(());
+        }
         let mut with = sum.nothing();
         for place in first..=self.count() - missing {
             with.set_to_sum(sum, &self.shares[place]);
@@ -120,29 +130,42 @@ impl SearchPlaces {
         Some(())
     }
 
-    /// Adds one film after the other where it helps most, then exchanges; the same from films at random, because exchange ends in a layout that no single move
-    /// makes better.
-    fn greedy(&self, films: usize, stop: &AtomicBool) -> Option<Findings> {
+    /// Exchanges from films that were added one after the other where each helps most; from the second start on from films at random, because exchange ends in a
+    /// layout that no single move makes better.
+    fn greedy(&self, films: usize, start: usize, stop: &AtomicBool) -> Option<Findings> {
         let mut seen = Seen::new(films, stop);
+        let chosen = match start {
+            0 => self.added(&mut seen)?,
+            _ => self.at_random(films, start),
+        };
+        self.exchange(chosen, &mut seen)?;
+        Some(seen.best.findings(false))
+    }
+
+    fn added(&self, seen: &mut Seen<'_>) -> Option<Vec<usize>> {
         let (mut chosen, mut sum) = (Vec::new(), self.nothing());
-        for _ in 0..films {
-            let place = self.best_place(&chosen, &sum, &mut seen)?;
+        for _ in 0..seen.films {
+            let place = self.best_place(&chosen, &sum, seen)?;
             sum.add(&self.shares[place]);
             chosen.push(place);
         }
-        self.exchange(chosen, &mut seen)?;
+        Some(chosen)
+    }
+
+    fn at_random(&self, films: usize, start: usize) -> Vec<usize> {
         let mut rng = ChaCha8Rng::seed_from_u64(SEED);
-        for _ in 0..STARTS {
-            let mut places: Vec<usize> = (0..self.count()).collect();
+        let mut places = Vec::new();
+        // Starts go on in one stream.
+        for _ in 0..start {
+            places = (0..self.count()).collect();
             // The first entries of a shuffled list (Fisher and Yates).
             for film in 0..films {
                 let other = film + rng.next_u64() as usize % (places.len() - film);
                 places.swap(film, other);
             }
-            places.truncate(films);
-            self.exchange(places, &mut seen)?;
         }
-        Some(seen.best.findings(false))
+        places.truncate(films);
+        places
     }
 
     /// Takes each film out and puts it back where it helps most, until none moves.
@@ -165,11 +188,10 @@ impl SearchPlaces {
 
     /// Returns the place where one film more helps most; whole layouts are offered as they come.
     fn best_place(&self, chosen: &[usize], sum: &Share, seen: &mut Seen<'_>) -> Option<usize> {
-        let (mut found, mut with) = ((f64::INFINITY, 0), sum.nothing());
+        let mut found = (f64::INFINITY, 0);
         for place in (0..self.count()).filter(|place| !chosen.contains(place)) {
             go_on(seen.stop)?;
-            with.set_to_sum(sum, &self.shares[place]);
-            let error = with.error_deg();
+            let error = sum.error_of_sum_deg(&self.shares[place]);
             if chosen.len() + 1 == seen.films {
                 let mut whole = [chosen, &[place]].concat();
                 whole.sort_unstable();
@@ -204,6 +226,14 @@ fn go_on(stop: &AtomicBool) -> Option<()> {
     (!stop.load(Ordering::Relaxed)).then_some(())
 }
 
+/// Returns how many searches there are for so many films out of so many places.
+fn starts(places: usize, films: usize) -> usize {
+    match combinations(places, films) < EXHAUSTIVE {
+        true => 1,
+        false => 1 + STARTS,
+    }
+}
+
 /// Counts the layouts; infinite beyond what floats count.
 fn combinations(places: usize, films: usize) -> f64 {
     (0..films)
@@ -215,7 +245,7 @@ fn combinations(places: usize, films: usize) -> f64 {
 mod tests {
     use super::*;
     use crate::fisher::bounds::tests::{NOISE, gaussian};
-    use crate::search::best_layouts::KEPT;
+    use crate::search::best_layouts::{KEPT, joined};
 
     static GO_ON: AtomicBool = AtomicBool::new(false);
 
@@ -245,7 +275,7 @@ mod tests {
         let stop = AtomicBool::new(true);
         let places = places(SearchCriterion::Bound, 24, 12.0);
         assert_eq!(places.exhaustive(3, &stop), None);
-        assert_eq!(places.greedy(3, &stop), None);
+        assert_eq!(places.greedy(3, 1, &stop), None);
     }
 
     #[test]
@@ -258,11 +288,9 @@ mod tests {
         ] {
             let places = places(criterion, 24, width);
             for &films in counts {
-                let (all, greedy) = (
-                    places.exhaustive(films, &GO_ON),
-                    places.greedy(films, &GO_ON),
-                );
-                let (all, greedy) = (all.expect("ends"), greedy.expect("ends"));
+                let all = places.exhaustive(films, &GO_ON).expect("ends");
+                let starts = (0..=STARTS).map(|start| places.greedy(films, start, &GO_ON));
+                let greedy = joined(starts.map(|found| found.expect("ends"))).expect("one");
                 assert!(all.is_exhaustive && all.looked_at as f64 == combinations(48, films));
                 let ratio = greedy.best[0].error_deg / all.best[0].error_deg;
                 // Turned or mirrored, a layout is as good: the same to rounding, of distances to single precision.
@@ -275,7 +303,7 @@ mod tests {
     #[test]
     fn the_best_are_sorted_and_differ() {
         let found = places(SearchCriterion::Bound, 12, 14.0)
-            .search(3, &GO_ON)
+            .search(3, 0, &GO_ON)
             .expect("ends");
         assert_eq!(found.best.len(), KEPT);
         for pair in found.best.windows(2) {
@@ -286,7 +314,7 @@ mod tests {
     #[test]
     fn all_places_taken_are_one_layout() {
         let found = places(SearchCriterion::Bound, 3, 14.0)
-            .search(6, &GO_ON)
+            .search(6, 0, &GO_ON)
             .expect("ends");
         assert_eq!((found.best.len(), found.looked_at), (1, 1));
         assert_eq!(combinations(48, 4), 194_580.0);

@@ -115,51 +115,51 @@ impl Share {
         }
     }
 
-    /// The criterion of the layout whose films' shares this is the sum of, degrees.
-    pub fn error_deg(&self) -> f64 {
-        (self.local() + self.mistaken()).sqrt()
+    /// The criterion of the layout whose films' shares these two sum up to, degrees. The sum isn't kept: of most layouts nothing but this is wanted.
+    pub(crate) fn error_of_sum_deg(&self, other: &Self) -> f64 {
+        (self.local(other) + self.mistaken(other)).sqrt()
     }
 
-    /// The first part of it, degrees.
+    /// The first part of the criterion of the layout whose films' shares this is the sum of, degrees.
     pub fn bound_deg(&self) -> f64 {
-        self.local().sqrt()
+        self.local(&self.nothing()).sqrt()
     }
 
     /// Mean square of the angle's bound with the prior added.
-    fn local(&self) -> f64 {
+    fn local(&self, other: &Self) -> f64 {
         let (of_angle, of_depth) = (PRIOR_ANGLE_DEG.powi(-2), PRIOR_DEPTH_MM.powi(-2));
-        let variance = |[angle, cross, depth]: &[f64; 3]| {
+        let variance = |(a, b): (&[f64; 3], &[f64; 3])| {
+            let [angle, cross, depth] = std::array::from_fn(|k| a[k] + b[k]);
             let (angle, depth) = (angle + of_angle, depth + of_depth);
             depth / (angle * depth - cross * cross)
         };
-        self.information.iter().map(variance).sum::<f64>() / self.information.len() as f64
+        let pairs = self.information.iter().zip(&other.information);
+        pairs.map(variance).sum::<f64>() / self.information.len() as f64
     }
 
     /// Mean square of the angle's error where contacts are mistaken for others.
-    fn mistaken(&self) -> f64 {
+    fn mistaken(&self, other: &Self) -> f64 {
         if self.distances.is_empty() {
             return 0.0;
         }
-        let probability = |row: &[f32]| 0.5 * (-0.125 * f64::from(least(row))).exp();
+        let probability = |(a, b)| 0.5 * (-0.125 * f64::from(least_sum(a, b))).exp();
         let rows = self.distances.chunks_exact(self.row);
         let count = rows.len() as f64;
-        PRIOR_ANGLE_DEG.powi(2) * rows.map(probability).sum::<f64>() / count
+        let pairs = rows.zip(other.distances.chunks_exact(self.row));
+        PRIOR_ANGLE_DEG.powi(2) * pairs.map(probability).sum::<f64>() / count
     }
 }
 
-/// Eight side by side: one alone would wait for each comparison.
-fn least(row: &[f32]) -> f32 {
+/// The least sum of two numbers at one place; eight side by side, as one alone would wait for each comparison.
+fn least_sum(a: &[f32], b: &[f32]) -> f32 {
     let mut lanes = [f32::INFINITY; 8];
-    let eights = row.chunks_exact(8);
-    let rest = eights.remainder().iter().copied();
-    let rest = rest.fold(f32::INFINITY, f32::min);
-    for eight in eights {
+    let (a, b) = (a.chunks_exact(8), b.chunks_exact(8));
+    let rest = a.remainder().iter().zip(b.remainder());
+    let rest = rest.fold(f32::INFINITY, |least, (a, b)| least.min(a + b));
+    for (a, b) in a.zip(b) {
         for k in 0..8 {
-            lanes[k] = if eight[k] < lanes[k] {
-                eight[k]
-            } else {
-                lanes[k]
-            };
+            let sum = a[k] + b[k];
+            lanes[k] = if sum < lanes[k] { sum } else { lanes[k] };
         }
     }
     lanes.into_iter().fold(rest, f32::min)
@@ -235,7 +235,8 @@ mod tests {
             sum.add(&share);
             sum
         });
-        sum.expect("a film").error_deg()
+        let sum = sum.expect("a film");
+        sum.error_of_sum_deg(&sum.nothing())
     }
 
     #[test]
@@ -266,10 +267,10 @@ mod tests {
     }
 
     #[test]
-    fn the_least_of_a_row_is_found_wherever_it_stands() {
+    fn the_least_sum_of_two_rows_is_found_wherever_it_stands() {
         for at in 0..19 {
             let row: Vec<f32> = (0..19).map(|k| if k == at { 1.0 } else { 2.0 }).collect();
-            assert_eq!(least(&row), 1.0, "{at}");
+            assert_eq!(least_sum(&row, &[0.5; 19]), 1.5, "{at}");
         }
     }
 }

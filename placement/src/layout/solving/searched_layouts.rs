@@ -7,7 +7,7 @@ use documents::layouts::layout_settings::Layouts;
 use layouts::arrangement::LaidFilm;
 use layouts::field::film_field::{DepthFields, LoadField, Noise};
 use layouts::ranking::asked_layouts::{AskedLayout, listed};
-use layouts::search::best_layouts::Findings;
+use layouts::search::best_layouts::{Findings, joined};
 use layouts::search::layout_search::SearchPlaces;
 use layouts::search::search_criterion::{SearchCriterion, SearchFields};
 use results::LayoutSearch;
@@ -43,17 +43,22 @@ pub(crate) fn search(
     let tasks: Vec<(usize, &(SearchCriterion, SearchPlaces))> = numbers
         .flat_map(|&films| searches.iter().map(move |search| (films, search)))
         .collect();
-    let found = in_parallel(tasks.len(), context.threads, context.stop, |task| {
+    let starts = |task: usize| tasks[task].1.1.starts(tasks[task].0);
+    let pieces: Vec<(usize, usize)> = (0..tasks.len())
+        .flat_map(|task| (0..starts(task)).map(move |start| (task, start)))
+        .collect();
+    let found = in_parallel(pieces.len(), context.threads, context.stop, |piece| {
+        let (task, start) = pieces[piece];
         let (films, (_, places)) = tasks[task];
-        places.search(films, context.stop)
+        places.search(films, start, context.stop)
     })?;
     let found: Option<Vec<Findings>> = found.into_iter().collect();
-    let found = found?;
-    let reports = tasks
-        .iter()
-        .zip(&found)
-        .map(|((films, search), found)| report(*films, search, found, asked));
-    Some(reports.collect())
+    let mut found = found?.into_iter();
+    let reports = tasks.iter().enumerate().map(|(task, (films, search))| {
+        let found = joined(found.by_ref().take(starts(task)))?;
+        Some(report(*films, search, &found, asked))
+    });
+    reports.collect()
 }
 
 /// Reports what one search found, whose layouts are added to those that are scored, each once.
