@@ -20,6 +20,8 @@ const POOLS: (f64, f64, f64, f64) = (1.7, 26.0, 40.0, 3.5);
 /// Memory that the estimate of contacts keeps for each film of a layout on each thread, bytes: a dozen functions at 4860 angles, twice, and what the allocator
 /// keeps of them. The shipped study of layouts took 338 MB on the coarse mesh and 885 MB on the standard one.
 const FILM: f64 = 2e6;
+/// Memory of a search for each place that films may have, bytes: the shares of both criteria.
+const PLACE: f64 = 100e3;
 /// Memory of a solve of deep contact beside its mesh, bytes: borders that are widened again and again.
 const DEEP: f64 = 60e6;
 
@@ -34,7 +36,9 @@ pub(super) fn memory_bytes(work: &Workload, stages: &[Stage], machine: &Machine)
         output * (stage.meshes() * work.readings) as f64
     };
     let solving = |stage: &Stage| solving(stage, machine);
-    let scored = |stage: &Stage| FILM * (stage.films * machine.threads) as f64;
+    let scored = |stage: &Stage| {
+        FILM * (stage.films * machine.threads) as f64 + PLACE * stage.searched.1 as f64
+    };
     (PROGRAM + largest(&solving) + responses + largest(&analysed) + largest(&scored)) as u64
 }
 

@@ -11,7 +11,7 @@ use gsa::method::{Kind, Method};
 use super::solve_time::{How, Task, mirror_class, tire};
 use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
-use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings};
+use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings, searched};
 use crate::layout::solving::study_layouts::Asked;
 use crate::points::keys;
 use crate::response_table::study_table::StudyTable;
@@ -57,6 +57,8 @@ pub(crate) struct Stage {
     pub tables: Vec<Vec<Point>>,
     /// Number of times that a layout is scored at a load on a mesh.
     pub scorings: usize,
+    /// Layouts that a search looks at by each criterion, and its places.
+    pub searched: (f64, usize),
     /// Layouts whose forces are learnt from a rig's runs.
     pub learnt: usize,
     /// Films of the largest layout.
@@ -219,6 +221,10 @@ impl Workload {
                     scorings(study, &planned.plan, solver)
                 } else {
                     0
+                },
+                searched: match is_first {
+                    true => searched(study),
+                    false => (0.0, 0),
                 },
                 learnt: match (&study.rig, is_first) {
                     (Some(_), true) => Asked::of(study).layouts.len(),

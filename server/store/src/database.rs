@@ -9,6 +9,7 @@ use tokio::sync::{Mutex, watch};
 use crate::file::place::Place;
 use crate::file::presence::Presence;
 use crate::file::{lock, opening, pools};
+use crate::seals;
 use crate::store_error::StoreError;
 
 /// An open database, held by this process alone.
@@ -110,9 +111,10 @@ impl Store {
     /// aren't there any more.
     pub async fn commit(
         &self,
-        transaction: Transaction<'static, Sqlite>,
+        mut transaction: Transaction<'static, Sqlite>,
         event: i64,
     ) -> Result<(), StoreError> {
+        seals::close(&mut transaction).await?;
         transaction.commit().await?;
         // Afterwards: what is confirmed was in the files that the next start will find.
         self.presence.check()?;

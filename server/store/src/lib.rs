@@ -7,6 +7,7 @@
 //! - [`queue`]: what was asked, whose turn it is, what happened
 //! - [`points`]: solved points
 //! - [`answers`]: results and measured trades
+//! - `seals`: rows that stay in their places
 //! - [`removal`]: taking studies out, with all that is theirs alone
 //!
 //! Functions take a connection, so that the caller owns the transaction. Times are RFC 3339, UTC.
@@ -21,6 +22,7 @@ pub mod points;
 pub mod queue;
 pub mod removal;
 mod row;
+mod seals;
 mod store_error;
 
 pub use database::Store;

@@ -226,6 +226,16 @@ fn go_on(stop: &AtomicBool) -> Option<()> {
     (!stop.load(Ordering::Relaxed)).then_some(())
 }
 
+/// Returns how many layouts a search for so many films out of so many places is expected to look at: all, or three and a half rounds of exchange from each start, as
+/// counted for 12 to 48 films of 1680 places.
+pub fn expected_looks(places: usize, films: usize) -> f64 {
+    const ROUNDS: f64 = 3.5;
+    match starts(places, films) {
+        1 => combinations(places, films),
+        starts => (1.0 + ROUNDS * starts as f64) * (films * places) as f64,
+    }
+}
+
 /// Returns how many searches there are for so many films out of so many places.
 fn starts(places: usize, films: usize) -> usize {
     match combinations(places, films) < EXHAUSTIVE {

@@ -10,6 +10,7 @@ use crate::layout::solving::study_layouts::Asked;
 use crate::signals::answers::check_transferable;
 use documents::study::Study;
 use documents::study::plan::Plan;
+use layouts::search::layout_search::expected_looks;
 use layouts::search::search_criterion::SearchCriterion;
 
 /// The level of a study's layouts, and the coarser one that shows its error.
@@ -63,6 +64,14 @@ pub(crate) fn largest_layout(study: &Study) -> usize {
         .iter()
         .flat_map(|search| search.films.iter().copied());
     asked.chain(searched).max().unwrap_or(0)
+}
+
+/// Layouts that a study's search is expected to look at by each criterion, and the places that films may have.
+pub(crate) fn searched(study: &Study) -> (f64, usize) {
+    let places = Asked::of(study).places.len();
+    let numbers = study.layouts.search.iter().flat_map(|search| &search.films);
+    let looks = numbers.map(|films| expected_looks(places, *films));
+    (looks.sum(), places)
 }
 
 /// Returns how often a layout is scored at a load on a mesh: those that a search finds, and those with a film dead, are scored, too.

@@ -8,6 +8,7 @@ use sqlx::{Row, SqliteConnection};
 use crate::clock::now;
 use crate::column::{counted, whole};
 use crate::content::{encode, sha256};
+use crate::seals;
 use crate::store_error::StoreError;
 
 const RESULT: &str = "the result of a study";
@@ -146,6 +147,7 @@ pub async fn row(
             "select document, map_place, map_sha256, document_sha256, content_sha256, null from results where study = ?"
         }
     };
+    seals::intact(connection, "results", "study = ?", study).await?;
     let row = sqlx::query(query)
         .bind(study)
         .fetch_optional(connection)
@@ -189,6 +191,21 @@ impl ResultRow {
         whole.push_str(map);
         whole.push_str(&document[taken.place + NO_MAP.len()..]);
         Ok(whole)
+    }
+}
+
+/// Checks a study's whole result, also the hash of its content.
+///
+/// # Errors
+/// [`StoreError::Damaged`] when something doesn't match; when the database can't be read.
+pub(crate) async fn check(
+    connection: &mut SqliteConnection,
+    study: &str,
+) -> Result<(), StoreError> {
+    let found = find::<StudyResult>(connection, study, Extent::Whole).await?;
+    match found {
+        Some((result, stored)) if content_sha256(&result)? != stored => Err(damaged(study)),
+        _ => Ok(()),
     }
 }
 

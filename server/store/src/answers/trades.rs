@@ -5,6 +5,7 @@ use sqlx::SqliteConnection;
 
 use crate::clock::now;
 use crate::content::{encode, sha256};
+use crate::seals;
 use crate::store_error::StoreError;
 
 /// Stores a trade; earlier ones of the same study stay.
@@ -33,6 +34,7 @@ pub async fn newest(
     connection: &mut SqliteConnection,
     spec_sha256: &str,
 ) -> Result<Option<Trade>, StoreError> {
+    seals::intact(connection, "trades", "spec_sha256 = ?", spec_sha256).await?;
     let query = "select document, document_sha256 from trades where spec_sha256 = ? order by id desc limit 1";
     let row: Option<(String, String)> = sqlx::query_as(query)
         .bind(spec_sha256)

@@ -8,6 +8,7 @@ use sqlx::{Connection, SqliteConnection, SqlitePool};
 use crate::file::condition;
 use crate::file::place::Place;
 use crate::file::schema;
+use crate::seals;
 use crate::store_error::StoreError;
 
 /// Oldest version of SQLite: before it, a database could be corrupted when its write-ahead log was reset.
@@ -36,6 +37,8 @@ pub(crate) async fn bootstrap(place: &Place) -> Result<(), StoreError> {
         .run(&mut connection)
         .await
         .map_err(|error| place.failed(error))?;
+    // Those of before there were seals; an interruption leaves some for the next start.
+    seals::close(&mut connection).await?;
     connection
         .close()
         .await

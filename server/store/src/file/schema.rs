@@ -6,7 +6,7 @@ use sqlx::SqlSafeStr;
 use sqlx::migrate::{Migration, MigrationType, Migrator};
 
 /// The files of `migrations`, in order, each by its number and name.
-static CHANGES: [(&str, &str); 2] = [
+static CHANGES: [(&str, &str); 3] = [
     (
         "0001_tables",
         include_str!("../../../../migrations/0001_tables.sql"),
@@ -14,6 +14,10 @@ static CHANGES: [(&str, &str); 2] = [
     (
         "0002_estimators_in_processes",
         include_str!("../../../../migrations/0002_estimators_in_processes.sql"),
+    ),
+    (
+        "0003_seals",
+        include_str!("../../../../migrations/0003_seals.sql"),
     ),
 ];
 

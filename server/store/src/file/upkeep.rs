@@ -5,11 +5,10 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use results::StudyResult;
 use serde::Serialize;
 use sqlx::{Connection, SqliteConnection};
 
-use crate::answers::result_rows::{self, Extent};
+use crate::answers::result_rows;
 use crate::answers::trades;
 use crate::file::condition;
 use crate::file::lock::DatabaseLock;
@@ -20,6 +19,7 @@ use crate::points::study_points;
 use crate::queue::estimator_rows;
 use crate::queue::study_rows;
 use crate::queue::sweep_rows;
+use crate::seals;
 use crate::store_error::StoreError;
 
 /// Findings of a check.
@@ -60,9 +60,7 @@ pub async fn inspect(
             let read = match table {
                 "evaluations" => evaluations::find(connection, &[key]).await.err(),
                 "start_states" => evaluations::find_start(connection, &key).await.err(),
-                "results" => result_rows::find::<StudyResult>(connection, &key, Extent::Whole)
-                    .await
-                    .err(),
+                "results" => result_rows::check(connection, &key).await.err(),
                 "studies" => check_study(connection, &key).await.err(),
                 "sweeps" => check_sweep(connection, &key).await.err(),
                 "estimators" => estimator_rows::check(connection, &key).await.err(),
@@ -77,7 +75,9 @@ pub async fn inspect(
             seen(done, of);
         }
     }
+    found.faults.extend(seals::broken(connection).await?);
     found.faults.extend(short(connection).await?);
+    found.faults.extend(gaps(connection).await?);
     Ok(found)
 }
 
@@ -104,7 +104,7 @@ async fn check_sweep(connection: &mut SqliteConnection, id: &str) -> Result<(), 
     if let Some(sweep) = sweep_rows::find(connection, id).await? {
         sweep.document()?;
     }
-    Ok(())
+    sweep_rows::designs(connection, id).await.map(|_| ())
 }
 
 async fn dangling(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {
@@ -133,6 +133,20 @@ async fn short(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreEr
     .await?;
     let sentence = |(id, done, points)| format!("study {id} counts {done} points and has {points}");
     Ok(rows.into_iter().map(sentence).collect())
+}
+
+/// What a state or a row promises and isn't there: results, events, the strains of points.
+async fn gaps(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {
+    let query = "select 'study ' || id || ' is done and has no result' from studies
+             where state = 'done' and not exists (select 1 from results where study = id)
+         union all
+         select 'study ' || id || ' has ended and its events don''t say so' from studies
+             where state in ('done', 'failed', 'cancelled') and coalesce((select kind from events where study = studies.id order by id desc limit 1), '') <> state
+         union all
+         select 'an event of study ' || study || ' before its event ' || id || ' is missing' from events
+             where previous is not (select max(id) from events as earlier where earlier.study = events.study and earlier.id < events.id)
+         limit 100";
+    Ok(sqlx::query_scalar(query).fetch_all(connection).await?)
 }
 
 /// Bytes that a copy will have: those of all pages that aren't free.

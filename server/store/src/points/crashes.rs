@@ -42,7 +42,7 @@ pub async fn end(connection: &mut SqliteConnection, key: &str) -> Result<(), Sto
 pub async fn suspect(connection: &mut SqliteConnection) -> Result<u64, StoreError> {
     sqlx::query(
         "insert into crashes (key, count) select key, 1 from solves_in_flight where true
-         on conflict (key) do update set count = count + 1",
+         on conflict (key) do update set count = count + 1, seal = null",
     )
     .execute(&mut *connection)
     .await?;
@@ -63,7 +63,7 @@ pub async fn count(
 ) -> Result<usize, StoreError> {
     let own: i64 = sqlx::query_scalar(
         "insert into crashes (key, count, own, cause) values (?, 1, 1, ?)
-         on conflict (key) do update set own = own + 1, cause = excluded.cause returning own",
+         on conflict (key) do update set own = own + 1, cause = excluded.cause, seal = null returning own",
     )
     .bind(key)
     .bind(cause)

@@ -223,7 +223,11 @@ pub async fn parts_of<R: DeserializeOwned>(
     let query = "select p.ordinal, p.sha256 as link_sha256, e.key, e.scene, e.response, e.failure, e.cost, e.sha256
                  from study_points p join evaluations e on e.key = p.evaluation
                  where p.study = ? order by p.ordinal";
-    parts(connection, query, study).await
+    let found = parts(connection, query, study).await?;
+    match study_points::expected(connection, study).await? > found.len() {
+        true => Err(study_points::lost(study)),
+        false => Ok(found),
+    }
 }
 
 /// Finds those points alone from whose equilibrium others start.

@@ -81,6 +81,34 @@ pub async fn of(
     rows.into_iter().map(point).collect()
 }
 
+/// Counts the points that a study is to have: those that it counts, but for those whose solve broke, which leave an event alone.
+///
+/// # Errors
+/// When the database can't be read.
+pub(crate) async fn expected(
+    connection: &mut SqliteConnection,
+    study: &str,
+) -> Result<usize, StoreError> {
+    let query = "select points_done
+             - (select count(distinct payload ->> 'ordinal') from events
+                where study = studies.id and kind = 'point-failed' and not exists
+                    (select 1 from study_points where study = events.study and ordinal = events.payload ->> 'ordinal'))
+         from studies where id = ?";
+    let count: Option<i64> = sqlx::query_scalar(query)
+        .bind(study)
+        .fetch_optional(connection)
+        .await?;
+    Ok(count.and_then(counted).unwrap_or(0))
+}
+
+/// Points of this study that aren't there any more.
+pub(crate) fn lost(study: &str) -> StoreError {
+    StoreError::Damaged {
+        table: "study_points",
+        row: study.to_owned(),
+    }
+}
+
 /// The ordinal of a row that matches its hash.
 ///
 /// # Errors

@@ -9,6 +9,7 @@ use crate::column::whole;
 use crate::content::{document_sha256, intact, sha256};
 use crate::queue::study_rows::{State, by_state};
 use crate::row::from_row;
+use crate::seals;
 use crate::store_error::StoreError;
 
 /// An estimator as stored, without its recordings and what was learnt of them.
@@ -148,6 +149,7 @@ pub async fn find(
     connection: &mut SqliteConnection,
     id: &str,
 ) -> Result<Option<EstimatorRow>, StoreError> {
+    seals::intact(connection, "estimators", "id = ?", id).await?;
     Ok(sqlx::query_as("select * from estimators where id = ?")
         .bind(id)
         .fetch_optional(connection)
@@ -164,8 +166,25 @@ pub async fn recordings(
 ) -> Result<Vec<RecordingRow>, StoreError> {
     let query =
         "select file, text, sha256 from estimator_recordings where estimator = ? order by ordinal";
-    let rows: Vec<(String, String, String)> =
-        sqlx::query_as(query).bind(id).fetch_all(connection).await?;
+    seals::intact(connection, "estimator_recordings", "estimator = ?", id).await?;
+    let rows: Vec<(String, String, String)> = sqlx::query_as(query)
+        .bind(id)
+        .fetch_all(&mut *connection)
+        .await?;
+    let counted = "select json_array_length(document, '$.recordings') from estimators where id = ?";
+    let counted: Option<Option<i64>> = sqlx::query_scalar(counted)
+        .bind(id)
+        .fetch_optional(connection)
+        .await?;
+    if counted
+        .flatten()
+        .is_some_and(|counted| counted != whole(rows.len()))
+    {
+        return Err(StoreError::Damaged {
+            table: "estimator_recordings",
+            row: id.to_owned(),
+        });
+    }
     let whole = |(file, text, sha256): (String, String, String)| {
         if recording_sha256(&file, &text) == sha256 {
             return Ok(RecordingRow { file, text });
@@ -394,6 +413,7 @@ pub async fn part(
     id: &str,
     part: Part,
 ) -> Result<Option<String>, StoreError> {
+    seals::intact(connection, "estimator_parts", "estimator = ?", id).await?;
     let query = "select document, sha256 from estimator_parts where estimator = ? and part = ?";
     let row: Option<(String, String)> = sqlx::query_as(query)
         .bind(id)
@@ -412,12 +432,19 @@ pub async fn part(
 /// # Errors
 /// [`StoreError::Damaged`] when something doesn't match; when the database can't be read.
 pub async fn check(connection: &mut SqliteConnection, id: &str) -> Result<(), StoreError> {
-    if let Some(row) = find(connection, id).await? {
+    let row = find(connection, id).await?;
+    if let Some(row) = &row {
         row.document()?;
     }
     recordings(connection, id).await?;
+    let is_done = row.is_some_and(|row| row.state() == State::Done);
     for kind in Part::ALL {
-        part(connection, id, kind).await?;
+        if part(connection, id, kind).await?.is_some() != is_done {
+            return Err(StoreError::Damaged {
+                table: "estimator_parts",
+                row: id.to_owned(),
+            });
+        }
     }
     Ok(())
 }
@@ -449,6 +476,7 @@ pub async fn under_key(
     connection: &mut SqliteConnection,
     key: &str,
 ) -> Result<Option<(String, String)>, StoreError> {
+    seals::intact(connection, "estimator_keys", "key = ?", key).await?;
     Ok(
         sqlx::query_as("select estimator, sha256 from estimator_keys where key = ?")
             .bind(key)

@@ -5,6 +5,7 @@ use sqlx::SqliteConnection;
 
 use crate::clock::now;
 use crate::row::from_row;
+use crate::seals;
 use crate::store_error::StoreError;
 
 /// An event of a study.
@@ -44,8 +45,8 @@ pub async fn insert(
     kind: &str,
     payload: &Value,
 ) -> Result<i64, StoreError> {
-    let query =
-        "insert into events (study, kind, payload, created) values (?, ?, ?, ?) returning id";
+    let query = "insert into events (study, previous, kind, payload, created)
+         values (?1, (select max(id) from events where study = ?1), ?2, ?3, ?4) returning id";
     Ok(sqlx::query_scalar(query)
         .bind(study)
         .bind(kind)
@@ -67,7 +68,7 @@ pub async fn latest(connection: &mut SqliteConnection) -> Result<i64, StoreError
 /// Lists up to `limit` events of a study after the event `after`, in order.
 ///
 /// # Errors
-/// When the database can't be read.
+/// [`StoreError::Damaged`] when one was changed; when the database can't be read.
 pub async fn after(
     connection: &mut SqliteConnection,
     study: &str,
@@ -75,10 +76,15 @@ pub async fn after(
     limit: u32,
 ) -> Result<Vec<EventRow>, StoreError> {
     let query = "select id, kind, payload, created from events where study = ? and id > ? order by id limit ?";
-    Ok(sqlx::query_as(query)
+    let rows: Vec<EventRow> = sqlx::query_as(query)
         .bind(study)
         .bind(after)
         .bind(limit)
-        .fetch_all(connection)
-        .await?)
+        .fetch_all(&mut *connection)
+        .await?;
+    if let Some(last) = rows.last() {
+        let these = format!("study = ? and id > {after} and id <= {}", last.id);
+        seals::intact(connection, "events", &these, study).await?;
+    }
+    Ok(rows)
 }

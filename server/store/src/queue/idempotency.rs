@@ -3,6 +3,7 @@
 use sqlx::SqliteConnection;
 
 use crate::clock::now;
+use crate::seals;
 use crate::store_error::StoreError;
 
 /// The study submitted under this key, and the hash of its document.
@@ -13,6 +14,7 @@ pub async fn find(
     connection: &mut SqliteConnection,
     key: &str,
 ) -> Result<Option<(String, String)>, StoreError> {
+    seals::intact(connection, "idempotency_keys", "key = ?", key).await?;
     Ok(
         sqlx::query_as("select study, spec_sha256 from idempotency_keys where key = ?")
             .bind(key)

@@ -13,6 +13,7 @@ use crate::column::{counted, whole};
 use crate::content::{document_sha256, encode, intact};
 use crate::queue::listed::{Listed, RowChange};
 use crate::row::from_row;
+use crate::seals;
 use crate::store_error::StoreError;
 
 /// State of a study.
@@ -155,11 +156,12 @@ pub async fn insert(
 /// The study of this identifier.
 ///
 /// # Errors
-/// When the database can't be read.
+/// [`StoreError::Damaged`] when it was exchanged with another one; when the database can't be read.
 pub async fn find(
     connection: &mut SqliteConnection,
     id: &str,
 ) -> Result<Option<StudyRow>, StoreError> {
+    seals::intact(connection, "studies", "id = ?", id).await?;
     Ok(sqlx::query_as("select * from studies where id = ?")
         .bind(id)
         .fetch_optional(connection)

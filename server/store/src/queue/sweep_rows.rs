@@ -4,10 +4,12 @@ use serde_json::{Map, Value};
 use sqlx::SqliteConnection;
 
 use crate::clock::now;
+use crate::column::whole;
 use crate::content::{document_sha256, encode, intact};
 use crate::queue::listed::{Listed, RowChange};
 use crate::queue::study_rows::StudyRow;
 use crate::row::from_row;
+use crate::seals;
 use crate::store_error::StoreError;
 
 /// A sweep as stored.
@@ -94,6 +96,10 @@ pub async fn add_design(
     set: &Map<String, Value>,
     study: &str,
 ) -> Result<(), StoreError> {
+    sqlx::query("update sweeps set designs = designs + 1, seal = null where id = ?")
+        .bind(sweep)
+        .execute(&mut *connection)
+        .await?;
     let query = "insert into sweep_designs (sweep, ordinal, name, settings, study)
                  values (?1, (select coalesce(max(ordinal) + 1, 0) from sweep_designs where sweep = ?1), ?2, ?3, ?4)";
     sqlx::query(query)
@@ -116,7 +122,7 @@ pub async fn replace_study(
     ordinal: i64,
     study: &str,
 ) -> Result<(), StoreError> {
-    sqlx::query("update sweep_designs set study = ? where sweep = ? and ordinal = ?")
+    sqlx::query("update sweep_designs set study = ?, seal = null where sweep = ? and ordinal = ?")
         .bind(study)
         .bind(sweep)
         .bind(ordinal)
@@ -133,6 +139,7 @@ pub async fn find(
     connection: &mut SqliteConnection,
     id: &str,
 ) -> Result<Option<SweepRow>, StoreError> {
+    seals::intact(connection, "sweeps", "id = ?", id).await?;
     let query = "select * from sweeps where id = ?";
     Ok(sqlx::query_as(query)
         .bind(id)
@@ -215,17 +222,31 @@ from_row!(Joined { ordinal, design, settings; study });
 /// The designs of a sweep with their studies, in order.
 ///
 /// # Errors
-/// When the database can't be read.
+/// [`StoreError::Damaged`] when one was changed, exchanged or lost; when the database can't be read.
 pub async fn designs(
     connection: &mut SqliteConnection,
     sweep: &str,
 ) -> Result<Vec<DesignRow>, StoreError> {
     let query = "select d.ordinal, d.name as design, d.settings, s.* from sweep_designs d join studies s on s.id = d.study
                  where d.sweep = ? order by d.ordinal";
+    seals::intact(connection, "sweep_designs", "sweep = ?", sweep).await?;
     let rows: Vec<Joined> = sqlx::query_as(query)
         .bind(sweep)
-        .fetch_all(connection)
+        .fetch_all(&mut *connection)
         .await?;
+    let counted: Option<i64> = sqlx::query_scalar("select designs from sweeps where id = ?")
+        .bind(sweep)
+        .fetch_optional(&mut *connection)
+        .await?;
+    if counted.is_some_and(|counted| counted != whole(rows.len())) {
+        return Err(StoreError::Damaged {
+            table: "sweep_designs",
+            row: sweep.to_owned(),
+        });
+    }
+    for row in &rows {
+        seals::intact(connection, "studies", "id = ?", &row.study.id).await?;
+    }
     let design = |row: Joined| DesignRow {
         ordinal: row.ordinal,
         name: row.design,
@@ -259,6 +280,7 @@ pub async fn under_key(
     connection: &mut SqliteConnection,
     key: &str,
 ) -> Result<Option<(String, String)>, StoreError> {
+    seals::intact(connection, "sweep_keys", "key = ?", key).await?;
     Ok(
         sqlx::query_as("select sweep, sha256 from sweep_keys where key = ?")
             .bind(key)
