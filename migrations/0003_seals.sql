@@ -28,6 +28,14 @@ create index estimator_recordings_unsealed on estimator_recordings (estimator) w
 create index estimator_parts_unsealed on estimator_parts (estimator) where seal is null;
 create index estimator_keys_unsealed on estimator_keys (key) where seal is null;
 
+-- Of what changes while somebody works on it: name, state, counts, times.
+alter table studies add column state_seal text;
+create index studies_state_unsealed on studies (id) where state_seal is null;
+alter table sweeps add column state_seal text;
+create index sweeps_state_unsealed on sweeps (id) where state_seal is null;
+alter table estimators add column state_seal text;
+create index estimators_state_unsealed on estimators (id) where state_seal is null;
+
 -- The event of the same study before this one: a gap shows.
 alter table events add column previous integer;
 update events set previous = (select max(id) from events as earlier where earlier.study = events.study and earlier.id < events.id);

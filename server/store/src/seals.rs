@@ -12,73 +12,139 @@ use crate::store_error::StoreError;
 /// A table whose rows have seals.
 struct Sealed {
     table: &'static str,
+    /// Column of the seal.
+    seal: &'static str,
     key: &'static [&'static str],
-    /// Columns that never change, or take the seal off when they do; the key is among them.
+    /// Columns that the seal covers, the key among them.
     covered: &'static [&'static str],
 }
 
 const fn sealed(
     table: &'static str,
+    seal: &'static str,
     key: &'static [&'static str],
     covered: &'static [&'static str],
 ) -> Sealed {
     Sealed {
         table,
+        seal,
         key,
         covered,
     }
 }
 
-static SEALED: [Sealed; 13] = [
-    sealed("studies", &["id"], &["id", "spec_sha256", "created"]),
+/// Seal of what a row is.
+const IDENTITY: &str = "seal";
+/// Seal of how far it is, apart: who changes that takes this seal off, and leaves the other one as it is.
+const STATE: &str = "state_seal";
+
+static SEALED: [Sealed; 16] = [
+    sealed(
+        "studies",
+        IDENTITY,
+        &["id"],
+        &["id", "spec_sha256", "created"],
+    ),
+    sealed(
+        "studies",
+        STATE,
+        &["id"],
+        &[
+            "id",
+            "name",
+            "state",
+            "priority",
+            "place",
+            "points_total",
+            "points_done",
+            "estimate",
+            "error",
+            "started",
+            "finished",
+            "archived",
+        ],
+    ),
     sealed(
         "events",
+        IDENTITY,
         &["id"],
         &["id", "study", "previous", "kind", "payload", "created"],
     ),
     sealed(
         "idempotency_keys",
+        IDENTITY,
         &["key"],
         &["key", "study", "spec_sha256"],
     ),
-    sealed("crashes", &["key"], &["key", "count", "own", "cause"]),
+    sealed(
+        "crashes",
+        IDENTITY,
+        &["key"],
+        &["key", "count", "own", "cause"],
+    ),
     sealed(
         "results",
+        IDENTITY,
         &["study"],
         &["study", "document_sha256", "content_sha256", "created"],
     ),
     sealed(
         "trades",
+        IDENTITY,
         &["id"],
         &["id", "spec_sha256", "document_sha256", "created"],
     ),
     sealed(
         "sweeps",
+        IDENTITY,
         &["id"],
         &["id", "spec_sha256", "priority", "designs", "created"],
     ),
+    sealed("sweeps", STATE, &["id"], &["id", "name", "archived"]),
     sealed(
         "sweep_designs",
+        IDENTITY,
         &["sweep", "ordinal"],
         &["sweep", "ordinal", "name", "settings", "study"],
     ),
-    sealed("sweep_keys", &["key"], &["key", "sweep", "sha256"]),
+    sealed(
+        "sweep_keys",
+        IDENTITY,
+        &["key"],
+        &["key", "sweep", "sha256"],
+    ),
     sealed(
         "estimators",
+        IDENTITY,
         &["id"],
         &["id", "document_sha256", "memory_bytes", "created"],
     ),
     sealed(
+        "estimators",
+        STATE,
+        &["id"],
+        &[
+            "id", "name", "state", "error", "crashes", "started", "finished",
+        ],
+    ),
+    sealed(
         "estimator_recordings",
+        IDENTITY,
         &["estimator", "ordinal"],
         &["estimator", "ordinal", "file", "sha256"],
     ),
     sealed(
         "estimator_parts",
+        IDENTITY,
         &["estimator", "part"],
         &["estimator", "part", "sha256"],
     ),
-    sealed("estimator_keys", &["key"], &["key", "estimator", "sha256"]),
+    sealed(
+        "estimator_keys",
+        IDENTITY,
+        &["key"],
+        &["key", "estimator", "sha256"],
+    ),
 ];
 
 /// Tables without seals: a hash of their own covers their key, or their owner's does; of solves in flight nothing is told to anybody.
@@ -93,16 +159,18 @@ const OWN_HASH: [&str; 6] = [
 ];
 
 impl Sealed {
+    /// That of what the rows of a table are.
     fn of(table: &str) -> Option<&'static Self> {
-        SEALED.iter().find(|sealed| sealed.table == table)
+        let mut identities = SEALED.iter().filter(|sealed| sealed.seal == IDENTITY);
+        identities.find(|sealed| sealed.table == table)
     }
 
     /// Selects key, covered columns and seal, the first two as JSON.
     fn select(&self, clause: &str) -> AssertSqlSafe<String> {
         let (key, covered) = (self.key.join(", "), self.covered.join(", "));
         AssertSqlSafe(format!(
-            "select json_array({key}), json_array({covered}), seal from {} where {clause}",
-            self.table
+            "select json_array({key}), json_array({covered}), {} from {} where {clause}",
+            self.seal, self.table
         ))
     }
 
@@ -110,14 +178,16 @@ impl Sealed {
         let is_it = |(place, column): (usize, &&str)| format!("{column} = ?2 ->> {place}");
         let key: Vec<String> = self.key.iter().enumerate().map(is_it).collect();
         AssertSqlSafe(format!(
-            "update {} set seal = ?1 where {}",
+            "update {} set {} = ?1 where {}",
             self.table,
+            self.seal,
             key.join(" and ")
         ))
     }
 
-    fn seal(&self, covered: &str) -> String {
-        sha256(&[self.table.as_bytes(), covered.as_bytes()])
+    fn sealed(&self, covered: &str) -> String {
+        let parts = [self.table, self.seal, covered];
+        sha256(&parts.map(str::as_bytes))
     }
 }
 
@@ -130,11 +200,11 @@ type Row = (String, String, Option<String>);
 /// When the database can't be written.
 pub(crate) async fn close(connection: &mut SqliteConnection) -> Result<(), StoreError> {
     for sealed in &SEALED {
-        let select = sealed.select("seal is null");
+        let select = sealed.select(&format!("{} is null", sealed.seal));
         let rows: Vec<Row> = sqlx::query_as(select).fetch_all(&mut *connection).await?;
         for (key, covered, _) in rows {
             sqlx::query(sealed.update())
-                .bind(sealed.seal(&covered))
+                .bind(sealed.sealed(&covered))
                 .bind(key)
                 .execute(&mut *connection)
                 .await?;
@@ -162,13 +232,10 @@ pub(crate) async fn intact(
         .await?;
     let broken = |(_, covered, seal): &&Row| {
         seal.as_ref()
-            .is_some_and(|seal| *seal != sealed.seal(covered))
+            .is_some_and(|seal| *seal != sealed.sealed(covered))
     };
     match rows.iter().find(broken) {
-        Some(_) => Err(StoreError::Damaged {
-            table,
-            row: value.to_owned(),
-        }),
+        Some((key, ..)) => Err(damaged(table, key)),
         None => Ok(()),
     }
 }
@@ -184,14 +251,20 @@ pub(crate) async fn broken(connection: &mut SqliteConnection) -> Result<Vec<Stri
             .fetch_all(&mut *connection)
             .await?;
         for (key, covered, seal) in rows {
-            if seal.as_deref() != Some(&sealed.seal(&covered)) {
-                let row = key.trim_matches(['[', ']']).replace('"', "");
-                let table = sealed.table;
-                found.push(StoreError::Damaged { table, row }.to_string());
+            if seal.as_deref() != Some(&sealed.sealed(&covered)) {
+                found.push(damaged(sealed.table, &key).to_string());
             }
         }
     }
     Ok(found)
+}
+
+/// A row by its key, JSON.
+fn damaged(table: &'static str, key: &str) -> StoreError {
+    StoreError::Damaged {
+        table,
+        row: key.trim_matches(['[', ']']).replace('"', ""),
+    }
 }
 
 #[cfg(test)]
@@ -209,7 +282,8 @@ mod tests {
             .await
             .expect("reads");
         tables.sort();
-        let sealed = SEALED.iter().map(|sealed| sealed.table);
+        let identities = SEALED.iter().filter(|sealed| sealed.seal == IDENTITY);
+        let sealed = identities.map(|sealed| sealed.table);
         let mut known: Vec<&str> = sealed.chain(OWN_HASH).collect();
         known.sort_unstable();
         assert_eq!(tables, known);

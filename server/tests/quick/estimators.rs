@@ -280,10 +280,11 @@ async fn a_fit_goes_on_after_a_restart_and_damage_ends_it() {
         .expect("reads");
     assert_eq!(states, ["queued", "queued"]);
     // As a kill leaves it.
-    let changed = sqlx::query("update estimators set state = 'running' where id = ?")
-        .bind(&first)
-        .execute(&mut sql)
-        .await;
+    let changed =
+        sqlx::query("update estimators set state_seal = null, state = 'running' where id = ?")
+            .bind(&first)
+            .execute(&mut sql)
+            .await;
     changed.expect("updates");
     let spoiled = "update estimator_recordings set text = text || '9,9,9,9' where estimator = ? and ordinal = 0";
     let spoiled = sqlx::query(spoiled).bind(&second).execute(&mut sql).await;

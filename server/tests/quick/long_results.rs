@@ -19,7 +19,8 @@ async fn with_long_result(home: &Home) -> (App, String, String) {
     let stored = app.get(&format!("/v1/studies/{id}/result")).await;
     let mut text = stored.text().await.expect("a text");
     text.push_str(&" ".repeat(LONG - text.len()));
-    let change = "update results set document = ?, document_sha256 = ? where study = ?";
+    let change =
+        "update results set seal = null, document = ?, document_sha256 = ? where study = ?";
     let changed = sqlx::query(change)
         .bind(&text)
         .bind(sha256(&[id.as_bytes(), text.as_bytes()]))

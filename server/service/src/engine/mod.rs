@@ -196,6 +196,12 @@ impl Engine {
 
     /// The plan of a study, and what it is expected to take.
     async fn prepared(&self, row: &StudyRow) -> Result<(Arc<PlannedStudy>, Option<Pace>), String> {
+        // A row that was exchanged with another one isn't what it was claimed as.
+        let mut connection = self.store.read().await.map_err(|error| error.to_string())?;
+        study_rows::find(&mut connection, &row.id)
+            .await
+            .map_err(|error| error.to_string())?;
+        drop(connection);
         let own = row.clone();
         let planned = tokio::task::spawn_blocking(move || stored_plan(&own)).await;
         let planned = planned.map_err(|_| ForecastError::Broken.to_string())??;

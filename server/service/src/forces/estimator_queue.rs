@@ -263,11 +263,13 @@ impl EstimatorQueue {
     }
 
     async fn asked(&self, row: &EstimatorRow) -> Result<Result<FitOrder, Vec<Fault>>, StoreError> {
+        let mut connection = self.store.read().await?;
+        // A row that was exchanged with another one isn't what it was claimed as.
+        estimator_rows::find(&mut connection, &row.id).await?;
         let recipe = match Recipe::from_value(&StoredEstimator::of(row)?.recipe) {
             Ok(recipe) => recipe,
             Err(faults) => return Ok(Err(faults)),
         };
-        let mut connection = self.store.read().await?;
         let rows = estimator_rows::recordings(&mut connection, &row.id).await?;
         let named = rows.into_iter().map(|row| NamedText {
             name: row.file,

@@ -145,6 +145,9 @@ async fn gaps(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreErr
          union all
          select 'an event of study ' || study || ' before its event ' || id || ' is missing' from events
              where previous is not (select max(id) from events as earlier where earlier.study = events.study and earlier.id < events.id)
+         union all
+         select 'the equilibrium from which points of study ' || study || ' start is missing' from study_points p join evaluations e on e.key = p.evaluation
+             where ordinal = 0 and e.failure is null and not exists (select 1 from start_states where key = p.evaluation)
          limit 100";
     Ok(sqlx::query_scalar(query).fetch_all(connection).await?)
 }

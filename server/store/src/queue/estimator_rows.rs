@@ -262,7 +262,8 @@ pub async fn claim(
     connection: &mut SqliteConnection,
     id: &str,
 ) -> Result<Option<EstimatorRow>, StoreError> {
-    let query = "update estimators set state = 'running', started = coalesce(started, ?)
+    let query =
+        "update estimators set state_seal = null, state = 'running', started = coalesce(started, ?)
                  where id = ? and state = 'queued' returning *";
     Ok(sqlx::query_as(query)
         .bind(now())
@@ -288,7 +289,7 @@ pub async fn is_running(connection: &mut SqliteConnection, id: &str) -> Result<b
 /// # Errors
 /// When the database can't be written.
 pub async fn release(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
-    let query = "update estimators set state = 'queued' where id = ? and state = 'running'";
+    let query = "update estimators set state_seal = null, state = 'queued' where id = ? and state = 'running'";
     let done = sqlx::query(query).bind(id).execute(connection).await?;
     Ok(done.rows_affected() == 1)
 }
@@ -298,7 +299,7 @@ pub async fn release(connection: &mut SqliteConnection, id: &str) -> Result<bool
 /// # Errors
 /// When the database can't be written.
 pub async fn count_crash(connection: &mut SqliteConnection, id: &str) -> Result<i64, StoreError> {
-    let query = "update estimators set crashes = crashes + 1 where id = ? returning crashes";
+    let query = "update estimators set state_seal = null, crashes = crashes + 1 where id = ? returning crashes";
     let found = sqlx::query_scalar(query)
         .bind(id)
         .fetch_optional(connection)
@@ -311,7 +312,7 @@ pub async fn count_crash(connection: &mut SqliteConnection, id: &str) -> Result<
 /// # Errors
 /// When the database can't be written.
 pub async fn release_all(connection: &mut SqliteConnection) -> Result<u64, StoreError> {
-    let query = "update estimators set state = 'queued' where state = 'running'";
+    let query = "update estimators set state_seal = null, state = 'queued' where state = 'running'";
     Ok(sqlx::query(query)
         .execute(connection)
         .await?
@@ -362,7 +363,7 @@ async fn end(
     state: State,
     error: Option<&str>,
 ) -> Result<bool, StoreError> {
-    let query = "update estimators set state = ?, error = ?, finished = ? where id = ? and state = 'running'";
+    let query = "update estimators set state_seal = null, state = ?, error = ?, finished = ? where id = ? and state = 'running'";
     let done = sqlx::query(query)
         .bind(state.as_str())
         .bind(error)
@@ -378,7 +379,7 @@ async fn end(
 /// # Errors
 /// When the database can't be written.
 pub async fn cancel(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
-    let query = "update estimators set state = 'cancelled', finished = ? where id = ? and state in ('queued', 'running')";
+    let query = "update estimators set state_seal = null, state = 'cancelled', finished = ? where id = ? and state in ('queued', 'running')";
     let done = sqlx::query(query)
         .bind(now())
         .bind(id)

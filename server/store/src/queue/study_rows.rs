@@ -320,8 +320,7 @@ pub async fn finish(
     state: State,
     error: Option<&str>,
 ) -> Result<bool, StoreError> {
-    let query =
-        "update studies set state = ?, error = ?, finished = ? where id = ? and state = 'running'";
+    let query = "update studies set state_seal = null, state = ?, error = ?, finished = ? where id = ? and state = 'running'";
     let done = sqlx::query(query)
         .bind(state.as_str())
         .bind(error)
@@ -337,7 +336,7 @@ pub async fn finish(
 /// # Errors
 /// When the database can't be written.
 pub async fn cancel(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
-    let query = "update studies set state = 'cancelled', finished = ? where id = ? and state in ('queued', 'running')";
+    let query = "update studies set state_seal = null, state = 'cancelled', finished = ? where id = ? and state in ('queued', 'running')";
     Ok(sqlx::query(query)
         .bind(now())
         .bind(id)
@@ -356,7 +355,7 @@ pub async fn change(
     id: &str,
     change: &RowChange,
 ) -> Result<(), StoreError> {
-    let query = "update studies set name = coalesce(?2, name),
+    let query = "update studies set state_seal = null, name = coalesce(?2, name),
                  archived = case ?3 when true then coalesce(archived, ?4) when false then null else archived end where id = ?1";
     sqlx::query(query)
         .bind(id)
@@ -378,12 +377,14 @@ pub async fn set_progress(
     total: usize,
     done: usize,
 ) -> Result<(), StoreError> {
-    sqlx::query("update studies set points_total = ?, points_done = ? where id = ?")
-        .bind(whole(total))
-        .bind(whole(done))
-        .bind(id)
-        .execute(connection)
-        .await?;
+    sqlx::query(
+        "update studies set state_seal = null, points_total = ?, points_done = ? where id = ?",
+    )
+    .bind(whole(total))
+    .bind(whole(done))
+    .bind(id)
+    .execute(connection)
+    .await?;
     Ok(())
 }
 
@@ -396,7 +397,7 @@ pub async fn set_estimate(
     id: &str,
     estimate: &Estimate,
 ) -> Result<(), StoreError> {
-    sqlx::query("update studies set estimate = ? where id = ?")
+    sqlx::query("update studies set state_seal = null, estimate = ? where id = ?")
         .bind(encode("the estimate of a study", estimate)?)
         .bind(id)
         .execute(connection)

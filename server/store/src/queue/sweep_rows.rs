@@ -96,7 +96,7 @@ pub async fn add_design(
     set: &Map<String, Value>,
     study: &str,
 ) -> Result<(), StoreError> {
-    sqlx::query("update sweeps set designs = designs + 1, seal = null where id = ?")
+    sqlx::query("update sweeps set seal = null, designs = designs + 1 where id = ?")
         .bind(sweep)
         .execute(&mut *connection)
         .await?;
@@ -198,7 +198,7 @@ pub async fn change(
     id: &str,
     change: &RowChange,
 ) -> Result<(), StoreError> {
-    let query = "update sweeps set name = coalesce(?2, name),
+    let query = "update sweeps set state_seal = null, name = coalesce(?2, name),
                  archived = case ?3 when true then coalesce(archived, ?4) when false then null else archived end where id = ?1";
     sqlx::query(query)
         .bind(id)
@@ -244,9 +244,8 @@ pub async fn designs(
             row: sweep.to_owned(),
         });
     }
-    for row in &rows {
-        seals::intact(connection, "studies", "id = ?", &row.study.id).await?;
-    }
+    let studies = "id in (select study from sweep_designs where sweep = ?)";
+    seals::intact(connection, "studies", studies, sweep).await?;
     let design = |row: Joined| DesignRow {
         ordinal: row.ordinal,
         name: row.design,

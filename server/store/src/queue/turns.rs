@@ -51,7 +51,8 @@ pub async fn claim(
     connection: &mut SqliteConnection,
     id: &str,
 ) -> Result<Option<StudyRow>, StoreError> {
-    let query = "update studies set state = 'running', started = coalesce(started, ?)
+    let query =
+        "update studies set state_seal = null, state = 'running', started = coalesce(started, ?)
                  where id = ? and state = 'queued' returning *";
     Ok(sqlx::query_as(query)
         .bind(now())
@@ -65,7 +66,8 @@ pub async fn claim(
 /// # Errors
 /// When the database can't be written.
 pub async fn release(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
-    let query = "update studies set state = 'queued' where id = ? and state = 'running'";
+    let query =
+        "update studies set state_seal = null, state = 'queued' where id = ? and state = 'running'";
     let done = sqlx::query(query).bind(id).execute(connection).await?;
     Ok(done.rows_affected() == 1)
 }
@@ -75,7 +77,7 @@ pub async fn release(connection: &mut SqliteConnection, id: &str) -> Result<bool
 /// # Errors
 /// When the database can't be written.
 pub async fn pass_on(connection: &mut SqliteConnection, id: &str) -> Result<bool, StoreError> {
-    let query = "update studies set state = 'queued', place = (select max(place) + 1 from studies)
+    let query = "update studies set state_seal = null, state = 'queued', place = (select max(place) + 1 from studies)
                  where id = ? and state = 'running'";
     let done = sqlx::query(query).bind(id).execute(connection).await?;
     Ok(done.rows_affected() == 1)
@@ -90,7 +92,7 @@ pub async fn set_priority(
     id: &str,
     priority: i64,
 ) -> Result<(), StoreError> {
-    sqlx::query("update studies set priority = ? where id = ?")
+    sqlx::query("update studies set state_seal = null, priority = ? where id = ?")
         .bind(priority)
         .bind(id)
         .execute(connection)

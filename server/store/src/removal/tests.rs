@@ -53,10 +53,11 @@ async fn study(connection: &mut SqliteConnection, name: &str, points: &[&str]) -
 }
 
 async fn end(connection: &mut SqliteConnection, id: &str, state: &str, finished: &str) {
-    let ended = sqlx::query("update studies set state = ?, finished = ? where id = ?")
-        .bind(state)
-        .bind(finished)
-        .bind(id);
+    let ended =
+        sqlx::query("update studies set state_seal = null, state = ?, finished = ? where id = ?")
+            .bind(state)
+            .bind(finished)
+            .bind(id);
     ended.execute(connection).await.expect("ends");
 }
 

@@ -73,7 +73,7 @@ async fn a_study_that_a_crash_left_running_goes_on_at_the_next_start() {
         .await;
     app.service.stop().await.expect("stops");
     // A crash has no time to put its study back.
-    sqlx::query("update studies set state = 'running'")
+    sqlx::query("update studies set state_seal = null, state = 'running'")
         .execute(&mut home.sql().await)
         .await
         .expect("changes");
