@@ -15,6 +15,7 @@ use crate::http::edge::access::Access;
 use crate::http::edge::answer_limits::AnswerLimits;
 use crate::http::edge::guard::{HostList, HostName};
 use crate::http::edge::listener;
+use crate::http::edge::mount::Mounting;
 use crate::http::edge::streams::Streams;
 use crate::http::router::app;
 use crate::http::routes::answers::sent_result::Intact;
@@ -55,6 +56,8 @@ pub struct Outside {
     pub token: Option<Token>,
     /// Names under which others reach the service.
     pub hosts: Vec<HostName>,
+    /// Where they see it.
+    pub mounting: Mounting,
     /// Limits on what it takes on.
     pub limits: Limits,
 }
@@ -150,6 +153,7 @@ impl Service {
         let Outside {
             token,
             hosts,
+            mounting,
             limits,
         } = &parts.outside;
         parts.outside.check(parts.address)?;
@@ -197,7 +201,8 @@ impl Service {
             intact: Intact::default(),
             memory_bytes: limits.memory_bytes,
         };
-        let http = tokio::spawn(listener::serve(listener, app(state, hosts), stopping));
+        let app = app(state, hosts, mounting.clone());
+        let http = tokio::spawn(listener::serve(listener, app, stopping));
         let worker = tokio::spawn(async move { queue.work().await });
         let learner = tokio::spawn(async move { estimators.work().await });
         Ok(Self {

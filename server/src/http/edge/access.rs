@@ -13,6 +13,7 @@ use axum::response::{IntoResponse, Response};
 use serde_json::{Value, json};
 
 use crate::http::edge::connection_slots::Standing;
+use crate::http::edge::mount::Mount;
 use crate::http::edge::problem_document::Problem;
 use crate::token::{Token, TokenError};
 
@@ -95,9 +96,11 @@ impl Keys {
         once.take_if(|(once, _)| once.is(said.as_bytes())).is_some()
     }
 
-    pub(crate) fn set_cookie(&self) -> String {
+    /// The cookie, which a browser shows to nothing beside the service.
+    pub(crate) fn set_cookie(&self, mount: &Mount) -> String {
         let (name, value) = (&self.cookie_name, self.cookie.reveal());
-        format!("{name}={value}; HttpOnly; SameSite=Strict; Path=/")
+        let path = mount.address("/");
+        format!("{name}={value}; HttpOnly; SameSite=Strict; Path={path}")
     }
 }
 
