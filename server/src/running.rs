@@ -15,8 +15,8 @@ use crate::http::edge::access::Access;
 use crate::http::edge::answer_limits::AnswerLimits;
 use crate::http::edge::guard::{HostList, HostName};
 use crate::http::edge::listener;
-use crate::http::edge::mount::Mounting;
 use crate::http::edge::streams::Streams;
+use crate::http::mount::Mounting;
 use crate::http::router::app;
 use crate::http::routes::answers::sent_result::Intact;
 use crate::token::{Token, TokenError};
@@ -56,7 +56,7 @@ pub struct Outside {
     pub token: Option<Token>,
     /// Names under which others reach the service.
     pub hosts: Vec<HostName>,
-    /// Where they see it.
+    /// Path where they see it.
     pub mounting: Mounting,
     /// Limits on what it takes on.
     pub limits: Limits,

@@ -9,14 +9,15 @@ use axum::{Router, body::Body};
 use tower_http::catch_panic::CatchPanicLayer;
 
 use crate::http::app_state::AppState;
-use crate::http::edge::mount::{self, Mounting};
 use crate::http::edge::problem_document::Problem;
 use crate::http::edge::{access, answer_limits, guard, packed, request_id};
-use crate::http::routes::{assets, metric_routes, openapi};
+use crate::http::mount::{self, Mounting};
+use crate::http::routes::openapi::description;
+use crate::http::routes::{assets, metric_routes};
 
 /// All routes, guarded: the innermost layer stands first.
 pub fn app(state: AppState, hosts: guard::HostList, mounting: Mounting) -> Router {
-    let (router, _) = openapi::routes().split_for_parts();
+    let (router, _) = description::routes().split_for_parts();
     let (access, counted) = (state.access.clone(), state.metrics.clone());
     let answers = state.answers.clone();
     let router = router

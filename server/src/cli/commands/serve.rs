@@ -14,7 +14,7 @@ use crate::cli::terminal::output::tell;
 use crate::cli::terminal::signals::Signals;
 use crate::config::{Config, address, seconds};
 use crate::http::edge::guard::HostName;
-use crate::http::edge::mount::{Mount, Mounting};
+use crate::http::mount::{Mount, Mounting};
 use crate::running::{Limits, Outside, Service, ServiceParts};
 use crate::telemetry::{self, LogFilter, LogFormat};
 use crate::token::{Token, TokenError};
@@ -189,14 +189,14 @@ async fn serve(parts: ServiceParts, drawn: Option<Token>) -> Result<(), Failure>
     let base = parts.outside.mounting.base.clone();
     let service = Service::start(parts).await.map_err(Failure::other)?;
     let say = |text: String| tell(&text, None);
-    let seen = base.address("");
-    say(format!("listening on http://{}{seen}\n", service.address()))?;
+    say(format!("listening on http://{}\n", service.address()))?;
     if let Some(token) = drawn {
         say(format!("token {}\n", token.reveal()))?;
     }
     if let Some(path) = service.login() {
         let here = reachable(service.address());
-        say(format!("in a browser, once: http://{here}{seen}{path}\n"))?;
+        let path = base.address(path);
+        say(format!("in a browser, once: http://{here}{path}\n"))?;
     }
     signals.next().await;
     tracing::info!("stopping; once more stops at once");

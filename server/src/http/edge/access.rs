@@ -13,8 +13,8 @@ use axum::response::{IntoResponse, Response};
 use serde_json::{Value, json};
 
 use crate::http::edge::connection_slots::Standing;
-use crate::http::edge::mount::Mount;
 use crate::http::edge::problem_document::Problem;
+use crate::http::mount::Mount;
 use crate::token::{Token, TokenError};
 
 /// The rule by which requests are let in. Without a token all are.

@@ -4,7 +4,6 @@
 //! - [`request_id`]: every request has an identifier
 //! - [`guard`]: who may ask
 //! - [`access`]: the token, where one is asked for
-//! - [`mount`]: the path below which a proxy serves all of it
 //! - `extract`: reads addresses and queries
 //! - `document_body`: reads the body of a submitted study
 //! - `conditional`: answers that needn't be sent again
@@ -22,7 +21,6 @@ pub(crate) mod document_body;
 pub(crate) mod extract;
 pub mod guard;
 pub(crate) mod listener;
-pub mod mount;
 pub mod packed;
 pub(crate) mod problem_document;
 pub mod reading;

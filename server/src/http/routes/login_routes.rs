@@ -14,8 +14,8 @@ use utoipa_axum::routes;
 
 use crate::http::app_state::AppState;
 use crate::http::edge::extract::Params;
-use crate::http::edge::mount::Mount;
 use crate::http::edge::problem_document::Problem;
+use crate::http::mount::Mount;
 
 /// `/login`.
 pub(crate) fn router() -> OpenApiRouter<AppState> {

@@ -18,7 +18,8 @@ use utoipa_axum::routes;
 
 use crate::http::app_state::AppState;
 use crate::http::edge::access::Access;
-use crate::http::edge::mount::Mount;
+use crate::http::mount::Mount;
+use crate::http::routes::openapi::generator_idioms;
 use crate::http::routes::{
     answers, assets, comparison_routes, estimators, event_routes, health, login_routes,
     metric_routes, preset_routes, preview_routes, study_routes, sweep_routes,
@@ -57,12 +58,13 @@ static DOCUMENT: LazyLock<Value> = LazyLock::new(|| {
     }
     give_examples(&mut document);
     describe_documents(&mut document);
+    generator_idioms::rewrite(&mut document);
     document["x-tables"] = described_tables(&document["components"]["schemas"]);
     document
 });
 
 /// Answers by method and path, recorded by `lab/examples.py`.
-const RECORDED: &str = include_str!("../generated/examples.json");
+const RECORDED: &str = include_str!("../../generated/examples.json");
 
 /// Puts recorded answers where an operation's JSON has no example of its own.
 fn give_examples(document: &mut Value) {
