@@ -39,7 +39,8 @@ fn tuples(value: &mut Value) {
 /// Files are bytes, text or not, where an answer may be a file of bytes: a client has one type for all of them. What is neither JSON nor `text/` is bytes to a client,
 /// which has no rule to read it by.
 fn binary_content(response: &mut Value) {
-    let Some(contents) = response["content"].as_object_mut() else {
+    let contents = response.get_mut("content").and_then(Value::as_object_mut);
+    let Some(contents) = contents else {
         return;
     };
     let is_json = |kind: &str| kind.ends_with("json");
@@ -68,6 +69,7 @@ mod tests {
             "schemas": {"Interval": {"type": "array", "prefixItems": [number, number], "items": false}},
             "paths": {"/file": {"get": {"responses": {
                 "200": {"content": {"text/csv": text, "application/octet-stream": text}},
+                "304": {},
                 "404": {"content": {"text/plain": text}},
             }}}},
         });
@@ -83,6 +85,7 @@ mod tests {
                 "binary"
             );
         }
+        assert_eq!(responses["304"], json!({}));
         assert_eq!(responses["404"]["content"]["text/plain"], text);
     }
 }
