@@ -121,8 +121,8 @@ class Description:
         if isinstance(kinds, list):
             (plain,) = (kind for kind in kinds if kind != "null")
             return f"{self._type({**schema, 'type': plain})} | None"
-        if kinds == "array" and "prefixItems" in schema:
-            return f"tuple[{', '.join(map(self._type, schema['prefixItems']))}]"
+        if kinds == "array" and schema.get("minItems", 0) == schema.get("maxItems"):
+            return f"tuple[{', '.join([self._type(schema['items'])] * schema['maxItems'])}]"
         if kinds == "array":
             return f"tuple[{self._type(schema['items'])}, ...]"
         if kinds not in PLAIN:

@@ -9,7 +9,7 @@ use crate::cli::terminal::paint::command;
 
 /// The text with its styles as a terminal's commands, and with no other.
 pub(crate) fn shown(text: &str) -> String {
-    rendered(text, |mark| command(mark))
+    rendered(text, command)
 }
 
 /// The text without its styles.
