@@ -3,8 +3,8 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
 .PHONY: help run build build-tested build-all check test generate prove audit pictures \
-	test-cargo test-program format clippy house test-unit test-rust verify test-conformance test-attacks test-exports test-schemas test-python test-browser test-web \
-	setup-build setup-rust setup-npm setup-browser setup-python setup-test
+	test-cargo test-program format clippy house test-unit test-rust verify test-conformance test-attacks test-clients test-exports test-schemas test-python test-browser test-web \
+	setup-build setup-rust setup-proxy setup-java setup-npm setup-browser setup-python setup-test
 
 TARGET := $(or $(CARGO_TARGET_DIR),target)
 STRAINSITE := $(TARGET)/release/strainsite
@@ -31,7 +31,7 @@ help:
 	@echo "make test    every check and test; a suite alone: test-rust test-web test-browser test-conformance test-attacks test-exports test-schemas test-python verify"
 	@echo "make generate   what follows from the program: description of the service, types of its clients, dashboard, schemas, pages"
 	@echo "make pictures   the pictures of the README, drawn anew; VIEWS=--all for every view, into web/screenshots/"
-	@echo "make prove   what takes hours: advisories, 200 kills, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs, values, recording or model)"
+	@echo "make prove   what takes hours: advisories, generated clients, 200 kills, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs, values, recording or model)"
 
 run: build
 	$(STRAINSITE) run studies/foot-tire.toml
@@ -76,7 +76,7 @@ generate: build-tested setup-npm setup-python
 # The rigs of lab print the tables of docs/.
 RIGS := $(filter-out random_scenes figure,$(basename $(notdir $(wildcard lab/examples/*.rs lab/examples/*/*.rs))))
 
-prove: setup-rust audit
+prove: setup-rust audit test-clients
 	STRAINSITE_KILLS=200 $(CARGO) test $(ALL) --test slow kill
 	$(CARGO) build $(ALL) --examples
 	$(TARGET)/ci/examples/random_scenes 10000 1
@@ -115,8 +115,12 @@ test-conformance: $(PROGRAM) setup-python
 	tests/conformance/run
 
 # What accidents, scripts and hostile clients do to it.
-test-attacks: $(PROGRAM)
+test-attacks: $(PROGRAM) setup-proxy
 	tests/attacks/run
+
+# Clients that generators make of the description. In `make prove`: it takes Java, and packages of 80 MB.
+test-clients: $(PROGRAM) setup-python setup-npm setup-java
+	tests/clients/run
 
 # Exported files, read by pandas, pyarrow and meshio.
 test-exports: $(PROGRAM) setup-python
@@ -158,6 +162,13 @@ setup-rust: setup-build
 	@command -v ccx >/dev/null || { $(INSTALL) calculix-ccx; }
 	@command -v faketime >/dev/null || { $(INSTALL) faketime; }
 
+# The proxy that an attack puts before the service: its part is left out without.
+setup-proxy:
+	@command -v nginx >/dev/null || test -x /usr/sbin/nginx || { $(INSTALL) nginx-light; }
+
+setup-java:
+	@command -v java >/dev/null || { $(INSTALL) default-jre-headless; }
+
 setup-npm:
 	@command -v npm >/dev/null || { echo "Node.js is missing: install version 20.19 or newer with npm"; exit 1; }
 
@@ -168,4 +179,4 @@ setup-python:
 	@python3 -c 'import ensurepip, venv' 2>/dev/null || { $(INSTALL) python3-venv; }
 	@python/environment >/dev/null
 
-setup-test: setup-rust setup-browser setup-python web/node_modules/.package-lock.json tests/browser/node_modules/.package-lock.json
+setup-test: setup-rust setup-proxy setup-browser setup-python web/node_modules/.package-lock.json tests/browser/node_modules/.package-lock.json

@@ -18,6 +18,8 @@ function drawn(id: string, graph: Graph): boolean {
 const SHARED = { minShareCount: 2, test: /\.(ts|tsx|js|mjs)$/ };
 
 export default defineConfig({
+  // Addresses are relative to the page: a proxy may serve it below a path.
+  base: "./",
   build: {
     outDir: "dist",
     emptyOutDir: true,

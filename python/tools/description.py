@@ -121,13 +121,18 @@ class Description:
         if isinstance(kinds, list):
             (plain,) = (kind for kind in kinds if kind != "null")
             return f"{self._type({**schema, 'type': plain})} | None"
-        if kinds == "array" and "prefixItems" in schema:
-            return f"tuple[{', '.join(map(self._type, schema['prefixItems']))}]"
         if kinds == "array":
-            return f"tuple[{self._type(schema['items'])}, ...]"
+            return self._tuple(schema)
         if kinds not in PLAIN:
             raise ValueError(f"no type of Python is known for {schema}")
         return PLAIN[kinds]
+
+    def _tuple(self, schema: Schema) -> str:
+        """A list: of items one by one, of so many of one kind, or of any number of them."""
+        least, most = schema.get("minItems", 0), schema.get("maxItems")
+        alike = [schema["items"]] * most if least == most else []
+        items = ", ".join(map(self._type, schema.get("prefixItems", alike)))
+        return f"tuple[{items or self._type(schema['items']) + ', ...'}]"
 
     def _said(self, schema: Schema) -> str:
         """What a field is, and which words it may have."""

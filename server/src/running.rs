@@ -17,6 +17,7 @@ use crate::http::edge::answer_limits::AnswerLimits;
 use crate::http::edge::guard::{HostList, HostName};
 use crate::http::edge::listener;
 use crate::http::edge::streams::Streams;
+use crate::http::mount::Mounting;
 use crate::http::router::app;
 use crate::http::routes::answers::sent_result::Intact;
 use crate::token::{Token, TokenError};
@@ -60,6 +61,8 @@ pub struct Outside {
     pub token: Option<Token>,
     /// Names under which others reach the service.
     pub hosts: Vec<HostName>,
+    /// Path where they see it.
+    pub mounting: Mounting,
     /// Limits on what it takes on.
     pub limits: Limits,
 }
@@ -155,6 +158,7 @@ impl Service {
         let Outside {
             token,
             hosts,
+            mounting,
             limits,
         } = &parts.outside;
         parts.outside.check(parts.address)?;
@@ -211,7 +215,8 @@ impl Service {
             intact: Intact::default(),
             memory_bytes: limits.memory_bytes,
         };
-        let http = tokio::spawn(listener::serve(listener, app(state, hosts), stopping));
+        let app = app(state, hosts, mounting.clone());
+        let http = tokio::spawn(listener::serve(listener, app, stopping));
         let worker = tokio::spawn(async move { queue.work().await });
         let learner = tokio::spawn(async move { estimators.work().await });
         Ok(Self {

@@ -5,6 +5,7 @@ use std::panic;
 use std::str::FromStr;
 
 use clap::ValueEnum;
+use document::visible::is_hidden;
 use tracing_subscriber::EnvFilter;
 use tracing_subscriber::filter::ParseError;
 use tracing_subscriber::fmt::MakeWriter;
@@ -110,7 +111,7 @@ fn one_line(event: &[u8]) -> String {
     let text = String::from_utf8_lossy(event);
     let mut line = String::with_capacity(text.len() + 1);
     for c in text.trim_end_matches('\n').chars() {
-        if matches!(c, '\u{2028}' | '\u{2029}') || (c.is_control() && c != '\x1b') {
+        if is_hidden(c) && c != '\x1b' {
             line.extend(c.escape_default());
         } else {
             line.push(c);

@@ -235,15 +235,15 @@ test("a study is removed from the list, once that is confirmed", { timeout: STUD
   await page.context().close();
 });
 
-test("a browser is let in by the printed address, once, and follows a study by its cookie", { timeout: STUDY_MS }, async (t) => {
-  const locked = await startService("--token");
+test("a browser is let in by the printed address, once, and follows a study by its cookie, below a path", { timeout: STUDY_MS }, async (t) => {
+  const locked = await startService("--token", "--base-path", "/site");
   t.after(() => locked.stop());
   const { page, complaints } = await openPage(browser, { viewport: { width: 1280, height: 900 } });
   const printed = () => /in a browser, once: (\S+)/.exec(locked.printed())?.[1];
   while (printed() === undefined) await page.waitForTimeout(20);
   const link = printed();
   await page.goto(link);
-  assert.equal(page.url(), `${locked.url}/`, "the address that worked once is left behind");
+  assert.equal(page.url(), `${locked.url}/site/`, "the address that worked once is left behind");
   await page.locator('.preset input[value="foot-tire"]').check();
   await askForFewLayouts(page);
   await page.getByLabel("Accuracy").selectOption("draft");

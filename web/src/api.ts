@@ -31,7 +31,8 @@ import type {
   Trade,
 } from "./wire.ts";
 
-const ROOT = "/v1";
+/** Relative to the page, which a proxy may serve below a path. */
+const ROOT = "v1";
 /** The service looks at every design of the sweeps that it lists, and the list is asked for again and again. */
 const SWEEPS_OF_A_PAGE = 10;
 
@@ -65,7 +66,7 @@ interface StreamListener {
 
 /** The service's description of itself. */
 export function description(): Promise<Description> {
-  return asked("GET", "/openapi.json");
+  return asked("GET", "openapi.json");
 }
 
 export function presets(): Promise<Presets> {

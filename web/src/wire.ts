@@ -2065,10 +2065,7 @@ export interface components {
              */
             rmse_n?: number | null;
             /** @description 95 % of the bootstrap's samples of whole cycles, N. */
-            rmse_interval_n?: [
-                number,
-                number
-            ] | null;
+            rmse_interval_n?: number[] | null;
             /**
              * Format: double
              * @description RMSE over the range of the tested forces, %.
@@ -2112,10 +2109,7 @@ export interface components {
              */
             rmse_n: number;
             /** @description 95 % of the bootstrap's samples of whole cycles, N. */
-            rmse_interval_n?: [
-                number,
-                number
-            ] | null;
+            rmse_interval_n?: number[] | null;
             /**
              * Format: double
              * @description RMSE over the range of the tested forces, %.

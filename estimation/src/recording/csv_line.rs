@@ -36,7 +36,7 @@ fn cell(text: &str) -> Cow<'_, str> {
 }
 
 /// A name as a cell of a header.
-pub fn quoted(name: &str) -> Cow<'_, str> {
+pub(super) fn quoted(name: &str) -> Cow<'_, str> {
     if name.contains([',', '"', '\n', '\r']) {
         Cow::Owned(format!("\"{}\"", name.replace('"', "\"\"")))
     } else {

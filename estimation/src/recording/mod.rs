@@ -1,11 +1,11 @@
 //! Recordings: signals, and forces where they were measured, over time.
 //!
-//! - [`csv_line`]: the cells of a line
+//! - `csv_line`: the cells of a line
 //! - [`named_columns`]: which columns of a file are meant
 //! - [`csv_recording`]: a recording from its text
 //! - [`recording_fault`]: what can be wrong with it
 
-pub mod csv_line;
+mod csv_line;
 pub mod csv_recording;
 pub mod named_columns;
 pub mod recording_fault;

@@ -9,6 +9,8 @@ use std::error::Error as _;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+use crate::cli::terminal::output::warn;
+use crate::cli::terminal::paint::{BAD, painted};
 use clap::builder::{OsStringValueParser, Resettable};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, Command, CommandFactory, Error, FromArgMatches};
@@ -27,7 +29,7 @@ const FILE: &str = "config";
 /// Every value of `serve` that can't be used, with where it stands.
 pub fn parse<C: CommandFactory + FromArgMatches>() -> Result<C, Vec<Fault>> {
     let matches = resolve(C::command(), env::args_os().collect())?;
-    C::from_arg_matches(&matches).or_else(|error| error.exit())
+    C::from_arg_matches(&matches).or_else(|error| end(&error))
 }
 
 fn resolve(mut command: Command, arguments: Vec<OsString>) -> Result<ArgMatches, Vec<Fault>> {
@@ -67,7 +69,7 @@ fn matches(command: &Command, arguments: &[OsString]) -> (ArgMatches, Vec<Fault>
         let serving = arguments.get(1).is_some_and(|name| name == SERVE);
         let arg =
             wrong_value(&command, &error).filter(|arg| serving && !seen.contains(arg.get_id()));
-        let Some(arg) = arg else { error.exit() };
+        let Some(arg) = arg else { end(&error) };
         faults.push(Fault {
             pointer: whence(&arg, arguments),
             detail: why(&error),
@@ -78,6 +80,27 @@ fn matches(command: &Command, arguments: &[OsString]) -> (ArgMatches, Vec<Fault>
         command = command.mut_subcommand(SERVE, |serve| serve.mut_arg(id, lenient));
     }
 }
+
+/// Ends the program with its help, or with what is wrong with the arguments, which may hold any text.
+fn end(error: &Error) -> ! {
+    if matches!(
+        error.kind(),
+        ErrorKind::DisplayHelp
+            | ErrorKind::DisplayVersion
+            | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+    ) {
+        error.exit();
+    }
+    let said = error.render().to_string();
+    match said.strip_prefix(ERROR) {
+        Some(why) => warn(&(painted(BAD, ERROR) + why)),
+        None => warn(&said),
+    }
+    std::process::exit(error.exit_code())
+}
+
+/// Word with which what is wrong begins.
+const ERROR: &str = "error:";
 
 /// The setting of `serve` whose value is at fault, when it is that.
 fn wrong_value(command: &Command, error: &Error) -> Option<Arg> {

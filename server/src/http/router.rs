@@ -11,14 +11,16 @@ use tower_http::catch_panic::CatchPanicLayer;
 use crate::http::app_state::AppState;
 use crate::http::edge::problem_document::Problem;
 use crate::http::edge::{access, answer_limits, guard, packed, request_id};
-use crate::http::routes::{assets, metric_routes, openapi};
+use crate::http::mount::{self, Mounting};
+use crate::http::routes::openapi::description;
+use crate::http::routes::{assets, metric_routes};
 
 /// All routes, guarded: the innermost layer stands first.
-pub fn app(state: AppState, hosts: guard::HostList) -> Router {
-    let (router, _) = openapi::routes().split_for_parts();
+pub fn app(state: AppState, hosts: guard::HostList, mounting: Mounting) -> Router {
+    let (router, _) = description::routes().split_for_parts();
     let (access, counted) = (state.access.clone(), state.metrics.clone());
     let answers = state.answers.clone();
-    router
+    let router = router
         // The dashboard's files, which no route answers, lie in the program and cost nothing.
         .route_layer(from_fn_with_state(answers, answer_limits::count))
         .method_not_allowed_fallback(wrong_method)
@@ -29,9 +31,13 @@ pub fn app(state: AppState, hosts: guard::HostList) -> Router {
         .layer(map_response(packed::weaken))
         .layer(from_fn_with_state(access, access::authorise))
         .layer(from_fn_with_state(hosts, guard::admit))
+        .layer(from_fn_with_state(counted, metric_routes::measure));
+    // A layer of the router itself would come after it has looked at the path.
+    Router::new()
+        .fallback_service(router)
+        .layer(from_fn_with_state(mounting, mount::unmount))
         .layer(from_fn(guard::harden))
         .layer(from_fn(request_id::assign))
-        .layer(from_fn_with_state(counted, metric_routes::measure))
 }
 
 async fn wrong_method() -> Problem {

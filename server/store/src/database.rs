@@ -1,6 +1,7 @@
 //! An open database.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use sqlx::pool::PoolConnection;
 use sqlx::{Connection, Sqlite, SqliteConnection, SqlitePool, Transaction};
@@ -21,6 +22,7 @@ pub struct Store {
     whole_reader: SqlitePool,
     keeper: Mutex<Option<SqliteConnection>>,
     presence: Presence,
+    closing: AtomicBool,
     latest_event: watch::Sender<i64>,
     is_bounded: bool,
     // Last: its descriptor is closed after all of SQLite's.
@@ -49,6 +51,7 @@ impl Store {
         let keeper = pools::keeper(&place).await?;
         Ok(Self {
             presence: Presence::note(&place),
+            closing: AtomicBool::new(false),
             place,
             writer,
             readers,
@@ -81,7 +84,7 @@ impl Store {
     /// # Errors
     /// When the database can't be read, or isn't there any more.
     pub async fn read(&self) -> Result<PoolConnection<Sqlite>, StoreError> {
-        self.presence.check()?;
+        self.check()?;
         Ok(self.readers.acquire().await?)
     }
 
@@ -90,7 +93,7 @@ impl Store {
     /// # Errors
     /// As [`Store::read`].
     pub async fn read_whole(&self) -> Result<PoolConnection<Sqlite>, StoreError> {
-        self.presence.check()?;
+        self.check()?;
         Ok(self.whole_reader.acquire().await?)
     }
 
@@ -100,7 +103,7 @@ impl Store {
     /// # Errors
     /// When the database can't be written, or isn't there any more.
     pub async fn begin(&self) -> Result<Transaction<'static, Sqlite>, StoreError> {
-        self.presence.check()?;
+        self.check()?;
         Ok(self.writer.begin_with("begin immediate").await?)
     }
 
@@ -116,8 +119,11 @@ impl Store {
     ) -> Result<(), StoreError> {
         seals::close(&mut transaction).await?;
         transaction.commit().await?;
-        // Afterwards: what is confirmed was in the files that the next start will find.
-        self.presence.check()?;
+        // Afterwards: what is confirmed was in the files that the next start will find. Where the last connection closes meanwhile, what was committed is in the file, and
+        // the log and its index go with it.
+        if !self.is_closing() {
+            self.presence.check()?;
+        }
         self.latest_event.send_if_modified(|latest| {
             let newer = event > *latest;
             *latest = event.max(*latest);
@@ -131,12 +137,25 @@ impl Store {
         self.latest_event.subscribe()
     }
 
+    /// Whether the files are those that were opened, and are used still: a log that goes with the last connection wasn't replaced by anybody.
+    fn check(&self) -> Result<(), StoreError> {
+        if self.is_closing() {
+            return Err(sqlx::Error::PoolClosed.into());
+        }
+        self.presence.check()
+    }
+
+    fn is_closing(&self) -> bool {
+        self.closing.load(Ordering::Relaxed)
+    }
+
     /// Closes all connections, which folds the write-ahead log into the database file.
     ///
     /// # Errors
     /// [`StoreError::Gone`] when its files weren't there any more.
     pub async fn close(&self) -> Result<(), StoreError> {
         let present = self.presence.check();
+        self.closing.store(true, Ordering::Relaxed);
         if let Some(keeper) = self.keeper.lock().await.take() {
             keeper.close().await?;
         }
@@ -207,6 +226,22 @@ pub(crate) mod tests {
             std::fs::rename(&away, &file).expect("moves back");
             store.begin().await.expect("is there again");
             store.close().await.expect("closes");
+        }
+    }
+
+    #[tokio::test]
+    async fn what_comes_while_it_closes_finds_it_closed_and_no_file_replaced() {
+        let (_folder, store) = fresh().await;
+        let open = store.begin().await.expect("begins");
+        let (closed, committed) = tokio::join!(store.close(), async {
+            // Until the close waits for this transaction.
+            tokio::task::yield_now().await;
+            store.commit(open, 1).await
+        });
+        closed.and(committed).expect("is stored and closed");
+        for late in [store.begin().await.err(), store.read().await.err()] {
+            let said = late.expect("is closed").to_string();
+            assert!(!said.contains("replaced"), "{said}");
         }
     }
 

@@ -20,6 +20,12 @@ pub fn cell(text: &str) -> String {
     }
 }
 
+/// The line of these texts, a cell each.
+pub fn line<'t>(texts: impl IntoIterator<Item = &'t String>) -> String {
+    let cells: Vec<String> = texts.into_iter().map(|text| cell(text)).collect();
+    cells.join(",") + "\n"
+}
+
 /// The text of a cell, its quotes gone: the other way of [`cell`].
 pub(super) fn text(cell: &str) -> &str {
     let shielded = cell.strip_prefix('\'').filter(|text| is_formula(text));

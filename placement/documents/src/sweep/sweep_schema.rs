@@ -33,7 +33,7 @@ pub fn further_designs_schema(schemas: &mut Schemas) -> Value {
 }
 
 fn describe_designs(table: &mut Properties, schemas: &mut Schemas) {
-    let values = json!({"type": "array", "minItems": 1});
+    let values = json!({"type": "array", "minItems": 1, "items": {}});
     let grid = json!({"type": "object", "minProperties": 1, "additionalProperties": values});
     let doc = "Lists of values by path, as `geometry.wall_mm`: every combination is a design, the last path varying fastest.";
     table.add("grid", doc, grid, None, false);

@@ -39,7 +39,9 @@ def write_whole(path: Path, content: bytes) -> None:
     """All of a file or nothing, so that no half of one is taken for the whole."""
     part = path.with_name(f".{path.name}.part")
     try:
-        part.write_bytes(content)
+        part.unlink(missing_ok=True)
+        with part.open("xb") as out:  # A link of that name isn't followed.
+            out.write(content)
         part.replace(path)
     except OSError as error:
         part.unlink(missing_ok=True)

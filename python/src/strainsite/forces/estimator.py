@@ -122,7 +122,7 @@ class Estimator(Entry[EstimatorSummary]):
         answer = self._transport.request("POST", f"{self._path}:apply", content=content, headers=headers)
         try:
             return [
-                {column: float(cell) if cell else None for column, cell in row.items()}
+                {_named(column): float(cell) if cell else None for column, cell in row.items()}
                 for row in csv.DictReader(io.StringIO(answer.text))
             ]
         except (TypeError, ValueError) as error:
@@ -167,3 +167,9 @@ class Estimator(Entry[EstimatorSummary]):
         head = ("estimator", "state", "forces", "id")
         row = (summary.name, summary.state, ", ".join(summary.forces), summary.id)
         return html.table(head, [row]) + html.paragraph(summary.error)
+
+
+def _named(cell: str) -> str:
+    """The name in a cell, without the apostrophe that keeps spreadsheets from computing it."""
+    bare = cell.lstrip("'")
+    return cell[1:] if cell != bare and bare.startswith(("=", "+", "-", "@", "\t", "\r", "\n")) else cell

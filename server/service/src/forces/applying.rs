@@ -6,9 +6,9 @@
 use std::fmt::Write as _;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use documents::own_model::csv_cell;
 use estimation::estimator::Estimator;
 use estimation::live_estimates::{Estimated, Live};
-use estimation::recording::csv_line::quoted;
 use estimation::recording::csv_recording::{RowReader, check_time, header_names};
 use estimation::recording::recording_fault::{FaultList, RecordingFault};
 use estimation::recording::typical_interval;
@@ -37,15 +37,11 @@ pub struct EstimatedLines<'e> {
 
 /// The header of estimates: `time_s`, each force with its interval, `outside`.
 pub fn estimates_header(estimator: &Estimator) -> String {
-    let of_force = |force: &String| {
-        ["", "_low", "_high"].map(|end| quoted(&format!("{force}{end}")).into_owned())
-    };
-    let names = estimator.columns.forces.iter().flat_map(of_force);
-    let all: Vec<String> = std::iter::once("time_s".to_owned())
-        .chain(names)
-        .chain(std::iter::once("outside".to_owned()))
-        .collect();
-    all.join(",") + "\n"
+    let of_force = |force: &String| ["", "_low", "_high"].map(|end| format!("{force}{end}"));
+    let mut names = vec!["time_s".to_owned()];
+    names.extend(estimator.columns.forces.iter().flat_map(of_force));
+    names.push("outside".to_owned());
+    csv_cell::line(&names)
 }
 
 impl<'e> EstimatedLines<'e> {

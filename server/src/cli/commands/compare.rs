@@ -314,6 +314,7 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+    use crate::cli::terminal::shown::{plain, shown};
 
     #[test]
     fn a_real_difference_stands_out_and_noise_stands_back_in_cells_of_one_width() {
@@ -327,15 +328,15 @@ mod tests {
         let real = cell(&index(Verdict::Real, Some(1.82)));
         let noise = cell(&index(Verdict::Noise, Some(5.0)));
         assert!(
-            real.contains("\u{1b}[1m(+3.55+-1.82*)\u{1b}[0m"),
+            shown(&real).contains("\u{1b}[1m(+3.55+-1.82*)\u{1b}[0m"),
             "{real:?}"
         );
         assert!(
-            noise.contains("\u{1b}[2m(+3.55+-5.00)\u{1b}[0m"),
+            shown(&noise).contains("\u{1b}[2m(+3.55+-5.00)\u{1b}[0m"),
             "{noise:?}"
         );
         for cell in [real, noise] {
-            let plain = anstream::adapter::strip_str(&cell).to_string();
+            let plain = plain(&cell);
             assert_eq!(plain.chars().count(), CELL, "{plain:?}");
         }
     }
@@ -354,7 +355,7 @@ mod tests {
         let comparison =
             json!({"baseline": "one", "studies": studies, "rows": rows, "notes": notes});
         let text = table(&serde_json::from_value(comparison)?);
-        let plain = anstream::adapter::strip_str(&text).to_string();
+        let plain = plain(&text);
         for line in plain.lines() {
             assert!(line.chars().count() <= COLUMNS, "{line:?}");
         }

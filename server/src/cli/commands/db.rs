@@ -128,7 +128,7 @@ impl Db {
         let copied = runtime.block_on(async {
             let mut connection = opening::to_read(&self.db).await?;
             let bar = bytes_bar(upkeep::used_bytes(&mut connection).await?);
-            let copy = copies::begin(target)?;
+            let copy = copies::begin(&self.db, target)?;
             let written = || size(copy.path()).unwrap_or(0);
             let copying = copies::write(&mut connection, &copy);
             let copied = watched(copying, || bar.set_position(written())).await;

@@ -10,7 +10,8 @@ use ::gsa::campaign::Campaign;
 use ::gsa::method::analysis::{Analysis, Status};
 use clap::{Args, Subcommand};
 use document::fault::Fault;
-use documents::own_model::csv_cell::cell;
+use document::visible::visible;
+use documents::own_model::csv_cell;
 use documents::own_model::inputs_document::Inputs;
 use documents::own_model::value_table::ValueTable;
 use ndarray::ArrayView2;
@@ -140,12 +141,8 @@ impl Plan {
         let missing: Vec<usize> = (0..campaign.points().len())
             .filter(|id| !table.has(*id))
             .collect();
-        let names = inputs.names.iter().map(|name| cell(name));
-        let mut text = std::iter::once("id".to_owned())
-            .chain(names)
-            .collect::<Vec<_>>()
-            .join(",");
-        text.push('\n');
+        let id = "id".to_owned();
+        let mut text = csv_cell::line(std::iter::once(&id).chain(&inputs.names));
         for &id in &missing {
             text.push_str(&id.to_string());
             for x in &campaign.points()[id] {
@@ -240,7 +237,7 @@ fn people_table(inputs: &[String], outputs: &[String], found: &[Analysis]) -> St
             Status::Ok => String::new(),
             status => format!(", {}", painted(WARNING, status.as_str())),
         };
-        let (name, method) = (painted(HEADER, name), analysis.method.as_str());
+        let (name, method) = (painted(HEADER, visible(name)), analysis.method.as_str());
         text.push_str(&format!("{name}: {method}{status}\n"));
         if let (Some(first), Some(total)) = (&analysis.first_order, &analysis.total) {
             let width = inputs.iter().map(|name| name.chars().count()).max();

@@ -10,10 +10,11 @@ use document::fault::Fault;
 
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
-use crate::cli::terminal::output::print;
+use crate::cli::terminal::output::tell;
 use crate::cli::terminal::signals::Signals;
 use crate::config::{Config, address, seconds};
 use crate::http::edge::guard::HostName;
+use crate::http::mount::{Mount, Mounting};
 use crate::running::{Limits, Outside, Service, ServiceParts};
 use crate::telemetry::{self, LogFilter, LogFormat};
 use crate::token::{Token, TokenError};
@@ -45,6 +46,12 @@ pub(crate) struct Serve {
     #[arg(long = "host", env = "STRAINSITE_HOST", value_name = "NAME[:PORT]", value_delimiter = ',',
           value_parser = HostName::read)]
     hosts: Vec<HostName>,
+    /// Path below which a proxy serves it, as in /strainsite; requests come with that path in front or without it
+    #[arg(long, env = "STRAINSITE_BASE_PATH", value_name = "PATH", default_value = "/", value_parser = Mount::read)]
+    base_path: Mount,
+    /// Believe the header X-Forwarded-Prefix of requests instead: for a proxy that always sets it
+    #[arg(long, env = "STRAINSITE_TRUST_FORWARDED_PREFIX")]
+    trust_forwarded_prefix: bool,
     /// Studies that may wait in the queue; further ones are refused with 429
     #[arg(long, env = "STRAINSITE_MAX_WAITING", value_name = "N", default_value_t = Limits::default().waiting_studies)]
     max_waiting: u32,
@@ -120,6 +127,10 @@ impl Serve {
         let outside = Outside {
             token: secret.as_ref().map(|secret| secret.token.clone()),
             hosts: self.hosts.clone(),
+            mounting: Mounting {
+                base: self.base_path.clone(),
+                trusts_prefix: self.trust_forwarded_prefix,
+            },
             limits: Limits {
                 waiting_studies: self.max_waiting,
                 event_streams: self.max_streams,
@@ -178,14 +189,17 @@ impl Serve {
 
 async fn serve(parts: ServiceParts, drawn: Option<Token>) -> Result<(), Failure> {
     let mut signals = Signals::listen()?;
+    let base = parts.outside.mounting.base.clone();
     let service = Service::start(parts).await.map_err(Failure::other)?;
-    print(&format!("listening on http://{}\n", service.address()))?;
+    let say = |text: String| tell(&text, None);
+    say(format!("listening on http://{}\n", service.address()))?;
     if let Some(token) = drawn {
-        print(&format!("token {}\n", token.reveal()))?;
+        say(format!("token {}\n", token.reveal()))?;
     }
     if let Some(path) = service.login() {
         let here = reachable(service.address());
-        print(&format!("in a browser, once: http://{here}{path}\n"))?;
+        let path = base.address(path);
+        say(format!("in a browser, once: http://{here}{path}\n"))?;
     }
     signals.next().await;
     tracing::info!("stopping; once more stops at once");

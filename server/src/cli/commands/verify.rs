@@ -202,6 +202,7 @@ fn last(case: &Case) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::terminal::shown::plain;
     use verify::Measure;
 
     #[test]
@@ -218,7 +219,7 @@ mod tests {
             verdict: Verdict::Fail,
             detail: Some("no limit point".to_owned()),
         };
-        let text = anstream::adapter::strip_str(&table(&[case])).to_string();
+        let text = plain(&table(&[case]));
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.len(), 3, "{text}");
         assert!(lines[2].contains("| none ") && lines[2].contains("| FAIL "));

@@ -109,6 +109,7 @@ impl fmt::Display for Failure {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::terminal::shown::{plain, shown};
 
     #[test]
     fn paint_changes_nothing_that_is_said() {
@@ -131,9 +132,8 @@ mod tests {
         ];
         for failure in failures {
             let painted = failure.painted();
-            assert!(painted.contains("\u{1b}[31m"), "{painted:?}");
-            let plain = anstream::adapter::strip_str(&painted).to_string();
-            assert_eq!(plain, failure.to_string());
+            assert!(shown(&painted).contains("\u{1b}[31m"), "{painted:?}");
+            assert_eq!(plain(&painted), failure.to_string());
         }
     }
 }

@@ -116,6 +116,7 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+    use crate::cli::terminal::shown::plain;
 
     #[test]
     fn titles_stand_above_units_above_figures() {
@@ -131,7 +132,7 @@ mod tests {
         ];
         let figures = Figures::of(&columns, &rows);
         let head = figures.head("rank", 6, "  rank is");
-        let head = anstream::adapter::strip_str(&head).to_string();
+        let head = plain(&head);
         let expected = "                      angle\n                lost  bound\nrank    films      %    deg  rank is\n";
         assert_eq!(head, expected);
         assert_eq!(figures.row(0), "     12    3.1      -");

@@ -1,7 +1,8 @@
 //! Terminal: what is said, where, and how it looks.
 //!
 //! - [`exit`]: why a command fails, and its exit code
-//! - `paint`, `output`: painted text, plain where paint isn't wanted; documents
+//! - `paint`, `shown`: painted text, and what of it a terminal may see
+//! - `output`: text for people, plain where paint isn't wanted; documents
 //! - `output_place`: files where users want them
 //! - `figures`: columns of tables, as results describe them
 //! - `files`: what a command reads and writes, looked at first
@@ -21,5 +22,6 @@ pub(crate) mod output_place;
 pub(crate) mod paint;
 pub(crate) mod progress;
 pub(crate) mod report;
+pub(crate) mod shown;
 pub(crate) mod signals;
 pub(crate) mod wrapping;

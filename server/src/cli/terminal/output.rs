@@ -5,10 +5,12 @@ use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use anstream::{AutoStream, ColorChoice};
 use serde::Serialize;
 
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::output_place::{is_stdout, write, write_to};
+use crate::cli::terminal::shown::{plain, shown};
 
 /// Target of `--json`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -46,7 +48,7 @@ impl JsonTarget {
     }
 }
 
-/// Prints to standard output. A reader that went away is no failure of ours.
+/// Prints data to standard output, byte for byte: what people read is [told](tell). A reader that went away is no failure of ours.
 ///
 /// # Errors
 /// When standard output can't be written.
@@ -54,8 +56,8 @@ pub fn print(content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failure> {
     write_to(std::io::stdout().lock(), content.as_ref()).map_err(Failure::other)
 }
 
-/// Prints painted text where people look: on standard output, unless a JSON document goes there. The paint stays on a terminal alone, or
-/// where `CLICOLOR_FORCE` asks for it, and comes off where `NO_COLOR` does.
+/// Prints text where people look: on standard output, unless a JSON document goes there. Its paint is seen on a terminal alone, or where `CLICOLOR_FORCE` asks for
+/// it, and not where `NO_COLOR` does.
 ///
 /// # Errors
 /// When standard output can't be written.
@@ -64,13 +66,21 @@ pub fn tell(text: &str, json: Option<&JsonTarget>) -> Result<(), Failure> {
         warn(text);
         return Ok(());
     }
-    write_to(anstream::stdout().lock(), text.as_bytes()).map_err(Failure::other)
+    write_to(anstream::stdout().lock(), shown(text).as_bytes()).map_err(Failure::other)
 }
 
-/// Prints painted text on standard error, as [`tell`] does.
+/// Prints text on standard error, as [`tell`] does.
 pub fn warn(text: &str) {
     // There is nobody left to tell when it can't be.
-    let _ = anstream::stderr().lock().write_all(text.as_bytes());
+    let _ = anstream::stderr().lock().write_all(shown(text).as_bytes());
+}
+
+/// Returns the text as [`warn`] prints it, for what draws on standard error itself.
+pub(crate) fn as_warned(text: &str) -> String {
+    match AutoStream::choice(&std::io::stderr()) {
+        ColorChoice::Never => plain(text),
+        _ => shown(text),
+    }
 }
 
 /// Whether what is told goes to a terminal.

@@ -1,11 +1,11 @@
 //! Colours and emphasis of what people read: always beside a word or a sign that says the same.
 //!
-//! Text is painted as if for a terminal; [`tell`](super::output::tell) and [`warn`](super::output::warn) take the paint off where it goes elsewhere. Cells are padded
-//! by what is seen of them, so that columns line up either way.
+//! Where a style begins and ends stands in the text as a character that Unicode keeps for inside a program; [`shown`](super::shown::shown) puts a terminal's commands in
+//! their place, and lets no others through. Cells are padded by what is seen of them, so that columns line up either way.
 
 use std::fmt::Display;
 
-use anstyle::{AnsiColor, Style};
+use anstyle::{AnsiColor, Reset, Style};
 
 /// A table's header, or a title.
 pub(crate) const HEADER: Style = Style::new().bold();
@@ -20,9 +20,33 @@ pub(crate) const BAD: Style = AnsiColor::Red.on_default();
 /// Style of what is to be looked at.
 pub(crate) const WARNING: Style = AnsiColor::Yellow.on_default();
 
+/// Styles, each with the mark where it begins.
+const MARKS: [(char, Style); 5] = [
+    ('\u{fdd0}', STRONG),
+    ('\u{fdd1}', FAINT),
+    ('\u{fdd2}', GOOD),
+    ('\u{fdd3}', BAD),
+    ('\u{fdd4}', WARNING),
+];
+/// The mark where any of them ends.
+const END: char = '\u{fddf}';
+
 /// The text in this style.
 pub fn painted(style: Style, text: impl Display) -> String {
-    format!("{style}{text}{style:#}")
+    let begin = MARKS.iter().find(|(_, known)| *known == style);
+    match begin {
+        Some((begin, _)) => format!("{begin}{text}{END}"),
+        None => text.to_string(),
+    }
+}
+
+/// Returns the terminal's command that a mark stands for.
+pub(crate) fn command(mark: char) -> Option<String> {
+    if mark == END {
+        return Some(Reset.to_string());
+    }
+    let begun = MARKS.iter().find(|(begin, _)| *begin == mark);
+    begun.map(|(_, style)| style.to_string())
 }
 
 /// The text in this style, at the left of a column.
@@ -54,37 +78,5 @@ pub(crate) fn of_state(state: &str) -> Style {
         "cancelled" => WARNING,
         "running" => STRONG,
         _ => FAINT,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn columns_are_as_wide_as_what_is_seen_of_them() {
-        let cell = left(BAD, "Größe", 8);
-        assert!(
-            cell.starts_with('\u{1b}') && cell.ends_with("   "),
-            "{cell:?}"
-        );
-        assert_eq!(anstream::adapter::strip_str(&cell).to_string(), "Größe   ");
-        assert_eq!(
-            left(Style::new(), "a", 3),
-            "a  ",
-            "what has no style has no escapes"
-        );
-        assert_eq!(left(BAD, "long", 2), painted(BAD, "long"));
-    }
-
-    #[test]
-    fn every_line_of_a_header_ends_its_own_style() {
-        let painted = header("a\nb\n");
-        assert_eq!(painted.lines().count(), 2);
-        assert!(
-            painted.lines().all(|line| line.ends_with("\u{1b}[0m")),
-            "{painted:?}"
-        );
-        assert_eq!(anstream::adapter::strip_str(&painted).to_string(), "a\nb\n");
     }
 }

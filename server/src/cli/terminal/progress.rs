@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
-use anstream::{AutoStream, ColorChoice};
 use fem_client::solver::{SolveProgress, Stage};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use placement::points::Event;
 
 use crate::cli::terminal::estimate_text::revised;
+use crate::cli::terminal::output::as_warned;
 use crate::cli::terminal::paint::{BAD, painted};
 
 /// A bar on standard error, on a terminal only, after a label.
@@ -18,7 +18,7 @@ pub(crate) fn progress_bar(label: &str) -> ProgressBar {
     ) {
         bar.set_style(style);
     }
-    bar.set_prefix(label.to_owned());
+    bar.set_prefix(as_warned(label));
     bar
 }
 
@@ -60,7 +60,7 @@ pub fn clock(what: &str) -> ProgressBar {
     if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}, {elapsed} gone") {
         bar.set_style(style);
     }
-    bar.set_message(what.to_owned());
+    bar.set_message(as_warned(what));
     seen_in_time(bar)
 }
 
@@ -98,12 +98,8 @@ fn solving(progress: &SolveProgress) -> String {
 
 /// Says above the bar which point failed, and why.
 pub(crate) fn say_failed(bar: &ProgressBar, ordinal: usize, cause: &str) {
-    let point = format!("point {ordinal}");
-    let point = match AutoStream::choice(&std::io::stderr()) {
-        ColorChoice::Never => point,
-        _ => painted(BAD, point),
-    };
-    bar.println(format!("{point}: {cause}"));
+    let point = painted(BAD, format!("point {ordinal}"));
+    bar.println(as_warned(&format!("{point}: {cause}")));
 }
 
 /// Moves the bar, and says above it what failed.
@@ -136,6 +132,6 @@ pub(crate) fn show(bar: &ProgressBar, event: &Event) {
         }
         Event::Solving { progress, .. } => bar.set_message(solving(progress)),
         Event::Analysing => bar.set_message("analysing"),
-        Event::Revised(estimate) => bar.println(revised(estimate)),
+        Event::Revised(estimate) => bar.println(as_warned(&revised(estimate))),
     }
 }

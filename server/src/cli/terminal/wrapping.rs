@@ -90,6 +90,7 @@ pub(crate) fn middle_cut(text: &str, most: usize) -> String {
 mod tests {
     use super::*;
     use crate::cli::terminal::paint::GOOD;
+    use crate::cli::terminal::shown::{plain, shown};
 
     #[test]
     fn lines_fit_and_lose_no_word() {
@@ -109,8 +110,8 @@ mod tests {
     #[test]
     fn a_label_is_painted_and_counts_as_what_is_seen() {
         let told = labelled(GOOD, "certain", &"word ".repeat(40));
-        assert!(told.starts_with("\u{1b}[32mcertain\u{1b}[0m: word "));
-        let plain = anstream::adapter::strip_str(&told).to_string();
+        assert!(shown(&told).starts_with("\u{1b}[32mcertain\u{1b}[0m: word "));
+        let plain = plain(&told);
         assert!(plain.lines().count() > 1 && plain.lines().all(|line| line.len() <= COLUMNS));
     }
 

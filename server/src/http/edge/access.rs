@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 
 use crate::http::edge::connection_slots::Standing;
 use crate::http::edge::problem_document::Problem;
+use crate::http::mount::Mount;
 use crate::token::{Token, TokenError};
 
 /// The rule by which requests are let in. Without a token all are.
@@ -95,9 +96,11 @@ impl Keys {
         once.take_if(|(once, _)| once.is(said.as_bytes())).is_some()
     }
 
-    pub(crate) fn set_cookie(&self) -> String {
+    /// The cookie, which a browser shows to nothing beside the service.
+    pub(crate) fn set_cookie(&self, mount: &Mount) -> String {
         let (name, value) = (&self.cookie_name, self.cookie.reveal());
-        format!("{name}={value}; HttpOnly; SameSite=Strict; Path=/")
+        let path = mount.address("/");
+        format!("{name}={value}; HttpOnly; SameSite=Strict; Path={path}")
     }
 }
 

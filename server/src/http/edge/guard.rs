@@ -11,7 +11,7 @@ use std::net::{Ipv6Addr, SocketAddr};
 use std::sync::Arc;
 
 use axum::extract::{Request, State};
-use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, header};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, Uri, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 
@@ -79,7 +79,7 @@ impl HostList {
         }
     }
 
-    fn check(&self, method: &Method, headers: &HeaderMap) -> Result<(), Problem> {
+    fn check(&self, method: &Method, target: &Uri, headers: &HeaderMap) -> Result<(), Problem> {
         let mut hosts = headers.get_all(header::HOST).iter();
         let (Some(host), None) = (hosts.next(), hosts.next()) else {
             return Err(Problem::new(
@@ -87,8 +87,12 @@ impl HostList {
                 "a request needs exactly one Host header",
             ));
         };
+        // Of a target with a host of its own, that is the one which is meant (RFC 9112, 3.2.2).
+        let host = target
+            .authority()
+            .map_or(host.as_bytes(), |host| host.as_str().as_bytes());
         let among = |names: &[String]| {
-            let is_host = |name: &String| host.as_bytes().eq_ignore_ascii_case(name.as_bytes());
+            let is_host = |name: &String| host.eq_ignore_ascii_case(name.as_bytes());
             names.iter().any(is_host)
         };
         let given = among(&self.given);
@@ -106,10 +110,13 @@ impl HostList {
                 detail,
             ));
         }
+        if let Some(twice) = ONCE.iter().find(|name| is_double(headers, name)) {
+            let detail = format!("a request has one {twice} header at most");
+            return Err(Problem::new(StatusCode::BAD_REQUEST, detail));
+        }
         let reads = matches!(*method, Method::GET | Method::HEAD | Method::OPTIONS);
         let own_origin = |origin: &HeaderValue| {
-            let says =
-                |scheme: &[u8]| origin.as_bytes().strip_prefix(scheme) == Some(host.as_bytes());
+            let says = |scheme: &[u8]| origin.as_bytes().strip_prefix(scheme) == Some(host);
             says(b"http://") || (given && says(b"https://"))
         };
         if !reads && !headers.get_all(header::ORIGIN).iter().all(own_origin) {
@@ -122,29 +129,49 @@ impl HostList {
     }
 }
 
+/// Headers of one value: which of two is meant, nobody knows.
+const ONCE: [&str; 5] = [
+    "Authorization",
+    "Content-Type",
+    "Idempotency-Key",
+    "Last-Event-ID",
+    "X-Forwarded-Prefix",
+];
+
+fn is_double(headers: &HeaderMap, name: &str) -> bool {
+    headers.get_all(name).iter().nth(1).is_some()
+}
+
 /// Browsers send about twenty.
 const MOST_HEADERS: usize = 100;
 
 /// Refuses requests that don't mean this service.
 pub async fn admit(State(hosts): State<HostList>, request: Request, next: Next) -> Response {
-    match hosts.check(request.method(), request.headers()) {
+    match hosts.check(request.method(), request.uri(), request.headers()) {
         Ok(()) => next.run(request).await,
         Err(problem) => problem.into_response(),
     }
 }
 
-/// Tells browsers to keep to this service's own files, and to guess nothing.
+/// Tells browsers to keep to this service's own files, and to guess nothing; and caches to keep nothing of which nobody says how long.
 pub(crate) async fn harden(request: Request, next: Next) -> Response {
     let mut response = next.run(request).await;
+    let headers = response.headers_mut();
     for (name, value) in SECURITY_HEADERS {
-        response
-            .headers_mut()
-            .insert(name, HeaderValue::from_static(value));
+        headers.insert(name, HeaderValue::from_static(value));
     }
+    let (name, value) = UNKEPT;
+    headers
+        .entry(name)
+        .or_insert(HeaderValue::from_static(value));
     response
 }
 
-const SECURITY_HEADERS: [(HeaderName, &str); 5] = [
+/// Rule for caches of an answer that has none.
+pub(crate) const UNKEPT: (HeaderName, &str) = (header::CACHE_CONTROL, "no-store");
+
+/// Headers of every answer.
+pub(crate) const SECURITY_HEADERS: [(HeaderName, &str); 5] = [
     (
         header::CONTENT_SECURITY_POLICY,
         "default-src 'self'; img-src 'self' data:; object-src 'none'; base-uri 'none'; form-action 'self'; \
@@ -164,6 +191,15 @@ mod tests {
     use super::*;
 
     fn status(method: Method, pairs: &[(&'static str, &str)]) -> Option<StatusCode> {
+        status_of("/", method, pairs)
+    }
+
+    fn status_of(
+        target: &str,
+        method: Method,
+        pairs: &[(&'static str, &str)],
+    ) -> Option<StatusCode> {
+        let target = target.parse().expect("a target");
         let mut headers = HeaderMap::new();
         for (name, value) in pairs {
             headers.append(*name, HeaderValue::from_str(value).expect("header"));
@@ -171,7 +207,7 @@ mod tests {
         let given = HostName::read("tires.example").expect("a name");
         let hosts = HostList::of("127.0.0.1:8080".parse().expect("address"), &[given]);
         hosts
-            .check(&method, &headers)
+            .check(&method, &target, &headers)
             .err()
             .map(|problem| problem.into_response().status())
     }
@@ -206,6 +242,30 @@ mod tests {
         assert_eq!(status(Method::GET, &[]), Some(StatusCode::BAD_REQUEST));
         let twice = [("host", "localhost:8080"), ("host", "localhost:8080")];
         assert_eq!(status(Method::GET, &twice), Some(StatusCode::BAD_REQUEST));
+    }
+
+    #[test]
+    fn the_host_of_a_target_is_the_one_that_is_meant() {
+        let host = [("host", "localhost:8080")];
+        let asked = |target| status_of(target, Method::GET, &host);
+        assert_eq!(asked("http://localhost:8080/"), None);
+        for target in [
+            "http://evil.example/",
+            "http://a@localhost:8080/",
+            "evil.example:80",
+        ] {
+            assert_eq!(asked(target), Some(StatusCode::FORBIDDEN), "{target}");
+        }
+    }
+
+    #[test]
+    fn a_header_of_one_value_stands_once() {
+        for name in ["idempotency-key", "content-type", "last-event-id"] {
+            let twice = [("host", "localhost:8080"), (name, "a"), (name, "b")];
+            let refused = Some(StatusCode::BAD_REQUEST);
+            assert_eq!(status(Method::POST, &twice), refused, "{name}");
+            assert_eq!(status(Method::POST, &twice[..2]), None, "{name}");
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Bodies for what hyper refuses before any handler sees it.
 //!
 //! An address or headers that are too long, and what isn't HTTP, get an answer of hyper's own, without a body, and their connection is closed. A client that reads problem
-//! documents should find one there too, and hyper has no place to give it one: it is put in on the way to the client.
+//! documents should find one there too, with the headers of every answer, and hyper has no place to give it any: they are put in on the way to the client.
 
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -13,6 +13,7 @@ use std::task::{Context, Poll, ready};
 use axum::http::StatusCode;
 use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
 
+use crate::http::edge::guard::{SECURITY_HEADERS, UNKEPT};
 use crate::http::edge::problem_document::Problem;
 
 /// A connection on which every refusal has a problem document.
@@ -49,10 +50,13 @@ fn with_document(bytes: &[u8]) -> Option<Vec<u8>> {
     }
     let problem = Problem::new(StatusCode::from_bytes(status).ok()?, detail);
     let document = problem.document().to_string();
-    let described = format!(
+    let mut described = format!(
         "\r\nconnection: close\r\ncontent-type: application/problem+json\r\ncontent-length: {}\r\n",
         document.len()
     );
+    for (name, value) in SECURITY_HEADERS.iter().chain([&UNKEPT]) {
+        described.push_str(&format!("{name}: {value}\r\n"));
+    }
     Some((head.replacen(NO_BODY, &described, 1) + &document).into_bytes())
 }
 
@@ -131,6 +135,9 @@ mod tests {
         read.expect("reads");
         let (head, document) = seen.split_once("\r\n\r\n").expect("a head");
         assert!(head.contains("content-type: application/problem+json"));
+        for header in ["x-frame-options: DENY\r\n", "cache-control: no-store\r\n"] {
+            assert!(head.contains(header), "{head}");
+        }
         assert!(head.contains(&format!("content-length: {}\r\n", document.len())));
         let document: serde_json::Value = serde_json::from_str(document).expect("JSON");
         assert_eq!(document["status"], 431);

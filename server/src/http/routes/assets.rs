@@ -17,8 +17,7 @@ struct Dashboard;
 
 const INDEX: &str = "index.html";
 
-/// Answers what no route answers: a file of the dashboard, its first page for any other address that a browser
-/// opens, or a problem document.
+/// Answers what no route answers: a file of the dashboard, the way to its first page from any other address that a browser opens, or a problem document.
 pub(crate) async fn fallback(request: Request) -> Response {
     let path = request.uri().path();
     let nothing = || Problem::not_found(format!("there is nothing at {path:?}")).into_response();
@@ -34,8 +33,10 @@ pub(crate) async fn fallback(request: Request) -> Response {
         return serve(name, file, request.headers());
     }
     match Dashboard::get(INDEX) {
-        Some(file) if path == "/" || wants_a_page(request.headers()) => {
-            serve(INDEX, file, request.headers())
+        Some(file) if path == "/" => serve(INDEX, file, request.headers()),
+        // Addresses on the page are relative to its own.
+        Some(_) if wants_a_page(request.headers()) => {
+            (StatusCode::SEE_OTHER, [(header::LOCATION, "/")]).into_response()
         }
         _ => nothing(),
     }

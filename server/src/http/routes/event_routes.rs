@@ -39,6 +39,8 @@ use store::{Store, StoreError};
 /// Rows read at once.
 const BATCH: u32 = 100;
 const KEEP_ALIVE: Duration = Duration::from_secs(15);
+/// Tells a proxy to send each event on at once: nginx would gather an answer and send on nothing of it for minutes.
+const UNBUFFERED: [(&str, &str); 1] = [("x-accel-buffering", "no")];
 
 /// `/v1/studies/{id}/events`.
 pub(crate) fn router() -> OpenApiRouter<AppState> {
@@ -91,9 +93,8 @@ async fn follow(
         };
         next.instrument(request.clone())
     });
-    Ok(Sse::new(stream)
-        .keep_alive(KeepAlive::new().interval(KEEP_ALIVE))
-        .into_response())
+    let events = Sse::new(stream).keep_alive(KeepAlive::new().interval(KEEP_ALIVE));
+    Ok((UNBUFFERED, events).into_response())
 }
 
 fn last_event_id(headers: &HeaderMap) -> Result<i64, Problem> {

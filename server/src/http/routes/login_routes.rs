@@ -2,10 +2,10 @@
 
 use std::time::Instant;
 
-use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use axum::{Extension, Json};
 use serde::Deserialize;
 use service::wire::examples;
 use service::wire::study_wire::{LoginLink, ProblemDocument};
@@ -15,6 +15,7 @@ use utoipa_axum::routes;
 use crate::http::app_state::AppState;
 use crate::http::edge::extract::Params;
 use crate::http::edge::problem_document::Problem;
+use crate::http::mount::Mount;
 
 /// `/login`.
 pub(crate) fn router() -> OpenApiRouter<AppState> {
@@ -37,6 +38,7 @@ struct LoginQuery {
               (status = 404, description = "This service asks for no token", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
 async fn login(
     State(state): State<AppState>,
+    Extension(mount): Extension<Mount>,
     headers: HeaderMap,
     Params(query): Params<LoginQuery>,
 ) -> Result<Response, Problem> {
@@ -55,7 +57,7 @@ async fn login(
     }
     let headers = [
         dashboard,
-        (header::SET_COOKIE, keys.set_cookie()),
+        (header::SET_COOKIE, keys.set_cookie(&mount)),
         (header::CACHE_CONTROL, "no-store".to_owned()),
     ];
     Ok((StatusCode::SEE_OTHER, headers).into_response())
@@ -67,12 +69,15 @@ async fn login(
 #[utoipa::path(post, path = "/login", tag = "service",
     responses((status = 201, description = "The address", body = LoginLink, example = json!({"path": "/login?once=af5570f5a1810b7af78caf4bc70a660f"})),
               (status = 404, description = "This service asks for no token", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::absent()))))]
-async fn invite(State(state): State<AppState>) -> Result<Response, Problem> {
+async fn invite(
+    State(state): State<AppState>,
+    Extension(mount): Extension<Mount>,
+) -> Result<Response, Problem> {
     let link = state
         .access
         .link()
         .map_err(|error| Problem::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))?;
-    let path = link.ok_or_else(no_token)?;
+    let path = mount.address(&link.ok_or_else(no_token)?);
     let headers = [(header::CACHE_CONTROL, "no-store")];
     Ok((StatusCode::CREATED, headers, Json(LoginLink { path })).into_response())
 }

@@ -24,11 +24,12 @@ pub enum Replaced {
     Discarded,
 }
 
-/// A copy that isn't there yet, beside the place where it is to be: a plain file, whatever SQLite makes of its name.
+/// A copy of `source` that isn't there yet, beside the place where it is to be: a plain file, whatever SQLite makes of its name, which nobody may read who may not
+/// read the source.
 ///
 /// # Errors
 /// [`StoreError::Copy`] when there is something of that name, or nothing can be written there.
-pub fn begin(target: &Path) -> Result<Unfinished, StoreError> {
+pub fn begin(source: &Path, target: &Path) -> Result<Unfinished, StoreError> {
     let place = Place::of(target)?;
     if fs::symlink_metadata(&place.real).is_ok() {
         return Err(StoreError::Copy {
@@ -36,7 +37,7 @@ pub fn begin(target: &Path) -> Result<Unfinished, StoreError> {
             cause: "a copy is only written to a file that isn't there yet".to_owned(),
         });
     }
-    Unfinished::begin(&place)
+    Unfinished::begin(&place, &Place::of(source)?)
 }
 
 /// Writes the database as it is now, without free pages.
@@ -84,7 +85,9 @@ pub async fn restore(
     }
     let mut from = readable(&source).await?;
     let _name = NameLock::take(&place)?;
-    let copy = Unfinished::begin(&place)?;
+    // What the database let nobody else read, no copy lets them.
+    let like = if old.is_some() { &place } else { &source };
+    let copy = Unfinished::begin(&place, like)?;
     write(&mut from, &copy).await?;
     from.close().await?;
     prepare(&source, copy.path(), seen).await?;
@@ -196,7 +199,7 @@ mod tests {
         let (folder, store) = fresh().await;
         let (path, copy) = (folder.path().join("test.db"), folder.path().join("copy.db"));
         let mut reading = opening::to_read(&path).await.expect("opens");
-        let unfinished = begin(&copy).expect("begins");
+        let unfinished = begin(&path, &copy).expect("begins");
         let written = write(&mut reading, &unfinished).await;
         written.and_then(|()| unfinished.place()).expect("copies");
         let mut change = store.begin().await.expect("begins");

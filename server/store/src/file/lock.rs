@@ -10,6 +10,7 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::file::identity::FileId;
 use crate::file::place::Place;
+use crate::file::rights;
 use crate::store_error::StoreError;
 
 /// Number of times that a file may be replaced between a look at it and its lock; on disks that number their files anew at every look, always.
@@ -55,7 +56,7 @@ impl FileLock {
                 return Ok(None);
             };
             let claim = Claim::of(id).ok_or_else(|| in_use(place, Some(std::process::id())))?;
-            let opened = OpenOptions::new().read(true).write(true).open(&place.real);
+            let opened = rights::unlinked().read(true).write(true).open(&place.real);
             let file = match opened {
                 Ok(file) => file,
                 Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),

@@ -2,6 +2,7 @@
 //!
 //! - `place`, `identity`: where it is, and which file that is
 //! - `lock`: one process per database
+//! - `rights`: who may read what is made
 //! - `presence`: whether an open one is still there
 //! - `schema`: its tables
 //! - `condition`, [`opening`]: what a file is before it is touched
@@ -17,6 +18,7 @@ pub mod opening;
 pub(crate) mod place;
 pub(crate) mod pools;
 pub(crate) mod presence;
+pub(crate) mod rights;
 pub(crate) mod schema;
 pub mod unfinished;
 pub mod upkeep;

@@ -1,6 +1,5 @@
 //! Opening a database file: whose turn it is, and whether it is one.
 
-use std::fs::OpenOptions;
 use std::path::Path;
 
 use sqlx::{Connection, SqliteConnection};
@@ -8,7 +7,7 @@ use sqlx::{Connection, SqliteConnection};
 use crate::file::condition::{self, Content};
 use crate::file::lock::{DatabaseLock, FileLock, NameLock};
 use crate::file::place::Place;
-use crate::file::schema;
+use crate::file::{rights, schema};
 use crate::store_error::{self, StoreError};
 
 /// Action where no file is.
@@ -38,7 +37,7 @@ pub(crate) async fn to_write(
         return Err(place.failed("there is no such file"));
     }
     let name = NameLock::take(&place)?;
-    let made = OpenOptions::new()
+    let made = rights::private()
         .append(true)
         .create(true)
         .open(&place.real);

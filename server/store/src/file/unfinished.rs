@@ -1,11 +1,14 @@
 //! A file that is written beside its place, and takes it when it is whole and on the disk.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs;
+#[cfg(unix)]
+use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::file::lock::FileLock;
 use crate::file::place::{Place, beside};
+use crate::file::rights;
 use crate::store_error::StoreError;
 
 /// Ending of a file's name while it is being written.
@@ -13,7 +16,7 @@ const ENDING: &str = ".unfinished";
 /// Endings of what SQLite may leave beside a file.
 pub(crate) const COMPANIONS: [&str; 3] = ["-wal", "-shm", "-journal"];
 
-/// A file that isn't whole yet; removed when it is dropped before it has its place. What a kill leaves is written over by the next try.
+/// A file that isn't whole yet; removed when it is dropped before it has its place. What a kill leaves is removed by the next try.
 #[derive(Debug)]
 pub struct Unfinished {
     target: Place,
@@ -24,31 +27,27 @@ pub struct Unfinished {
 }
 
 impl Unfinished {
-    /// An empty file beside `target`.
+    /// An empty file beside `target`, with the rights of the file `like`.
     ///
     /// # Errors
     /// [`StoreError::InUse`] when another process is writing it, [`StoreError::Copy`] when it can't be made.
-    pub fn begin(target: &Place) -> Result<Self, StoreError> {
+    pub fn begin(target: &Place, like: &Place) -> Result<Self, StoreError> {
         let failed = |cause: io::Error| unwritten(target, &cause);
-        let part = Place::of(&beside(&target.real, ENDING))?;
-        let lock = loop {
-            let made = OpenOptions::new()
-                .append(true)
-                .create(true)
-                .open(&part.real);
-            made.map_err(failed)?;
-            if let Some(lock) = FileLock::take(&part)? {
-                break lock;
-            }
+        let name = beside(&target.real, ENDING);
+        // Links aren't resolved: nobody but this program has files of this name.
+        let part = Place {
+            named: name.clone(),
+            real: name,
         };
         let begun = Self {
             target: target.clone(),
+            lock: fresh(target, &part)?,
             part,
-            lock,
             placed: false,
         };
-        begun.lock.file().set_len(0).map_err(failed)?;
         begun.remove_companions();
+        let like = fs::metadata(&like.real).map_err(failed)?;
+        rights::keep(begun.lock.file(), &like).map_err(failed)?;
         Ok(begun)
     }
 
@@ -110,6 +109,32 @@ impl Drop for Unfinished {
         if !self.placed {
             self.remove_companions();
             let _ = fs::remove_file(&self.part.real);
+        }
+    }
+}
+
+/// An empty file of our own making, locked; what a kill left under its name goes first.
+fn fresh(target: &Place, part: &Place) -> Result<FileLock, StoreError> {
+    let failed = |cause: io::Error| unwritten(target, &cause);
+    loop {
+        let made = rights::private()
+            .append(true)
+            .create_new(true)
+            .open(&part.real);
+        if fs::symlink_metadata(&part.real).is_ok_and(|found| found.is_symlink()) {
+            let link = format!("{} is a symbolic link: remove it", part.real.display());
+            return Err(failed(io::Error::other(link)));
+        }
+        let Some(lock) = FileLock::take(part)? else {
+            // Somebody else's, who was done with it between the two.
+            continue;
+        };
+        match made {
+            Ok(_) => return Ok(lock),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                fs::remove_file(&part.real).map_err(failed)?;
+            }
+            Err(error) => return Err(failed(error)),
         }
     }
 }
@@ -184,7 +209,8 @@ mod tests {
 
     fn begun(folder: &Path, content: &str) -> Unfinished {
         let target = Place::of(&folder.join("copy.db")).expect("a place");
-        let unfinished = Unfinished::begin(&target).expect("begins");
+        let source = Place::of(folder).expect("a place");
+        let unfinished = Unfinished::begin(&target, &source).expect("begins");
         fs::write(unfinished.path(), content).expect("writes");
         unfinished
     }
@@ -206,7 +232,8 @@ mod tests {
         let first = begun(folder.path(), "first");
         assert_eq!(names(folder.path()), ["copy.db.unfinished"]);
         let target = Place::of(&folder.path().join("copy.db")).expect("a place");
-        let beside = Unfinished::begin(&target).expect_err("is being written");
+        let source = Place::of(folder.path()).expect("a place");
+        let beside = Unfinished::begin(&target, &source).expect_err("is being written");
         assert!(matches!(beside, StoreError::InUse { .. }), "{beside}");
         first.place().expect("is free");
         let refused = begun(folder.path(), "second")

@@ -2,6 +2,7 @@
 
 import type { BandRow } from "./band-drawing.ts";
 import type { LeftOutRows } from "../../wire.ts";
+import { csvCell, csvText } from "../shell/csv-cells.ts";
 
 /** The estimates of a recording, as the service sends them. */
 export interface Estimates {
@@ -31,17 +32,15 @@ export function readEstimates(text: string): Estimates | null {
 /** The cells of a line; names may be quoted. */
 function cells(line: string): string[] {
   const found = [...line.matchAll(/(?:^|,)("(?:[^"]|"")*"|[^,]*)/g)].map(([, cell = ""]) => cell);
-  return found.map((cell) => (cell.startsWith('"') ? cell.slice(1, -1).replaceAll('""', '"') : cell));
+  return found.map((cell) => csvText(cell.startsWith('"') ? cell.slice(1, -1).replaceAll('""', '"') : cell));
 }
 
 /** Rows that were left out, with all digits: a row for each row and force. */
 export function leftOutText(all: readonly LeftOutRows[], files: readonly string[]): string {
   const lines = all.flatMap((left) =>
     left.time_s.map((time_s, k) =>
-      [quoted(left.force), quoted(files[left.run[k] ?? -1] ?? ""), time_s, left.truth_n[k], left.estimate_n[k], left.low_n[k], left.high_n[k]].join(","),
+      [csvCell(left.force), csvCell(files[left.run[k] ?? -1] ?? ""), time_s, left.truth_n[k], left.estimate_n[k], left.low_n[k], left.high_n[k]].join(","),
     ),
   );
   return `${["force,recording,time_s,truth_n,estimate_n,low_n,high_n", ...lines].join("\r\n")}\r\n`;
 }
-
-const quoted = (text: string): string => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);

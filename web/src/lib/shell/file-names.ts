@@ -1,5 +1,7 @@
 /** Files that the page makes of what it shows. */
 
+import { csvCell } from "./csv-cells.ts";
+
 /** Longest part of a name that comes from a study. */
 const LONGEST = 48;
 
@@ -21,6 +23,5 @@ export function csvOf(rows: readonly (readonly string[])[]): string {
 }
 
 function cell(text: string): string {
-  const clean = text.replace(/\s+/g, " ").trim().replaceAll("−", "-");
-  return /[",]/.test(clean) ? `"${clean.replaceAll('"', '""')}"` : clean;
+  return csvCell(text.replace(/\s+/g, " ").trim().replaceAll("−", "-"));
 }

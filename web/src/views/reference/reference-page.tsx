@@ -11,13 +11,13 @@ export function ReferencePage({ described }: { described: Loadable<Description> 
   return (
     <div class="reference">
       <header class="masthead">
-        <a class="brand" href="/">
+        <a class="brand" href="./">
           <span class="brand-name">strainsite</span>
           <span class="brand-line">over HTTP</span>
         </a>
         <nav aria-label="Service">
-          <a href="/">Dashboard</a>
-          <a href="/openapi.json">OpenAPI</a>
+          <a href="./">Dashboard</a>
+          <a href="openapi.json">OpenAPI</a>
         </nav>
       </header>
       <main id="main">
@@ -38,7 +38,7 @@ function Described({ description }: { description: Description }) {
     <>
       <section aria-labelledby="first-title">
         <h2 id="first-title">From a document to its answer</h2>
-        <Code name="Five lines for a shell" text={firstLines(location.origin)} />
+        <Code name="Five lines for a shell" text={firstLines(new URL(".", location.href).href.replace(/\/$/, ""))} />
         {(description.info.description ?? "").split("\n\n").map((paragraph) => (
           <p key={paragraph}>
             <MarkedText text={paragraph} />

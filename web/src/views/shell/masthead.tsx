@@ -24,7 +24,7 @@ export function Masthead({ route, onHelp }: { route: Route; onHelp: () => void }
           <a href={FORCES} aria-current={route.view === "forces" ? "page" : undefined}>
             Forces
           </a>
-          <a href="/docs">API</a>
+          <a href="docs">API</a>
         </nav>
         <ThemeSwitch />
         <button type="button" class="help" aria-label="Keys and terms" title="Keys and terms (?)" onClick={onHelp}>

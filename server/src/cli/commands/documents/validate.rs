@@ -9,7 +9,7 @@ use fem_client::scene::Scene;
 use serde_json::Value;
 
 use crate::cli::terminal::exit::Failure;
-use crate::cli::terminal::output::print;
+use crate::cli::terminal::output::tell;
 use service::study_document::{format_of, read_study, read_study_file};
 
 /// Check a study or scene file without running it
@@ -29,7 +29,7 @@ impl Validate {
         } else {
             self.scene(&text)?
         };
-        print(&line)
+        tell(&line, None)
     }
 
     fn study(&self, text: &str) -> Result<String, Failure> {

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use document::visible::visible;
 use estimation::fit_report::{ForceReport, ModelReport, Report};
 use estimation::recipe::Kind;
 
@@ -41,7 +42,8 @@ fn answer(force: &ForceReport) -> String {
         let word = painted(BAD, "useless");
         return format!(
             "{}: {word}: no model knows it better than the training mean, off by {:.3} N\n",
-            force.force, figures.rmse_n
+            visible(&force.force),
+            figures.rmse_n
         );
     }
     let range = figures
@@ -51,7 +53,7 @@ fn answer(force: &ForceReport) -> String {
         });
     format!(
         "{}: {}, off by {} N{range} on {}\n",
-        force.force,
+        visible(&force.force),
         chosen(model),
         painted(GOOD, format!("{:.3}", figures.rmse_n)),
         match figures.by.as_str() {
@@ -87,7 +89,7 @@ fn models(force: &ForceReport) -> String {
     let table = columns::models();
     let columns = ["judged", "splits", "leak"].map(|view| table.view(view));
     let figures = Figures::of(&columns.concat(), &rows);
-    let names = format!("{:<8}features", force.force);
+    let names = format!("{:<8}features", visible(&force.force));
     let mut text = figures.head(&names, NAMED, "");
     for (row, model) in force.models.iter().enumerate() {
         let features = match model.model {

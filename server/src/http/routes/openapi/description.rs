@@ -4,10 +4,10 @@
 
 use std::sync::LazyLock;
 
-use axum::Json;
 use axum::extract::State;
 use axum::http::HeaderMap;
 use axum::response::Response;
+use axum::{Extension, Json};
 use document::json_schema::Schemas;
 use documents::schemas::DocumentKind;
 use documents::sweep::sweep_schema::further_designs_schema;
@@ -18,6 +18,8 @@ use utoipa_axum::routes;
 
 use crate::http::app_state::AppState;
 use crate::http::edge::access::Access;
+use crate::http::mount::Mount;
+use crate::http::routes::openapi::generator_idioms;
 use crate::http::routes::{
     answers, assets, comparison_routes, estimators, event_routes, health, login_routes,
     metric_routes, preset_routes, preview_routes, study_routes, sweep_routes,
@@ -56,12 +58,13 @@ static DOCUMENT: LazyLock<Value> = LazyLock::new(|| {
     }
     give_examples(&mut document);
     describe_documents(&mut document);
+    generator_idioms::rewrite(&mut document);
     document["x-tables"] = described_tables(&document["components"]["schemas"]);
     document
 });
 
 /// Answers by method and path, recorded by `lab/examples.py`.
-const RECORDED: &str = include_str!("../generated/examples.json");
+const RECORDED: &str = include_str!("../../generated/examples.json");
 
 /// Puts recorded answers where an operation's JSON has no example of its own.
 fn give_examples(document: &mut Value) {
@@ -133,8 +136,11 @@ pub(crate) fn router() -> OpenApiRouter<AppState> {
 /// OpenAPI 3.1, for people's programs and for generators of clients.
 #[utoipa::path(get, path = "/openapi.json", tag = "service",
     responses((status = 200, description = "The description", body = Object, example = json!({"openapi": "3.1.0", "paths": {}}))))]
-async fn description(State(state): State<AppState>) -> Json<Value> {
-    Json(document(&state.access))
+async fn description(
+    State(state): State<AppState>,
+    Extension(mount): Extension<Mount>,
+) -> Json<Value> {
+    Json(document(&state.access, &mount))
 }
 
 /// Read this description
@@ -146,10 +152,11 @@ async fn page(headers: HeaderMap) -> Response {
     assets::page("docs.html", &headers)
 }
 
-/// The description, with what lets a client in.
-fn document(access: &Access) -> Value {
+/// The description, with what lets a client in and where the service is.
+fn document(access: &Access, mount: &Mount) -> Value {
     let mut document = DOCUMENT.clone();
     access.describe(&mut document);
+    document["servers"] = json!([{"url": mount.address("/")}]);
     document
 }
 

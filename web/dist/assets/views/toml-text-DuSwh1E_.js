@@ -1,1 +1,0 @@
-export{in as readToml}from"../views-Dn8xua13.js";

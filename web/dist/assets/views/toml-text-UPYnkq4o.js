@@ -1,0 +1,1 @@
+export{in as readToml}from"../views-kuYV3HZI.js";
