@@ -81,6 +81,7 @@ prove: setup-rust audit test-clients
 	$(CARGO) build $(ALL) --examples
 	$(TARGET)/ci/examples/random_scenes 10000 1
 	for rig in $(RIGS); do echo "== $$rig"; $(TARGET)/ci/examples/$$rig; done
+	tests/attacks/ending/stopping-anywhere --moments 40
 	tests/fuzz/run --seconds 600 $(or $(READER),scene)
 
 # Published advisories about what we depend on; what can't be asked is said.

@@ -23,12 +23,12 @@ use crate::http::routes::answers::sent_result::Intact;
 use crate::token::{Token, TokenError};
 use service::engine::Engine;
 use service::forces::estimator_queue::{self, EstimatorQueue, FitMeans};
-use service::memory_share::MemoryShare;
 use service::metrics::Metrics;
-use service::own_process::parent::Start;
 use service::previewer::Previewer;
 use service::queue::{self, Queue};
-use service::shutdown;
+use service::work::memory_share::MemoryShare;
+use service::work::own_process::Start;
+use service::work::shutdown;
 use store::{Store, StoreError};
 
 /// Time that all parts have to end. What lasts longer ends with the program: what was stored is whole, and the rest is done again after the next start.

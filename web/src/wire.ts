@@ -709,11 +709,18 @@ export interface components {
         };
         /** @description Progress of a fit. */
         FitProgress: {
-            /** @description Models judged. */
+            /** @description Stage of the fit. */
+            stage: components["schemas"]["FitStage"];
+            /** @description Pieces of work of this stage that are done. */
             done: number;
-            /** @description Models to judge; 0 until that is known. */
+            /** @description Pieces of work of this stage; 0 until that is known. */
             of: number;
         };
+        /**
+         * @description Stage of a fit.
+         * @enum {string}
+         */
+        FitStage: "reading" | "start-value" | "judging" | "learning";
         /** @description Error of one force by a layout's films, with an estimator that is learnt from runs of a virtual rig. */
         ForceError: {
             /** @description `fx`: along the wheel, `fy`: across it, `fz`: vertical. */
@@ -4307,6 +4314,7 @@ export type FilmPair = components['schemas']['FilmPair'];
 export type FilmPlace = components['schemas']['FilmPlace'];
 export type FitCost = components['schemas']['FitCost'];
 export type FitProgress = components['schemas']['FitProgress'];
+export type FitStage = components['schemas']['FitStage'];
 export type ForceError = components['schemas']['ForceError'];
 export type ForceFindings = components['schemas']['ForceFindings'];
 export type ForcePrice = components['schemas']['ForcePrice'];

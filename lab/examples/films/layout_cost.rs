@@ -8,7 +8,6 @@ use layouts::field::film_field::{DepthFields, LoadField, Noise};
 use layouts::field::hermite::Nodes;
 use layouts::ranking::layout_scores::Scorer;
 use layouts::search::best_layouts::joined;
-use layouts::search::best_layouts::joined;
 use layouts::search::layout_search::SearchPlaces;
 use layouts::search::search_criterion::{SearchCriterion, SearchFields};
 use layouts::simulate::simulation::SAMPLES;

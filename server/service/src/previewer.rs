@@ -17,9 +17,9 @@ use placement::points::memory::MemoryArchive;
 use placement::run::run;
 use tokio::sync::{Notify, OwnedMutexGuard, oneshot};
 
-use crate::shutdown::Shutdown;
 use crate::solving::solver_choice::PREVIEW_LIMIT;
 use crate::wire::preview_wire::Preview;
+use crate::work::shutdown::Shutdown;
 
 /// Points that a preview may ask for at first. A draft solve takes about 8 ms of a core: on two cores so many take two seconds, and on one busy core less than the limit.
 const MOST_POINTS: usize = 500;

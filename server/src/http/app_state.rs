@@ -8,7 +8,7 @@ use service::forces::estimator_queue::EstimatorQueue;
 use service::metrics::Metrics;
 use service::previewer::Previewer;
 use service::queue::Queue;
-use service::shutdown::Shutdown;
+use service::work::shutdown::Shutdown;
 use store::Store;
 
 use crate::http::edge::access::Access;

@@ -22,6 +22,8 @@ pub mod points;
 pub mod queue;
 pub mod removal;
 mod row;
+#[cfg(test)]
+mod sealed_rows;
 mod seals;
 mod store_error;
 

@@ -205,7 +205,7 @@ impl SearchPlaces {
     }
 }
 
-/// What a search of so many films has seen so far, and whether it is to stop.
+/// State of a search for so many films: what it has seen so far, and whether it is to stop.
 struct Seen<'a> {
     films: usize,
     best: Best,

@@ -663,10 +663,12 @@ class FitCost:
 class FitProgress:
     """Progress of a fit."""
 
+    stage: str
+    """Stage of the fit. One of `reading`, `start-value`, `judging`, `learning`."""
     done: int
-    """Models judged."""
+    """Pieces of work of this stage that are done."""
     of: int
-    """Models to judge; 0 until that is known."""
+    """Pieces of work of this stage; 0 until that is known."""
 
 
 @dataclass(frozen=True, kw_only=True)

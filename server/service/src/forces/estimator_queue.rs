@@ -18,10 +18,10 @@ use crate::forces::fit_process::FitOrder;
 use crate::forces::learning::{Ending, FitWork, Learning, sentence};
 use crate::forces::recorded_texts::NamedText;
 use crate::forces::submission_reader::Submission;
-use crate::memory_share::{MemoryShare, TakenMemory};
-use crate::own_process::parent::Start;
-use crate::shutdown::Shutdown;
 use crate::wire::estimator_wire::{FitProgress, StoredEstimator};
+use crate::work::memory_share::{MemoryShare, TakenMemory};
+use crate::work::own_process::Start;
+use crate::work::shutdown::Shutdown;
 
 /// Time to wait before the database is tried again.
 const RETRY: Duration = Duration::from_secs(1);
@@ -419,9 +419,9 @@ mod tests {
 
     use super::*;
     use crate::forces::submission_reader::{FitLimits, read_submission};
-    use crate::shutdown;
+    use crate::work::shutdown;
 
-    /// Far beyond what anything here takes.
+    /// Time far beyond what anything here takes.
     const PATIENCE: Duration = Duration::from_secs(30);
 
     fn submission(name: &str) -> Submission {

@@ -11,9 +11,9 @@ use serde::{Deserialize, Serialize};
 use crate::forces::fitting::{Fit, FitFailure, Work, fit};
 use crate::forces::model_file::model_text;
 use crate::forces::recorded_texts::NamedText;
-use crate::own_process::child;
-use crate::own_process::parent::{Unanswered, Wish, ask};
 use crate::wire::estimator_wire::{FitProgress, LeftOutRows};
+use crate::work::answering;
+use crate::work::own_process::{Unanswered, Wish, ask};
 
 /// The program's only argument when it is started for this. It is no command of its users.
 pub const ARGUMENT: &str = "learn-apart";
@@ -49,7 +49,7 @@ pub enum Unlearnt {
     Input(Vec<Fault>),
     /// Stop on request.
     Stopped,
-    /// What it learnt ended its process: how.
+    /// End of its process by what it learnt: how.
     Crashed(String),
     /// Another reason, a sentence.
     Other(String),
@@ -96,7 +96,7 @@ pub fn learn(
 
 /// Learns for the parent process of this one.
 pub fn learn_for_parent() -> ExitCode {
-    child::answer(|order| match serde_json::from_str::<FitOrder>(order) {
+    answering::answer(|order| match serde_json::from_str::<FitOrder>(order) {
         Ok(order) => answer(&order),
         Err(error) => Answer::Other(format!("the fit's order can't be read: {error}")),
     })
@@ -106,7 +106,7 @@ fn answer(order: &FitOrder) -> Answer {
     limit_memory(order.memory_bytes);
     let work = Work {
         threads: order.threads,
-        told: &|progress| child::tell(&progress),
+        told: &|progress| answering::tell(&progress),
     };
     match fit(&order.recipe, &order.files, work) {
         Ok(found) => learnt(found).unwrap_or_else(Answer::Other),

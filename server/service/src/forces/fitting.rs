@@ -211,7 +211,7 @@ fn judged(
 
 /// Piece of the work on a model that was chosen.
 enum Piece {
-    Model(Result<LearntModel, FitError>),
+    Model(Result<Box<LearntModel>, FitError>),
     Chance(Option<Tested>),
 }
 
@@ -235,7 +235,7 @@ fn learnt(
     let made = told_in_parallel(FitStage::Learning, pieces, work, |piece| {
         let (force, member) = members[piece / 2];
         match piece % 2 {
-            0 => Piece::Model(LearntModel::whole(member, &rows[force], recipe)),
+            0 => Piece::Model(LearntModel::whole(member, &rows[force], recipe).map(Box::new)),
             _ => Piece::Chance(rolled(member, &rows[force], &splits[force], recipe)),
         }
     });
@@ -244,7 +244,7 @@ fn learnt(
         let (models, said) = &mut of_forces[*force];
         match piece {
             Piece::Model(model) => {
-                models.push(model.map_err(|error| FitFailure::Other(error.to_string()))?);
+                models.push(*model.map_err(|error| FitFailure::Other(error.to_string()))?);
             }
             Piece::Chance(rolled) => said.extend(rolled),
         }

@@ -12,9 +12,9 @@ use tokio::sync::oneshot;
 
 use crate::forces::fit_process::{FitOrder, Unlearnt, learn};
 use crate::forces::learnt_parts::parts;
-use crate::memory_share::TakenMemory;
-use crate::own_process::parent::Wish;
 use crate::wire::estimator_wire::FitProgress;
+use crate::work::memory_share::TakenMemory;
+use crate::work::own_process::Wish;
 
 /// Ending of the work on an estimator.
 #[derive(Debug)]
@@ -23,7 +23,7 @@ pub(crate) enum Ending {
     Learnt(Vec<(Part, String)>),
     /// Failure, a sentence.
     Failed(String),
-    /// What it learnt ended its process: how.
+    /// End of its process by what it learnt: how.
     Crashed(String),
     /// Stop on request.
     Stopped,

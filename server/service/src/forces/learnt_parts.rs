@@ -1,4 +1,4 @@
-//! What was learnt, as the database keeps it.
+//! Parts of a fit, as the database keeps them.
 
 use store::StoreError;
 use store::content::encode;

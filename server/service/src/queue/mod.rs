@@ -27,7 +27,7 @@ use tokio::runtime::Handle;
 use tokio::sync::{Mutex, Notify, oneshot, watch};
 
 use crate::engine::{End, Engine};
-use crate::shutdown::Shutdown;
+use crate::work::shutdown::Shutdown;
 
 use store::file::upkeep;
 use store::points::crashes;

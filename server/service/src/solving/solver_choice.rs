@@ -9,11 +9,11 @@ use calculix::CalculixSolver;
 use fem_client::solver::Solver;
 use tire::embedded::EmbeddedSolver;
 
-use crate::own_process::parent::own_program;
 use crate::solving::isolated::child;
 use crate::solving::isolated::parent::Isolated;
 use crate::solving::numerics::Fingerprinted;
 use crate::solving::watched::Watched;
+use crate::work::own_process::own_program;
 
 pub use calculix::NotInstalled;
 

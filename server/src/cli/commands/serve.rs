@@ -19,8 +19,8 @@ use crate::running::{Limits, Outside, Service, ServiceParts};
 use crate::telemetry::{self, LogFilter, LogFormat};
 use crate::token::{Token, TokenError};
 use service::forces::fit_process::ARGUMENT;
-use service::own_process::parent::own_program;
 use service::solving::solver_choice::preview_solver;
+use service::work::own_process::own_program;
 
 /// The environment variable that may hold the token: unlike an argument, it is in no list of processes.
 const TOKEN_VARIABLE: &str = "STRAINSITE_TOKEN";

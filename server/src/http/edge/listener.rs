@@ -19,7 +19,7 @@ use tokio::task::JoinSet;
 use crate::http::edge::connection_slots::{Answer, ConnectionSlots, HEARING, Slot};
 use crate::http::edge::reading::WhileRead;
 use crate::http::edge::refusals::Refusals;
-use service::shutdown::Shutdown;
+use service::work::shutdown::Shutdown;
 
 /// A client that has not sent its headers by then is dropped.
 const HEADER_TIMEOUT: Duration = Duration::from_secs(5);

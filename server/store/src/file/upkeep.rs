@@ -135,7 +135,7 @@ async fn short(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreEr
     Ok(rows.into_iter().map(sentence).collect())
 }
 
-/// What a state or a row promises and isn't there: results, events, the strains of points.
+/// Gaps: what a state or a row promises and isn't there.
 async fn gaps(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {
     let query = "select 'study ' || id || ' is done and has no result' from studies
              where state = 'done' and not exists (select 1 from results where study = id)

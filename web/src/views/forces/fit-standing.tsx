@@ -1,5 +1,5 @@
 import { duration } from "../../lib/format.ts";
-import type { EstimatorDetail } from "../../wire.ts";
+import type { EstimatorDetail, FitStage } from "../../wire.ts";
 import { isOver, share } from "../../lib/study/point-progress.ts";
 import type { OpenEstimatorActions } from "../../state/forces/open-estimator.ts";
 import { ProblemBox } from "../shared/problem-box.tsx";
@@ -12,6 +12,13 @@ interface Props {
   actions: OpenEstimatorActions;
 }
 
+const STAGES: Record<FitStage, string> = {
+  reading: "Reading the recordings.",
+  "start-value": "Trying whether first readings are taken off.",
+  judging: "Judging models on rows that they didn't learn from.",
+  learning: "Learning the best from all rows.",
+};
+
 /** How far a fit is, or why it has no model. */
 export function FitStanding({ estimator, lost, now_ms, actions }: Props) {
   const { state, error, progress, started } = estimator;
@@ -22,14 +29,12 @@ export function FitStanding({ estimator, lost, now_ms, actions }: Props) {
   const total = of > 0 ? of : null;
   return (
     <section class="panel" aria-label="Progress">
-      <p role="status">
-        {state === "queued" ? "Waiting for its turn." : "Judging models on rows that they didn't learn from, then learning the best from all rows."}
-      </p>
-      <progress class="wide" max={1} value={share({ done, total })} aria-label="Models judged">
+      <p role="status">{state === "queued" ? "Waiting for its turn." : STAGES[progress?.stage ?? "reading"]}</p>
+      <progress class="wide" max={1} value={share({ done, total })} aria-label="Pieces of work done">
         {done} of {total ?? "?"}
       </progress>
       <p class="quiet">
-        {done} of {total ?? "?"} models judged{started != null && `, ${duration((now_ms - Date.parse(started)) / 1000)} at work`}.
+        {done} of {total ?? "?"} pieces of this stage done{started != null && `, ${duration((now_ms - Date.parse(started)) / 1000)} at work`}.
         {lost && " The service doesn't answer; asking again every second."}
       </p>
       <div class="actions">

@@ -7,14 +7,14 @@ use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use placement::points::usage::cpu_s;
 
 use super::messages::{Answer, Order};
-use crate::own_process::child;
+use crate::work::answering;
 
 /// The program's only argument when it is started for this. It is no command of its users.
 pub const ARGUMENT: &str = "solve-apart";
 
 /// Answers the order on standard input.
 pub fn answer(solver: &dyn Solver) -> ExitCode {
-    child::answer(|order| Answer::of(solved(solver, order), cpu_s()))
+    answering::answer(|order| Answer::of(solved(solver, order), cpu_s()))
 }
 
 fn solved(solver: &dyn Solver, order: &str) -> Result<Solved, SolveError> {

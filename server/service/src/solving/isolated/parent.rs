@@ -7,8 +7,8 @@ use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use placement::points::usage::credit;
 
 use super::messages::{Answer, Order};
-use crate::own_process::parent::{Start, Unanswered, Wish, ask};
 use crate::solving::inner_tells;
+use crate::work::own_process::{Start, Unanswered, Wish, ask};
 
 type SolveResult = Result<Solved, SolveError>;
 

@@ -8,10 +8,10 @@ use estimation::recipe::Recipe;
 use placement::points::machine_memory::machine_memory_bytes;
 use service::forces::fit_process::{ARGUMENT, FitOrder, Learnt, Unlearnt, learn};
 use service::forces::recorded_texts::{MOST_RECORDING_BYTES, NamedText};
-use service::own_process::parent::{Wish, own_program};
 use service::study_document::text_files::read_text;
 use service::study_document::{format_of, read_file};
 use service::wire::estimator_wire::FitProgress;
+use service::work::own_process::{Wish, own_program};
 use tokio::runtime::Runtime;
 
 use crate::cli::commands::force::force_table::report_text;

@@ -26,12 +26,12 @@ use crate::config::Config;
 use service::comparison::of_designs;
 use service::engine::Engine;
 use service::forecast::{admit, forecast_sweep, plan_study};
-use service::memory_share::MemoryShare;
 use service::metrics::Metrics;
 use service::queue::recover;
 use service::queue::sweeps::{Continuation, designs_of, store};
 use service::study_document::{named_files, read_changed, stored_base};
 use service::wire::sweep_wire::SweepDetail;
+use service::work::memory_share::MemoryShare;
 use store::queue::sweep_rows::{self, SweepRow};
 use store::{Store, StoreError};
 

@@ -18,7 +18,7 @@ pub struct MemoryShare {
 
 /// Memory that was taken, until this is dropped.
 #[derive(Debug)]
-pub struct TakenMemory {
+pub(crate) struct TakenMemory {
     _units: OwnedSemaphorePermit,
 }
 
@@ -64,7 +64,7 @@ impl MemoryShare {
     }
 }
 
-/// Counted as waiting until this is dropped, also where the wait is given up.
+/// Count of those that wait, of which this is one until it is dropped.
 struct Waits<'a>(&'a AtomicUsize);
 
 impl<'a> Waits<'a> {

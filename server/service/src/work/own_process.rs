@@ -36,9 +36,9 @@ pub enum Wish {
 pub(crate) enum Unanswered {
     /// The wish to stop.
     Stopped,
-    /// What it worked on ended it: how.
+    /// End by what it worked on: how.
     Crashed(String),
-    /// Anything else, a sentence.
+    /// Another reason, a sentence.
     Broken(String),
 }
 
