@@ -9,11 +9,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use fem_client::solver::{SolveError, SolveProgress, SolveRequest, Solved, Solver, Watch};
 use placement::points::usage::{cpu_s, credit};
 
+use crate::solving::awake_clock::AwakeClock;
 use crate::solving::inner_tells;
 
 /// Interval at which the caller's wish to stop is looked at. An answer is taken at once.
@@ -89,8 +90,8 @@ impl Watched {
         asked: &dyn Watch,
         relay: &Relay,
     ) -> SolveResult {
-        let begun = Instant::now();
-        let mut stopping: Option<Instant> = None;
+        let mut clock = AwakeClock::start();
+        let mut stopping: Option<Duration> = None;
         loop {
             match answers.recv_timeout(LOOK) {
                 Ok((answer, cpu_s)) => {
@@ -108,11 +109,12 @@ impl Watched {
                 asked.tell(progress);
             }
             let wished = asked.is_stopped();
-            if stopping.is_none() && (wished || begun.elapsed() >= self.limit) {
+            let elapsed = clock.look();
+            if stopping.is_none() && (wished || elapsed >= self.limit) {
                 relay.stop();
-                stopping = Some(Instant::now());
+                stopping = Some(elapsed);
             }
-            let waited = stopping.map_or(Duration::ZERO, |since| since.elapsed());
+            let waited = stopping.map_or(Duration::ZERO, |since| elapsed - since);
             if wished && waited >= PATIENCE {
                 return Err(SolveError::Stopped);
             }
@@ -190,6 +192,7 @@ impl Watched {
 #[cfg(test)]
 mod tests {
     use std::panic::{AssertUnwindSafe, catch_unwind};
+    use std::time::Instant;
 
     use super::*;
     use fem_client::closed_form::ClosedFormSolver;
