@@ -122,9 +122,12 @@ impl Campaign {
     /// # Panics
     /// If the number of rows is not the number of points.
     pub fn tell(&mut self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
-        let analyses = self.analyse(values)?;
+        self.check_rows(values);
+        let analyses = self.procedure.analyse(values)?;
+        // Failed runs are judged on the runs that were made, and don't ask for more: those would fail there, too.
+        let judged = self.procedure.runs().judged(analyses.clone(), values);
         self.procedure.extend(&analyses)?;
-        Ok(analyses)
+        Ok(judged)
     }
 
     /// Returns what follows from the values at all points, without asking for more.
@@ -136,7 +139,8 @@ impl Campaign {
     /// If the number of rows is not the number of points.
     pub fn analyse(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
         self.check_rows(values);
-        self.procedure.analyse(values)
+        let analyses = self.procedure.analyse(values)?;
+        Ok(self.procedure.runs().judged(analyses, values))
     }
 
     /// Analyses as [`Campaign::analyse`] does, for outputs by the thousand that the campaign wasn't asked to serve. The adaptive method then gives
@@ -150,7 +154,8 @@ impl Campaign {
     /// As [`Campaign::analyse`].
     pub fn survey(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
         self.check_rows(values);
-        self.procedure.survey(values)
+        let analyses = self.procedure.survey(values)?;
+        Ok(self.procedure.runs().judged(analyses, values))
     }
 
     fn check_rows(&self, values: &ArrayView2<f64>) {

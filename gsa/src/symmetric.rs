@@ -92,7 +92,8 @@ impl Symmetric {
         outputs: &[usize],
     ) -> Result<Vec<Analysis>, DesignError> {
         let whole = self.with_images(values, outputs);
-        Ok(self.shared(&self.procedure.analyse(&whole.view())?, outputs))
+        let found = self.procedure.analyse(&whole.view())?;
+        Ok(self.shared(found, &whole, outputs))
     }
 
     /// Surveys as [`Campaign::survey`] does, likewise.
@@ -108,7 +109,8 @@ impl Symmetric {
         outputs: &[usize],
     ) -> Result<Vec<Analysis>, DesignError> {
         let whole = self.with_images(values, outputs);
-        Ok(self.shared(&self.procedure.survey(&whole.view())?, outputs))
+        let found = self.procedure.survey(&whole.view())?;
+        Ok(self.shared(found, &whole, outputs))
     }
 
     /// The values at all points: those that are known twice are the mean of both, which differ by rounding or a solver's tolerance.
@@ -135,7 +137,13 @@ impl Symmetric {
     }
 
     /// Gives mirror images one analysis.
-    fn shared(&self, found: &[Analysis], outputs: &[usize]) -> Vec<Analysis> {
+    fn shared(
+        &self,
+        found: Vec<Analysis>,
+        whole: &Array2<f64>,
+        outputs: &[usize],
+    ) -> Vec<Analysis> {
+        let found = self.procedure.runs().judged(found, &whole.view());
         let pairs = found.iter().zip(outputs);
         pairs
             .map(|(own, &image)| own.mean_with(&found[image].mirrored(&self.inputs)))

@@ -212,8 +212,10 @@ pub fn values(text: &str) {
             ..Method::of(kind)
         };
         let (_, found) = Campaign::replay(&laws, method, &rows.view()).expect("such a design");
-        for analysis in found.iter().flatten() {
-            assert!(is_finite(analysis), "{}: {analysis:?}", kind.as_str());
+        for (analysis, half_unit) in found.into_iter().flatten().zip(table.half_units()) {
+            assert!(is_finite(&analysis), "{}: {analysis:?}", kind.as_str());
+            let analysis = analysis.of_printed(half_unit);
+            assert!(is_finite(&analysis), "{}: {analysis:?}", kind.as_str());
         }
     }
 }

@@ -229,7 +229,7 @@ impl Frame {
         let nodes = checks.iter().flat_map(|(check, _)| check.nodes()).copied();
         let forms = (&values[..], &predictions[..]);
         let points = (nodes.collect(), evidence::images(checks));
-        Misses::new(points, forms, &effects, weight, fitted).errors()
+        Misses::new(points, forms, &effects, weight, fitted).errors_of(&found.first_order)
     }
 }
 

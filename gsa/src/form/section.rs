@@ -164,6 +164,12 @@ impl Sections {
         NOISE_IN_EPS * f64::EPSILON * self.largest
     }
 
+    /// Inputs along whose lines the output varies by no more than a model rounds.
+    pub(crate) fn flat(&self) -> Vec<usize> {
+        let is_flat = |input: &usize| self.variances[*input].sqrt() <= self.noise();
+        (0..self.inputs()).filter(is_flat).collect()
+    }
+
     /// The first input along whose line the output takes both signs, or touches zero.
     pub(crate) fn sign_change(&self) -> Option<usize> {
         let sign = |h: f64| (h > 0.0, h < 0.0);

@@ -8,6 +8,8 @@
 //! | decomposition | interactions the form has no place for | quadrature |
 //! | sampling | chance in which points were drawn | everything else |
 //! | floor | the model's rounding | everything else |
+//! | lost | what may be where runs failed (`failed_share`) | everything else |
+//! | rounding | digits that values were printed with (`printed_digits`) | everything else |
 //!
 //! **Quadrature.** A share m_i of section i's variance is missing (`spectrum`). With S_i and S_Ti the indices,
 //!
@@ -36,6 +38,10 @@ pub struct ErrorParts {
     pub sampling: Option<f64>,
     /// Error by rounding: eps max|h| over the standard deviation, and the rounding of the sums.
     pub floor: f64,
+    /// Error by what the output may do where runs failed; 1 where so many did that nothing is known, `None` where none did.
+    pub lost: Option<f64>,
+    /// Error by the digits that the values were printed with; `None` where nobody said that they were.
+    pub rounding: Option<f64>,
     /// The largest sum, over the inputs, of the parts that are known, and `None` if none but the floor is. Where one is
     /// `None` the total leaves it out, and says less than it seems to.
     pub total: Option<f64>,
@@ -74,6 +80,8 @@ impl ErrorParts {
             decomposition: parts.decomposition.as_deref().map(largest),
             sampling: parts.sampling.as_deref().map(largest),
             floor,
+            lost: None,
+            rounding: None,
             total: by_input.as_deref().map(largest),
             by_input,
             missing: parts.missing,
@@ -105,6 +113,8 @@ impl ErrorParts {
             decomposition: both(self.decomposition, other.decomposition),
             sampling: both(self.sampling, other.sampling),
             floor: mean(self.floor, other.floor),
+            lost: both(self.lost, other.lost),
+            rounding: both(self.rounding, other.rounding),
             total: by_input.as_deref().map(largest),
             by_input,
             missing: means(&self.missing, &other.missing),
@@ -113,6 +123,15 @@ impl ErrorParts {
                 &other.missing_of_interactions,
             ),
         }
+    }
+
+    /// Adds a part to what is known of each input, and returns its largest; what isn't known stays unknown.
+    pub(crate) fn add(&mut self, part: &[f64]) -> f64 {
+        for (error, part) in self.by_input.iter_mut().flatten().zip(part) {
+            *error = at_most_one(*error + part);
+        }
+        self.total = self.by_input.as_deref().map(largest);
+        largest(part)
     }
 
     /// Makes the errors of an output that has no indices.

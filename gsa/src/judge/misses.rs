@@ -12,6 +12,10 @@
 //! where the second term covers the chance in K points, and the last what is of second order in r. Residuals that no
 //! main effect has a share in, as those of pure interactions, cost an index far less than their size.
 //!
+//! An input whose main effect in the form is nothing beside r, as where its line is flat at the cut, has no share in any residual, yet all of
+//! r may be its own effect, of which the cut tells nothing. It may have (sqrt(S_i V) + rms(r))^2 of V, and the claim is all that is more
+//! than S_i, with the chance in the mean of r^2.
+//!
 //! Points that are mirror images of each other were drawn once: chance is in the sums psi over such a pair, and K in T counts pairs. An output
 //! that is its own mirror image misses the same at both points, so that an input which is its own image learns nothing new from the second.
 //!
@@ -34,6 +38,10 @@ const CHANCE_OF_FEW: f64 = 4.0;
 /// R: all of r^2 in one main effect would be 1, as may be where the form was fitted and the main effects with it.
 const REMAINDER: f64 = 0.5;
 const REMAINDER_OF_FIT: f64 = 1.0;
+/// Share of the mean square missed below which a form's main effect is nothing beside it: a tenth of its root.
+const HIDDEN: f64 = 0.01;
+/// Mean square missed, as a share of the variance, below which nothing is hidden: half of it is claimed of every input.
+const NOTHING_MISSED: f64 = 0.02;
 
 /// The error that is claimed of one index of a model, and what its form misses.
 #[derive(Debug, Clone, Copy)]
@@ -151,9 +159,35 @@ impl Misses {
         })
     }
 
+    /// Inputs of a form with these first-order indices that are nothing beside what it misses.
+    pub(crate) fn hidden(&self, first_order: &[f64]) -> Vec<usize> {
+        let missed = self.mean_square();
+        let is_hidden = |i: &usize| missed > NOTHING_MISSED && first_order[*i] < HIDDEN * missed;
+        (0..first_order.len()).filter(is_hidden).collect()
+    }
+
+    /// Error of each of these first-order indices, absolute: [`Misses::errors`], and for hidden inputs all that they may have.
+    pub(crate) fn errors_of(&self, first_order: &[f64]) -> Vec<f64> {
+        let mut errors = self.errors();
+        let squares: Vec<f64> = self.residuals.iter().map(|r| r * r).collect();
+        let drawn = self.by_draw(&squares);
+        let chance = self.student() * self.chance_weight() * sum_of_squares(&drawn).sqrt();
+        let most = self.mean_square() + chance;
+        for input in self.hidden(first_order) {
+            let gain = most + 2.0 * (first_order[input] * most).sqrt();
+            errors[input] = at_most_one(errors[input].max(gain));
+        }
+        errors
+    }
+
+    /// E\[r^2\] over the variance.
+    fn mean_square(&self) -> f64 {
+        self.share() * sum_of_squares(&self.residuals)
+    }
+
     /// Error of each first-order index, absolute.
     pub fn errors(&self) -> Vec<f64> {
-        let square = self.share() * sum_of_squares(&self.residuals);
+        let square = self.mean_square();
         let error = |psi: &[f64]| {
             let drawn = self.by_draw(psi);
             let sum = self.share() * drawn.iter().sum::<f64>();
@@ -269,6 +303,18 @@ mod tests {
         let chance = 2.2 * 3.0 * 0.5 / 2.0 * (0.0004_f64 + 0.0016).sqrt();
         let remainder = 0.5 * 0.5 * 0.01;
         assert!((error - (mean + chance + remainder)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_main_effect_that_is_nothing_may_be_all_that_is_missed() {
+        let missed = misses([0.4, -0.2], [0.0, 0.0]);
+        // share 1/4, so that E[r^2] is 0.05: hidden below a hundredth of it
+        assert_eq!(missed.hidden(&[4e-4, 6e-4]), [0]);
+        assert_eq!(misses([1e-3, 1e-3], [0.0; 2]).hidden(&[0.0]), []);
+        let chance = 2.2 * 3.0 * 0.5 / 2.0 * (0.4f64.powi(4) + 0.2f64.powi(4)).sqrt();
+        let found = missed.errors_of(&[0.0])[0];
+        assert!((found - (0.05 + chance)).abs() < 1e-15, "{found}");
+        assert_eq!(missed.errors_of(&[0.5]), missed.errors());
     }
 
     #[test]

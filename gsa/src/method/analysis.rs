@@ -149,6 +149,31 @@ impl Analysis {
         });
     }
 
+    /// Notes the inputs whose cut lines show nothing of what they may do: flat ones where no check point looks elsewhere, and those that are nothing
+    /// beside what the check points show.
+    pub(crate) fn note_hidden(&mut self, sections: &Sections) {
+        let (hidden, unseen) = match (&self.misses, &self.first_order) {
+            _ if sections.inputs() == 1 => return,
+            (Some(misses), Some(first_order)) => (
+                misses.hidden(first_order),
+                "the share that this has in what is missed off the lines",
+            ),
+            _ => (
+                sections.flat(),
+                "what happens off the lines, and there is no check point",
+            ),
+        };
+        let names: Vec<String> = hidden.iter().map(|i| (i + 1).to_string()).collect();
+        let which = match &names[..] {
+            [] => return,
+            [input] => format!("line of input {input}"),
+            inputs => format!("lines of inputs {}", inputs.join(", ")),
+        };
+        self.note(&format!(
+            "the output hardly changes along the cut {which}, so that the cut tells nothing of {unseen}; the method auto does"
+        ));
+    }
+
     /// Notes which points have no finite value, and what that led to.
     pub(crate) fn note_lost(&mut self, text: &str, ordinals: &[usize]) {
         if !ordinals.is_empty() {

@@ -103,7 +103,7 @@ impl Procedure for Auto {
 
     /// The best form on the lines, in milliseconds: check points show that form's error, and aren't used to correct it.
     fn survey(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
-        Ok(lines::analyse(&self.design, values))
+        Ok(lines::on_lines(&self.design, values))
     }
 }
 

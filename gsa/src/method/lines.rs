@@ -45,7 +45,7 @@ impl Procedure for Lines {
     }
 
     fn analyse(&self, values: &ArrayView2<f64>) -> Result<Vec<Analysis>, DesignError> {
-        Ok(analyse(&self.design, values))
+        Ok(on_lines(&self.design, values))
     }
 }
 
@@ -61,6 +61,11 @@ pub fn analyse(design: &Design, values: &ArrayView2<f64>) -> Vec<Analysis> {
         rows == points,
         "{rows} rows of values for the {points} points of the design"
     );
+    Runs::Lines(design).judged(on_lines(design, values), values)
+}
+
+/// Analyses as [`analyse`] does, without what outputs may do where runs failed.
+pub(crate) fn on_lines(design: &Design, values: &ArrayView2<f64>) -> Vec<Analysis> {
     let pair_weight = design.weight_of_interactions(2);
     each_output(values, |values| analyse_output(design, values, pair_weight))
 }
@@ -113,7 +118,7 @@ fn without_spread(sections: &Sections, evidence: Option<&Evidence<'_>>) -> Analy
             method: Form::Additive,
             reason: Some(
                 "the output varies at the check points but not along any cut line: \
-                 only interactions that vanish at the cut point are there"
+                 only interactions that vanish at the cut point are there, and the method auto finds them"
                     .to_owned(),
             ),
             ..Analysis::empty(sections.floor())
@@ -165,7 +170,7 @@ impl Forms<'_> {
             // A single section is the output itself.
             decomposition: match sections.inputs() {
                 1 => Some(vec![0.0]),
-                _ => misses.as_ref().map(Misses::errors),
+                _ => misses.as_ref().map(|misses| misses.errors_of(&first_order)),
             },
             sampling: None,
             missing: index_error::missing(sections.missing.as_deref(), &total),
@@ -193,6 +198,7 @@ impl Forms<'_> {
             error: ErrorParts::new(errors, sections.floor()),
             misses,
         };
+        analysis.note_hidden(sections);
         if mean.is_none() || variance.is_none() {
             analysis.note("the mean or the variance is beyond the range of double precision");
         }

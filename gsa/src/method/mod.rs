@@ -3,20 +3,21 @@
 //! Every method is a `procedure`: one file that says which points it asks for and what it makes of their values. `choice` has
 //! the list of them.
 //!
-//! - [`analysis`]: what any of them finds out; `verdict`: which form speaks for an output; `mirrored`: one analysis of two mirror images
+//! - [`analysis`]: what any of them finds out; `verdict`: which form speaks for an output
 //! - [`lines`]: `mdrm`, lines through the cut point
 //! - `bivariate`: lines and the grids of all pairs
 //! - `tensor_grid`: the whole grid
 //! - `auto`: lines, and whatever more it takes to meet a tolerance; `correction`: what check points mend
 //! - `pce`, `saltelli`: polynomial chaos, and pairs of samples; `scattered`: what these have in common
+//! - `amended`: what mirror images, failed runs and printed digits make of an analysis
 
+mod amended;
 pub mod analysis;
 mod auto;
 mod bivariate;
 mod choice;
 mod correction;
 pub mod lines;
-mod mirrored;
 mod pce;
 pub(crate) mod procedure;
 pub(crate) mod saltelli;

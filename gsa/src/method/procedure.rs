@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::fmt::Debug;
 
-use ndarray::ArrayView2;
+use ndarray::{ArrayView1, ArrayView2};
 
 use crate::design::{Design, DesignError};
 use crate::law::distribution::Distribution;
@@ -16,6 +16,21 @@ pub(crate) enum Runs<'a> {
     Lines(&'a Design),
     /// anywhere, in the inputs' units
     Scattered(&'a [Vec<f64>]),
+}
+
+impl Runs<'_> {
+    /// Adds to each output's errors what it may do where its runs failed.
+    pub(crate) fn judged(
+        &self,
+        analyses: Vec<Analysis>,
+        values: &ArrayView2<f64>,
+    ) -> Vec<Analysis> {
+        let of_output = |(analysis, column): (Analysis, ArrayView1<f64>)| {
+            analysis.with_failed(self, &column.to_vec())
+        };
+        let columns = values.columns().into_iter();
+        analyses.into_iter().zip(columns).map(of_output).collect()
+    }
 }
 
 /// A method at work: what it has planned so far, and how it analyses outputs. Its points only grow, and are a function of inputs,

@@ -1,9 +1,11 @@
 //! Decisions on the form that answers, with their status and reason.
 
+use gsa::campaign::Campaign;
 use gsa::design::Design;
 use gsa::law::distribution::Distribution;
 use gsa::method::analysis::{Analysis, Form, Status};
 use gsa::method::lines::analyse;
+use gsa::method::{Kind, Method};
 use ndarray::{Array2, Axis};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -152,6 +154,46 @@ fn an_interaction_that_vanishes_on_the_lines_is_not_a_constant() {
     assert_eq!(found.status, Status::ProductFormBroken);
     assert_eq!((&found.first_order, &found.mean), (&None, &None));
     assert!(reason(&found).contains("not along any cut line"));
+}
+
+/// exp(-k^2 t) depends on t nowhere on t's line at k = 0. Indices by 200 x 200 Gauss points.
+#[test]
+fn a_flat_line_hides_an_effect_and_the_error_reaches_it() {
+    let laws = [(-1.0, 1.0), (0.0, 5.0)].map(|(low, high)| Distribution::uniform(low, high));
+    let laws = laws.map(|law| law.expect("a valid law"));
+    let model = |x: &[f64]| (-x[0] * x[0] * x[1]).exp();
+    for seed in 0..20 {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let design = Design::new(&laws, 5, 5, &mut rng).expect("a valid design");
+        let found = analysis(&design, model);
+        let errors = found.error.by_input.as_deref().unwrap_or_default();
+        let first_order = found.first_order.as_deref().unwrap_or_default();
+        for ((s, claimed), exact) in first_order.iter().zip(errors).zip([0.66992, 0.24509]) {
+            assert!((s - exact).abs() <= *claimed, "{seed} {found:?}");
+        }
+        assert!(reason(&found).contains("input 2") && reason(&found).contains("auto"));
+    }
+    let mut rng = ChaCha8Rng::seed_from_u64(0);
+    let unchecked = Design::new(&laws, 5, 0, &mut rng).expect("a valid design");
+    assert!(reason(&analysis(&unchecked, model)).contains("there is no check point"));
+}
+
+/// x + y and x + y + 4 max(0, x - y)^2 are one model where x > y fails: S_x is 0.5 or 0.7237 (midpoints, 1000 x 1000).
+#[test]
+fn an_error_of_one_is_claimed_where_half_of_the_runs_failed() {
+    let laws = vec![Distribution::uniform(0.0, 1.0).expect("a valid law"); 2];
+    for kind in Kind::ALL {
+        let campaign = Campaign::new(&laws, Method::of(kind)).expect("a valid campaign");
+        let run = |x: &Vec<f64>| match x[0] > x[1] {
+            true => f64::NAN,
+            false => x[0] + x[1],
+        };
+        let values: Vec<f64> = campaign.points().iter().map(run).collect();
+        let values = Array2::from_shape_vec((values.len(), 1), values).expect("a column");
+        let found = campaign.analyse(&values.view()).expect("rules exist");
+        assert_eq!(found[0].error.by_input, Some(vec![1.0; 2]), "{kind:?}");
+        assert!(reason(&found[0]).contains("too many to say"), "{kind:?}");
+    }
 }
 
 #[test]

@@ -175,3 +175,59 @@ fn a_failed_run_is_named_and_the_rest_analysed() {
         );
     }
 }
+
+/// The plan's own columns stay in the file of values, with y = a + 2 b + c behind them.
+fn kept(plan: &str) -> String {
+    let mut lines = plan.lines();
+    let mut values = format!("{},y\n", lines.next().expect("a header"));
+    for line in lines {
+        let cells: Vec<&str> = line.split(',').collect();
+        let x: Vec<f64> = cells[1..4]
+            .iter()
+            .map(|x| x.parse().expect("a number"))
+            .collect();
+        values.push_str(&format!("{line},{:?}\n", x[0] + 2.0 * x[1] + x[2]));
+    }
+    values
+}
+
+#[test]
+fn columns_of_the_plan_are_compared_with_it_and_are_no_outputs() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let at = folder.path();
+    write_inputs(at, "kind = \"mdrm\"");
+    let plan = strainsite(at, &["gsa", "plan", "inputs.toml", "--fingerprint"]);
+    let values = kept(text(&plan.stdout));
+    assert!(values.starts_with("id,a,\"b, mm\",c,plan,y\n"), "{values}");
+    std::fs::write(at.join("values.csv"), &values).expect("writes");
+    let analyse = ["gsa", "analyse", "inputs.toml", "values.csv", "--json", "-"];
+    let found = strainsite(at, &analyse);
+    let found: Value = serde_json::from_slice(&found.stdout).expect("one JSON document");
+    assert_eq!(found["outputs"].as_array().map(Vec::len), Some(1));
+    // Laws of the same range and one node more: the means stay where they are, all other points move.
+    write_inputs(at, "kind = \"mdrm\"\nnodes = 7");
+    let refused = strainsite(at, &analyse);
+    assert_eq!(refused.status.code(), Some(2));
+    let said = text(&refused.stderr);
+    for part in [
+        "line 3, column \"a\": point 1 was run with ",
+        "line 2, column \"plan\": point 0 is of the plan p",
+        "analyse by the inputs and the method that planned these points",
+    ] {
+        assert!(said.contains(part), "{part} in {said}");
+    }
+}
+
+#[test]
+fn an_input_named_as_the_column_of_fingerprints_is_named() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let inputs =
+        "[[inputs]]\nname = \"plan\"\ndistribution = { kind = \"uniform\", min = 0, max = 1 }\n";
+    std::fs::write(folder.path().join("inputs.toml"), inputs).expect("writes");
+    let refused = strainsite(
+        folder.path(),
+        &["gsa", "plan", "inputs.toml", "--fingerprint"],
+    );
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).starts_with("/inputs/0/name: is that of the column"));
+}

@@ -1,4 +1,5 @@
-//! Values of outputs by point, from a CSV file: header `id,<output names>`, then a row per point in any order.
+//! Values of outputs by point, from a CSV file: header `id,<output names>`, then a row per point in any order. Columns named as inputs repeat
+//! the plan, and so does a column `plan` of fingerprints: they are compared with it, and are no outputs.
 
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -8,7 +9,12 @@ use std::collections::BTreeMap;
 use document::fault::Fault;
 use ndarray::Array2;
 
-use crate::own_model::csv_cell::text;
+use crate::own_model::fingerprint::is_fingerprint;
+use crate::own_model::planned_cells;
+pub use crate::own_model::planned_cells::Planned;
+use crate::own_model::printed_number::half_unit;
+pub use crate::own_model::value_row::PLAN_COLUMN;
+use crate::own_model::value_row::{Column, ValueRow, cells, fault, read};
 
 /// Points named in one sentence.
 const MOST_NAMED: usize = 10;
@@ -17,8 +23,8 @@ const MOST_NAMED: usize = 10;
 #[derive(Debug, Clone, PartialEq)]
 pub struct ValueTable {
     outputs: Vec<String>,
-    /// values by id, with the line they came from
-    rows: BTreeMap<usize, (usize, Vec<f64>)>,
+    /// rows by id
+    rows: BTreeMap<usize, ValueRow>,
 }
 
 impl ValueTable {
@@ -30,17 +36,26 @@ impl ValueTable {
         }
     }
 
-    /// Reads the text of a file. An empty cell, `nan` and infinities are runs that failed.
+    /// Reads the text of a file, all of whose columns are outputs. An empty cell, `nan` and infinities are runs that failed.
     ///
     /// # Errors
     /// Every fault, with its line.
     pub fn from_csv(text: &str) -> Result<Self, Vec<Fault>> {
+        Self::of_model(text, &[])
+    }
+
+    /// Reads as [`ValueTable::from_csv`] does, of a model with these inputs: columns named as they are repeat the plan.
+    ///
+    /// # Errors
+    /// As [`ValueTable::from_csv`].
+    pub fn of_model(text: &str, inputs: &[String]) -> Result<Self, Vec<Fault>> {
         let mut faults = Vec::new();
         let mut lines = text
             .lines()
             .enumerate()
             .map(|(i, line)| (i + 1, line.trim_start_matches('\u{feff}')))
-            .filter(|(_, line)| !line.trim().is_empty());
+            .filter(|(_, line)| !line.trim().is_empty())
+            .peekable();
         let Some((number, header)) = lines.next() else {
             fault(
                 &mut faults,
@@ -49,30 +64,32 @@ impl ValueTable {
             );
             return Err(faults);
         };
-        let mut outputs = cells(header);
-        if outputs.first().map(String::as_str) != Some("id") || outputs.len() < 2 {
+        let mut names = cells(header);
+        if names.first().map(String::as_str) != Some("id") || names.len() < 2 {
             fault(&mut faults, number, "the header must be id,<output names>");
             return Err(faults);
         }
-        outputs.remove(0);
-        for (i, name) in outputs.iter().enumerate() {
-            if name.is_empty() || outputs.iter().take(i).any(|other| other == name) {
-                let detail = format!("output {} has no name of its own: {name:?}", i + 1);
-                fault(&mut faults, number, &detail);
-            }
-        }
+        names.remove(0);
+        let first = lines.peek().map_or("", |(_, line)| line);
+        let columns = columns(&names, inputs, &cells(first));
+        check_names((&names, &columns), number, &mut faults);
         let mut rows = BTreeMap::new();
         for (number, line) in lines {
-            let Some((id, values)) = row(number, line, outputs.len(), &mut faults) else {
+            let Some((id, row)) = read(number, line, (&names, &columns), &mut faults) else {
                 continue;
             };
-            if let Some((first, _)) = rows.insert(id, (number, values)) {
-                let detail = format!("point {id} was given on line {first} already");
+            if let Some(before) = rows.insert(id, row) {
+                let detail = format!("point {id} was given on line {} already", before.line);
                 fault(&mut faults, number, &detail);
             }
         }
+        let pairs = names.into_iter().zip(columns);
+        let outputs = pairs.filter(|(_, column)| *column == Column::Output);
         if faults.is_empty() {
-            Ok(Self { outputs, rows })
+            Ok(Self {
+                outputs: outputs.map(|(name, _)| name).collect(),
+                rows,
+            })
         } else {
             Err(faults)
         }
@@ -98,7 +115,7 @@ impl ValueTable {
         let leading = self.rows.iter().enumerate();
         let rows: Vec<&Vec<f64>> = leading
             .take_while(|(at, (id, _))| at == *id)
-            .map(|(_, (_, (_, values)))| values)
+            .map(|(_, (_, row))| &row.values)
             .collect();
         // Every row has a value for each output.
         let mut table = Array2::from_elem((rows.len(), self.outputs.len()), f64::NAN);
@@ -108,13 +125,24 @@ impl ValueTable {
         table
     }
 
-    /// Points that nobody asked for are faults.
+    /// Half a unit of the last digit that each output's values were printed with, where that is most; zero where they have all of a double's.
+    pub fn half_units(&self) -> Vec<f64> {
+        let of_output = |output: usize| {
+            let rows = self.rows.values();
+            let printed = rows.filter_map(|row| *row.printed.get(output)?);
+            half_unit(&printed.collect::<Vec<_>>())
+        };
+        (0..self.outputs.len()).map(of_output).collect()
+    }
+
+    /// Points that nobody asked for are faults, and so are those that were run with other inputs or planned by another plan.
     ///
     /// # Errors
-    /// Each of them, with its line.
-    pub fn check_ids(&self, points: usize) -> Result<(), Vec<Fault>> {
+    /// Each of them, with its line and column; the first ones of a column.
+    pub fn check_plan(&self, plan: &Planned<'_>) -> Result<(), Vec<Fault>> {
         let mut faults = Vec::new();
-        for (id, (line, _)) in self.rows.range(points..) {
+        let points = plan.points.len();
+        for (id, row) in self.rows.range(points..) {
             let detail = if points > 0 {
                 format!(
                     "there is no point {id}: the plan has points 0 to {}",
@@ -123,8 +151,11 @@ impl ValueTable {
             } else {
                 format!("there is no point {id}")
             };
-            fault(&mut faults, *line, &detail);
+            fault(&mut faults, row.line, &detail);
         }
+        let rows = self.rows.iter();
+        let repeated = rows.map(|(id, row)| (row.line, *id, &row.planned));
+        faults.extend(planned_cells::faults(repeated, plan));
         if faults.is_empty() {
             Ok(())
         } else {
@@ -154,68 +185,80 @@ impl ValueTable {
     }
 }
 
-fn row(
-    number: usize,
-    line: &str,
-    outputs: usize,
-    faults: &mut Vec<Fault>,
-) -> Option<(usize, Vec<f64>)> {
-    let cells = cells(line);
-    let Some((id, values_of)) = cells
-        .split_first()
-        .filter(|(_, rest)| rest.len() == outputs)
-    else {
-        let detail = format!("has {} cells; the header has {}", cells.len(), outputs + 1);
-        fault(faults, number, &detail);
-        return None;
+/// Meanings of the columns behind the id, of which `first` is the first row. A column `plan` without a fingerprint is an output of that name. One that is
+/// named as an input is an output only where the file has nothing else and not all inputs: whoever keeps the plan's columns keeps all of them.
+fn columns(names: &[String], inputs: &[String], first: &[String]) -> Vec<Column> {
+    let cells = first
+        .iter()
+        .skip(1)
+        .map(Some)
+        .chain(std::iter::repeat(None));
+    let of_name = |(name, cell): (&String, Option<&String>)| {
+        if let Some(input) = inputs.iter().position(|input| input == name) {
+            return Column::Input(input);
+        }
+        let planned = cell.is_some_and(|cell| is_fingerprint(cell));
+        if name == PLAN_COLUMN && planned {
+            return Column::Plan;
+        }
+        Column::Output
     };
-    let id = id.parse::<usize>().map_err(|_| {
-        let detail = format!("the id must be a point's number, not {id:?}");
-        fault(faults, number, &detail);
-    });
-    let mut values = Vec::with_capacity(outputs);
-    for cell in values_of {
-        match cell.as_str() {
-            "" => values.push(f64::NAN),
-            cell => match cell.parse::<f64>() {
-                Ok(value) => values.push(value),
-                Err(_) => fault(faults, number, &format!("not a number: {cell:?}")),
-            },
-        }
+    let columns: Vec<Column> = names.iter().zip(cells).map(of_name).collect();
+    let repeats_all = (0..inputs.len()).all(|input| columns.contains(&Column::Input(input)));
+    if repeats_all || columns.contains(&Column::Output) {
+        return columns;
     }
-    Some((id.ok()?, values)).filter(|(_, values)| values.len() == outputs)
+    let as_output = |column| match column {
+        Column::Input(_) => Column::Output,
+        other => other,
+    };
+    columns.into_iter().map(as_output).collect()
 }
 
-fn fault(faults: &mut Vec<Fault>, line: usize, detail: &str) {
-    Fault::add(faults, "", format!("line {line}: {detail}"));
-}
-
-/// The cells of a line; in quotes a comma is part of the cell and two quotes are one.
-fn cells(line: &str) -> Vec<String> {
-    let mut cells = vec![String::new()];
-    let mut quoted = false;
-    let mut characters = line.trim_end_matches('\r').chars().peekable();
-    while let Some(c) = characters.next() {
-        let cell = cells.last_mut();
-        match (c, quoted, cell) {
-            ('"', true, Some(cell)) if characters.peek() == Some(&'"') => {
-                characters.next();
-                cell.push('"');
-            }
-            ('"', ..) => quoted = !quoted,
-            (',', false, _) => cells.push(String::new()),
-            (c, _, Some(cell)) => cell.push(c),
-            (_, _, None) => {}
+/// Every column has a name of its own, and one of them is an output.
+fn check_names((names, columns): (&[String], &[Column]), line: usize, faults: &mut Vec<Fault>) {
+    for (i, name) in names.iter().enumerate() {
+        if name.is_empty() || names.iter().take(i).any(|other| other == name) {
+            let detail = format!("output {} has no name of its own: {name:?}", i + 1);
+            fault(faults, line, &detail);
         }
     }
-    let texts = cells.iter().map(|cell| text(cell.trim()).to_owned());
-    texts.collect()
+    if !columns.contains(&Column::Output) {
+        let detail =
+            "there is no output, only what was planned: the header must be id,<output names>";
+        fault(faults, line, detail);
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::own_model::csv_cell::cell;
+
+    #[test]
+    fn what_repeats_the_plan_is_no_output() {
+        let inputs = ["a".to_owned(), "b".to_owned()];
+        let text = "id,b,y,plan\n0,0.5,1.25,p01234567\n1,0.9,1.5,p01234567\n";
+        let table = ValueTable::of_model(text, &inputs).unwrap();
+        assert_eq!(table.outputs(), ["y"]);
+        assert_eq!(table.leading_rows().dim(), (2, 1));
+        assert!((table.half_units()[0] - 0.005).abs() < 1e-17);
+        let points = [vec![0.1, 0.5], vec![0.1, 0.95]];
+        let plan = |fingerprint| Planned {
+            inputs: &inputs,
+            points: &points,
+            fingerprint,
+        };
+        assert!(table.check_plan(&plan("p01234567")).is_ok());
+        assert_eq!(table.check_plan(&plan("p89abcdef")).unwrap_err().len(), 2);
+        let numbers = ValueTable::of_model("id,plan\n0,1\n", &inputs).unwrap();
+        assert_eq!(numbers.outputs(), ["plan"]);
+        let faults = ValueTable::of_model("id,a,b\n0,1,1\n1,,1\n", &inputs).unwrap_err();
+        let details: Vec<&str> = faults.iter().map(|fault| &fault.detail[..20]).collect();
+        assert_eq!(details, ["line 1: there is no ", "line 3: column \"a\" m"]);
+        let alone = ValueTable::of_model("id,a\n0,1\n1,\n", &inputs).unwrap();
+        assert_eq!(alone.outputs(), ["a"]);
+    }
 
     #[test]
     fn rows_come_in_any_order_and_failed_runs_are_kept() {
@@ -227,8 +270,15 @@ mod tests {
         assert_eq!(rows.dim(), (3, 2));
         assert!(rows[[0, 0]].is_nan() && rows[[2, 1]].is_nan());
         assert_eq!((rows[[0, 1]], rows[[1, 0]]), (-2e-300, 3.0));
-        assert!(table.check_ids(3).is_ok());
-        let faults = table.check_ids(2).unwrap_err();
+        let check = |points: &[Vec<f64>]| {
+            table.check_plan(&Planned {
+                inputs: &[],
+                points,
+                fingerprint: "",
+            })
+        };
+        assert!(check(&vec![Vec::new(); 3]).is_ok());
+        let faults = check(&vec![Vec::new(); 2]).unwrap_err();
         assert!(faults[0].detail.starts_with("line 2: there is no point 2"));
         for name in ["a,\"b\"", "=1+1", "'=1", "'a'", "-x,y"] {
             assert_eq!(cells(&cell(name)), [name]);

@@ -7,13 +7,15 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use ::gsa::campaign::Campaign;
+use ::gsa::design::DesignError;
 use ::gsa::method::analysis::{Analysis, Status};
 use clap::{Args, Subcommand};
 use document::fault::Fault;
 use document::visible::visible;
 use documents::own_model::csv_cell;
+use documents::own_model::fingerprint::fingerprint;
 use documents::own_model::inputs_document::Inputs;
-use documents::own_model::value_table::ValueTable;
+use documents::own_model::value_table::{PLAN_COLUMN, Planned, ValueTable};
 use ndarray::ArrayView2;
 use serde_json::{Value, json};
 
@@ -51,6 +53,9 @@ struct Plan {
     /// Outputs so far: only points without one are printed
     #[arg(long)]
     values: Option<PathBuf>,
+    /// Add a column `plan`, which `analyse` compares with its own plan where the file of values keeps it
+    #[arg(long)]
+    fingerprint: bool,
     /// Write here instead of to standard output
     #[arg(short, long)]
     output: Option<PathBuf>,
@@ -60,7 +65,7 @@ struct Plan {
 struct Analyse {
     /// Inputs and method, TOML or JSON
     inputs: PathBuf,
-    /// Outputs, CSV: header `id,<output names>`, a row per point in any order, empty or `nan` where a run failed
+    /// Outputs, CSV: header `id,<output names>`, a row per point in any order, empty or `nan` where a run failed. Columns of the plan may stay: they are compared with it
     values: PathBuf,
     /// Write the answer as JSON, `-` for standard output
     #[arg(long)]
@@ -106,9 +111,40 @@ fn read_inputs(path: &Path) -> Result<Inputs, Failure> {
     Inputs::from_document(&text, format_of(path)).map_err(Failure::Input)
 }
 
-fn read_values(path: &Path) -> Result<ValueTable, Failure> {
+fn read_values(path: &Path, inputs: &Inputs) -> Result<ValueTable, Failure> {
     let text = read_text(path, MOST_VALUE_BYTES).map_err(Failure::input)?;
-    ValueTable::from_csv(&text).map_err(Failure::Input)
+    let table = ValueTable::of_model(&text, &inputs.names).map_err(Failure::Input)?;
+    let is_input = |name: &&String| inputs.names.contains(name);
+    for name in table.outputs().iter().filter(is_input) {
+        warn(&format!(
+            "{}: column {name:?} is taken for an output, as the file has no other: give it a name that no input has\n",
+            painted(WARNING, "named as an input")
+        ));
+    }
+    Ok(table)
+}
+
+fn no_plan(error: &DesignError) -> Failure {
+    Failure::Input(vec![Fault {
+        pointer: "/inputs".to_owned(),
+        detail: error.to_string(),
+    }])
+}
+
+/// The fingerprint of what these inputs plan before there are values.
+fn fingerprint_of(inputs: &Inputs) -> Result<String, Failure> {
+    let campaign = Campaign::new(&inputs.laws, inputs.method).map_err(|error| no_plan(&error))?;
+    Ok(fingerprint(&inputs.names, campaign.points()))
+}
+
+/// Values belong to the plan, or to none: points that they lack are no fault.
+fn check(table: &ValueTable, inputs: &Inputs, campaign: &Campaign) -> Result<(), Failure> {
+    let plan = Planned {
+        inputs: &inputs.names,
+        points: campaign.points(),
+        fingerprint: &fingerprint_of(inputs)?,
+    };
+    table.check_plan(&plan).map_err(Failure::Input)
 }
 
 /// The campaign as these values leave it, and what they say so far, if they are enough to say anything.
@@ -119,38 +155,22 @@ fn replay(
     let waiting = clock("planning and analysing");
     let replayed = Campaign::replay(&inputs.laws, inputs.method, values);
     waiting.finish_and_clear();
-    replayed.map_err(|error| {
-        Failure::Input(vec![Fault {
-            pointer: "/inputs".to_owned(),
-            detail: error.to_string(),
-        }])
-    })
+    replayed.map_err(|error| no_plan(&error))
 }
 
 impl Plan {
     fn execute(&self) -> Result<(), Failure> {
         let inputs = read_inputs(&self.inputs)?;
         let table = match &self.values {
-            Some(path) => read_values(path)?,
+            Some(path) => read_values(path, &inputs)?,
             None => ValueTable::empty(),
         };
         let (campaign, _) = replay(&inputs, &table.leading_rows().view())?;
-        table
-            .check_ids(campaign.points().len())
-            .map_err(Failure::Input)?;
+        check(&table, &inputs, &campaign)?;
         let missing: Vec<usize> = (0..campaign.points().len())
             .filter(|id| !table.has(*id))
             .collect();
-        let id = "id".to_owned();
-        let mut text = csv_cell::line(std::iter::once(&id).chain(&inputs.names));
-        for &id in &missing {
-            text.push_str(&id.to_string());
-            for x in &campaign.points()[id] {
-                // The shortest digits that read back bit for bit.
-                write!(text, ",{x:?}").map_err(Failure::other)?;
-            }
-            text.push('\n');
-        }
+        let text = self.table(&inputs, &campaign, &missing)?;
         warn(&format!(
             "{} points to run, {} in all\n",
             missing.len(),
@@ -163,17 +183,66 @@ impl Plan {
     }
 }
 
+impl Plan {
+    /// The rows of these points, under their header.
+    fn table(
+        &self,
+        inputs: &Inputs,
+        campaign: &Campaign,
+        points: &[usize],
+    ) -> Result<String, Failure> {
+        let last = match self.fingerprint {
+            true => Some(fingerprint_column(inputs)?),
+            false => None,
+        };
+        let (id, plan) = ("id".to_owned(), PLAN_COLUMN.to_owned());
+        let of_plan = last.iter().map(|_| &plan);
+        let columns = std::iter::once(&id).chain(&inputs.names).chain(of_plan);
+        let mut text = csv_cell::line(columns);
+        for &id in points {
+            text.push_str(&id.to_string());
+            for x in &campaign.points()[id] {
+                // The shortest digits that read back bit for bit.
+                write!(text, ",{x:?}").map_err(Failure::other)?;
+            }
+            if let Some(fingerprint) = &last {
+                text.push_str(&format!(",{fingerprint}"));
+            }
+            text.push('\n');
+        }
+        Ok(text)
+    }
+}
+
+/// The fingerprint for a column of its own, which no input may have.
+fn fingerprint_column(inputs: &Inputs) -> Result<String, Failure> {
+    match inputs.names.iter().position(|name| name == PLAN_COLUMN) {
+        Some(input) => Err(Failure::Input(vec![Fault {
+            pointer: format!("/inputs/{input}/name"),
+            detail: "is that of the column of --fingerprint: rename the input, or leave --fingerprint out".to_owned(),
+        }])),
+        None => fingerprint_of(inputs),
+    }
+}
+
 impl Analyse {
     fn execute(&self) -> Result<(), Failure> {
         let inputs = read_inputs(&self.inputs)?;
-        let table = read_values(&self.values)?;
+        let table = read_values(&self.values, &inputs)?;
         let rows = table.leading_rows();
         let (campaign, found) = replay(&inputs, &rows.view())?;
         let points = campaign.points().len();
-        table.check_ids(points).map_err(Failure::Input)?;
+        check(&table, &inputs, &campaign)?;
         let Some(found) = found else {
             return Err(Failure::Input(table.missing_ids(points)));
         };
+        let printed = found.into_iter().zip(table.half_units());
+        let found: Vec<Analysis> = printed
+            .map(|(found, half_unit)| match half_unit > 0.0 {
+                true => found.of_printed(half_unit),
+                false => found,
+            })
+            .collect();
         let wanted = (0..points).filter(|id| !table.has(*id)).count();
         if wanted > 0 {
             let more = format!("the method asks for {wanted} more points");
@@ -224,6 +293,8 @@ fn output(name: &str, found: &Analysis) -> Value {
             "decomposition": found.error.decomposition.filter(|_| indexed),
             "sampling": found.error.sampling,
             "floor": found.error.floor,
+            "lost": found.error.lost.filter(|_| indexed),
+            "rounding": found.error.rounding.filter(|_| indexed),
             "total": found.error.total.filter(|_| indexed),
             "by_input": found.error.by_input.clone().filter(|_| indexed),
         },
