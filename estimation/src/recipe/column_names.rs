@@ -9,7 +9,15 @@ use document::fields::shown;
 
 /// Most names or patterns of a list.
 const MOST_NAMES: usize = 4096;
-const LONGEST_NAME: usize = 200;
+/// Characters of a column's name.
+pub(crate) const LONGEST_NAME: usize = 200;
+/// Most patterns of a list: each is held against every column.
+const MOST_PATTERNS: usize = 50;
+
+/// Whether a name stands for others: `*` for any characters, `?` for one.
+pub(crate) fn is_pattern(name: &str) -> bool {
+    name.contains(['*', '?'])
+}
 
 fn name(value: &Value, at: &str, faults: &mut Vec<Fault>) -> Option<String> {
     let fits = |text: &&str| {
@@ -74,7 +82,16 @@ pub mod several {
         };
         let of = |(i, item)| name(item, &entry(at, i), faults);
         let names: Vec<Option<String>> = items.iter().enumerate().map(of).collect();
-        names.into_iter().collect::<Option<_>>().map(Some)
+        let names: Vec<String> = names.into_iter().collect::<Option<_>>()?;
+        let patterns = names.iter().filter(|name| is_pattern(name)).count();
+        if patterns > MOST_PATTERNS {
+            let detail = format!(
+                "has {patterns} patterns with * or ?; at most {MOST_PATTERNS} are looked for"
+            );
+            Fault::add(faults, at, detail);
+            return None;
+        }
+        Some(Some(names))
     }
 
     pub fn write(names: &Option<Vec<String>>) -> Option<Value> {

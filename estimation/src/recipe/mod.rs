@@ -5,7 +5,7 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-mod column_names;
+pub(crate) mod column_names;
 mod cycle_rule;
 
 use document::fault::Fault;

@@ -6,21 +6,30 @@
 use std::borrow::Cow;
 
 /// Splits a line at its commas; quoted cells keep theirs. Spaces around a cell go.
-pub fn cells(line: &str) -> Vec<Cow<'_, str>> {
+///
+/// # Errors
+/// The number of cells, where there are more than `most`: nothing is kept of them.
+pub fn cells(line: &str, most: usize) -> Result<Vec<Cow<'_, str>>, usize> {
     let mut found = Vec::new();
-    let (mut begin, mut quoted) = (0, false);
+    let (mut begin, mut quoted, mut count) = (0, false, 1);
     for (at, byte) in line.bytes().enumerate() {
         match byte {
             b'"' => quoted = !quoted,
             b',' if !quoted => {
-                found.push(cell(line.get(begin..at).unwrap_or_default()));
+                if count <= most {
+                    found.push(cell(line.get(begin..at).unwrap_or_default()));
+                }
+                count += 1;
                 begin = at + 1;
             }
             _ => {}
         }
     }
+    if count > most {
+        return Err(count);
+    }
     found.push(cell(line.get(begin..).unwrap_or_default()));
-    found
+    Ok(found)
 }
 
 fn cell(text: &str) -> Cow<'_, str> {
@@ -70,11 +79,16 @@ mod tests {
 
     #[test]
     fn cells_are_what_stands_between_commas() {
-        assert_eq!(cells("a, b ,,\"c, \"\"d\"\"\""), ["a", "b", "", "c, \"d\""]);
-        assert_eq!(cells(""), [""]);
-        assert_eq!(cells("\"open, 1"), ["\"open, 1"]);
+        let cells = |line| cells(line, 4).map(|cells| cells.join("|"));
+        assert_eq!(
+            cells("a, b ,,\"c, \"\"d\"\"\""),
+            Ok("a|b||c, \"d\"".to_owned())
+        );
+        assert_eq!(cells(""), Ok(String::new()));
+        assert_eq!(cells("\"open, 1"), Ok("\"open, 1".to_owned()));
+        assert_eq!(cells(",,,,,"), Err(6));
         let name = "c, \"d\"";
-        assert_eq!(cells(&quoted(name)), [name]);
+        assert_eq!(cells(&quoted(name)), Ok(name.to_owned()));
     }
 
     #[test]

@@ -4,17 +4,20 @@
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use std::borrow::Cow;
+use std::collections::HashMap;
 
 use ndarray::Array2;
 
 use crate::recipe::Columns;
+use crate::recipe::column_names::LONGEST_NAME;
 use crate::recording::Recording;
 use crate::recording::csv_line::{cells, number};
 use crate::recording::named_columns::NamedColumns;
 use crate::recording::recording_fault::{FaultList, RecordingFault};
 
 /// Most columns of a file.
-pub(crate) const MOST_COLUMNS: usize = 4096;
+pub const MOST_COLUMNS: usize = 4096;
+const TOO_LONG: usize = LONGEST_NAME + 1;
 
 /// The names in a file's header.
 ///
@@ -41,18 +44,14 @@ pub fn header_names(line: &str, faults: &mut FaultList) -> Vec<String> {
         );
         return Vec::new();
     }
-    let names: Vec<String> = cells(line).into_iter().map(Cow::into_owned).collect();
-    if names.len() > MOST_COLUMNS {
-        faults.add(
-            Some(1),
-            None,
-            format!(
-                "has {} columns; at most {MOST_COLUMNS} are read",
-                names.len()
-            ),
-        );
-        return names;
-    }
+    let names: Vec<String> = match cells(line, MOST_COLUMNS) {
+        Ok(cells) => cells.into_iter().map(Cow::into_owned).collect(),
+        Err(count) => {
+            let detail = format!("has {count} columns; at most {MOST_COLUMNS} are read");
+            faults.add(Some(1), None, detail);
+            return Vec::new();
+        }
+    };
     if names.len() < 2 && line.contains([';', '\t']) {
         faults.add(
             Some(1),
@@ -63,14 +62,20 @@ pub fn header_names(line: &str, faults: &mut FaultList) -> Vec<String> {
     }
     let mut seen = std::collections::HashSet::new();
     for (at, name) in names.iter().enumerate() {
-        if name.is_empty() || !seen.insert(name) {
-            let what = if name.is_empty() {
-                "has no name"
-            } else {
-                "stands twice"
-            };
-            faults.add(Some(1), Some(name), format!("column {} {what}", at + 1));
-        }
+        let what = match name.chars().count() {
+            0 => "has no name",
+            TOO_LONG.. => {
+                let detail = format!(
+                    "column {} has a name of more than {LONGEST_NAME} characters",
+                    at + 1
+                );
+                faults.add(Some(1), None, detail);
+                continue;
+            }
+            _ if !seen.insert(name) => "stands twice",
+            _ => continue,
+        };
+        faults.add(Some(1), Some(name), format!("column {} {what}", at + 1));
     }
     names
 }
@@ -112,7 +117,8 @@ pub struct Row {
 impl RowReader {
     /// A reader for files with this header. The time and all signals must be in it; None otherwise. `gaps` lets signals be empty.
     pub fn new(names: &NamedColumns, header: &[String], gaps: bool) -> Option<Self> {
-        let place = |name: &String| header.iter().position(|other| other == name);
+        let places: HashMap<&String, usize> = header.iter().zip(0..).collect();
+        let place = |name: &String| places.get(name).copied();
         Some(Self {
             width: header.len(),
             time: place(&names.time)?,
@@ -126,12 +132,15 @@ impl RowReader {
 
     /// Reads one line; None after a fault.
     pub fn row(&self, line_number: usize, line: &str, faults: &mut FaultList) -> Option<Row> {
-        let cells = cells(line);
-        if cells.len() != self.width {
-            let detail = format!("has {} cells; the header has {}", cells.len(), self.width);
-            faults.add(Some(line_number), None, detail);
-            return None;
-        }
+        let cells = match cells(line, self.width) {
+            Ok(cells) if cells.len() == self.width => cells,
+            other => {
+                let count = other.map_or_else(|count| count, |cells| cells.len());
+                let detail = format!("has {count} cells; the header has {}", self.width);
+                faults.add(Some(line_number), None, detail);
+                return None;
+            }
+        };
         let cell = |at: usize| cells.get(at).map_or("", |cell| &**cell);
         let mut whole = true;
         let mut read = |at: usize, name: &str, may_be_empty: bool| {
@@ -178,24 +187,38 @@ pub fn read(
     let header = header(file, text)?;
     let mut faults = FaultList::of(file);
     names.check(columns, &header, &mut faults);
+    if faults.is_full() {
+        return Err(faults.into_faults());
+    }
     // Rows are read without the columns that are missing: all faults are told at once.
     let Some(reader) = RowReader::new(&names.among(&header), &header, gaps) else {
         return Err(faults.into_faults());
     };
-    let mut rows: Vec<Row> = Vec::new();
+    let mut rows = GatheredRows::default();
     let mut before: Option<f64> = None;
     for (number, line) in lines(text).skip(1) {
+        if faults.is_full() {
+            break;
+        }
         let Some(row) = reader.row(number, line, &mut faults) else {
             continue;
         };
         check_time(row.time_s, before, number, &names.time, &mut faults);
         before = Some(row.time_s);
-        rows.push(row);
+        // Of a file with faults nothing is kept.
+        if faults.is_empty() {
+            rows.push(row);
+        }
     }
-    if rows.is_empty() && faults.is_empty() {
+    if rows.time_s.is_empty() && faults.is_empty() {
         faults.add(None, None, "has no row below its header");
     }
-    faults.or(|| gathered(file, rows, names))
+    faults.or(|| rows.recording(file, names))
+}
+
+/// Counts the rows below a header, those that are faulty too.
+pub fn rows_below_header(text: &str) -> usize {
+    lines(text).skip(1).count()
 }
 
 /// Shortest time between rows, s: slopes over less mean nothing.
@@ -215,33 +238,41 @@ pub fn check_time(
     }
 }
 
-fn gathered(file: &str, rows: Vec<Row>, names: &NamedColumns) -> Option<Recording> {
-    let flat = |of: fn(&Row) -> &Vec<f64>| rows.iter().flat_map(of).copied().collect::<Vec<f64>>();
-    let signals =
-        Array2::from_shape_vec((rows.len(), names.signals.len()), flat(|row| &row.signals)).ok()?;
-    let forces =
-        Array2::from_shape_vec((rows.len(), names.forces.len()), flat(|row| &row.forces)).ok()?;
-    Some(Recording {
-        name: file.to_owned(),
-        time_s: rows.iter().map(|row| row.time_s).collect(),
-        signals,
-        forces,
-        cycle: numbered(&rows),
-    })
+/// Rows side by side, with no list of their own for each.
+#[derive(Default)]
+struct GatheredRows {
+    time_s: Vec<f64>,
+    signals: Vec<f64>,
+    forces: Vec<f64>,
+    /// Cycle of each row: a number that grows where the column of cycles changes. Empty without such a column.
+    cycle: Vec<usize>,
+    last_cycle: Option<String>,
 }
 
-/// A number for each row that grows where the column of cycles changes.
-fn numbered(rows: &[Row]) -> Option<Vec<usize>> {
-    let mut number = 0;
-    let mut before: Option<&String> = None;
-    rows.iter()
-        .map(|row| {
-            let here = row.cycle.as_ref()?;
-            number += usize::from(before.is_some_and(|before| before != here));
-            before = Some(here);
-            Some(number)
+impl GatheredRows {
+    fn push(&mut self, row: Row) {
+        self.time_s.push(row.time_s);
+        self.signals.extend(row.signals);
+        self.forces.extend(row.forces);
+        if row.cycle.is_some() {
+            let before = self.cycle.last().copied().unwrap_or(0);
+            let changes = !self.cycle.is_empty() && self.last_cycle != row.cycle;
+            self.cycle.push(before + usize::from(changes));
+            self.last_cycle = row.cycle;
+        }
+    }
+
+    fn recording(self, file: &str, names: &NamedColumns) -> Option<Recording> {
+        let rows = self.time_s.len();
+        let shape = |columns: &Vec<String>| (rows, columns.len());
+        Some(Recording {
+            name: file.to_owned(),
+            signals: Array2::from_shape_vec(shape(&names.signals), self.signals).ok()?,
+            forces: Array2::from_shape_vec(shape(&names.forces), self.forces).ok()?,
+            time_s: self.time_s,
+            cycle: names.cycle.as_ref().map(|_| self.cycle),
         })
-        .collect()
+    }
 }
 
 #[cfg(test)]

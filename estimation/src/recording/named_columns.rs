@@ -3,8 +3,11 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use std::collections::HashSet;
+
 use serde::{Deserialize, Serialize};
 
+use crate::recipe::column_names::is_pattern;
 use crate::recipe::{Columns, CycleRule};
 use crate::recording::csv_line::quoted;
 use crate::recording::recording_fault::FaultList;
@@ -49,10 +52,11 @@ impl NamedColumns {
             Some(patterns) => matching(patterns, &rest),
             None => usual_forces(&rest),
         };
+        let taken: HashSet<&String> = forces.iter().collect();
         let signals: Vec<&String> = rest
             .iter()
             .copied()
-            .filter(|name| !forces.contains(*name))
+            .filter(|name| !taken.contains(name))
             .collect();
         let signals = match &columns.signals {
             Some(patterns) => matching(patterns, &signals),
@@ -79,12 +83,16 @@ impl NamedColumns {
 
     fn check_header(&self, header: &[String], faults: &mut FaultList) {
         let cycle = self.cycle.iter();
+        let there: HashSet<&String> = header.iter().collect();
         for name in std::iter::once(&self.time)
             .chain(&self.signals)
             .chain(&self.forces)
             .chain(cycle)
         {
-            if !header.contains(name) {
+            if faults.is_full() {
+                return;
+            }
+            if !there.contains(name) {
                 let detail = format!("is missing; the file has {}", listed(header));
                 faults.add(Some(1), Some(name), detail);
             }
@@ -93,10 +101,11 @@ impl NamedColumns {
 
     /// Returns those of the columns that a header has, the time apart.
     pub fn among(&self, header: &[String]) -> Self {
+        let known: HashSet<&String> = header.iter().collect();
         let there = |names: &[String]| {
             names
                 .iter()
-                .filter(|name| header.contains(name))
+                .filter(|name| known.contains(name))
                 .cloned()
                 .collect()
         };
@@ -151,30 +160,26 @@ fn listed(names: &[String]) -> String {
 }
 
 fn union<'a>(names: impl Iterator<Item = &'a String>) -> Vec<String> {
-    let mut all: Vec<String> = Vec::new();
-    for name in names {
-        if !all.contains(name) {
-            all.push(name.clone());
-        }
-    }
-    all
+    let mut seen = HashSet::new();
+    names.filter(|name| seen.insert(*name)).cloned().collect()
 }
 
 /// Names in the order of the patterns, then of the file. A pattern without a match stays as a name, which its file then lacks.
 fn matching(patterns: &[String], names: &[&String]) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
+    let mut seen: HashSet<&String> = HashSet::new();
     for pattern in patterns {
-        let fitting = names.iter().filter(|name| matches(pattern, name));
-        let before = found.len();
-        let mut any = false;
-        for name in fitting {
-            any = true;
-            if !found.contains(*name) {
+        if !is_pattern(pattern) {
+            // The column of this name, or one that its file lacks.
+            if seen.insert(pattern) {
+                found.push(pattern.clone());
+            }
+            continue;
+        }
+        for name in names.iter().filter(|name| matches(pattern, name)) {
+            if seen.insert(name) {
                 found.push((*name).clone());
             }
-        }
-        if !any && before == found.len() && !pattern.contains(['*', '?']) {
-            found.push(pattern.clone());
         }
     }
     found
@@ -191,35 +196,42 @@ fn usual_forces(names: &[&String]) -> Vec<String> {
         .unwrap_or_default()
 }
 
-/// Whether a name fits a pattern, in which `*` stands for any characters and `?` for one.
+/// Whether a name fits a pattern, in which `*` stands for any characters and `?` for one. What lies between two stars is looked for once, from left to right, so that
+/// the time doesn't grow with their number.
 pub fn matches(pattern: &str, name: &str) -> bool {
-    let (pattern, name): (Vec<char>, Vec<char>) =
-        (pattern.chars().collect(), name.chars().collect());
-    let (mut p, mut n) = (0, 0);
-    // Where to go on when what follows the last star doesn't fit: one more character belongs to the star.
-    let mut star: Option<(usize, usize)> = None;
-    while n < name.len() {
-        match pattern.get(p) {
-            Some('*') => {
-                star = Some((p, n));
-                p += 1;
-            }
-            Some(c) if *c == '?' || Some(c) == name.get(n) => {
-                p += 1;
-                n += 1;
-            }
-            _ => match &mut star {
-                Some((at, taken)) => {
-                    *taken += 1;
-                    (p, n) = (*at + 1, *taken);
-                }
-                None => return false,
-            },
-        }
-    }
-    pattern
-        .get(p..)
-        .is_some_and(|rest| rest.iter().all(|c| *c == '*'))
+    let mut parts = pattern.split('*');
+    let (first, last) = (parts.next().unwrap_or_default(), parts.next_back());
+    let Some(rest) = after(first, name) else {
+        return false;
+    };
+    let Some(last) = last else {
+        return rest.is_empty();
+    };
+    let found = parts.try_fold(rest, |rest, part| {
+        let begins = rest.char_indices().map(|(at, _)| at).chain([rest.len()]);
+        let mut ends = begins.filter_map(|at| after(part, rest.get(at..)?));
+        ends.next()
+    });
+    let characters = last.chars().count();
+    let end = found.and_then(|rest| {
+        let skipped = rest.chars().count().checked_sub(characters)?;
+        let at = rest
+            .char_indices()
+            .nth(skipped)
+            .map_or(rest.len(), |(at, _)| at);
+        after(last, rest.get(at..)?)
+    });
+    end.is_some_and(str::is_empty)
+}
+
+/// Rest of a name that begins with a part of a pattern, in which `?` stands for any character.
+fn after<'n>(part: &str, name: &'n str) -> Option<&'n str> {
+    let mut rest = name.chars();
+    let begins = part.chars().all(|c| {
+        let next = rest.next();
+        next.is_some_and(|next| c == '?' || c == next)
+    });
+    begins.then_some(rest.as_str())
 }
 
 #[cfg(test)]
@@ -239,6 +251,12 @@ mod tests {
             ("f?_n", "f_n", false),
             ("a*b*c", "aXbYbc", true),
             ("a*b*c", "aXbYb", false),
+            ("a*bc*bc", "abcbc", true),
+            ("a*bc*bc", "abc", false),
+            ("a*a", "a", false),
+            ("**", "x", true),
+            ("?*?", "é", false),
+            ("?*?", "éü", true),
             ("*", "", true),
             ("", "a", false),
         ] {

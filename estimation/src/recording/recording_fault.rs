@@ -86,6 +86,11 @@ impl FaultList {
         self.faults
     }
 
+    /// Whether no further fault is listed.
+    pub fn is_full(&self) -> bool {
+        self.faults.len() > MOST_FAULTS
+    }
+
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.faults.is_empty()

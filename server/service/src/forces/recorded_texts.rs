@@ -3,9 +3,11 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use std::collections::HashSet;
+
 use document::fault::Fault;
 use estimation::recipe::Recipe;
-use estimation::recording::csv_recording::{header, read};
+use estimation::recording::csv_recording::{MOST_COLUMNS, header, read, rows_below_header};
 use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::recording_fault::RecordingFault;
 use estimation::recording::{PAUSE_INTERVALS, Recording};
@@ -50,11 +52,24 @@ pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Ve
             Fault::add(&mut faults, "", detail);
         }
     }
+    let rows: usize = files.iter().map(|file| rows_below_header(&file.text)).sum();
+    if rows > MOST_ROWS {
+        return Err(vec![fault(format!(
+            "the recordings have {rows} rows; at most {MOST_ROWS} are read"
+        ))]);
+    }
     // A file without a header says so below.
     let headers: Vec<Vec<String>> = files
         .iter()
         .filter_map(|file| header(&file.name, &file.text).ok())
         .collect();
+    let columns: HashSet<&String> = headers.iter().flatten().collect();
+    if columns.len() > MOST_COLUMNS {
+        return Err(vec![fault(format!(
+            "the recordings have {} columns of different names; at most {MOST_COLUMNS} are read, and every run has the same",
+            columns.len()
+        ))]);
+    }
     let names = NamedColumns::find(&recipe.columns, &headers);
     let gaps = recipe.preprocess.rate_hz.is_some();
     let mut recordings = Vec::new();
@@ -66,12 +81,6 @@ pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Ve
     }
     if !faults.is_empty() {
         return Err(faults);
-    }
-    let rows: usize = recordings.iter().map(Recording::rows).sum();
-    if rows > MOST_ROWS {
-        return Err(vec![fault(format!(
-            "the recordings have {rows} rows; at most {MOST_ROWS} are read"
-        ))]);
     }
     if let Some(refused) = too_many_ticks(recipe, &recordings) {
         return Err(vec![refused]);

@@ -12,7 +12,7 @@ use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use serde_json::{Value, json};
 
-use crate::http::edge::connection_slots::Standing;
+use crate::http::edge::connection_slots::{AskedWhole, Standing};
 use crate::http::edge::problem_document::Problem;
 use crate::http::mount::Mount;
 use crate::token::{Token, TokenError};
@@ -127,6 +127,18 @@ fn cookies<'h>(headers: &'h HeaderMap, name: &str) -> impl Iterator<Item = &'h s
         .map(|(_, value)| value)
 }
 
+/// Lets a connection belong: at once with a token, else when the whole request has come.
+fn belonging(request: Request, knows_token: bool) -> Request {
+    let Some(standing) = request.extensions().get::<Standing>().cloned() else {
+        return request;
+    };
+    if knows_token {
+        standing.belongs();
+        return request;
+    }
+    request.map(|body| AskedWhole::of(body, standing))
+}
+
 /// Refuses who doesn't know the token. Whether the service is up is no secret, and the address that works once is a key of its own.
 pub(crate) async fn authorise(
     State(access): State<Access>,
@@ -140,9 +152,10 @@ pub(crate) async fn authorise(
     };
     let admitted = access.admits(request.headers());
     // Where no token is asked for, a health check says nothing of who asks.
-    if admitted && (!open || access.keys().is_some()) {
-        request.extensions().get().map(Standing::belongs);
-    }
+    let request = match admitted && (!open || access.keys().is_some()) {
+        true => belonging(request, access.keys().is_some()),
+        false => request,
+    };
     if open || admitted {
         return next.run(request).await;
     }

@@ -1,7 +1,7 @@
 //! Slots for connections: who hasn't shown that it belongs makes room for others.
 //!
 //! A connection begins as a stranger. It belongs as soon as one of its requests was let in: with the token or its cookie where the service asks for one, and elsewhere
-//! with any request but a health check. However many strangers there are and whatever they do, the next newcomer is taken after [`HEARING`] at the latest and has as
+//! with any whole request but a health check. However many strangers there are and whatever they do, the next newcomer is taken after [`HEARING`] at the latest and has as
 //! long to show that it belongs; those who do are only asked to leave between two requests.
 
 use std::collections::BTreeMap;
@@ -183,6 +183,48 @@ impl Drop for Busy {
         self.0
             .change(|connection| connection.idle = Some(Instant::now()));
         self.0.slots.changed.notify_one();
+    }
+}
+
+/// The body of a request whose connection belongs when all of it has come: anybody can send half of one.
+#[derive(Debug)]
+pub(crate) struct AskedWhole {
+    body: Body,
+    standing: Standing,
+}
+
+impl AskedWhole {
+    /// Wraps the body, if there is one.
+    pub(crate) fn of(body: Body, standing: Standing) -> Body {
+        if body.is_end_stream() {
+            standing.belongs();
+            return body;
+        }
+        Body::new(Self { body, standing })
+    }
+}
+
+impl HttpBody for AskedWhole {
+    type Data = Bytes;
+    type Error = axum::Error;
+
+    fn poll_frame(
+        mut self: Pin<&mut Self>,
+        context: &mut Context<'_>,
+    ) -> Poll<Option<Result<Frame<Bytes>, axum::Error>>> {
+        let frame = Pin::new(&mut self.body).poll_frame(context);
+        if self.body.is_end_stream() || matches!(frame, Poll::Ready(None)) {
+            self.standing.belongs();
+        }
+        frame
+    }
+
+    fn is_end_stream(&self) -> bool {
+        self.body.is_end_stream()
+    }
+
+    fn size_hint(&self) -> SizeHint {
+        self.body.size_hint()
     }
 }
 
