@@ -273,7 +273,7 @@ test("figures are saved as SVG and PNG, tables as CSV", { timeout: 60_000 }, asy
   assert.deepEqual([...png.bytes.subarray(1, 4)].map((code) => String.fromCharCode(code)).join(""), "PNG");
   assert.ok(png.bytes.length > 3000, `${png.bytes.length} bytes`);
   const csv = await page.getByRole("link", { name: "Ranked locations as CSV" }).getAttribute("href");
-  assert.match(await (await fetch(`${origin()}${csv}`)).text(), /P3/);
+  assert.match(await (await fetch(new URL(csv, page.url()))).text(), /P3/);
   await page.context().close();
 });
 

@@ -47,7 +47,7 @@ async fn a_damaged_database_is_refused_by_name() {
     let half = bytes[..bytes.len() / 2].to_vec();
     for (name, damaged, because) in [
         ("header.db", without_header, "not a database"),
-        ("pages.db", overwritten, "it is corrupt"),
+        ("pages.db", overwritten, "malformed"),
         ("half.db", half, "malformed"),
     ] {
         let database = folder.path().join(name);

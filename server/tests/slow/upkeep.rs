@@ -33,10 +33,11 @@ async fn database(path: &Path, events: i64) {
     let migrations = Migrator::new(migrations).await.expect("reads");
     migrations.run(&mut sql).await.expect("makes the tables");
     for change in [
-        "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', '44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a', 'done', 't')",
+        "insert into studies (id, name, spec, spec_sha256, state, created) values ('a', 'old', '{}', '44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a', 'cancelled', 't')",
         &format!(
             "with recursive n(i) as (select 1 union all select i + 1 from n where i < {})
-             insert into events (study, kind, payload, created) select 'a', 'note', json_object('bytes', hex(randomblob(500))), 't' from n",
+             insert into events (study, previous, kind, payload, created)
+             select 'a', nullif(i - 1, 0), iif(i = {events}, 'cancelled', 'note'), json_object('bytes', hex(randomblob(500))), 't' from n",
             2 * events
         ),
         &format!("delete from events where id > {events}"),
@@ -45,6 +46,9 @@ async fn database(path: &Path, events: i64) {
         changed.expect("changes");
     }
     sql.close().await.expect("closes");
+    // A start seals the rows.
+    let store = store::Store::open(path).await.expect("opens");
+    store.close().await.expect("closes");
 }
 
 /// Events of a whole database.

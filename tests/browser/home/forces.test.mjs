@@ -154,7 +154,7 @@ test("a fit that is at work, waits, failed or was cancelled says so, one that is
   const url = page.url();
   const detail = new RegExp(`/v1/estimators/${url.split("/").at(-1).split("?")[0]}$`);
   const states = [
-    [{ state: "running", progress: { done: 3, of: 6 } }, "3 of 6 models judged"],
+    [{ state: "running", progress: { stage: "judging", done: 3, of: 6 } }, "3 of 6 models judged"],
     [{ state: "queued", started: null, finished: null }, "Waiting for its turn."],
     [{ state: "failed", error: "every row is an outlier" }, "Every row is an outlier"],
     [{ state: "cancelled" }, "Cancelled: nothing was learnt."],

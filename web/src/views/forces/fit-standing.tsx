@@ -34,8 +34,8 @@ export function FitStanding({ estimator, lost, now_ms, actions }: Props) {
         {done} of {total ?? "?"}
       </progress>
       <p class="quiet">
-        {done} of {total ?? "?"} pieces of this stage done{started != null && `, ${duration((now_ms - Date.parse(started)) / 1000)} at work`}.
-        {lost && " The service doesn't answer; asking again every second."}
+        {done} of {total ?? "?"} {progress?.stage === "judging" ? "models judged" : "pieces of this stage done"}
+        {started != null && `, ${duration((now_ms - Date.parse(started)) / 1000)} at work`}.{lost && " The service doesn't answer; asking again every second."}
       </p>
       <div class="actions">
         <button type="button" onClick={() => void actions.cancel()}>
