@@ -4,8 +4,11 @@
 //! A row is written without its seal, and [`close`] seals all that have none before a transaction is committed. Whoever changes what a seal covers takes the seal
 //! off. Rows of tables that aren't here have a hash of their own that covers their key ([`OWN_HASH`]).
 
+use std::sync::LazyLock;
+
 use sqlx::{AssertSqlSafe, SqliteConnection};
 
+use crate::column::counted;
 use crate::content::sha256;
 use crate::store_error::StoreError;
 
@@ -194,21 +197,36 @@ impl Sealed {
 /// A row's key, what its seal covers, and its seal.
 type Row = (String, String, Option<String>);
 
+/// Selects the rows of all tables that have no seal: the number of the seal, key, and what it covers.
+static UNSEALED: LazyLock<String> = LazyLock::new(|| {
+    let of_table = |(number, sealed): (usize, &Sealed)| {
+        let (key, covered) = (sealed.key.join(", "), sealed.covered.join(", "));
+        let (table, seal) = (sealed.table, sealed.seal);
+        format!(
+            "select {number}, json_array({key}), json_array({covered}) from {table} where {seal} is null"
+        )
+    };
+    let each: Vec<String> = SEALED.iter().enumerate().map(of_table).collect();
+    each.join(" union all ")
+});
+
 /// Seals all rows that have no seal.
 ///
 /// # Errors
 /// When the database can't be written.
 pub(crate) async fn close(connection: &mut SqliteConnection) -> Result<(), StoreError> {
-    for sealed in &SEALED {
-        let select = sealed.select(&format!("{} is null", sealed.seal));
-        let rows: Vec<Row> = sqlx::query_as(select).fetch_all(&mut *connection).await?;
-        for (key, covered, _) in rows {
-            sqlx::query(sealed.update())
-                .bind(sealed.sealed(&covered))
-                .bind(key)
-                .execute(&mut *connection)
-                .await?;
-        }
+    let rows: Vec<(i64, String, String)> = sqlx::query_as(AssertSqlSafe(UNSEALED.as_str()))
+        .fetch_all(&mut *connection)
+        .await?;
+    for (number, key, covered) in rows {
+        let Some(sealed) = counted(number).and_then(|number| SEALED.get(number)) else {
+            continue;
+        };
+        sqlx::query(sealed.update())
+            .bind(sealed.sealed(&covered))
+            .bind(key)
+            .execute(&mut *connection)
+            .await?;
     }
     Ok(())
 }

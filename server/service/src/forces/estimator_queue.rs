@@ -10,6 +10,7 @@ use std::time::Duration;
 use document::fault::Fault;
 use estimation::recipe::Recipe;
 use store::file::upkeep;
+use store::queue::estimator_parts;
 use store::queue::estimator_rows::{self, EstimatorRow};
 use store::{Store, StoreError};
 use tokio::sync::Notify;
@@ -270,7 +271,7 @@ impl EstimatorQueue {
             Ok(recipe) => recipe,
             Err(faults) => return Ok(Err(faults)),
         };
-        let rows = estimator_rows::recordings(&mut connection, &row.id).await?;
+        let rows = estimator_parts::recordings(&mut connection, &row.id).await?;
         let named = rows.into_iter().map(|row| NamedText {
             name: row.file,
             text: row.text,
@@ -508,7 +509,7 @@ mod tests {
     async fn a_short_fit_has_its_turn_beside_a_long_one_and_both_end_when_they_are_cancelled() {
         let long =
             r#"read order; echo 'told {"stage":"learning","done":1,"of":2}'; exec sleep 3600"#;
-        let short = r#"read order; echo 'answer {"other":"no model"}'"#;
+        let short = r#"read order; echo 'answer {"Err":{"other":"no model"}}'"#;
         let (_folder, queue) = line(vec![long, short]).await;
         let first = submit(&queue, "long").await;
         let second = submit(&queue, "short").await;

@@ -2,7 +2,6 @@
 
 use std::process::{Command, ExitCode};
 
-use document::fault::Fault;
 use estimation::fit_report::Report;
 use estimation::recipe::Recipe;
 use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
@@ -45,23 +44,15 @@ pub struct Learnt {
 /// Reason why a process learnt nothing.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Unlearnt {
-    /// The recipe or the recordings are wrong.
-    Input(Vec<Fault>),
+    /// Failure of the fit.
+    Failed(FitFailure),
     /// Stop on request.
     Stopped,
     /// End of its process by what it learnt: how.
     Crashed(String),
-    /// Another reason, a sentence.
-    Other(String),
 }
 
-#[derive(Debug, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum Answer {
-    Learnt(Box<Learnt>),
-    Input(Vec<Fault>),
-    Other(String),
-}
+type Answer = Result<Box<Learnt>, FitFailure>;
 
 /// Learns in the process that the command starts; `told` hears how far it is.
 ///
@@ -73,7 +64,7 @@ pub fn learn(
     wish: &dyn Fn() -> Wish,
     told: &(dyn Fn(FitProgress) + Sync),
 ) -> Result<Learnt, Unlearnt> {
-    let order = serde_json::to_string(order).map_err(|error| Unlearnt::Other(error.to_string()))?;
+    let order = serde_json::to_string(order).map_err(|error| failed(error.to_string()))?;
     let heard = |line: &str| {
         if let Ok(progress) = serde_json::from_str(line) {
             told(progress);
@@ -82,23 +73,24 @@ pub fn learn(
     let answer = ask(command, &order, wish, &heard).map_err(|reason| match reason {
         Unanswered::Stopped => Unlearnt::Stopped,
         Unanswered::Crashed(detail) => Unlearnt::Crashed(detail),
-        Unanswered::Broken(detail) => Unlearnt::Other(detail),
+        Unanswered::Broken(detail) => failed(detail),
     })?;
-    match serde_json::from_str(&answer) {
-        Ok(Answer::Learnt(learnt)) => Ok(*learnt),
-        Ok(Answer::Input(faults)) => Err(Unlearnt::Input(faults)),
-        Ok(Answer::Other(detail)) => Err(Unlearnt::Other(detail)),
-        Err(error) => Err(Unlearnt::Other(format!(
-            "what the fit answered can't be read: {error}"
-        ))),
-    }
+    let answer: Answer = serde_json::from_str(&answer)
+        .map_err(|error| failed(format!("what the fit answered can't be read: {error}")))?;
+    answer.map(|learnt| *learnt).map_err(Unlearnt::Failed)
+}
+
+fn failed(detail: String) -> Unlearnt {
+    Unlearnt::Failed(FitFailure::Other(detail))
 }
 
 /// Learns for the parent process of this one.
 pub fn learn_for_parent() -> ExitCode {
     answering::answer(|order| match serde_json::from_str::<FitOrder>(order) {
         Ok(order) => answer(&order),
-        Err(error) => Answer::Other(format!("the fit's order can't be read: {error}")),
+        Err(error) => Err(FitFailure::Other(format!(
+            "the fit's order can't be read: {error}"
+        ))),
     })
 }
 
@@ -108,19 +100,15 @@ fn answer(order: &FitOrder) -> Answer {
         threads: order.threads,
         told: &|progress| answering::tell(&progress),
     };
-    match fit(&order.recipe, &order.files, work) {
-        Ok(found) => learnt(found).unwrap_or_else(Answer::Other),
-        Err(FitFailure::Input(faults)) => Answer::Input(faults),
-        Err(FitFailure::Other(detail)) => Answer::Other(detail),
-    }
+    fit(&order.recipe, &order.files, work).and_then(learnt)
 }
 
-fn learnt(found: Fit) -> Result<Answer, String> {
-    Ok(Answer::Learnt(Box::new(Learnt {
-        model: model_text(&found.estimator)?,
+fn learnt(found: Fit) -> Answer {
+    Ok(Box::new(Learnt {
+        model: model_text(&found.estimator).map_err(FitFailure::Other)?,
         report: found.report,
         left_out: found.left_out,
-    })))
+    }))
 }
 
 /// Has the system refuse this process more memory than that: an allocation that is refused ends it.

@@ -16,6 +16,7 @@ use estimation::validation::{
     rolled, rolled_r2,
 };
 use placement::points::worker_threads::in_parallel;
+use serde::{Deserialize, Serialize};
 use store::content::sha256;
 
 use crate::forces::recorded_texts::{NamedText, read_runs};
@@ -33,7 +34,8 @@ pub struct Fit {
 }
 
 /// Reason why there is no fit.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum FitFailure {
     /// The recipe or the recordings are wrong.
     Input(Vec<Fault>),

@@ -7,10 +7,12 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 use document::fault::Fault;
-use store::queue::estimator_rows::{EstimatorRow, Part};
+use store::queue::estimator_parts::Part;
+use store::queue::estimator_rows::EstimatorRow;
 use tokio::sync::oneshot;
 
 use crate::forces::fit_process::{FitOrder, Unlearnt, learn};
+use crate::forces::fitting::FitFailure;
 use crate::forces::learnt_parts::parts;
 use crate::wire::estimator_wire::FitProgress;
 use crate::work::memory_share::TakenMemory;
@@ -126,10 +128,10 @@ fn ending(command: Command, order: &FitOrder, work: &FitWork) -> Ending {
     let learnt = learn(command, order, &|| work.wish(), &|told| work.told(told));
     match learnt {
         Ok(learnt) => parts(&learnt).map_or_else(Ending::Failed, Ending::Learnt),
-        Err(Unlearnt::Input(faults)) => Ending::Failed(sentence(&faults)),
+        Err(Unlearnt::Failed(FitFailure::Input(faults))) => Ending::Failed(sentence(&faults)),
+        Err(Unlearnt::Failed(FitFailure::Other(detail))) => Ending::Failed(detail),
         Err(Unlearnt::Stopped) => Ending::Stopped,
         Err(Unlearnt::Crashed(detail)) => Ending::Crashed(detail),
-        Err(Unlearnt::Other(detail)) => Ending::Failed(detail),
     }
 }
 

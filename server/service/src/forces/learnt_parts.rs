@@ -2,7 +2,7 @@
 
 use store::StoreError;
 use store::content::encode;
-use store::queue::estimator_rows::Part;
+use store::queue::estimator_parts::Part;
 
 use crate::forces::fit_process::Learnt;
 use crate::wire::estimator_wire::{LeftOutForces, LeftOutRows};

@@ -118,21 +118,11 @@ async fn dangling(connection: &mut SqliteConnection) -> Result<Vec<String>, Stor
     Ok(rows.into_iter().map(sentence).collect())
 }
 
-/// Studies that count more points than they have; a point whose solve broke counts and leaves an event alone.
+/// Studies that count more points than they have, a sentence each.
 async fn short(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {
-    let rows: Vec<(String, i64, i64)> = sqlx::query_as(
-        "select id, points_done,
-             (select count(*) from study_points where study = id)
-             + (select count(distinct payload ->> 'ordinal') from events
-                where study = studies.id and kind = 'point-failed' and not exists
-                    (select 1 from study_points where study = events.study and ordinal = events.payload ->> 'ordinal'))
-             as points
-         from studies where points_done > points",
-    )
-    .fetch_all(connection)
-    .await?;
+    let studies = study_points::short(connection, None).await?;
     let sentence = |(id, done, points)| format!("study {id} counts {done} points and has {points}");
-    Ok(rows.into_iter().map(sentence).collect())
+    Ok(studies.into_iter().map(sentence).collect())
 }
 
 /// Gaps: what a state or a row promises and isn't there.

@@ -81,24 +81,26 @@ pub async fn of(
     rows.into_iter().map(point).collect()
 }
 
-/// Counts the points that a study is to have: those that it counts, but for those whose solve broke, which leave an event alone.
+/// Studies, or this one, that count more points than they have with an evaluation: identifier, points counted, points there. A point whose solve broke counts, and
+/// leaves an event alone.
 ///
 /// # Errors
 /// When the database can't be read.
-pub(crate) async fn expected(
+pub(crate) async fn short(
     connection: &mut SqliteConnection,
-    study: &str,
-) -> Result<usize, StoreError> {
-    let query = "select points_done
-             - (select count(distinct payload ->> 'ordinal') from events
+    study: Option<&str>,
+) -> Result<Vec<(String, i64, i64)>, StoreError> {
+    let query = "select id, points_done,
+             (select count(*) from study_points join evaluations on key = evaluation where study = id)
+             + (select count(distinct payload ->> 'ordinal') from events
                 where study = studies.id and kind = 'point-failed' and not exists
                     (select 1 from study_points where study = events.study and ordinal = events.payload ->> 'ordinal'))
-         from studies where id = ?";
-    let count: Option<i64> = sqlx::query_scalar(query)
+             as points
+         from studies where (?1 is null or id = ?1) and points_done > points";
+    Ok(sqlx::query_as(query)
         .bind(study)
-        .fetch_optional(connection)
-        .await?;
-    Ok(count.and_then(counted).unwrap_or(0))
+        .fetch_all(connection)
+        .await?)
 }
 
 /// Points of this study that aren't there any more.

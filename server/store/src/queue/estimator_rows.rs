@@ -5,8 +5,8 @@
 use sqlx::SqliteConnection;
 
 use crate::clock::now;
-use crate::column::whole;
-use crate::content::{document_sha256, intact, sha256};
+use crate::content::{document_sha256, intact};
+use crate::queue::estimator_parts::{Part, insert_parts, insert_recordings, part, recordings};
 use crate::queue::study_rows::{State, by_state};
 use crate::row::from_row;
 use crate::seals;
@@ -66,40 +66,6 @@ impl EstimatorRow {
     }
 }
 
-/// A recording as it was sent.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct RecordingRow {
-    /// File of the recording, for people.
-    pub file: String,
-    /// CSV.
-    pub text: String,
-}
-
-/// Part that a fit leaves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
-    /// Report of what was found.
-    Report,
-    /// The model file.
-    Model,
-    /// Predictions of rows that weren't learnt from.
-    LeftOut,
-}
-
-impl Part {
-    /// Parts, all of them.
-    pub const ALL: [Self; 3] = [Self::Report, Self::Model, Self::LeftOut];
-
-    /// Returns its name in the database and in addresses.
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Self::Report => "report",
-            Self::Model => "model",
-            Self::LeftOut => "left-out",
-        }
-    }
-}
-
 /// Stores a new estimator behind the others that wait, and returns its identifier.
 ///
 /// # Errors
@@ -123,22 +89,8 @@ pub async fn insert<'r>(
         .bind(now())
         .execute(&mut *connection)
         .await?;
-    let query = "insert into estimator_recordings (estimator, ordinal, file, text, sha256) values (?, ?, ?, ?, ?)";
-    for (ordinal, (file, text)) in recordings.enumerate() {
-        sqlx::query(query)
-            .bind(&id)
-            .bind(whole(ordinal))
-            .bind(file)
-            .bind(text)
-            .bind(recording_sha256(file, text))
-            .execute(&mut *connection)
-            .await?;
-    }
+    insert_recordings(connection, &id, recordings).await?;
     Ok(id)
-}
-
-fn recording_sha256(file: &str, text: &str) -> String {
-    sha256(&[file.as_bytes(), text.as_bytes()])
 }
 
 /// The estimator of this identifier.
@@ -154,47 +106,6 @@ pub async fn find(
         .bind(id)
         .fetch_optional(connection)
         .await?)
-}
-
-/// Reads its recordings, in order.
-///
-/// # Errors
-/// [`StoreError::Damaged`] when one doesn't match its hash; when the database can't be read.
-pub async fn recordings(
-    connection: &mut SqliteConnection,
-    id: &str,
-) -> Result<Vec<RecordingRow>, StoreError> {
-    let query =
-        "select file, text, sha256 from estimator_recordings where estimator = ? order by ordinal";
-    seals::intact(connection, "estimator_recordings", "estimator = ?", id).await?;
-    let rows: Vec<(String, String, String)> = sqlx::query_as(query)
-        .bind(id)
-        .fetch_all(&mut *connection)
-        .await?;
-    let counted = "select json_array_length(document, '$.recordings') from estimators where id = ?";
-    let counted: Option<Option<i64>> = sqlx::query_scalar(counted)
-        .bind(id)
-        .fetch_optional(connection)
-        .await?;
-    if counted
-        .flatten()
-        .is_some_and(|counted| counted != whole(rows.len()))
-    {
-        return Err(StoreError::Damaged {
-            table: "estimator_recordings",
-            row: id.to_owned(),
-        });
-    }
-    let whole = |(file, text, sha256): (String, String, String)| {
-        if recording_sha256(&file, &text) == sha256 {
-            return Ok(RecordingRow { file, text });
-        }
-        Err(StoreError::Damaged {
-            table: "estimator_recordings",
-            row: id.to_owned(),
-        })
-    };
-    rows.into_iter().map(whole).collect()
 }
 
 /// Lists up to `limit` estimators, newest first, older than the estimator `before`; those of this state, whose names have this text.
@@ -331,17 +242,7 @@ pub async fn finish(
     if !end(connection, id, State::Done, None).await? {
         return Ok(false);
     }
-    let query =
-        "insert into estimator_parts (estimator, part, document, sha256) values (?, ?, ?, ?)";
-    for (part, document) in parts {
-        sqlx::query(query)
-            .bind(id)
-            .bind(part.as_str())
-            .bind(document)
-            .bind(document_sha256(document))
-            .execute(&mut *connection)
-            .await?;
-    }
+    insert_parts(connection, id, parts).await?;
     Ok(true)
 }
 
@@ -386,46 +287,6 @@ pub async fn cancel(connection: &mut SqliteConnection, id: &str) -> Result<bool,
         .execute(connection)
         .await?;
     Ok(done.rows_affected() == 1)
-}
-
-/// Hash of a part of what was learnt, where there is one.
-///
-/// # Errors
-/// When the database can't be read.
-pub async fn part_sha256(
-    connection: &mut SqliteConnection,
-    id: &str,
-    part: Part,
-) -> Result<Option<String>, StoreError> {
-    let query = "select sha256 from estimator_parts where estimator = ? and part = ?";
-    Ok(sqlx::query_scalar(query)
-        .bind(id)
-        .bind(part.as_str())
-        .fetch_optional(connection)
-        .await?)
-}
-
-/// A part of what was learnt, JSON, where there is one.
-///
-/// # Errors
-/// [`StoreError::Damaged`] when it doesn't match its hash; when the database can't be read.
-pub async fn part(
-    connection: &mut SqliteConnection,
-    id: &str,
-    part: Part,
-) -> Result<Option<String>, StoreError> {
-    seals::intact(connection, "estimator_parts", "estimator = ?", id).await?;
-    let query = "select document, sha256 from estimator_parts where estimator = ? and part = ?";
-    let row: Option<(String, String)> = sqlx::query_as(query)
-        .bind(id)
-        .bind(part.as_str())
-        .fetch_optional(connection)
-        .await?;
-    let Some((document, sha256)) = row else {
-        return Ok(None);
-    };
-    intact(("estimator_parts", id), &document, &sha256)?;
-    Ok(Some(document))
 }
 
 /// Compares all that is stored of an estimator with its hashes.

@@ -4,10 +4,11 @@
 //! - [`turns`]: whose turn it is
 //! - [`sweep_rows`]: which study_rows are the designs of one sweep
 //! - [`listed`]: which of them a list shows
-//! - [`estimator_rows`]: estimators of forces
+//! - [`estimator_rows`]: estimators of forces; [`estimator_parts`]: their recordings and what was learnt
 //! - [`event_rows`]: what happened, in order
 //! - [`idempotency`]: keys of repeated requests
 
+pub mod estimator_parts;
 pub mod estimator_rows;
 pub mod event_rows;
 pub mod idempotency;

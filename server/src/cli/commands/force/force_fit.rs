@@ -7,6 +7,7 @@ use clap::Args;
 use estimation::recipe::Recipe;
 use placement::points::machine_memory::machine_memory_bytes;
 use service::forces::fit_process::{ARGUMENT, FitOrder, Learnt, Unlearnt, learn};
+use service::forces::fitting::FitFailure;
 use service::forces::recorded_texts::{MOST_RECORDING_BYTES, NamedText};
 use service::study_document::text_files::read_text;
 use service::study_document::{format_of, read_file};
@@ -114,12 +115,12 @@ impl Fit {
         let found = learn(own_program(ARGUMENT), &order, &wish, &told);
         bar.finish_and_clear();
         found.map_err(|failure| match failure {
-            Unlearnt::Input(faults) => Failure::Input(faults),
+            Unlearnt::Failed(FitFailure::Input(faults)) => Failure::Input(faults),
+            Unlearnt::Failed(FitFailure::Other(detail)) => Failure::Other(detail),
             Unlearnt::Stopped => Failure::Other("stopped on request".to_owned()),
             Unlearnt::Crashed(detail) => {
                 Failure::Other(format!("the fit's process crashed: {detail}"))
             }
-            Unlearnt::Other(detail) => Failure::Other(detail),
         })
     }
 }

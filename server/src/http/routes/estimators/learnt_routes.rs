@@ -35,7 +35,7 @@ use service::wire::estimator_examples as examples;
 use service::wire::estimator_wire::{LeftOutForces, RecordingDocument};
 use service::wire::study_wire::ProblemDocument;
 use store::Store;
-use store::queue::estimator_rows::{self, Part};
+use store::queue::estimator_parts::{self, Part};
 
 /// Bytes of estimates that are made at once.
 const MOST_ESTIMATES: usize = 128 << 20;
@@ -233,7 +233,7 @@ async fn sent(
 async fn ready(store: &Store, id: &str, part: Part) -> Result<String, Problem> {
     let row = known(store, id).await?;
     let mut connection = store.read().await?;
-    let sha256 = estimator_rows::part_sha256(&mut connection, id, part).await?;
+    let sha256 = estimator_parts::part_sha256(&mut connection, id, part).await?;
     sha256.ok_or_else(|| {
         let error = row.error.as_deref();
         let cause = error.map_or(String::new(), |error| format!(": {error}"));
@@ -256,6 +256,6 @@ fn nameable(part: Part) -> &'static str {
 /// A part of what was learnt, or 404 when it was removed meanwhile.
 async fn text(store: &Store, id: &str, part: Part) -> Result<String, Problem> {
     let mut connection = store.read().await?;
-    let text = estimator_rows::part(&mut connection, id, part).await?;
+    let text = estimator_parts::part(&mut connection, id, part).await?;
     text.ok_or_else(|| Problem::not_found(format!("there is no estimator {id:?}")))
 }
