@@ -40,13 +40,13 @@ pub struct Gap {
 }
 
 /// Share of the rows that the random split tests: the paper's.
-const RANDOM_SHARE: f64 = 0.2;
+pub(crate) const RANDOM_SHARE: f64 = 0.2;
 /// Most folds of left-out cycles and runs.
-const MOST_FOLDS: usize = 5;
+pub(crate) const MOST_FOLDS: usize = 5;
 /// Parts of each run in time: the first is learnt from alone.
-const TIME_PARTS: usize = 4;
+pub(crate) const TIME_PARTS: usize = 4;
 /// Groups of cycles by their frequency.
-const FREQUENCIES: usize = 3;
+pub(crate) const FREQUENCIES: usize = 3;
 /// Groups whose median frequencies differ by less than this factor are one frequency.
 const LEAST_SPREAD: f64 = 1.2;
 /// Fewer rows are learnt nothing from.

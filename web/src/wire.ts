@@ -417,6 +417,8 @@ export interface components {
             measured_solves: number;
             /** @description Reasons why figures are ranges or null, whole sentences. */
             reasons: string[];
+            /** @description Values that the physics makes unlikely, each with what may have been meant. */
+            unlikely?: string[];
         };
         /** @description An estimator with its recipe. */
         EstimatorDetail: components["schemas"]["EstimatorSummary"] & {
@@ -460,6 +462,7 @@ export interface components {
             /** @description Recordings that it is learnt from. */
             recordings: components["schemas"]["RecordingFigures"][];
             progress?: components["schemas"]["FitProgress"] | null;
+            estimate?: components["schemas"]["FitEstimate"] | null;
         };
         /** @description A point that has an outcome. */
         EvaluationView: {
@@ -706,6 +709,18 @@ export interface components {
              * @description Wall clock, s.
              */
             wall_s: number;
+        };
+        /** @description Estimate of what a fit takes. */
+        FitEstimate: {
+            /** @description Wall-clock time, s: by the sizes of the recordings, on another machine. */
+            wall_s: components["schemas"]["Forecast"];
+            /**
+             * Format: int64
+             * @description Bound of the memory, bytes.
+             */
+            peak_memory_bytes: number;
+            /** @description Threads that it has. */
+            threads: number;
         };
         /** @description Progress of a fit. */
         FitProgress: {
@@ -2007,7 +2022,7 @@ export interface components {
              * @description Standard deviation of that by noise, gain and temperature, V.
              */
             output_std_v?: number | null;
-            /** @description Whether the film bears that: `ok`, `beyond-yield` or `wrinkled`; null where that isn't known. */
+            /** @description Whether the film bears that, and the amplifier shows it: `ok`, `beyond-yield`, `saturated` or `wrinkled`; null where that isn't known. */
             state?: string | null;
             error?: components["schemas"]["SignalError"] | null;
             /** @description Reason why numbers are null. */
@@ -3039,6 +3054,8 @@ export interface components {
              * @default 0
              */
             temperature_k: number;
+            /** @description Voltage to both sides of zero that it can show, V; absent: it isn't known. */
+            supply_v?: number;
         } | {
             /**
              * @description A voltage amplifier; the usual one is as a multimeter or an oscilloscope's probe.
@@ -3075,6 +3092,8 @@ export interface components {
              * @default 0
              */
             temperature_k: number;
+            /** @description Voltage to both sides of zero that it can show, V; absent: it isn't known. */
+            supply_v?: number;
         } | {
             /**
              * @description A charge amplifier; the usual one has a time constant of ten seconds.
@@ -3111,6 +3130,8 @@ export interface components {
              * @default 0
              */
             temperature_k: number;
+            /** @description Voltage to both sides of zero that it can show, V; absent: it isn't known. */
+            supply_v?: number;
         };
         /** @description Loads of the cavity. */
         PressureDocument: {
@@ -4313,6 +4334,7 @@ export type FilmNoise = components['schemas']['FilmNoise'];
 export type FilmPair = components['schemas']['FilmPair'];
 export type FilmPlace = components['schemas']['FilmPlace'];
 export type FitCost = components['schemas']['FitCost'];
+export type FitEstimate = components['schemas']['FitEstimate'];
 export type FitProgress = components['schemas']['FitProgress'];
 export type FitStage = components['schemas']['FitStage'];
 export type ForceError = components['schemas']['ForceError'];
@@ -4509,6 +4531,7 @@ export const RANGES = {
   "film/amplifier/noise_mv": [0, 1000000000],
   "film/amplifier/gain_std": [0, 1],
   "film/amplifier/temperature_k": [0, 1000],
+  "film/amplifier/supply_v": [0.001, 10000],
   "film/amplifier/input_mohm": [0.000001, 1000000000],
   "film/amplifier/cable_pf": [0, 1000000],
   "film/amplifier/feedback_nf": [0.000001, 1000000],
@@ -4628,7 +4651,7 @@ export const SIGNALS_COLUMNS = {
   open_circuit_v: {"at":"/row/open_circuit_v","kind":"float","unit":"V","title":"open circuit v","digits":2,"description":"Voltage where nothing draws charge, V."},
   output_v: {"at":"/row/output_v","kind":"float","unit":"V","title":"output v","digits":2,"description":"Amplitude at the amplifier, V."},
   output_std_v: {"at":"/row/output_std_v","kind":"float","unit":"V","title":"output std v","digits":2,"description":"Standard deviation of that by noise, gain and temperature, V."},
-  state: {"at":"/row/state","kind":"text","title":"state","digits":2,"description":"Whether the film bears that: `ok`, `beyond-yield` or `wrinkled`; null where that isn't known."},
+  state: {"at":"/row/state","kind":"text","title":"state","digits":2,"description":"Whether the film bears that, and the amplifier shows it: `ok`, `beyond-yield`, `saturated` or `wrinkled`; null where that isn't known."},
   strain_error: {"at":"/row/error/strain","kind":"float","unit":"1","title":"strain error","digits":2,"description":"Error of the strain."},
   charge_error_nc: {"at":"/row/error/charge_nc","kind":"float","unit":"nC","title":"charge error nc","digits":2,"description":"Error of the charge, nC."},
   open_circuit_error_v: {"at":"/row/error/open_circuit_v","kind":"float","unit":"V","title":"open circuit error v","digits":2,"description":"Error of the open circuit's voltage, V."},

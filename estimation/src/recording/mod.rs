@@ -4,11 +4,13 @@
 //! - [`named_columns`]: which columns of a file are meant
 //! - [`csv_recording`]: a recording from its text
 //! - [`recording_fault`]: what can be wrong with it
+//! - [`time_unit`]: times that are no seconds
 
 mod csv_line;
 pub mod csv_recording;
 pub mod named_columns;
 pub mod recording_fault;
+pub mod time_unit;
 
 use ndarray::Array2;
 

@@ -7,10 +7,12 @@
 //! - `split_set`: the splits of a force's rows
 //! - `tested_rows`: what was said of left-out rows, and its errors; `another_session`: how those of one run are moved
 //! - `judged`: a candidate on every split; `blend`: the median of those that are nearly as good as the best
+//! - `fit_time`: how long all of it takes
 
 mod another_session;
 mod blend;
 mod candidate;
+mod fit_time;
 mod judged;
 mod learnt_model;
 mod split_set;
@@ -19,6 +21,7 @@ mod tested_rows;
 pub use another_session::ANOTHER_SESSION;
 pub use blend::blend;
 pub use candidate::{Candidate, candidates};
+pub use fit_time::{FitSizes, FitTime, fit_time};
 pub use judged::{Judged, Outcome, judge, rolled, rolled_r2};
 pub use learnt_model::LearntModel;
 pub use split_set::Splits;

@@ -17,6 +17,9 @@ const GAIN: Range = Range::new(0.0, 1.0, "");
 const FEEDBACK_NF: f64 = 10.0;
 const FEEDBACK_MOHM: f64 = 1000.0;
 const WARMING: Range = Range::new(0.0, 1e3, "K");
+const SUPPLY: Range = Range::new(1e-3, 1e4, "V");
+/// Supply that amplifiers have at most, V, as far as a note knows.
+const LARGEST_SUPPLY: f64 = 30.0;
 
 /// Circuit that a film is wired to, and how fast it is pressed.
 #[derive(Debug, Clone, Copy, PartialEq, Table)]
@@ -36,6 +39,9 @@ pub struct Amplifier {
     /// Standard deviation of the film's temperature within a press, K.
     #[field(default = 0.0, within = WARMING)]
     pub temperature_k: f64,
+    /// Voltage to both sides of zero that it can show, V; absent: it isn't known.
+    #[field(within = SUPPLY)]
+    pub supply_v: Option<f64>,
 }
 
 /// Circuits that read a film.
@@ -126,6 +132,23 @@ impl Amplifier {
         let gain = self.gain_std * of(charge_nc);
         let warmed = of(self.temperature_k * warming);
         (1e-3 * self.noise_mv).hypot(gain).hypot(warmed)
+    }
+
+    /// Whether an output, V, is more than it can show.
+    pub(crate) fn saturates(&self, output_v: f64) -> bool {
+        self.supply_v
+            .is_some_and(|supply_v| output_v.abs() > supply_v)
+    }
+
+    /// Returns a sentence on an output, V, that no amplifier shows, where its supply isn't known.
+    pub fn unlikely_output(&self, output_v: f64) -> Option<String> {
+        let is_amplified = self.circuit != Circuit::OpenCircuit;
+        let is_unlikely = self.supply_v.is_none() && output_v.abs() > LARGEST_SUPPLY;
+        (is_amplified && is_unlikely).then(|| {
+            format!(
+                "the amplifier's output is {output_v:.0} V, where supplies are 3 to 15 V: it would saturate; supply_v says where, and a larger capacitance, or a smaller film, makes less"
+            )
+        })
     }
 
     /// Voltage, V, so long after a press that came at once and stays, s.

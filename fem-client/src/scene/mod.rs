@@ -15,6 +15,7 @@ mod material;
 mod mesh_level;
 mod sensor_film;
 mod shared_ranges;
+pub mod slips;
 
 use document::fault::{Fault, member};
 use document::fields::Range;

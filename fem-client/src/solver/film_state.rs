@@ -78,11 +78,11 @@ pub struct FilmSignal {
     /// Time in which the reading of a held press falls to 1/e, s; absent where it stays.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub time_constant_s: Option<f64>,
-    /// Whether the film bears that.
+    /// Whether the film bears that, and the amplifier shows it.
     pub state: FilmCondition,
 }
 
-/// Whether a film bears its mean tension.
+/// Whether a film bears its mean tension, and its amplifier shows it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FilmCondition {
@@ -90,15 +90,18 @@ pub enum FilmCondition {
     Ok,
     /// Mean stress beyond yield: the signal isn't that of an elastic film.
     BeyondYield,
+    /// Output beyond the amplifier's supply: what is shown is the supply.
+    Saturated,
     /// Somewhere it is compressed beyond the strain at which a free film on this wall folds.
     Wrinkled,
 }
 
 impl FilmCondition {
     /// All conditions with their names in documents.
-    pub const NAMES: [(&'static str, Self); 3] = [
+    pub const NAMES: [(&'static str, Self); 4] = [
         ("ok", Self::Ok),
         ("beyond-yield", Self::BeyondYield),
+        ("saturated", Self::Saturated),
         ("wrinkled", Self::Wrinkled),
     ];
 
@@ -107,6 +110,7 @@ impl FilmCondition {
         match self {
             Self::Ok => "ok",
             Self::BeyondYield => "beyond-yield",
+            Self::Saturated => "saturated",
             Self::Wrinkled => "wrinkled",
         }
     }
@@ -211,6 +215,7 @@ impl FilmSignal {
             time_constant_s: reading.time_constant_s,
             state: match () {
                 () if piezo.yields(whole) => FilmCondition::BeyondYield,
+                () if film.amplifier.saturates(reading.output_v) => FilmCondition::Saturated,
                 () if means.is_wrinkled => FilmCondition::Wrinkled,
                 () => FilmCondition::Ok,
             },
@@ -298,6 +303,11 @@ mod tests {
             1e-3 * (23.0 * n1 + 3.0 * n2) * 25.0 / 0.05,
         );
         assert_eq!(signal.state, FilmCondition::Ok);
+        for (share, state) in [(1.01, FilmCondition::Ok), (0.99, FilmCondition::Saturated)] {
+            let mut film = film.clone();
+            film.amplifier.supply_v = Some(share * signal.output_v.abs());
+            assert_eq!(FilmSignal::of(&film, &means).state, state);
+        }
         let stretched = FilmMeans {
             total: [0.0, 0.02, 0.0],
             ..means

@@ -19,6 +19,9 @@ pub struct Estimate {
     pub measured_solves: usize,
     /// Reasons why figures are ranges or null, whole sentences.
     pub reasons: Vec<String>,
+    /// Values that the physics makes unlikely, each with what may have been meant.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub unlikely: Vec<String>,
 }
 
 /// Equilibria that are expected to be solved.

@@ -1,5 +1,6 @@
 //! Points without a response.
 
+use fem_client::scene::slips::{Slip, noting};
 use fem_client::solver::{NoEquilibrium, Reached};
 use serde::de::IntoDeserializer;
 use serde::de::value::StrDeserializer;
@@ -42,6 +43,15 @@ impl Cause {
     /// Another cause than a missing equilibrium.
     pub fn other(text: String) -> Self {
         Self { status: None, text }
+    }
+
+    /// The cause with the scene's unlikely values, which may be behind it.
+    #[must_use]
+    pub fn noting(self, slips: &[Slip]) -> Self {
+        Self {
+            text: noting(self.text, slips),
+            ..self
+        }
     }
 }
 

@@ -78,6 +78,7 @@ pub fn estimate(work: &Workload, known: &HashSet<String>, machine: &Machine) -> 
         threads: machine.threads,
         measured_solves: machine.samples,
         reasons: reasons(work, machine, spread),
+        unlikely: work.unlikely.clone(),
     }
 }
 

@@ -38,6 +38,14 @@ pub struct Workload {
     pub(crate) readings: usize,
     /// Whether its points were counted, not planned.
     pub(crate) is_counted: bool,
+    /// Unlikely values of the study.
+    pub(crate) unlikely: Vec<String>,
+}
+
+/// Unlikely values as sentences.
+fn unlikely(planned: &PlannedStudy) -> Vec<String> {
+    let slips = planned.plan.slips(&planned.study).into_iter();
+    slips.map(|slip| slip.to_string()).collect()
 }
 
 /// The study on one mesh with one method.
@@ -240,6 +248,7 @@ impl Workload {
             law_holds: solver.has_time_law(),
             readings: readings(study),
             is_counted: false,
+            unlikely: unlikely(planned),
         }
     }
 

@@ -214,7 +214,7 @@ impl Points<'_> {
     /// Returns the error of a run without the cut point: there is nothing for the others to start from.
     fn without_cut(&self, cause: Cause) -> RunError {
         RunError::PointsFailed {
-            failed: vec![self.failed_point(0, cause)],
+            failed: vec![self.failed_point(0, cause.noting(&self.scenes[0].slips()))],
         }
     }
 

@@ -27,6 +27,7 @@ pub(crate) fn notes(
     failed: &[FailedPoint],
 ) -> Vec<GradedNote> {
     let mut notes = Vec::new();
+    notes.extend(unlikely_values(study, plan));
     notes.extend(one_direction(study));
     notes.extend(without_equilibrium(study, plan, failed));
     notes.extend(
@@ -47,6 +48,13 @@ pub(crate) fn notes(
     notes.extend(ties(locations));
     notes.extend(without_mesh_error(scores));
     notes
+}
+
+/// Says which values the physics makes unlikely.
+fn unlikely_values(study: &Study, plan: &Plan) -> Vec<GradedNote> {
+    let slips = plan.slips(study).into_iter();
+    let note = |slip| GradedNote::changing(Topic::Model, format!("Unlikely value: {slip}"));
+    slips.map(note).collect()
 }
 
 /// Says what the answer goes by, where one strain alone is asked for.

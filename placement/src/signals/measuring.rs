@@ -7,6 +7,7 @@ use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::outcomes_of;
+use crate::signals::amplifier_notes::amplifier_notes;
 use crate::signals::answers::{Answer, MeshAnswers};
 use crate::signals::signal_claims::claims;
 use crate::signals::signal_curves::curves;
@@ -58,6 +59,9 @@ pub(crate) fn measure(
         signals.rows.extend(rows);
         signals.pairs.extend(tire.pairs(settings));
         signals.widths.extend(tire.widths(settings));
+    }
+    for note in amplifier_notes(settings, &signals.rows) {
+        result.note(note);
     }
     result.cost.signal_solves = place.first - first;
     result.signals = Some(signals);

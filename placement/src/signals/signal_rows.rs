@@ -1,7 +1,7 @@
 //! The rows of one tire: what each film reads of each pressing, with its errors.
 
 use fem_client::scene::Scene;
-use fem_client::solver::FilmSignal;
+use fem_client::solver::{FilmCondition, FilmSignal};
 
 use crate::signals::answers::{MeshAnswers, Reading};
 use documents::parts::film_model::FilmModel;
@@ -96,8 +96,7 @@ impl TireAnswers<'_> {
                 open_circuit_v: finite(signal.open_circuit_v),
                 output_v: finite(signal.output_v),
                 output_std_v: finite(signal.output_std_v),
-                // What a transfer gives is what contact adds: how far inflation stretches the film isn't in it.
-                state: (film != FilmModel::Transfer).then_some(signal.state),
+                state: known_state(film, signal.state),
                 error,
                 ..unread
             },
@@ -124,6 +123,12 @@ fn along(settings: &SignalSettings, tire: &Scene, over: SignalAxis) -> Vec<(Pres
                 .collect()
         }
     }
+}
+
+/// State as far as a model knows it. A transfer gives what contact adds: how far inflation stretches the film isn't in it; whether the amplifier shows it is.
+fn known_state(film: FilmModel, state: FilmCondition) -> Option<FilmCondition> {
+    let is_known = film != FilmModel::Transfer || state == FilmCondition::Saturated;
+    is_known.then_some(state)
 }
 
 fn finite(number: f64) -> Option<f64> {

@@ -43,6 +43,44 @@ pub struct Ensemble {
     noise: f64,
 }
 
+/// Sizes of a fit.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sizes {
+    /// Rows that are learnt from, those that tell when to stop among them.
+    pub rows: usize,
+    /// Count of networks.
+    pub networks: usize,
+    /// Iterations of each at most.
+    pub iterations: usize,
+}
+
+impl Sizes {
+    /// Sizes of a fit to so many rows.
+    pub(crate) fn of(settings: &AnnSettings, effort: Effort, rows: usize) -> Self {
+        let networks = settings.networks;
+        match effort {
+            Effort::Whole => Self {
+                rows: rows.min(MOST_ROWS),
+                networks,
+                iterations: settings.iterations,
+            },
+            Effort::Fold => Self {
+                rows: rows.min(FOLD_ROWS),
+                networks,
+                iterations: settings.iterations.min(FOLD_ITERATIONS),
+            },
+        }
+    }
+}
+
+/// Counts the nodes of a network with so many features, and its weights, thresholds among them.
+pub(crate) fn nodes_and_weights(settings: &AnnSettings, features: usize) -> (f64, f64) {
+    let sizes = shape(settings, features).sizes;
+    let nodes: usize = sizes.iter().skip(1).sum();
+    let weights: usize = sizes.windows(2).map(|pair| (pair[0] + 1) * pair[1]).sum();
+    (nodes as f64, weights as f64)
+}
+
 impl Ensemble {
     /// Trains the networks.
     ///
@@ -57,14 +95,11 @@ impl Ensemble {
         if settings.loss == Loss::Poisson && training.forces.iter().any(|force| *force < 0.0) {
             return Err(FitError::Negative);
         }
-        let (rows, count, iterations) = match effort {
-            Effort::Whole => (MOST_ROWS, settings.networks, settings.iterations),
-            Effort::Fold => (
-                FOLD_ROWS,
-                settings.networks,
-                settings.iterations.min(FOLD_ITERATIONS),
-            ),
-        };
+        let Sizes {
+            rows,
+            networks: count,
+            iterations,
+        } = Sizes::of(settings, effort, training.forces.len());
         let rows = even_subset(training.forces.len(), rows);
         let (shift, scale) = target_scale(settings, training.forces);
         let shape = shape(settings, training.features.ncols());

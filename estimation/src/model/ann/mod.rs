@@ -9,4 +9,5 @@ mod ensemble;
 mod network;
 
 pub use ensemble::Ensemble;
+pub(crate) use ensemble::{Sizes, nodes_and_weights};
 pub use network::{Shape, train};

@@ -15,7 +15,7 @@ use crate::model::box_search::{Least, Patience, least};
 use crate::model::even_subset::even_subset;
 
 /// Rows on which starts are compared.
-const SCREENED_ROWS: usize = 150;
+pub(crate) const SCREENED_ROWS: usize = 150;
 /// Limits to which a start is followed there.
 const SCREENED: Patience = Patience {
     iterations: 20,

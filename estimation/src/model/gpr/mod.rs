@@ -27,6 +27,7 @@ mod row_pairs;
 
 use serde::{Deserialize, Serialize};
 
+pub(crate) use hyperparameters::SCREENED_ROWS;
 pub use hyperparameters::{Bounds, Search, search};
 pub use kernel::Kernel;
 pub use likelihood::{Likelihood, log_likelihood};
@@ -42,7 +43,7 @@ use crate::model::training_mean::mean_and_deviation;
 use crate::recipe::{GprSettings, Lengths};
 
 /// Rows whose posterior gives the deviation: half a megabyte of factor, which stays in a core's cache.
-const DEVIATION_ROWS: usize = 360;
+pub(crate) const DEVIATION_ROWS: usize = 360;
 /// Sizes for folds: rows of the search, rows conditioned on, starts.
 const FOLD_SEARCH_ROWS: usize = 250;
 const FOLD_ROWS: usize = 800;
@@ -62,6 +63,36 @@ pub struct Gpr {
     spread: Option<Posterior>,
 }
 
+/// Sizes of a fit.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sizes {
+    /// Rows of the search.
+    pub search_rows: usize,
+    /// Rows conditioned on.
+    pub most_rows: usize,
+    /// Starts of the search.
+    pub restarts: usize,
+}
+
+impl Sizes {
+    /// Sizes of a fit to so many rows.
+    pub(crate) fn of(settings: &GprSettings, effort: Effort, rows: usize) -> Self {
+        let whole = Self {
+            search_rows: settings.search_rows.min(rows),
+            most_rows: settings.most_rows.min(rows),
+            restarts: settings.restarts,
+        };
+        match effort {
+            Effort::Whole => whole,
+            Effort::Fold => Self {
+                search_rows: whole.search_rows.min(FOLD_SEARCH_ROWS),
+                most_rows: whole.most_rows.min(FOLD_ROWS),
+                restarts: whole.restarts.min(FOLD_RESTARTS),
+            },
+        }
+    }
+}
+
 impl Gpr {
     /// Learns hyperparameters on an even subset of the rows, then conditions on as many as are allowed.
     ///
@@ -79,14 +110,11 @@ impl Gpr {
             .iter()
             .map(|force| (force - mean) / scale)
             .collect();
-        let (search_rows, most_rows, restarts) = match effort {
-            Effort::Whole => (settings.search_rows, settings.most_rows, settings.restarts),
-            Effort::Fold => (
-                settings.search_rows.min(FOLD_SEARCH_ROWS),
-                settings.most_rows.min(FOLD_ROWS),
-                settings.restarts.min(FOLD_RESTARTS),
-            ),
-        };
+        let Sizes {
+            search_rows,
+            most_rows,
+            restarts,
+        } = Sizes::of(settings, effort, forces.len());
         let of = |rows: &[usize]| {
             let points =
                 PointRows::from_rows(&training.features.select(ndarray::Axis(0), rows).view());

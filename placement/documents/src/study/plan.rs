@@ -4,6 +4,7 @@
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use document::fault::Fault;
+use fem_client::scene::slips::Slip;
 use fem_client::scene::{Level, Scene};
 use gsa::campaign::Campaign;
 use gsa::design::DesignError;
@@ -160,6 +161,14 @@ impl Plan {
             scene.model.level = level;
         }
         plan
+    }
+
+    /// Returns the unlikely values of the scene at the means, and of the films that the study reads on it.
+    pub fn slips(&self, study: &Study) -> Vec<Slip> {
+        let own = self.points.first().map_or_else(Vec::new, Scene::slips);
+        let signals = study.signals.iter();
+        let films = signals.flat_map(|signals| signals.film.slips("signals.film"));
+        own.into_iter().chain(films).collect()
     }
 
     /// The input values of each point.

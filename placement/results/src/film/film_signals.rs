@@ -57,7 +57,7 @@ pub struct SignalRow {
     pub output_v: Option<f64>,
     /// Standard deviation of that by noise, gain and temperature, V.
     pub output_std_v: Option<f64>,
-    /// Whether the film bears that: `ok`, `beyond-yield` or `wrinkled`; null where that isn't known.
+    /// Whether the film bears that, and the amplifier shows it: `ok`, `beyond-yield`, `saturated` or `wrinkled`; null where that isn't known.
     #[schema(value_type = Option<String>)]
     pub state: Option<FilmCondition>,
     /// Errors by the mesh; null without a coarser mesh.

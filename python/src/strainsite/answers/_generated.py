@@ -40,6 +40,7 @@ __all__ = [
     "FilmPair",
     "FilmPlace",
     "FitCost",
+    "FitEstimate",
     "FitProgress",
     "ForceError",
     "ForceFindings",
@@ -501,6 +502,8 @@ class Estimate:
     machine."""
     reasons: tuple[str, ...]
     """Reasons why figures are ranges or None, whole sentences."""
+    unlikely: tuple[str, ...] = ()
+    """Values that the physics makes unlikely, each with what may have been meant."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -527,6 +530,8 @@ class EstimatorSummary:
     """Recordings that it is learnt from."""
     progress: FitProgress | None = None
     """Progress while it runs; None otherwise."""
+    estimate: FitEstimate | None = None
+    """Estimate of what learning takes, once it has its turn; None for estimators of earlier versions."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -657,6 +662,18 @@ class FitCost:
     """Candidates that were judged, of all forces."""
     wall_s: float
     """Wall clock, s."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FitEstimate:
+    """Estimate of what a fit takes."""
+
+    wall_s: Forecast
+    """Wall-clock time, s: by the sizes of the recordings, on another machine."""
+    peak_memory_bytes: int
+    """Bound of the memory, bytes."""
+    threads: int
+    """Threads that it has."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1555,7 +1572,8 @@ class SignalRow:
     output_std_v: float | None = None
     """Standard deviation of that by noise, gain and temperature, V."""
     state: str | None = None
-    """Whether the film bears that: `ok`, `beyond-yield` or `wrinkled`; None where that isn't known."""
+    """Whether the film bears that, and the amplifier shows it: `ok`, `beyond-yield`, `saturated` or `wrinkled`; None
+    where that isn't known."""
     error: SignalError | None = None
     """Errors by the mesh; None without a coarser mesh."""
     reason: str | None = None

@@ -15,11 +15,12 @@ use store::queue::estimator_rows::{self, EstimatorRow};
 use store::{Store, StoreError};
 use tokio::sync::Notify;
 
+use crate::forces::fit_forecast::stored_forecast;
 use crate::forces::fit_process::FitOrder;
 use crate::forces::learning::{Ending, FitWork, Learning, sentence};
 use crate::forces::recorded_texts::NamedText;
 use crate::forces::submission_reader::Submission;
-use crate::wire::estimator_wire::{FitProgress, StoredEstimator};
+use crate::wire::estimator_wire::{EstimatorDetail, FitProgress, StoredEstimator};
 use crate::work::memory_share::{MemoryShare, TakenMemory};
 use crate::work::own_process::Start;
 use crate::work::shutdown::Shutdown;
@@ -126,8 +127,17 @@ impl EstimatorQueue {
         Ok(id)
     }
 
+    /// Returns an estimator with how far its fit is, and what it takes.
+    ///
+    /// # Errors
+    /// When its document doesn't match its hash.
+    pub fn detail(&self, row: &EstimatorRow) -> Result<EstimatorDetail, StoreError> {
+        let forecast = |stored: &StoredEstimator| stored_forecast(stored, self.means.threads);
+        EstimatorDetail::of(row, self.progress(&row.id), &forecast)
+    }
+
     /// Returns how far the fit of an estimator is; `None` of one that isn't being learnt.
-    pub fn progress(&self, id: &str) -> Option<FitProgress> {
+    fn progress(&self, id: &str) -> Option<FitProgress> {
         Some(self.learning().get(id)?.progress())
     }
 

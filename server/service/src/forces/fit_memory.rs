@@ -1,7 +1,6 @@
 //! Memory that a fit may take, before it begins.
 
 use estimation::recipe::{Recipe, SplitKind};
-use estimation::rows::Runs;
 use estimation::validation::{MOST_TESTED, candidates};
 
 /// Numbers a row has for each signal: it, its slope, its rolling mean and variance.
@@ -14,14 +13,21 @@ const NUMBER: u64 = 8;
 /// Numbers that are kept of a row that a candidate was tested on: its place and group, truth, estimate, deviation and the training mean.
 const PER_TESTED: u64 = 6;
 
+/// Counts of what all recordings have.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RowSizes {
+    /// Count of the rows, with a force or without.
+    pub rows: usize,
+    /// Count of the signals.
+    pub signals: usize,
+    /// Count of the forces.
+    pub forces: usize,
+}
+
 /// An upper bound of the memory, bytes, but for what doesn't grow with the rows.
-pub(crate) fn fit_memory_bytes(runs: &Runs, recipe: &Recipe, threads: usize) -> u64 {
+pub(crate) fn fit_memory_bytes(sizes: &RowSizes, recipe: &Recipe, threads: usize) -> u64 {
     let wide = |count: usize| count as u64;
-    let rows: u64 = runs.runs.iter().map(|run| wide(run.rows())).sum();
-    let (signals, forces) = (
-        wide(runs.names.signals.len()),
-        wide(runs.names.forces.len()),
-    );
+    let [rows, signals, forces] = [sizes.rows, sizes.signals, sizes.forces].map(wide);
     let features = rows * signals * PER_SIGNAL * NUMBER;
     // Whether first readings are taken off is tried both ways: each has the features and the rows of every force.
     let held = features * (1 + 2 * forces);
@@ -38,18 +44,16 @@ pub(crate) fn fit_memory_bytes(runs: &Runs, recipe: &Recipe, threads: usize) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::forces::recorded_texts::{NamedText, read_runs};
 
     #[test]
     fn memory_grows_with_rows_threads_and_processes() {
-        let runs = |rows: u32| {
-            let row = |row: u32| format!("{},{},{}\n", row, row % 7, row % 5);
-            let text = "time_s,s1,fz_n\n".to_owned() + &(0..rows).map(row).collect::<String>();
-            let name = "a.csv".to_owned();
-            read_runs(&Recipe::default(), &[NamedText { name, text }]).expect("reads")
+        let sizes = |rows| RowSizes {
+            rows,
+            signals: 1,
+            forces: 1,
         };
         let usual = Recipe::default();
-        let bytes = |rows: u32, threads: usize| fit_memory_bytes(&runs(rows), &usual, threads);
+        let bytes = |rows, threads| fit_memory_bytes(&sizes(rows), &usual, threads);
         // 12 models and the mean, on five splits.
         let tested = |rows: u64| 13 * 5 * rows * 6 * 8;
         assert_eq!(

@@ -9,6 +9,7 @@ use estimation::fit_report::{FitCost, ForceReport, Ranking, RecordingFigures, Re
 use estimation::model::contract::FitError;
 use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
 use estimation::recording::Recording;
+use estimation::recording::time_unit::other_time_unit;
 use estimation::rows::{LabelledRows, Runs};
 use estimation::split::strictest;
 use estimation::validation::{
@@ -262,7 +263,9 @@ fn learnt(
 }
 
 fn more_notes(runs: &Runs, subtract_start: bool, recipe: &Recipe) -> Vec<String> {
-    let mut notes = Vec::new();
+    let mut notes: Vec<String> = other_time_unit(&runs.names.time, runs.interval_s.0)
+        .into_iter()
+        .collect();
     let start = if subtract_start {
         "taken off its signals"
     } else {

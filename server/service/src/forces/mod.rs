@@ -1,7 +1,7 @@
 //! Forces from recordings: recipes and recordings of users in, estimators, reports and estimates out.
 //!
 //! - [`recorded_texts`]: recordings from their texts
-//! - `fit_memory`: how much memory a fit may take
+//! - [`fit_forecast`]: how long a fit takes; `fit_memory`: how much memory
 //! - [`submission_reader`]: recipe and recordings in one document
 //! - [`fitting`]: learns an estimator on all cores; [`fit_process`]: the same in a process of its own
 //! - [`model_file`]: estimators as texts
@@ -11,6 +11,7 @@
 
 pub mod applying;
 pub mod estimator_queue;
+pub mod fit_forecast;
 pub(crate) mod fit_memory;
 pub mod fit_process;
 pub mod fitting;

@@ -10,7 +10,7 @@ use estimation::recording::recording_fault::RecordingFault;
 use serde_json::{Value, json};
 use store::content::{encode, sha256};
 
-use crate::forces::fit_memory::fit_memory_bytes;
+use crate::forces::fit_forecast::estimate;
 use crate::forces::fitting::figures_of;
 use crate::forces::recorded_texts::{self, NamedText, read_runs};
 use crate::wire::estimator_wire::StoredEstimator;
@@ -69,7 +69,14 @@ pub fn read_submission(document: Value, limits: FitLimits) -> Result<Submission,
         return Err(faults);
     };
     let runs = read_runs(&recipe, &files).map_err(placed)?;
-    let needed = fit_memory_bytes(&runs, &recipe, limits.threads);
+    let stored = StoredEstimator {
+        recipe: recipe_document,
+        forces: runs.names.forces.clone(),
+        recordings: figures_of(&runs, &files),
+        signals: runs.names.signals.len(),
+    };
+    let columns = [stored.forces.len(), stored.signals];
+    let needed = estimate(&recipe, &stored.recordings, columns, limits.threads).peak_memory_bytes;
     if needed > limits.memory_bytes {
         let detail = format!(
             "learning from so many rows and signals may take {} MB of memory, and {} MB may be taken (--max-memory-mb): send fewer rows, or name fewer signals",
@@ -79,11 +86,6 @@ pub fn read_submission(document: Value, limits: FitLimits) -> Result<Submission,
         Fault::add(&mut faults, "/recordings", detail);
         return Err(faults);
     }
-    let stored = StoredEstimator {
-        recipe: recipe_document,
-        forces: runs.names.forces.clone(),
-        recordings: figures_of(&runs, &files),
-    };
     let document = encode("an estimator", &stored).map_err(|error| {
         let detail = error.to_string();
         vec![Fault {

@@ -1,6 +1,7 @@
 //! The documents of estimators: what is learnt from recordings, and what was found.
 
 use estimation::fit_report::RecordingFigures;
+use results::Forecast;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use store::StoreError;
@@ -61,6 +62,19 @@ pub struct EstimatorSummary {
     pub recordings: Vec<RecordingFigures>,
     /// Progress while it runs; null otherwise.
     pub progress: Option<FitProgress>,
+    /// Estimate of what learning takes, once it has its turn; null for estimators of earlier versions.
+    pub estimate: Option<FitEstimate>,
+}
+
+/// Estimate of what a fit takes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct FitEstimate {
+    /// Wall-clock time, s: by the sizes of the recordings, on another machine.
+    pub wall_s: Forecast,
+    /// Bound of the memory, bytes.
+    pub peak_memory_bytes: u64,
+    /// Threads that it has.
+    pub threads: usize,
 }
 
 /// Progress of a fit.
@@ -125,6 +139,9 @@ pub(crate) struct StoredEstimator {
     pub forces: Vec<String>,
     /// Recordings that it is learnt from.
     pub recordings: Vec<RecordingFigures>,
+    /// Count of the signals; 0 where an earlier version didn't say.
+    #[serde(default)]
+    pub signals: usize,
 }
 
 impl StoredEstimator {
@@ -141,12 +158,17 @@ impl StoredEstimator {
 }
 
 impl EstimatorDetail {
-    /// Reads what a row of the database says, and adds how far its fit is.
+    /// Reads what a row of the database says, and adds how far its fit is and what it takes.
     ///
     /// # Errors
     /// [`StoreError::Damaged`] when its document doesn't match its hash.
-    pub fn of(row: &EstimatorRow, progress: Option<FitProgress>) -> Result<Self, StoreError> {
+    pub(crate) fn of(
+        row: &EstimatorRow,
+        progress: Option<FitProgress>,
+        estimate: &dyn Fn(&StoredEstimator) -> Option<FitEstimate>,
+    ) -> Result<Self, StoreError> {
         let stored = StoredEstimator::of(row)?;
+        let estimate = estimate(&stored);
         let state = row.state();
         let summary = EstimatorSummary {
             id: row.id.clone(),
@@ -159,6 +181,7 @@ impl EstimatorDetail {
             forces: stored.forces,
             recordings: stored.recordings,
             progress: progress.filter(|_| state == State::Running),
+            estimate,
         };
         Ok(Self {
             summary,

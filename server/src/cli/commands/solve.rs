@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 use documents::sweep::typed_settings;
 use fem_client::scene::Scene;
+use fem_client::scene::slips::noting;
 use fem_client::solver::direction::Direction;
 use fem_client::solver::film_comparison::compare_film;
 use fem_client::solver::gauge::{Gauge, GaugeReading};
@@ -23,6 +24,7 @@ use crate::cli::terminal::output_place::write;
 use crate::cli::terminal::paint::{HEADER, painted};
 use crate::cli::terminal::progress::clock;
 use crate::cli::terminal::signals::stop_flag;
+use crate::cli::terminal::slip_text::slip_lines;
 use service::study_document::{format_of, read_scene_file};
 
 /// Solve one equilibrium of a scene
@@ -83,7 +85,7 @@ impl Solve {
             Ok(solved)
         });
         waiting.finish_and_clear();
-        let solved = solved.map_err(failure)?;
+        let solved = solved.map_err(|error| failure(&scene, error))?;
         if let Some(path) = &self.vtu {
             let version = format!(
                 "strainsite {}, solver {}",
@@ -93,12 +95,11 @@ impl Solve {
             write(path, picture(&scene, &solved, &version)?.as_bytes())?;
         }
         if let Some(target) = &self.json {
-            target.write(&document(&solved)?)?;
+            target.write(&document(&scene, &solved)?)?;
         }
-        tell(
-            &report(&solved, scene.ground.is_dragged()),
-            self.json.as_ref(),
-        )
+        let text = report(&solved, scene.ground.is_dragged());
+        let notes = slip_lines(unlikely(&scene, &solved));
+        tell(&(notes + &text), self.json.as_ref())
     }
 
     fn scene(&self) -> Result<Scene, Failure> {
@@ -116,7 +117,7 @@ impl Solve {
     }
 }
 
-fn failure(error: SolveError) -> Failure {
+fn failure(scene: &Scene, error: SolveError) -> Failure {
     match error {
         SolveError::Refused { faults } => Failure::Input(faults),
         SolveError::NoEquilibrium {
@@ -125,7 +126,7 @@ fn failure(error: SolveError) -> Failure {
             reached,
         } => Failure::Physics {
             status: status.as_str().to_owned(),
-            detail,
+            detail: noting(detail, &scene.slips()),
             known: json!({"reached": reached}),
         },
         SolveError::Stopped => Failure::Other("stopped on request; nothing was solved".to_owned()),
@@ -144,7 +145,7 @@ fn picture(scene: &Scene, solved: &Solved, version: &str) -> Result<String, Fail
 }
 
 /// The response with its status and its time; the map and the rings are left out, as nobody asked for them.
-fn document(solved: &Solved) -> Result<Value, Failure> {
+fn document(scene: &Scene, solved: &Solved) -> Result<Value, Failure> {
     let text = store::content::encode("the response", &solved.response).map_err(Failure::other)?;
     let Value::Object(response) = serde_json::from_str(&text).map_err(Failure::other)? else {
         return Err(Failure::Other("a response is a JSON object".to_owned()));
@@ -157,8 +158,19 @@ fn document(solved: &Solved) -> Result<Value, Failure> {
                 .filter(|(name, _)| name != "map" && name != "rings"),
         );
         document.insert("wall_s".to_owned(), json!(solved.cost.wall_s));
+        document.insert("unlikely".to_owned(), json!(unlikely(scene, solved)));
     }
     Ok(document)
+}
+
+/// Returns what is unlikely in the scene, and in what its film's amplifier would show.
+fn unlikely(scene: &Scene, solved: &Solved) -> Vec<String> {
+    let values = scene.slips().into_iter().map(|slip| slip.to_string());
+    let films = scene.film.iter().zip(&solved.response.film);
+    let outputs =
+        films.filter_map(|(film, found)| film.amplifier.unlikely_output(found.signal.output_v));
+    let outputs = outputs.map(|output| format!("film.amplifier: {output}"));
+    values.chain(outputs).collect()
 }
 
 fn film_signal(film: &FilmState, signal: &FilmSignal) -> String {
@@ -167,6 +179,7 @@ fn film_signal(film: &FilmState, signal: &FilmSignal) -> String {
         FilmCondition::BeyondYield => {
             "; beyond yield: an elastic film's signal, which this one won't give"
         }
+        FilmCondition::Saturated => "; beyond the amplifier's supply, which is all that it shows",
         FilmCondition::Wrinkled => "; compressed beyond the strain at which it folds",
     };
     let volts = film.error.map_or(String::new(), |error| {
@@ -344,7 +357,7 @@ mod tests {
             watch: &stop,
         };
         let mut solved = ClosedFormSolver::new().solve(&request).expect("solves");
-        let document = document(&solved).expect("finite");
+        let document = document(&scene, &solved).expect("finite");
         assert_eq!(document["status"], "converged");
         for field in [
             "reaction_n",
@@ -380,11 +393,13 @@ mod tests {
             ..Reached::default()
         };
         let status = NoEquilibrium::LimitPoint;
-        let failure = failure(SolveError::NoEquilibrium {
+        let error = SolveError::NoEquilibrium {
             status,
             detail: "at 0.12 MPa".to_owned(),
             reached,
-        });
+        };
+        let mut scene = Scene::default();
+        let failure = failure(&scene, error.clone());
         assert_eq!(failure.code(), 3);
         let expected = json!({"status": "limit-point", "detail": "at 0.12 MPa", "reached": {"pressure_mpa": 0.11}});
         assert_eq!(failure.document(), expected);
@@ -393,8 +408,14 @@ mod tests {
             detail: "must be 0".to_owned(),
         }];
         assert_eq!(
-            super::failure(SolveError::Refused { faults: refused }).to_string(),
+            super::failure(&scene, SolveError::Refused { faults: refused }).to_string(),
             "/contact/friction: must be 0\n"
+        );
+        scene.pressure.internal_mpa = 2.0;
+        let told = super::failure(&scene, error).to_string();
+        assert!(
+            told.contains("at 0.12 MPa; unlikely value in pressure.internal_mpa"),
+            "{told}"
         );
     }
 }

@@ -8,8 +8,10 @@ use tokio::runtime::Runtime;
 
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::paint::{HEADER, painted};
+use crate::cli::terminal::slip_text::slip_lines;
 use crate::cli::terminal::wrapping::wrapped;
 use service::forecast::ForecastError;
+use service::wire::estimator_wire::FitEstimate;
 use service::wire::sweep_wire::{DesignEstimate, SweepEstimate};
 use store::Store;
 
@@ -52,6 +54,7 @@ pub(crate) fn dry_run(name: &str, estimate: &Estimate) -> String {
     );
     text += &wrapped(&accuracy_line, 11);
     text.push('\n');
+    text += &slip_lines(&estimate.unlikely);
     for reason in estimate.reasons.iter().chain(&accuracy.reason) {
         text += &wrapped(&format!("- {reason}"), 2);
     }
@@ -80,6 +83,16 @@ pub(crate) fn dry_sweep(name: &str, threads: usize, sweep: &SweepEstimate) -> St
         megabytes(sweep.peak_memory_bytes)
     );
     text
+}
+
+/// Returns all that `force fit --dry-run` prints.
+pub(crate) fn fit_estimate(estimate: &FitEstimate) -> String {
+    let time = range(&estimate.wall_s);
+    let megabytes = megabytes(estimate.peak_memory_bytes);
+    format!(
+        "time       {time} on {} threads\nmemory     {megabytes} MB at most\n",
+        estimate.threads
+    )
 }
 
 fn solves(estimate: &Estimate) -> String {

@@ -9,7 +9,7 @@
 //! - `progress`: bars and clocks
 //! - `signals`: Ctrl-C
 //! - `wrapping`: text in lines that fit
-//! - `report`: everything of a result; `estimate_text`: what a study costs
+//! - `report`: everything of a result; `estimate_text`: what a study costs; `slip_text`: what is unlikely in a document
 //! - `help_examples`: the examples of `--help`
 
 pub(crate) mod estimate_text;
@@ -24,4 +24,5 @@ pub(crate) mod progress;
 pub(crate) mod report;
 pub(crate) mod shown;
 pub(crate) mod signals;
+pub(crate) mod slip_text;
 pub(crate) mod wrapping;

@@ -1,5 +1,6 @@
 import { duration } from "../../lib/format.ts";
 import type { EstimatorDetail, FitStage } from "../../wire.ts";
+import { expectedTime } from "../../lib/study/expected-cost.ts";
 import { isOver, share } from "../../lib/study/point-progress.ts";
 import type { OpenEstimatorActions } from "../../state/forces/open-estimator.ts";
 import { ProblemBox } from "../shared/problem-box.tsx";
@@ -21,7 +22,7 @@ const STAGES: Record<FitStage, string> = {
 
 /** How far a fit is, or why it has no model. */
 export function FitStanding({ estimator, lost, now_ms, actions }: Props) {
-  const { state, error, progress, started } = estimator;
+  const { state, error, progress, started, estimate } = estimator;
   if (state === "failed")
     return <ProblemBox problem={{ title: "Nothing was learnt.", status: 0, detail: error ?? "Nothing was learnt; the service gave no reason." }} />;
   if (isOver(state)) return <p class="notice">Cancelled: nothing was learnt. Submit the recordings again under Forces.</p>;
@@ -35,6 +36,7 @@ export function FitStanding({ estimator, lost, now_ms, actions }: Props) {
       </progress>
       <p class="quiet">
         {done} of {total ?? "?"} {progress?.stage === "judging" ? "models judged" : "pieces of this stage done"}
+        {estimate != null && `, expected to take ${expectedTime(estimate)}`}
         {started != null && `, ${duration((now_ms - Date.parse(started)) / 1000)} at work`}.{lost && " The service doesn't answer; asking again every second."}
       </p>
       <div class="actions">

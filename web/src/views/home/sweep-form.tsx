@@ -103,10 +103,16 @@ function Estimated({ estimate }: { estimate: SweepEstimate }) {
     ["Time, one design after the other", expectedTime(estimate)],
     ["Peak memory", bytes(estimate.peak_memory_bytes)],
   ];
+  const unlikely = new Set(designs.flatMap((design) => design.estimate.unlikely ?? []));
   const reasons = new Set(designs.flatMap((design) => design.estimate.reasons));
   return (
     <div role="status">
       <Facts facts={facts} />
+      {[...unlikely].map((slip) => (
+        <p key={slip} class="run-faults">
+          Unlikely value in {slip}
+        </p>
+      ))}
       {[...reasons].map((reason) => (
         <p key={reason} class="quiet">
           {reason}

@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::output::tell;
+use crate::cli::terminal::slip_text::slip_lines;
 use service::study_document::{format_of, read_study, read_study_file};
 
 /// Check a study or scene file without running it
@@ -36,9 +37,10 @@ impl Validate {
         let PlannedStudy { study, plan } = read_study(text, &self.file).map_err(Failure::Input)?;
         let (inputs, points) = (study.inputs.len(), plan.points.len());
         Ok(format!(
-            "{}: study {:?}, {inputs} inputs, {points} solves\n",
+            "{}: study {:?}, {inputs} inputs, {points} solves\n{}",
             self.file.display(),
-            study.name
+            study.name,
+            slip_lines(plan.slips(&study))
         ))
     }
 
@@ -46,8 +48,9 @@ impl Validate {
         let scene = Scene::from_text(text, format_of(&self.file)).map_err(Failure::Input)?;
         let (stations, level) = (scene.ground.stations, scene.model.level.as_str());
         Ok(format!(
-            "{}: scene, {stations} stations, level {level}\n",
-            self.file.display()
+            "{}: scene, {stations} stations, level {level}\n{}",
+            self.file.display(),
+            slip_lines(scene.slips())
         ))
     }
 }

@@ -6,6 +6,7 @@ use std::sync::atomic::Ordering;
 use clap::Args;
 use estimation::recipe::Recipe;
 use placement::points::machine_memory::machine_memory_bytes;
+use service::forces::fit_forecast::fit_forecast;
 use service::forces::fit_process::{ARGUMENT, FitOrder, Learnt, Unlearnt, learn};
 use service::forces::fitting::FitFailure;
 use service::forces::recorded_texts::{MOST_RECORDING_BYTES, NamedText};
@@ -16,6 +17,7 @@ use service::work::own_process::{Wish, own_program};
 use tokio::runtime::Runtime;
 
 use crate::cli::commands::force::force_table::report_text;
+use crate::cli::terminal::estimate_text::fit_estimate;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
@@ -39,6 +41,9 @@ pub struct Fit {
     /// Threads; all cores where it is left out
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
+    /// Say what it would take, and learn nothing
+    #[arg(long)]
+    dry_run: bool,
 }
 
 impl Fit {
@@ -69,6 +74,9 @@ impl Fit {
             Ok(recipe) if faults.is_empty() => recipe,
             _ => return Err(Failure::Input(faults)),
         };
+        if self.dry_run {
+            return self.estimate(&recipe, &files);
+        }
         let found = self.learnt(recipe, files)?;
         if let Some(path) = &self.output {
             write(path, found.model.as_bytes())?;
@@ -77,6 +85,19 @@ impl Fit {
             target.write(&found.report)?;
         }
         tell(&report_text(&found.report), self.json.as_ref())
+    }
+
+    fn estimate(&self, recipe: &Recipe, files: &[NamedText]) -> Result<(), Failure> {
+        let found = fit_forecast(recipe, files, self.threads()).map_err(Failure::Input)?;
+        if let Some(target) = &self.json {
+            target.write(&found)?;
+        }
+        tell(&fit_estimate(&found), self.json.as_ref())
+    }
+
+    fn threads(&self) -> usize {
+        let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+        self.threads.map_or_else(cores, usize::from)
     }
 
     /// The recordings that can be read, and why others can't.
@@ -100,11 +121,10 @@ impl Fit {
         let runtime = Runtime::new().map_err(Failure::other)?;
         let stop = stop_flag(&runtime)?;
         let bar = counting_bar(0, "models judged");
-        let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let order = FitOrder {
             recipe,
             files,
-            threads: self.threads.map_or(cores, usize::from),
+            threads: self.threads(),
             memory_bytes: machine_memory_bytes(),
         };
         let wish = || match stop.load(Ordering::Relaxed) {

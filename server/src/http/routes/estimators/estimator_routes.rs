@@ -82,7 +82,7 @@ async fn accepted(state: &AppState, id: &str) -> Result<Response, Problem> {
         (header::RETRY_AFTER, "1".to_owned()),
     ];
     let row = known(&state.store, id).await?;
-    let EstimatorDetail { summary, .. } = EstimatorDetail::of(&row, state.estimators.progress(id))?;
+    let EstimatorDetail { summary, .. } = state.estimators.detail(&row)?;
     Ok((StatusCode::ACCEPTED, headers, Json(summary)).into_response())
 }
 
@@ -112,7 +112,7 @@ async fn list_estimators(
     let page = rows.get(..limit as usize).unwrap_or(&rows);
     let next = page.last().filter(|_| rows.len() > page.len());
     let summary = |row: &EstimatorRow| -> Result<EstimatorSummary, Problem> {
-        Ok(EstimatorDetail::of(row, state.estimators.progress(&row.id))?.summary)
+        Ok(state.estimators.detail(row)?.summary)
     };
     let page = EstimatorPage {
         estimators: page.iter().map(summary).collect::<Result<_, _>>()?,
@@ -135,13 +135,13 @@ async fn show_estimator(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let row = known(&state.store, &id).await?;
-    let detail = EstimatorDetail::of(&row, state.estimators.progress(&id))?;
+    let detail = state.estimators.detail(&row)?;
     conditional::json(&headers, &detail)
 }
 
 /// Cancel or remove an estimator
 ///
-/// One that is being learnt ends with the models that it is judging. Cancelling what has ended changes nothing and is no error. With `purge` the estimator is removed, with
+/// The process of one that is being learnt ends at once. Cancelling what has ended changes nothing and is no error. With `purge` the estimator is removed, with
 /// its recordings and what was learnt: nothing brings it back.
 #[utoipa::path(delete, path = "/v1/estimators/{id}", tag = "estimators", params(EstimatorPath, RemovalQuery),
     responses((status = 202, description = "Cancelled, or ended before", body = EstimatorSummary, headers(("Location" = String, description = "Address of the estimator"), ("Retry-After" = String, description = "Seconds after which to look"))),

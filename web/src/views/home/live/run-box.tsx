@@ -46,6 +46,11 @@ function Cost({ check }: { check: DraftCheck }) {
           ["Solves", known > 0 ? `${solves}, ${integer(known)} stored` : solves],
         ]}
       />
+      {(estimate.unlikely ?? []).map((slip) => (
+        <p key={slip} class="run-faults">
+          Unlikely value in {slip}
+        </p>
+      ))}
       {estimate.reasons.length > 0 && (
         <details>
           <summary>How sure the estimate is</summary>

@@ -1,1 +1,0 @@
-export{in as readToml}from"../views-kuYV3HZI.js";

@@ -1,0 +1,1 @@
+export{in as readToml}from"../views-C2dJu8xh.js";
