@@ -8,7 +8,8 @@
 //! ```
 //!
 //! p is taken from the last octave of the modes, m/2 to m, and g from how p differs in the octave before. Of fewer than [`OCTAVES`] modes only
-//! the last octave is there: its halves tell g, and even and odd modes are taken together, as singularities at one end have both alike.
+//! the last octave is there: its halves tell g, and even and odd modes are taken together, as singularities at one end have both alike. Where one
+//! kind is missing, as of |x| or sqrt(1 - x^2), the other goes on algebraically if it falls slowly.
 //!
 //! Modes beyond the rule's are seen in those that it resolves: at the nodes p_(2N-k) is about -p_k, so that a mode of degree k shows as c_k - c_(2N-k).
 //! Near the end of the modes most is lost by that, and they seem to fall faster than they do.
@@ -26,6 +27,8 @@ const GEOMETRIC: f64 = 1.0;
 /// Range of g in which three modes say something of an end's singularity: it scatters a little about 0, and of analytic sections is 1 on a
 /// uniform law and 1/2 on a normal one.
 const GROWTH_OF_THREE: Range<f64> = -0.25..0.5;
+/// Largest p of an infinite slope, of t^a with a = 0.8.
+const OF_INFINITE_SLOPE: f64 = 3.1;
 /// Largest factor by which a mode strays from the power law between the ends of an octave.
 const STRAYING: f64 = 1.5;
 /// A mode this small is rounding.
@@ -50,15 +53,12 @@ pub(super) fn continued(c: &[f64]) -> Vec<f64> {
     let (modes, last) = (Modes(c), c.len());
     let mut all = c.to_vec();
     all.resize(2 * (last + 1), 0.0);
-    if last < OCTAVES {
-        if let Some(law) = modes.law_of_all() {
-            modes.go_on(&mut all, last - 1, law);
-            modes.go_on(&mut all, last, law);
-        }
-        return all;
-    }
     for degree in [last - 1, last] {
-        if let Some(law) = modes.law_of_parity(degree) {
+        let law = match last < OCTAVES {
+            true => modes.law_of_all().or_else(|| modes.law_of_two(degree)),
+            false => modes.law_of_parity(degree),
+        };
+        if let Some(law) = law {
             modes.go_on(&mut all, degree, law);
         }
     }
@@ -121,6 +121,19 @@ impl Modes<'_> {
             exponent: self.falling(&octave)?,
             at: centre(&octave),
             growth: growth.max(0.0),
+        })
+    }
+
+    /// Law of the last two modes of a section that is even or odd about its middle: two don't tell g, and only as slow a fall as at an infinite slope
+    /// is taken for one.
+    fn law_of_two(&self, degree: usize) -> Option<Law> {
+        let others = self.0.iter().skip(degree % 2).step_by(2);
+        let octave = degree.checked_sub(2).filter(|low| *low > 0)?..=degree;
+        let exponent = self.falling(&octave).filter(|p| *p <= OF_INFINITE_SLOPE)?;
+        (others.copied().fold(0.0, f64::max) < NOTHING).then_some(Law {
+            exponent,
+            at: centre(&octave),
+            growth: 0.0,
         })
     }
 
@@ -226,6 +239,15 @@ mod tests {
             .map(|k| 0.01f64.powi(k as i32).max(1e-16))
             .collect();
         assert_eq!(rest(&rounding), 0.0);
-        assert_eq!(rest(&[1.0, 0.0, 0.1, 0.0]), 0.0);
+    }
+
+    #[test]
+    fn of_two_modes_only_a_slow_fall_goes_on() {
+        // of t^0.5 about, and of a cosine
+        let beyond = |last: f64| continued(&[1.0, 0.0, last, 0.0])[6];
+        assert!(beyond(0.06) > 0.06 / 8.0 && beyond(0.06) < 0.06);
+        assert_eq!(beyond(0.01), 0.0);
+        // one exponent for each parity is none for a section that has both
+        assert_eq!(continued(&[1.0, 0.5, 0.06, 0.4])[4..], [0.0; 6]);
     }
 }

@@ -19,8 +19,7 @@
 //!
 //! Five nodes can't tell a kink from a sine of half a period and more; then this errs on the kink's side. A few points off the nodes
 //! can: what is missed there, b in standard deviations, are the modes beyond. With s the last two modes now, the kink's claim is
-//! multiplied by (3 b/s)^2 where that is less than one, those of the analytic section go on falling by no less than 3 b/s, and those beyond of one
-//! that is singular at an end are 3 b at most.
+//! multiplied by (3 b/s)^2 where that is less than one, and those of the analytic section go on falling by no less than 3 b/s.
 
 mod decay;
 
@@ -93,7 +92,7 @@ pub(crate) fn tail_with(energies: &[f64], whole: bool, beyond: Option<f64>) -> O
         let power = if whole { POWER } else { POWER_OF_LOST };
         let claim = of_both_parities(c.clone(), power, fall(&c, beyond));
         match whole {
-            true => claim.max(of_end(&c, beyond)),
+            true => claim.max(of_end(&c)),
             // Modes by other weights than a Gauss rule's don't show how they fall.
             false => claim,
         }
@@ -187,13 +186,10 @@ fn of_both_parities(mut c: Vec<f64>, power: i32, fall: f64) -> f64 {
     (kinks * fall.min(1.0).powi(POWER_OF_FALL)).max(OF_ANALYTIC * missing_sum(&c))
 }
 
-/// The claim for a section that is singular at an end of its range, given its resolved modes.
-fn of_end(c: &[f64], beyond: Option<f64>) -> f64 {
-    let all = decay::continued(c);
-    let size = all[c.len()..].iter().map(|c| c * c).sum::<f64>().sqrt();
-    // The law overrates the modes beyond where points see fewer of them.
-    let seen = beyond.map_or(f64::INFINITY, |beyond| OF_CHANCE * beyond / size);
-    missing_sum(&all) * if seen < OF_END { seen } else { OF_END }
+/// The claim for a section that is singular at an end of its range, given its resolved modes. Points off the nodes don't lower it: what lies beyond
+/// is most of all near the end, where few of them are.
+fn of_end(c: &[f64]) -> f64 {
+    OF_END * missing_sum(&decay::continued(c))
 }
 
 /// Returns the sum of c_j c_(2N-j) over modes of degrees 1 to 2N.
