@@ -91,19 +91,19 @@ impl Decomposed {
 /// Runs that a composite was made from, beside the lines.
 #[derive(Debug, Clone)]
 pub(crate) enum Known {
-    /// at all nodes, of all inputs or of pairs
+    /// Runs at all nodes, of all inputs or of pairs.
     Nodes,
-    /// at check points, which have so many coordinates by input
+    /// Runs at check points, which have so many coordinates by input.
     Coordinates(Vec<usize>),
 }
 
 /// Energies of an input's effects, each with the share of it that is missed.
 struct Missed {
-    /// with the shape of the section
+    /// Part with the shape of the section.
     line: (f64, f64),
-    /// of the main effect, beside that
+    /// Part of the main effect beside that.
     effect: (f64, f64),
-    /// interactions, or all that check points show beside the section's shape
+    /// Interactions, or all that check points show beside the section's shape.
     rest: (f64, f64),
 }
 

@@ -30,7 +30,7 @@ const OF_KINKS_BY_FEW: f64 = 2.0;
 /// Sums of products of modes that go on falling were at least a third of the true error for nine in ten of a mix of analytic
 /// and rough sections.
 const OF_ANALYTIC: f64 = 3.0;
-/// Of sections t^a with a from 0.3 to 0.8, log t and these beside smooth ones this sum was at least half of the true error.
+/// Factor on the sum for a singular end, which was at least half of the true error of t^a with a from 0.3 to 0.8, and of log t.
 const OF_END: f64 = 2.0;
 /// Factor on a kink's ratio of modes where there is one ratio only; of two the larger counts. Where there is one only, analytic sections are taken
 /// for kinks less often if it must be larger.
@@ -259,8 +259,8 @@ mod tests {
         (missing(&energies), (seen - variance).abs() / seen)
     }
 
-    /// Claimed before by the two other suspicions: a tenth of the error of t^0.5 at 9 nodes, a fifteenth at 5. The sum is 0.8 to 1.7 of the true error,
-    /// and twice that is claimed; one exponent is taken for many degrees, so that 4 is allowed for.
+    /// Sums are 0.8 to 1.7 of the true error, and twice that is claimed; one exponent is taken for many degrees, so that 4 is allowed for. By the two
+    /// other suspicions it was a tenth of the error of t^0.5 at 9 nodes, a fifteenth at 5.
     #[test]
     fn singular_ends_are_covered_at_every_size() {
         for nodes in [5, 7, 9, 17, 33] {
