@@ -31,6 +31,9 @@ use crate::judge::index_error::{self, ByInput};
 /// Most inputs whose pairs are listed.
 pub(crate) const MOST_FOR_PAIRS: usize = 50;
 
+/// Share of an energy that is rounding.
+const ROUNDING: f64 = 1e-24;
+
 /// Fewer coordinates can't tell how modes end.
 const LEAST: usize = 3;
 
@@ -52,7 +55,7 @@ pub(crate) struct Composite<'a> {
 #[derive(Debug, Clone)]
 pub(crate) struct Missing {
     pub(crate) all: Vec<f64>,
-    /// part of these that the interactions lack
+    /// part of these that effects beside the section's shape lack
     pub(crate) of_interactions: Vec<f64>,
 }
 
@@ -81,6 +84,72 @@ impl Decomposed {
             sampling: None,
             missing: index_error::missing(all, &self.total),
             missing_of_interactions: index_error::missing(of_interactions, &self.total),
+        }
+    }
+}
+
+/// Runs that a composite was made from, beside the lines.
+#[derive(Debug, Clone)]
+pub(crate) enum Known {
+    /// Runs at all nodes, of all inputs or of pairs.
+    Nodes,
+    /// Runs at check points, which have so many coordinates by input.
+    Coordinates(Vec<usize>),
+}
+
+/// Energies of an input's effects, each with the share of it that is missed.
+struct Missed {
+    /// Part with the shape of the section.
+    line: (f64, f64),
+    /// Part of the main effect beside that.
+    effect: (f64, f64),
+    /// Interactions, or all that check points show beside the section's shape.
+    rest: (f64, f64),
+}
+
+impl Missed {
+    /// Shares of the whole energy that are missed: of what the lines or the grid show of the main effect, and of the rest.
+    fn shares(&self) -> (f64, f64) {
+        let parts = [self.line, self.effect, self.rest];
+        let all: f64 = parts.iter().map(|(energy, _)| energy).sum();
+        let [line, effect, rest] = parts.map(|(energy, missed)| match energy > 0.0 {
+            true => energy * missed / all,
+            false => 0.0,
+        });
+        (line + effect, rest)
+    }
+}
+
+/// Energies of an input's effects: with the shape of its section, and beside it by degree.
+struct Shape {
+    along: f64,
+    across: Vec<f64>,
+}
+
+impl Shape {
+    /// Splits coefficients by a direction of unit length, or of none.
+    fn of(coefficients: &[f64], direction: &[f64]) -> Self {
+        let pairs = || coefficients.iter().zip(direction);
+        let size: f64 = pairs().map(|(c, d)| c * d).sum();
+        let whole: f64 = coefficients.iter().map(|c| c * c).sum();
+        let left = |(c, d): (&f64, &f64)| {
+            let energy = (c - size * d).powi(2);
+            if energy > ROUNDING * whole {
+                energy
+            } else {
+                0.0
+            }
+        };
+        Self {
+            along: size * size,
+            across: pairs().map(left).collect(),
+        }
+    }
+
+    fn add(&mut self, other: Self) {
+        self.along += other.along;
+        for (energy, more) in self.across.iter_mut().zip(other.across) {
+            *energy += more;
         }
     }
 }
@@ -136,40 +205,105 @@ impl<'a> Composite<'a> {
         self.sections.centre + form + corrections.sum::<f64>()
     }
 
-    /// Returns the shares of each input's variance that the rules miss. The section's part is judged on its line, that of the corrections'
-    /// interactions by their own modes, of which `coordinates` points of an input tell one less apart. `beyond`: what is missed off the nodes, over
-    /// the part of the standard deviation that the input has.
-    pub(crate) fn missing(&self, coordinates: &[usize], beyond: Option<&[f64]>) -> Option<Missing> {
+    /// Returns the shares of each input's variance that the rules miss. `beyond`: what is missed off the nodes, over the part of the standard
+    /// deviation that the input has.
+    pub(crate) fn missing(&self, known: &Known, beyond: Option<&[f64]>) -> Option<Missing> {
         let of_lines = self.sections.missing.as_ref()?;
-        let mut energies: Vec<Vec<f64>> = self.modes.iter().map(|m| vec![0.0; m.len()]).collect();
-        let interactions = self.corrections.iter().filter(|(index, _)| index.len() > 1);
-        for (index, c) in interactions {
-            for &(input, degree) in index {
-                energies[input][degree - 1] += c * c;
-            }
-        }
-        let share = |(input, energies): (usize, &Vec<f64>)| {
-            // A refined line resolves more than the interactions' points do.
-            let resolved = energies.iter().rposition(|e| *e > 0.0).map_or(0, |k| k + 1);
-            let resolved = resolved.max(energies.len().min(coordinates[input].max(LEAST) - 1));
+        let interactions = self.interactions();
+        let of_input = |input: usize| {
             let beyond = beyond.map(|beyond| beyond[input]);
-            let of_grid = tail_with(&energies[..resolved], true, beyond)?.missing;
-            let main: f64 = self.main_effect(input).iter().map(|c| c * c).sum();
-            let rest: f64 = energies.iter().sum();
-            let all = main + rest;
-            Some(if all > 0.0 {
-                let of_line = self.of_line(input, beyond).min(of_lines[input]);
-                (main * of_line / all, rest * of_grid / all)
-            } else {
-                (0.0, 0.0)
-            })
+            let of_line = self.of_line(input, beyond).min(of_lines[input]);
+            let own = interactions.iter().filter(|((i, _), _)| *i == input);
+            let own: Vec<&Vec<f64>> = own.map(|(_, c)| c).collect();
+            let missed = match known {
+                Known::Nodes => self.missed_of_grid(input, &own, of_line, beyond),
+                Known::Coordinates(counts) => {
+                    self.missed_of_points(input, &own, of_line, (counts[input], beyond))
+                }
+            };
+            missed.map(|missed| missed.shares())
         };
-        let shares = energies.iter().enumerate().map(share);
+        let shares = (0..self.modes.len()).map(of_input);
         let shares: Vec<(f64, f64)> = shares.collect::<Option<_>>()?;
         Some(Missing {
-            all: shares.iter().map(|(main, rest)| main + rest).collect(),
+            all: shares.iter().map(|(line, rest)| line + rest).collect(),
             of_interactions: shares.iter().map(|(_, rest)| *rest).collect(),
         })
+    }
+
+    /// Judges what has the section's shape by its line, the rest of the main effect by the whole effect's modes, and interactions by theirs.
+    fn missed_of_grid(
+        &self,
+        input: usize,
+        interactions: &[&Vec<f64>],
+        of_line: f64,
+        beyond: Option<f64>,
+    ) -> Option<Missed> {
+        let effect = self.main_effect(input);
+        let main = Shape::of(&effect, &self.direction(input));
+        let beside: f64 = main.across.iter().sum();
+        let squares: Vec<f64> = effect.iter().map(|c| c * c).collect();
+        let mut energies = vec![0.0; effect.len()];
+        for coefficients in interactions {
+            add_squares(&mut energies, coefficients);
+        }
+        Some(Missed {
+            line: (main.along, of_line),
+            effect: (beside, tail_with(&squares, true, beyond)?.missing),
+            rest: (
+                energies.iter().sum(),
+                tail_with(&energies, true, beyond)?.missing,
+            ),
+        })
+    }
+
+    /// Judges what has the section's shape by its line, and the rest by its own modes, of which so many coordinates of an input tell one less
+    /// apart: where a line is flat at the cut, little of what check points show beside it has its shape.
+    fn missed_of_points(
+        &self,
+        input: usize,
+        interactions: &[&Vec<f64>],
+        of_line: f64,
+        (coordinates, beyond): (usize, Option<f64>),
+    ) -> Option<Missed> {
+        let direction = self.direction(input);
+        let mut shape = Shape::of(&self.main_effect(input), &direction);
+        for coefficients in interactions {
+            shape.add(Shape::of(coefficients, &direction));
+        }
+        let Shape { along, across } = shape;
+        // A refined line resolves more than the check points do.
+        let resolved = across.iter().rposition(|e| *e > 0.0).map_or(0, |k| k + 1);
+        let resolved = resolved.max(across.len().min(coordinates.max(LEAST) - 1));
+        let of_points = tail_with(&across[..resolved], true, beyond)?.missing;
+        Some(Missed {
+            line: (along, of_line),
+            effect: (0.0, 0.0),
+            rest: (across.iter().sum(), of_points),
+        })
+    }
+
+    /// Coefficients of the corrections' interactions by degree of each input, given the factors of the others.
+    fn interactions(&self) -> BTreeMap<(usize, MultiIndex), Vec<f64>> {
+        let mut found: BTreeMap<(usize, MultiIndex), Vec<f64>> = BTreeMap::new();
+        let several = self.corrections.iter().filter(|(index, _)| index.len() > 1);
+        for (index, c) in several {
+            for &(input, degree) in index {
+                let others = index.iter().filter(|(i, _)| *i != input).copied();
+                found
+                    .entry((input, others.collect()))
+                    .or_insert_with(|| vec![0.0; self.modes[input].len()])[degree - 1] = *c;
+            }
+        }
+        found
+    }
+
+    /// Modes of a section over its standard deviation; zeros where it is rounding.
+    fn direction(&self, input: usize) -> Vec<f64> {
+        let size = self.modes[input].iter().map(|m| m * m).sum::<f64>().sqrt();
+        let is_noise = self.sections.variances[input].sqrt() <= self.sections.noise();
+        let over = |m: &f64| if is_noise { 0.0 } else { m / size };
+        self.modes[input].iter().map(over).collect()
     }
 
     /// Returns what a line's own modes and those beyond say; infinite if these are unknown.
@@ -258,6 +392,12 @@ impl<'a> Composite<'a> {
             }
         }
         pairs
+    }
+}
+
+fn add_squares(energies: &mut [f64], coefficients: &[f64]) {
+    for (energy, c) in energies.iter_mut().zip(coefficients) {
+        *energy += c * c;
     }
 }
 

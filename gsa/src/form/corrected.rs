@@ -10,7 +10,7 @@
 //! Computational Physics 230 (2011) 2345-2367) in place of grids.
 
 use crate::design::Design;
-use crate::form::composite::{Composite, Decomposed, Missing};
+use crate::form::composite::{Composite, Decomposed, Known, Missing};
 use crate::form::dictionary::Dictionary;
 use crate::form::evidence::{self, Checks};
 use crate::form::factors::Tables;
@@ -39,8 +39,7 @@ pub(crate) struct Frame {
     pub(crate) pair_weight: f64,
     /// the grid of the lines, if check points fill it
     whole_grid: Option<WholeGrid>,
-    /// number by input of the coordinates that the check points have
-    coordinates: Vec<usize>,
+    known: Known,
     /// points off the nodes: ordinal, and p_1, p_2, .. of each input there
     probes: Vec<(usize, Vec<Vec<f64>>)>,
 }
@@ -82,9 +81,9 @@ impl Frame {
         let tables = Tables::new(design);
         let whole_grid = WholeGrid::new(design, &tables);
         Self {
-            coordinates: match &whole_grid {
-                Some(grid) => grid.sizes.clone(),
-                None => design.checked_coordinates(),
+            known: match &whole_grid {
+                Some(_) => Known::Nodes,
+                None => Known::Coordinates(design.checked_coordinates()),
             },
             whole_grid,
             dictionary: Dictionary::new(&tables, design.inputs().len()),
@@ -171,7 +170,7 @@ impl Frame {
         let beyond = self.beyond(&composite, &found, sections, values);
         add_unresolved(&mut decomposition, beyond.as_ref());
         Some(Corrected {
-            missing: composite.missing(&self.coordinates, beyond.map(|b| b.by_input).as_deref()),
+            missing: composite.missing(&self.known, beyond.map(|b| b.by_input).as_deref()),
             found,
             decomposition,
             exhaustive: self.whole_grid.is_some(),

@@ -17,7 +17,7 @@ use rand_chacha::rand_core::SeedableRng;
 
 use crate::design::pair_grid::PairGrid;
 use crate::design::{CheckPoint, Design, DesignError, Line, MAX_CHECK_POINTS};
-use crate::form::composite::{Composite, Decomposed, Missing};
+use crate::form::composite::{Composite, Decomposed, Known, Missing};
 use crate::form::corrected::{Frame, add_unresolved};
 use crate::form::evidence::{Checks, Evidence};
 use crate::form::mdrm::{Mdrm, departure};
@@ -127,17 +127,12 @@ fn reduce(
             (&unseen, 0),
         )
     });
-    let sizes: Vec<usize> = design
-        .lines()
-        .iter()
-        .map(|line| line.rule().len())
-        .collect();
     let beyond = frame.beyond(&composite, &found, sections, values);
     if let Some(errors) = &mut decomposition {
         add_unresolved(errors, beyond.as_ref());
     }
     Some(Reduced {
-        missing: composite.missing(&sizes, beyond.map(|b| b.by_input).as_deref()),
+        missing: composite.missing(&Known::Nodes, beyond.map(|b| b.by_input).as_deref()),
         found,
         decomposition,
         lost,

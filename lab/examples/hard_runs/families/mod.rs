@@ -2,6 +2,8 @@
 
 pub mod develop;
 mod draw;
+mod frame;
 pub mod held_out;
+mod laws;
 pub mod model;
 mod printing;

@@ -23,13 +23,13 @@ pub struct Model {
 
 impl Model {
     pub fn new(
-        (group, name): (&'static str, &'static str),
+        name: &'static str,
         inputs: Vec<Distribution>,
         run: impl Fn(&[f64]) -> f64 + 'static,
     ) -> Self {
         let truths = vec![first_order(&inputs, &run)];
         Self {
-            group,
+            group: "",
             name,
             inputs,
             run: Box::new(run),
@@ -37,6 +37,11 @@ impl Model {
             fails: Box::new(|_| false),
             truths,
         }
+    }
+
+    /// The model in a group.
+    pub fn of(self, group: &'static str) -> Self {
+        Self { group, ..self }
     }
 
     /// The model whose values are printed so: the claim is for the function, and for what is printed of it.
@@ -77,10 +82,20 @@ type Nodes = Vec<(f64, f64)>;
 /// Probability beyond the parts on either side.
 const BEYOND: f64 = 1e-12;
 
-/// Two Gauss nodes in each of some equal parts of the law's range: of fourth order in the parts, and as fine for functions with steps.
+/// Two Gauss nodes in each of some parts of the law's range: of fourth order in the parts, and as fine for functions with steps. Parts of bounded
+/// laws are quadratically finer at both ends, where functions may be singular.
 fn nodes(law: &Distribution, parts: usize) -> Nodes {
-    let (low, high) = (law.inverse_cdf(BEYOND), law.inverse_survival(BEYOND));
-    let end = |k: usize| low + (high - low) * k as f64 / parts as f64;
+    let bounds = (law.inverse_cdf(0.0), law.inverse_survival(0.0));
+    let is_bounded = bounds.0.is_finite() && bounds.1.is_finite();
+    let (low, high) = match is_bounded {
+        true => bounds,
+        false => (law.inverse_cdf(BEYOND), law.inverse_survival(BEYOND)),
+    };
+    let end = |k: usize| {
+        let share = k as f64 / parts as f64;
+        let graded = share * share * (3.0 - 2.0 * share);
+        low + (high - low) * if is_bounded { graded } else { share }
+    };
     let of_part = |k: usize| {
         let part = law.truncated(end(k), end(k + 1)).ok();
         let rule = part.and_then(|part| part.gauss_rule(2).ok());
@@ -95,7 +110,7 @@ fn nodes(law: &Distribution, parts: usize) -> Nodes {
 /// First-order indices by the grid of all nodes.
 fn first_order(inputs: &[Distribution], run: &impl Fn(&[f64]) -> f64) -> Vec<f64> {
     let n = inputs.len();
-    let parts = [0, 1, 200, 48, 18][n];
+    let parts = [0, 1, 300, 48, 18][n];
     let grid: Vec<Nodes> = inputs.iter().map(|law| nodes(law, parts)).collect();
     let per_input = 2 * parts;
     let digit = |cell: usize, i: usize| cell / per_input.pow(i as u32) % per_input;

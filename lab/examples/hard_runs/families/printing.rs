@@ -1,5 +1,7 @@
 //! Ways in which simulators print numbers.
 
+use crate::families::draw::Draw;
+
 /// A format, of so many digits.
 #[derive(Debug, Clone, Copy)]
 pub enum Printing {
@@ -14,6 +16,16 @@ pub enum Printing {
 }
 
 impl Printing {
+    /// Draws three to eight digits, in any of the usual formats.
+    pub fn any(d: &mut Draw) -> Self {
+        let digits = d.count(3, 8);
+        match d.count(0, 2) {
+            0 => Self::Significant(digits),
+            1 => Self::Scientific(digits),
+            _ => Self::Decimals(digits - 2),
+        }
+    }
+
     pub fn text(self, y: f64) -> String {
         match self {
             Self::Whole => format!("{y:?}"),
