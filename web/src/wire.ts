@@ -37,6 +37,7 @@ export interface components {
             reason: string;
             place?: components["schemas"]["PlaceAnswer"] | null;
             layout?: components["schemas"]["LayoutAnswer"] | null;
+            inputs?: components["schemas"]["InputsAnswer"] | null;
             left_out?: components["schemas"]["LeftOut"] | null;
             surer?: components["schemas"]["Surer"] | null;
         };
@@ -982,6 +983,32 @@ export interface components {
             /** @description Distribution as in the document. */
             distribution: Record<string, unknown>;
         };
+        /** @description Share of an input. */
+        InputShare: {
+            /** @description Name of the input. */
+            input: string;
+            /**
+             * Format: double
+             * @description First-order index, 0 to 1.
+             */
+            index: number;
+            /**
+             * Format: double
+             * @description Claimed error of the index; null where it isn't known.
+             */
+            error?: number | null;
+        };
+        /** @description Inputs in the order in which they matter for the strain at the contact centre. */
+        InputsAnswer: {
+            /** @description The inputs that matter most, in a sentence. */
+            sentence: string;
+            /** @description Location at the contact centre. */
+            location: string;
+            /** @description Direction of the strain: the one that varies more, of those asked for. */
+            direction: string;
+            /** @description Share of each input, the greatest first. */
+            shares: components["schemas"]["InputShare"][];
+        };
         /**
          * @description A kind of model, the simplest first.
          * @enum {string}
@@ -1208,9 +1235,10 @@ export interface components {
             looked_at: number;
             /**
              * Format: double
-             * @description Bound of the angle with a flat prior of the best one, root mean square over angles and loads, degrees.
+             * @description Bound of the angle with a flat prior of the best one, root mean square over angles and loads, degrees; null where no layout of so many films was found that has
+             *     room.
              */
-            bayes_angle_error_deg: number;
+            bayes_angle_error_deg?: number | null;
             /** @description Films of the best layout. */
             best: components["schemas"]["FilmPlace"][];
         };
@@ -3425,7 +3453,7 @@ export interface components {
             /** @description Films, one by one. */
             films: components["schemas"]["FilmPlaceDocument"][];
         };
-        /** @description The best of all layouts of so many films. */
+        /** @description The best of all layouts of so many films. Films that overlap, by their `size_mm`, are none. */
         LayoutSearchDocument: {
             /** @description Numbers of films. */
             films: number[];
@@ -3449,6 +3477,15 @@ export interface components {
              *     ]
              */
             directions: (("x" | "y") | number)[];
+            /** @description Films that are glued on already: part of every layout, and counted in `films`. */
+            fixed?: components["schemas"]["FilmPlaceDocument"][];
+            /** @description Sectors of the wheel where no film lies, as a valve's or a seam's: from one angle to another in the rolling direction, degrees. */
+            forbidden_deg?: number[][];
+            /**
+             * @description Least distance between the middles of two films on the inner surface, mm.
+             * @default 0
+             */
+            least_distance_mm: number;
         };
         /** @description Method that computes the indices. */
         MethodDocument: {
@@ -4356,6 +4393,8 @@ export type Index = components['schemas']['Index'];
 export type IndexError = components['schemas']['IndexError'];
 export type IndexMap = components['schemas']['IndexMap'];
 export type InputReport = components['schemas']['InputReport'];
+export type InputShare = components['schemas']['InputShare'];
+export type InputsAnswer = components['schemas']['InputsAnswer'];
 export type Kind = components['schemas']['Kind'];
 export type Knee = components['schemas']['Knee'];
 export type LayoutAnswer = components['schemas']['LayoutAnswer'];

@@ -10,6 +10,7 @@ use layouts::ranking::layout_scores::Scorer;
 use layouts::search::best_layouts::joined;
 use layouts::search::layout_search::SearchPlaces;
 use layouts::search::search_criterion::{SearchCriterion, SearchFields};
+use layouts::search::search_films::SearchFilms;
 use layouts::simulate::simulation::SAMPLES;
 
 const WIDTH_DEG: f64 = 7.6;
@@ -39,7 +40,10 @@ fn main() {
             loads: &at(&[1.0]),
             others: &others,
         };
-        let films = (0..24).flat_map(slot).collect();
+        let films = SearchFilms {
+            films: (0..24).flat_map(slot).collect(),
+            ..SearchFilms::none()
+        };
         SearchPlaces::new(films, criterion, &fields, &NOISE, &GO_ON).expect("nobody stops it")
     };
     let [by_bound, by_errors] = SearchCriterion::ALL.map(places);

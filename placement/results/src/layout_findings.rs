@@ -101,8 +101,9 @@ pub struct LayoutSearch {
     pub criterion: String,
     /// Layouts whose criterion was computed.
     pub looked_at: usize,
-    /// Bound of the angle with a flat prior of the best one, root mean square over angles and loads, degrees.
-    pub bayes_angle_error_deg: f64,
+    /// Bound of the angle with a flat prior of the best one, root mean square over angles and loads, degrees; null where no layout of so many films was found that has
+    /// room.
+    pub bayes_angle_error_deg: Option<f64>,
     /// Films of the best layout.
     pub best: Vec<FilmPlace>,
 }

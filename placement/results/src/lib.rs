@@ -18,7 +18,8 @@ mod ranked_location;
 mod study_cost;
 
 pub use answer::{
-    Answer, Certainty, Grade, GradedNote, LayoutAnswer, LeftOut, PlaceAnswer, Surer, Topic,
+    Answer, Certainty, Grade, GradedNote, InputShare, InputsAnswer, LayoutAnswer, LeftOut,
+    PlaceAnswer, Surer, Topic,
 };
 pub use climb_report::{Climb, ClimbRung, FidelityReport};
 pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast};

@@ -31,7 +31,7 @@ pub(super) fn best_place(
     let (equals, others): (Vec<_>, Vec<_>) =
         ranked().partition(|(location, _)| location.rank == best.rank);
     let standings: Vec<Standing> = others.iter().map(|(_, standing)| *standing).collect();
-    let judged = judge(&first, &standings);
+    let judged = against_nothing(&first, judge(&first, &standings));
     let mirrored: Vec<&str> = equals.iter().map(|(l, _)| l.name.as_str()).collect();
     let tied = judged.tied.iter().map(|&k| others[k].0.name.as_str());
     let names: Vec<&str> = match judged.verdict {
@@ -55,6 +55,23 @@ pub(super) fn best_place(
         verdict: judged.verdict,
         reason,
     })
+}
+
+/// Judges a first rank that others don't decide: an index within its error of zero tells nothing, and without a rival nothing is ranked.
+fn against_nothing(first: &Standing, judged: Judged) -> Judged {
+    let nothing = Standing {
+        value: 0.0,
+        off: Some([0.0; 2]),
+    };
+    let from_zero = judge(first, &[nothing]).verdict;
+    let alone = match judged.closest {
+        None => Certainty::Unknown,
+        Some(_) => Certainty::Certain,
+    };
+    Judged {
+        verdict: judged.verdict.max(from_zero).max(alone),
+        ..judged
+    }
 }
 
 /// The strain whose index is larger, with the index and its error, percent.
@@ -112,16 +129,24 @@ fn reason(
         _ => format!("indices of its own depth for both {QUANTITY}s, added up"),
     };
     let first_name = listed(first_names);
+    let is_zero = first.off.is_some_and(|[less, _]| first.value <= less);
+    let zero = if is_zero {
+        " and isn't told from zero"
+    } else {
+        ""
+    };
     let Some((other_names, other)) = closest else {
-        let known = match judged.verdict {
-            Certainty::Unknown => "but the error isn't known",
-            _ => "and nothing else is ranked",
-        };
         return format!(
-            "Ranked by the {what}, {first_name} has {} %, {known}.",
+            "Nothing else is ranked: by the {what}, {first_name} has {} %{zero}. One place is no ranking.",
             figure(&first)
         );
     };
+    if is_zero {
+        return format!(
+            "Ranked by the {what}, {first_name} has {} %, which isn't told from zero.",
+            figure(&first)
+        );
+    }
     let other_name = listed(&other_names);
     let so = match judged.verdict {
         Certainty::Certain => "which is more than the errors can explain",

@@ -2,9 +2,10 @@
 
 use super::best_layout::best_layout;
 use super::best_place::best_place;
+use super::inputs_that_matter::inputs_that_matter;
 use super::left_out_words::largest;
 use documents::study::Study;
-use results::{Answer, Certainty, StudyResult};
+use results::{Answer, Certainty, InputsAnswer, PlaceAnswer, StudyResult};
 
 /// The answer of a study's result, which has everything else already; `None` where nothing has a rank. What a surer answer costs depends on the machine: who
 /// knows that adds it.
@@ -14,9 +15,14 @@ pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
     let of_layout = layout
         .as_ref()
         .map(|(layout, sentence)| (layout.verdict, &layout.reason, sentence));
-    let of_place = place
-        .as_ref()
-        .map(|place| (place.verdict, &place.reason, &place.sentence));
+    let inputs = inputs_that_matter(result, study.directions.asked());
+    let of_place = place.as_ref().map(|place| {
+        (
+            place.verdict,
+            &place.reason,
+            told_first(place, inputs.as_ref(), result),
+        )
+    });
     let told = [of_layout, of_place];
     let sentence = told
         .iter()
@@ -46,8 +52,28 @@ pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
         left_out: largest(&result.model.left_out),
         place,
         layout: layout.map(|(layout, _)| layout),
+        inputs,
         surer: None,
     })
+}
+
+/// Returns what a study without layouts tells first: its best place, or the input that matters more than the depth below it.
+fn told_first<'a>(
+    place: &'a PlaceAnswer,
+    inputs: Option<&'a InputsAnswer>,
+    result: &StudyResult,
+) -> &'a String {
+    let own = |input: &String| {
+        result
+            .locations
+            .iter()
+            .any(|location| location.input.as_ref() == Some(input))
+    };
+    let first = inputs.and_then(|inputs| Some((inputs, inputs.shares.first()?)));
+    match first {
+        Some((inputs, share)) if !own(&share.input) => &inputs.sentence,
+        _ => &place.sentence,
+    }
 }
 
 /// Says why layouts that were asked for have no scores.

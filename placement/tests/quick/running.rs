@@ -48,6 +48,9 @@ fn layouts_are_scored_and_searched_alike_on_any_number_of_threads() {
             slots: 9,
             section_deg: vec![0.0],
             directions: vec![0.0, 90.0],
+            fixed: Vec::new(),
+            forbidden_deg: Vec::new(),
+            least_distance_mm: 0.0,
         }),
         ..Layouts::none()
     };

@@ -4,6 +4,7 @@ use document::fields::Range;
 
 pub(super) const SPACING: Range = Range::new(1.0, 360.0, "degrees");
 pub(super) const ANGLE: Range = Range::new(-360.0, 360.0, "degrees");
+pub(super) const DISTANCE: Range = Range::new(0.0, 1e4, "mm");
 pub(super) const SHARE: Range = Range::new(1e-6, 1.0, "");
 pub(super) const STRAIN: Range = Range::new(1e-9, 0.1, "");
 pub(super) const VOLTS: Range = Range::new(1e-9, 1e4, "V");

@@ -13,13 +13,15 @@ use serde_json::Value;
 
 use crate::layouts::film_size_reader::{check_film, check_sizes, read_films};
 use crate::layouts::layout_bounds::{
-    ANGLE, GAIN, LONGEST_LAYOUT, MOST_ENTRIES, MOST_FILMS, MOST_FREE, MOST_LAYOUTS, MOST_LOADS,
-    MOST_PLACES, MOST_SEARCHED, MOST_SLOTS, MOST_UNITS, PLACE, SHARE, SPACING, STRAIN, VOLTS,
+    ANGLE, DISTANCE, GAIN, LONGEST_LAYOUT, MOST_ENTRIES, MOST_FILMS, MOST_FREE, MOST_LAYOUTS,
+    MOST_LOADS, MOST_PLACES, MOST_SEARCHED, MOST_SLOTS, MOST_UNITS, PLACE, SHARE, SPACING, STRAIN,
+    VOLTS,
 };
 use crate::layouts::layout_settings::{
     FreeLayout, LayoutLoads, Layouts, NoiseFloor, NoiseSettings, SearchSettings,
     farthest_section_deg,
 };
+use crate::layouts::overlap_check::check_overlaps;
 use crate::parts::directions::Directions;
 use crate::parts::film_place::FilmPlace;
 use crate::parts::scene_number::of_scene;
@@ -141,7 +143,11 @@ pub(crate) fn layouts(
     read_films(&fields, &mut layouts, film, faults);
     if let Some(scene) = scene.filter(|_| faults.len() == before) {
         check_film(&layouts, &fields, scene, faults);
-        check_sizes(&layouts, &fields, &scene.geometry, directions, faults);
+        let geometry = &scene.geometry;
+        check_sizes(&layouts, &fields, geometry, directions, faults);
+        if faults.len() == before {
+            check_overlaps(&mut layouts, &fields, geometry, directions, faults);
+        }
     }
     (faults.len() == before).then_some(layouts)
 }
@@ -363,7 +369,15 @@ fn search(
     let fields = Fields::open(
         value,
         &pointer,
-        &["films", "slots", "section_deg", "directions"],
+        &[
+            "films",
+            "slots",
+            "section_deg",
+            "directions",
+            "fixed",
+            "forbidden_deg",
+            "least_distance_mm",
+        ],
         faults,
     )?;
     let mut search = SearchSettings {
@@ -371,6 +385,9 @@ fn search(
         slots: 24,
         section_deg: vec![0.0],
         directions: vec![0.0, 90.0],
+        fixed: Vec::new(),
+        forbidden_deg: Vec::new(),
+        least_distance_mm: fields.number("least_distance_mm", DISTANCE, 0.0, faults)?,
     };
     fields.required("films", "a list of numbers of films", faults)?;
     entries(
@@ -402,6 +419,23 @@ fn search(
         faults,
         direction,
     );
+    let fixed = |value: &Value, at: &str, faults: &mut Vec<Fault>| film(value, at, scene, faults);
+    entries(
+        &fields,
+        "fixed",
+        &mut search.fixed,
+        MOST_ENTRIES,
+        faults,
+        fixed,
+    );
+    entries(
+        &fields,
+        "forbidden_deg",
+        &mut search.forbidden_deg,
+        MOST_ENTRIES,
+        faults,
+        sector,
+    );
     for (name, is_empty) in [
         ("films", search.films.is_empty()),
         ("section_deg", search.section_deg.is_empty()),
@@ -415,7 +449,8 @@ fn search(
             );
         }
     }
-    let places = search.slots * search.section_deg.len() * search.directions.len();
+    let free = search.slots * search.section_deg.len() * search.directions.len();
+    let places = free + search.fixed.len();
     if places > MOST_PLACES {
         let detail = format!(
             "slots times section angles times directions are {places} places; a search tries at most {MOST_PLACES}"
@@ -426,16 +461,33 @@ fn search(
         .films
         .iter()
         .enumerate()
-        .find(|(_, films)| **films > places)
+        .find(|(_, films)| **films > places || **films < search.fixed.len())
     {
         let at = entry(&member(&pointer, "films"), i);
-        Fault::add(
-            faults,
-            &at,
-            format!("must be at most the {places} places that there are; it is {films}"),
-        );
+        let detail = match search.fixed.len() {
+            0 => format!("must be at most the {places} places that there are; it is {films}"),
+            fixed => format!(
+                "counts the fixed films, too: it must be from {fixed} to the {places} places that there are; it is {films}"
+            ),
+        };
+        Fault::add(faults, &at, detail);
     }
     Some(search)
+}
+
+/// A sector of the wheel, from one angle to another in the rolling direction, degrees.
+fn sector(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<[f64; 2]> {
+    let Some([from, to]) = value.as_array().map(Vec::as_slice) else {
+        let detail = format!(
+            "must be two angles in degrees, from and to, as [165, 195]; it is {}",
+            shown(value)
+        );
+        Fault::add(faults, pointer, detail);
+        return None;
+    };
+    let from = number(from, &entry(pointer, 0), ANGLE, faults);
+    let to = number(to, &entry(pointer, 1), ANGLE, faults);
+    Some([from?, to?])
 }
 
 fn check_count(layouts: &Layouts, pointer: &str, faults: &mut Vec<Fault>) {

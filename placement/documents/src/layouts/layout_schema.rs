@@ -10,8 +10,8 @@ use fem_client::solver::Position;
 use serde_json::json;
 
 use crate::layouts::layout_bounds::{
-    ANGLE, GAIN, LONGEST_LAYOUT, MOST_ENTRIES, MOST_FILMS, MOST_FREE, MOST_LOADS, MOST_SEARCHED,
-    MOST_SIZES, MOST_SLOTS, MOST_UNITS, PLACE, SHARE, SIDE, SPACING, STRAIN, VOLTS,
+    ANGLE, DISTANCE, GAIN, LONGEST_LAYOUT, MOST_ENTRIES, MOST_FILMS, MOST_FREE, MOST_LOADS,
+    MOST_SEARCHED, MOST_SIZES, MOST_SLOTS, MOST_UNITS, PLACE, SHARE, SIDE, SPACING, STRAIN, VOLTS,
 };
 use crate::layouts::layout_settings::{Layouts, NOISE_SHARE};
 
@@ -121,8 +121,8 @@ fn sections(schemas: &mut Schemas) -> Value {
     Vec::<f64>::schema(&Entries::distinct(MOST_ENTRIES, SECTION), schemas)
 }
 
-fn free_layout(schemas: &mut Schemas) -> Value {
-    let film = schemas.define("FilmPlace", |_| {
+fn film_place(schemas: &mut Schemas) -> Value {
+    schemas.define("FilmPlace", |_| {
         let mut film = Properties::default();
         let mut add =
             |name, doc, range: Range| film.add(name, doc, range.schema(), Some(0.0.into()), false);
@@ -131,7 +131,11 @@ fn free_layout(schemas: &mut Schemas) -> Value {
         let doc = "Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.";
         add("angle_deg", doc, ANGLE);
         film.table("Place of a film.")
-    });
+    })
+}
+
+fn free_layout(schemas: &mut Schemas) -> Value {
+    let film = film_place(schemas);
     schemas.define("FreeLayout", |schemas| {
         let mut layout = Properties::default();
         let name = String::schema(&LONGEST_LAYOUT, schemas);
@@ -157,6 +161,16 @@ fn search(schemas: &mut Schemas) -> Value {
         let directions = json!({"type": "array", "minItems": 1, "maxItems": MOST_ENTRIES, "uniqueItems": true, "items": direction()});
         let doc = "Directions of the films.";
         search.add("directions", doc, directions, Some(json!(["x", "y"])), false);
-        search.table("The best of all layouts of so many films.")
+        let place = film_place(schemas);
+        let fixed = json!({"type": "array", "maxItems": MOST_ENTRIES, "uniqueItems": true, "items": place});
+        let doc = "Films that are glued on already: part of every layout, and counted in `films`.";
+        search.add("fixed", doc, fixed, None, false);
+        let sector = <[f64; 2]>::schema(&Each::of("", ANGLE), schemas);
+        let sectors = json!({"type": "array", "maxItems": MOST_ENTRIES, "uniqueItems": true, "items": sector});
+        let doc = "Sectors of the wheel where no film lies, as a valve's or a seam's: from one angle to another in the rolling direction, degrees.";
+        search.add("forbidden_deg", doc, sectors, None, false);
+        let doc = "Least distance between the middles of two films on the inner surface, mm.";
+        search.add("least_distance_mm", doc, DISTANCE.schema(), Some(0.0.into()), false);
+        search.table("The best of all layouts of so many films. Films that overlap, by their `size_mm`, are none.")
     })
 }

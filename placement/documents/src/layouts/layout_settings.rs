@@ -117,6 +117,35 @@ pub struct SearchSettings {
     pub section_deg: Vec<f64>,
     /// Directions, degrees to the circumference.
     pub directions: Vec<f64>,
+    /// Films that are glued on already: part of every layout, and counted.
+    pub fixed: Vec<FilmPlace>,
+    /// Sectors of the wheel where no film lies, each from one angle to another in the rolling direction, degrees.
+    pub forbidden_deg: Vec<[f64; 2]>,
+    /// Least distance between the middles of two films on the inner surface, mm.
+    pub least_distance_mm: f64,
+}
+
+impl SearchSettings {
+    /// The table as in a document, every default filled in that this search uses.
+    fn to_value(&self) -> Value {
+        let mut table = Map::new();
+        let mut put = |name: &str, value: Value| table.insert(name.to_owned(), value);
+        put("films", json!(self.films));
+        put("slots", self.slots.into());
+        put("section_deg", json!(self.section_deg));
+        let directions = self.directions.iter().map(|angle| direction_value(*angle));
+        put("directions", directions.collect());
+        if !self.fixed.is_empty() {
+            put("fixed", json!(self.fixed));
+        }
+        if !self.forbidden_deg.is_empty() {
+            put("forbidden_deg", json!(self.forbidden_deg));
+        }
+        if self.least_distance_mm > 0.0 {
+            put("least_distance_mm", self.least_distance_mm.into());
+        }
+        Value::Object(table)
+    }
 }
 
 impl Default for Layouts {
@@ -284,15 +313,7 @@ impl Layouts {
             put("level", level.as_str().into());
         }
         if let Some(search) = &self.search {
-            let directions: Value = search
-                .directions
-                .iter()
-                .map(|angle| direction_value(*angle))
-                .collect();
-            put(
-                "search",
-                json!({"films": search.films, "slots": search.slots, "section_deg": search.section_deg, "directions": directions}),
-            );
+            put("search", search.to_value());
         }
         Value::Object(table)
     }

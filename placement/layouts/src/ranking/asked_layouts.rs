@@ -3,6 +3,8 @@
 use fem_client::scene::Geometry;
 
 use crate::arrangement::{Arrangement, FilmKind, FilmReads, LaidFilm};
+use crate::search::search_films::{Conflicts, SearchFilms};
+use documents::layouts::film_room::FilmRoom;
 use documents::layouts::layout_settings::{
     FreeLayout, Layouts, SearchSettings, direction_name, section_name,
 };
@@ -212,19 +214,38 @@ pub fn listed(name: String, films: Vec<LaidFilm>, kinds: &Kinds) -> AskedLayout 
     }
 }
 
-/// The films that a search chooses from: every direction at every section angle at every slot.
-pub fn search_films(search: &SearchSettings, kinds: &mut Kinds) -> Vec<LaidFilm> {
-    let mut films = Vec::new();
+/// The films that a search chooses from: those that are fixed, then every direction at every section angle at every slot where a film may lie beside those.
+pub fn search_films(search: &SearchSettings, kinds: &mut Kinds) -> SearchFilms {
+    let room = FilmRoom::on(&kinds.geometry, kinds.size_mm, search.least_distance_mm);
+    let is_free = |place: &FilmPlace| {
+        room.keeps_out(place, &search.forbidden_deg)
+            && search.fixed.iter().all(|fixed| room.has_both(fixed, place))
+    };
+    let mut places = search.fixed.clone();
     for slot in 0..search.slots {
         let theta_deg = slot as f64 * 360.0 / search.slots as f64;
         for &phi_deg in &search.section_deg {
             for &angle_deg in &search.directions {
-                let kind = kinds.laid(phi_deg, angle_deg);
-                films.push(LaidFilm { theta_deg, kind });
+                let place = FilmPlace {
+                    theta_deg,
+                    phi_deg,
+                    angle_deg,
+                };
+                places.extend(Some(place).filter(is_free));
             }
         }
     }
-    films
+    let laid = |place: &FilmPlace| LaidFilm {
+        theta_deg: place.theta_deg,
+        kind: kinds.laid(place.phi_deg, place.angle_deg),
+    };
+    SearchFilms {
+        films: places.iter().map(laid).collect(),
+        fixed: search.fixed.len(),
+        conflicts: Conflicts::of(places.len(), |one, other| {
+            !room.has_both(&places[one], &places[other])
+        }),
+    }
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use crate::arrangement::LaidFilm;
 use crate::field::film_field::Noise;
 use crate::search::best_layouts::{Best, Findings};
 use crate::search::search_criterion::{SearchCriterion, SearchFields, Share};
+use crate::search::search_films::SearchFilms;
 
 /// Layouts up to which all are looked at.
 const EXHAUSTIVE: f64 = 1e6;
@@ -20,14 +21,14 @@ const SEED: u64 = 1;
 
 /// Places that films may have.
 pub struct SearchPlaces {
-    films: Vec<LaidFilm>,
+    of: SearchFilms,
     shares: Vec<Share>,
 }
 
 impl SearchPlaces {
     /// Shares of a film at each place in the criterion; `None` when it is stopped meanwhile.
     pub fn new(
-        films: Vec<LaidFilm>,
+        of: SearchFilms,
         criterion: SearchCriterion,
         fields: &SearchFields<'_>,
         noise: &Noise,
@@ -37,38 +38,33 @@ impl SearchPlaces {
             go_on(stop)?;
             Some(criterion.share(film, fields, noise))
         };
-        let shares: Option<Vec<Share>> = films.iter().map(share).collect();
+        let shares: Option<Vec<Share>> = of.films.iter().map(share).collect();
         Some(Self {
             shares: shares?,
-            films,
+            of,
         })
     }
 
     /// Counts the places.
     pub fn count(&self) -> usize {
-        self.films.len()
+        self.of.films.len()
     }
 
     /// The film at a place.
     pub fn film(&self, place: usize) -> LaidFilm {
-        self.films[place]
+        self.of.films[place]
     }
 
     /// Returns how many searches for so many films there are, each from a start of its own: pieces of work that whoever has cores can share out.
     pub fn starts(&self, films: usize) -> usize {
-        starts(self.count(), films)
+        starts(self.count(), self.of.fixed, films)
     }
 
-    /// The best layouts of so many films that the search from one start finds; `None` when it is stopped meanwhile.
-    ///
-    /// # Panics
-    /// If there are fewer places.
+    /// The best layouts of so many films, fixed ones among them, that the search from one start finds, where they have room; `None` when it is stopped meanwhile.
     pub fn search(&self, films: usize, start: usize, stop: &AtomicBool) -> Option<Findings> {
-        assert!(
-            films <= self.count(),
-            "{films} films for {} places",
-            self.count()
-        );
+        if films > self.count() || films < self.of.fixed {
+            return Some(Best::default().findings(true));
+        }
         match self.starts(films) {
             1 => self.exhaustive(films, stop),
             _ => self.greedy(films, start, stop),
@@ -96,8 +92,14 @@ impl SearchPlaces {
 
     fn exhaustive(&self, films: usize, stop: &AtomicBool) -> Option<Findings> {
         let mut seen = Seen::new(films, stop);
-        let mut chosen = Vec::with_capacity(films);
-        self.deepen(0, &self.nothing(), &mut chosen, &mut seen)?;
+        let mut chosen = self.fixed();
+        if chosen.len() == films {
+            seen.best
+                .offer(&chosen, self.sum(&chosen).error_of_sum_deg(&self.nothing()));
+        } else {
+            let sum = self.sum(&chosen);
+            self.deepen(self.of.fixed, &sum, &mut chosen, &mut seen)?;
+        }
         Some(seen.best.findings(true))
     }
 
@@ -111,8 +113,12 @@ impl SearchPlaces {
     ) -> Option<()> {
         go_on(seen.stop)?;
         let missing = seen.films - chosen.len();
+        let conflicts = &self.of.conflicts;
         if missing == 1 {
             for place in first..self.count() {
+                if !conflicts.leaves_room(place, chosen) {
+                    continue;
+                }
                 chosen.push(place);
                 let error = sum.error_of_sum_deg(&self.shares[place]);
                 seen.best.offer(chosen, error);
@@ -122,6 +128,9 @@ impl SearchPlaces {
         }
         let mut with = sum.nothing();
         for place in first..=self.count() - missing {
+            if !conflicts.leaves_room(place, chosen) {
+                continue;
+            }
             with.set_to_sum(sum, &self.shares[place]);
             chosen.push(place);
             self.deepen(place + 1, &with, chosen, seen)?;
@@ -136,48 +145,76 @@ impl SearchPlaces {
         let mut seen = Seen::new(films, stop);
         let chosen = match start {
             0 => self.added(&mut seen)?,
+            // Neighbour after neighbour, which has room for the most films.
+            1 if !self.of.conflicts.is_empty() => self.in_order(self.of.fixed..self.count(), films),
             _ => self.at_random(films, start),
         };
-        self.exchange(chosen, &mut seen)?;
+        // A start that has no room for the last films tells nothing.
+        if chosen.len() == films {
+            self.exchange(chosen, &mut seen)?;
+        }
         Some(seen.best.findings(false))
     }
 
+    fn fixed(&self) -> Vec<usize> {
+        (0..self.of.fixed).collect()
+    }
+
+    /// Places added one after the other where each helps most, as many as are asked for and have room.
     fn added(&self, seen: &mut Seen<'_>) -> Option<Vec<usize>> {
-        let (mut chosen, mut sum) = (Vec::new(), self.nothing());
-        for _ in 0..seen.films {
-            let place = self.best_place(&chosen, &sum, seen)?;
+        let mut chosen = self.fixed();
+        let mut sum = self.sum(&chosen);
+        while chosen.len() < seen.films {
+            let Some(place) = self.best_place(&chosen, &sum, seen)? else {
+                break;
+            };
             sum.add(&self.shares[place]);
             chosen.push(place);
         }
         Some(chosen)
     }
 
+    /// The first of these places that leave each other room, as many as are asked for or there are.
+    fn in_order(&self, places: impl Iterator<Item = usize>, films: usize) -> Vec<usize> {
+        let mut chosen = self.fixed();
+        for place in places {
+            if chosen.len() < films && self.of.conflicts.leaves_room(place, &chosen) {
+                chosen.push(place);
+            }
+        }
+        chosen
+    }
+
     fn at_random(&self, films: usize, start: usize) -> Vec<usize> {
         let mut rng = ChaCha8Rng::seed_from_u64(SEED);
-        let mut places = Vec::new();
+        let mut places: Vec<usize> = Vec::new();
+        let shuffled = match self.of.conflicts.is_empty() {
+            true => films - self.of.fixed,
+            // Some of them have no room.
+            false => self.count() - self.of.fixed,
+        };
         // Starts go on in one stream.
         for _ in 0..start {
-            places = (0..self.count()).collect();
+            places = (self.of.fixed..self.count()).collect();
             // The first entries of a shuffled list (Fisher and Yates).
-            for film in 0..films {
+            for film in 0..shuffled {
                 let other = film + rng.next_u64() as usize % (places.len() - film);
                 places.swap(film, other);
             }
         }
-        places.truncate(films);
-        places
+        self.in_order(places.into_iter(), films)
     }
 
     /// Takes each film out and puts it back where it helps most, until none moves.
     fn exchange(&self, mut chosen: Vec<usize>, seen: &mut Seen<'_>) -> Option<()> {
         for _ in 0..MOST_ROUNDS {
             let before = chosen.clone();
-            for film in 0..seen.films {
-                chosen.remove(film);
+            for film in self.of.fixed..seen.films {
+                let here = chosen.remove(film);
                 // Afresh, so that round-off doesn't add up.
                 let sum = self.sum(&chosen);
                 let better = self.best_place(&chosen, &sum, seen)?;
-                chosen.insert(film, better);
+                chosen.insert(film, better.unwrap_or(here));
             }
             if chosen == before {
                 break;
@@ -186,10 +223,18 @@ impl SearchPlaces {
         Some(())
     }
 
-    /// Returns the place where one film more helps most; whole layouts are offered as they come.
-    fn best_place(&self, chosen: &[usize], sum: &Share, seen: &mut Seen<'_>) -> Option<usize> {
-        let mut found = (f64::INFINITY, 0);
-        for place in (0..self.count()).filter(|place| !chosen.contains(place)) {
+    /// Returns the place where one film more helps most, if there is room for one; whole layouts are offered as they come.
+    fn best_place(
+        &self,
+        chosen: &[usize],
+        sum: &Share,
+        seen: &mut Seen<'_>,
+    ) -> Option<Option<usize>> {
+        let mut found = (f64::INFINITY, None);
+        let is_free = |place: &usize| {
+            !chosen.contains(place) && self.of.conflicts.leaves_room(*place, chosen)
+        };
+        for place in (self.of.fixed..self.count()).filter(is_free) {
             go_on(seen.stop)?;
             let error = sum.error_of_sum_deg(&self.shares[place]);
             if chosen.len() + 1 == seen.films {
@@ -197,8 +242,8 @@ impl SearchPlaces {
                 whole.sort_unstable();
                 seen.best.offer(&whole, error);
             }
-            if error < found.0 {
-                found = (error, place);
+            if found.1.is_none() || error < found.0 {
+                found = (error, Some(place));
             }
         }
         Some(found.1)
@@ -228,26 +273,27 @@ fn go_on(stop: &AtomicBool) -> Option<()> {
 
 /// Returns how many layouts a search for so many films out of so many places is expected to look at: all, or three and a half rounds of exchange from each start, as
 /// counted for 12 to 48 films of 1680 places.
-pub fn expected_looks(places: usize, films: usize) -> f64 {
+pub fn expected_looks(places: usize, fixed: usize, films: usize) -> f64 {
     const ROUNDS: f64 = 3.5;
-    match starts(places, films) {
-        1 => combinations(places, films),
+    match starts(places, fixed, films) {
+        1 => combinations(places, fixed, films),
         starts => (1.0 + ROUNDS * starts as f64) * (films * places) as f64,
     }
 }
 
-/// Returns how many searches there are for so many films out of so many places.
-fn starts(places: usize, films: usize) -> usize {
-    match combinations(places, films) < EXHAUSTIVE {
+/// Returns how many searches there are for so many films out of so many places, the fixed ones among them.
+fn starts(places: usize, fixed: usize, films: usize) -> usize {
+    match combinations(places, fixed, films) < EXHAUSTIVE {
         true => 1,
         false => 1 + STARTS,
     }
 }
 
 /// Counts the layouts; infinite beyond what floats count.
-fn combinations(places: usize, films: usize) -> f64 {
-    (0..films)
-        .map(|k| (places - k) as f64 / (k + 1) as f64)
+fn combinations(places: usize, fixed: usize, films: usize) -> f64 {
+    let free = places.saturating_sub(fixed);
+    (0..films.saturating_sub(fixed))
+        .map(|k| free.saturating_sub(k) as f64 / (k + 1) as f64)
         .product()
 }
 
@@ -256,6 +302,7 @@ mod tests {
     use super::*;
     use crate::fisher::bounds::tests::{NOISE, gaussian};
     use crate::search::best_layouts::{KEPT, joined};
+    use crate::search::search_films::Conflicts;
 
     static GO_ON: AtomicBool = AtomicBool::new(false);
 
@@ -267,8 +314,13 @@ mod tests {
             })
         };
         let fields = gaussian(width_deg);
+        let films = SearchFilms {
+            films: (0..slots).flat_map(slot).collect(),
+            fixed: 0,
+            conflicts: Conflicts::default(),
+        };
         SearchPlaces::new(
-            (0..slots).flat_map(slot).collect(),
+            films,
             criterion,
             &SearchFields {
                 loads: &[fields.at(1.0)],
@@ -278,6 +330,85 @@ mod tests {
             &GO_ON,
         )
         .expect("nobody stops it")
+    }
+
+    /// Films of y in 24 slots, the first one glued already, three slots forbidden, and neighbours apart by more than so many slots.
+    fn constrained(apart: usize) -> SearchPlaces {
+        let slots: Vec<usize> = (0..24).filter(|slot| !(11..=13).contains(slot)).collect();
+        let near = |one: usize, other: usize| {
+            let distance = slots[one].abs_diff(slots[other]);
+            distance.min(24 - distance) <= apart
+        };
+        let film = |slot: &usize| LaidFilm {
+            theta_deg: 15.0 * *slot as f64,
+            kind: 1,
+        };
+        let films = SearchFilms {
+            films: slots.iter().map(film).collect(),
+            fixed: 1,
+            conflicts: Conflicts::of(slots.len(), near),
+        };
+        let fields = gaussian(14.0);
+        let fields = SearchFields {
+            loads: &[fields.at(1.0)],
+            others: &[0.5, 1.0, 1.5].map(|depth| fields.at(depth)),
+        };
+        SearchPlaces::new(films, SearchCriterion::Bound, &fields, &NOISE, &GO_ON)
+            .expect("nobody stops it")
+    }
+
+    #[test]
+    fn greedy_under_constraints_finds_the_best_of_all_that_have_room() {
+        for (films, apart) in [(3, 0), (3, 2), (4, 0), (4, 2)] {
+            let places = constrained(apart);
+            let all = places.exhaustive(films, &GO_ON).expect("ends");
+            // By counting, without the search's own loops.
+            let room = |chosen: &[usize]| {
+                (0..films).all(|k| places.of.conflicts.leaves_room(chosen[k], &chosen[..k]))
+            };
+            let mut best = f64::INFINITY;
+            let mut count = 0;
+            for mask in 0..1u32 << 20 {
+                if mask.count_ones() as usize != films - 1 {
+                    continue;
+                }
+                let free = (0..20)
+                    .filter(|bit| mask & (1 << bit) != 0)
+                    .map(|bit| bit + 1);
+                let chosen: Vec<usize> = std::iter::once(0).chain(free).collect();
+                if room(&chosen) {
+                    count += 1;
+                    best = best.min(places.bound_deg(&chosen));
+                }
+            }
+            assert_eq!(all.looked_at, count, "{films} {apart}");
+            assert!(apart > 0 || count == if films == 3 { 190 } else { 1140 });
+            let starts = (0..=STARTS).map(|start| places.greedy(films, start, &GO_ON));
+            let greedy = joined(starts.map(|found| found.expect("ends"))).expect("one");
+            for found in [&all, &greedy] {
+                let ratio = places.bound_deg(&found.best[0].places) / best;
+                assert!((ratio - 1.0).abs() < 1e-6, "{films} {apart}: {ratio}");
+                assert!(
+                    found
+                        .best
+                        .iter()
+                        .all(|layout| layout.places[0] == 0 && room(&layout.places))
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_ring_is_filled_up_to_the_last_film_that_has_room() {
+        // Of 24 slots without three, with two empty ones between neighbours: 0, 3, 6, 9 or 10, then 14 or 15 to 21.
+        let places = constrained(2);
+        for (films, has) in [(7, true), (8, false)] {
+            let all = places.exhaustive(films, &GO_ON).expect("ends");
+            assert_eq!(!all.best.is_empty(), has, "{films}");
+            let starts = (0..=STARTS).map(|start| places.greedy(films, start, &GO_ON));
+            let greedy = joined(starts.map(|found| found.expect("ends"))).expect("one");
+            assert_eq!(!greedy.best.is_empty(), has, "{films}");
+        }
     }
 
     #[test]
@@ -301,7 +432,7 @@ mod tests {
                 let all = places.exhaustive(films, &GO_ON).expect("ends");
                 let starts = (0..=STARTS).map(|start| places.greedy(films, start, &GO_ON));
                 let greedy = joined(starts.map(|found| found.expect("ends"))).expect("one");
-                assert!(all.is_exhaustive && all.looked_at as f64 == combinations(48, films));
+                assert!(all.is_exhaustive && all.looked_at as f64 == combinations(48, 0, films));
                 let ratio = greedy.best[0].error_deg / all.best[0].error_deg;
                 // Turned or mirrored, a layout is as good: the same to rounding, of distances to single precision.
                 assert!((ratio - 1.0).abs() < 1e-6, "{width} {films}: {ratio}");
@@ -327,6 +458,6 @@ mod tests {
             .search(6, 0, &GO_ON)
             .expect("ends");
         assert_eq!((found.best.len(), found.looked_at), (1, 1));
-        assert_eq!(combinations(48, 4), 194_580.0);
+        assert_eq!(combinations(48, 0, 4), 194_580.0);
     }
 }

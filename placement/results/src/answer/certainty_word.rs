@@ -12,9 +12,9 @@ pub enum Certainty {
     Certain,
     /// The difference from every other is larger than the larger of both errors, and for one that isn't enough to be certain.
     Likely,
-    /// The difference from another is within the larger of both errors.
+    /// The difference from another, or from nothing at all, is within the larger of both errors.
     Tied,
-    /// An error is missing, or layouts lose the contact: one in twenty is off by more than 20 degrees.
+    /// An error is missing, nothing else is ranked, or layouts lose the contact: one in twenty is off by more than 20 degrees.
     Unknown,
 }
 

@@ -6,4 +6,6 @@ mod study_answer;
 
 pub use certainty_word::Certainty;
 pub use graded_note::{Grade, GradedNote, Topic};
-pub use study_answer::{Answer, LayoutAnswer, LeftOut, PlaceAnswer, Surer};
+pub use study_answer::{
+    Answer, InputShare, InputsAnswer, LayoutAnswer, LeftOut, PlaceAnswer, Surer,
+};

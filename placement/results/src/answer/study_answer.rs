@@ -17,10 +17,37 @@ pub struct Answer {
     pub place: Option<PlaceAnswer>,
     /// The best layout; null where none is asked for, or none has a score.
     pub layout: Option<LayoutAnswer>,
+    /// Inputs that matter, of all there are; null where the strain at the contact centre has no index.
+    #[serde(default)]
+    pub inputs: Option<InputsAnswer>,
     /// Part that the model leaves out and that changes strains most; null where no effect is known.
     pub left_out: Option<LeftOut>,
     /// Price of a surer answer; null at the top of the ladder. Not part of the result's hash.
     pub surer: Option<Surer>,
+}
+
+/// Inputs in the order in which they matter for the strain at the contact centre.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct InputsAnswer {
+    /// The inputs that matter most, in a sentence.
+    pub sentence: String,
+    /// Location at the contact centre.
+    pub location: String,
+    /// Direction of the strain: the one that varies more, of those asked for.
+    pub direction: String,
+    /// Share of each input, the greatest first.
+    pub shares: Vec<InputShare>,
+}
+
+/// Share of an input.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct InputShare {
+    /// Name of the input.
+    pub input: String,
+    /// First-order index, 0 to 1.
+    pub index: f64,
+    /// Claimed error of the index; null where it isn't known.
+    pub error: Option<f64>,
 }
 
 /// The location that ranks first.

@@ -68,10 +68,11 @@ pub(crate) fn largest_layout(study: &Study) -> usize {
 
 /// Layouts that a study's search is expected to look at by each criterion, and the places that films may have.
 pub(crate) fn searched(study: &Study) -> (f64, usize) {
-    let places = Asked::of(study).places.len();
+    let places = Asked::of(study).places;
+    let count = places.films.len();
     let numbers = study.layouts.search.iter().flat_map(|search| &search.films);
-    let looks = numbers.map(|films| expected_looks(places, *films));
-    (looks.sum(), places)
+    let looks = numbers.map(|films| expected_looks(count, places.fixed, *films));
+    (looks.sum(), count)
 }
 
 /// Returns how often a layout is scored at a load on a mesh: those that a search finds, and those with a film dead, are scored, too.

@@ -83,7 +83,7 @@ fn report(
             asked.layouts.push(layout);
         }
     }
-    let best = &found.best[0];
+    let best = found.best.first();
     LayoutSearch {
         films,
         places: places.count(),
@@ -94,8 +94,9 @@ fn report(
         .to_owned(),
         criterion: criterion.as_str().to_owned(),
         looked_at: found.looked_at,
-        bayes_angle_error_deg: places.bound_deg(&best.places),
-        best: laid(&best.places)
+        bayes_angle_error_deg: best.map(|best| places.bound_deg(&best.places)),
+        best: best
+            .map_or_else(Vec::new, |best| laid(&best.places))
             .iter()
             .map(|film| asked.kinds.place(film))
             .collect(),

@@ -2,8 +2,9 @@
 
 use documents::layouts::layout_settings::farthest_section_deg;
 use documents::study::Study;
-use layouts::arrangement::{FilmReads, LaidFilm};
+use layouts::arrangement::FilmReads;
 use layouts::ranking::asked_layouts::{AskedLayout, Kinds, asked_layouts, search_films};
+use layouts::search::search_films::SearchFilms;
 
 /// Layouts, kinds of film and places of the search, as a document asks for them.
 #[derive(Clone)]
@@ -11,7 +12,7 @@ pub(crate) struct Asked {
     pub kinds: Kinds,
     pub layouts: Vec<AskedLayout>,
     pub candidates: Vec<usize>,
-    pub places: Vec<LaidFilm>,
+    pub places: SearchFilms,
 }
 
 impl Asked {
@@ -24,7 +25,8 @@ impl Asked {
         );
         let layouts = asked_layouts(&study.layouts, study.directions, &mut kinds);
         let search = study.layouts.search.as_ref();
-        let places = search.map_or_else(Vec::new, |search| search_films(search, &mut kinds));
+        let places =
+            search.map_or_else(SearchFilms::none, |search| search_films(search, &mut kinds));
         let farthest = farthest_section_deg(geometry);
         Self {
             candidates: kinds.candidates(farthest, &study.layouts.candidate_sizes_mm),

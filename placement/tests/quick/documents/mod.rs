@@ -109,6 +109,18 @@ const FAULTY: &str = r##"
 * {"/layouts": {"size_mm": [25, 10], "positions": ["crown", "shoulder"]}} -> /layouts/positions/1
 * {"/layouts": {"size_mm": [300, 1], "units": [6], "positions": ["crown"], "directions": [["x"]]}} -> /layouts/positions/0
 * {"/layouts": {"candidate_sizes_mm": [[25, 10], [40, 36]]}} -> /layouts/candidate_sizes_mm/1
+# 295 mm around at the crown: 11 films of 25 mm end to end, 29 side by side.
+* {"/layouts": {"size_mm": [25, 10], "units": [11, 12, 24], "positions": ["crown"], "directions": [["x"]]}} -> /layouts/units/1 | /layouts/units/2
+* {"/layouts": {"size_mm": [25, 10], "units": [29, 30], "positions": ["crown"], "directions": [["y"]]}} -> /layouts/units/1
+* {"/layouts": {"size_mm": [25, 10], "spacings_deg": [30, 45], "positions": ["crown"], "directions": [["x", "y"]]}} -> /layouts/spacings_deg/0
+# Spread between the units, x and y need 17.5 mm each: 8 units have 18.5.
+* {"/layouts": {"size_mm": [25, 10], "units": [8, 9], "positions": ["crown"], "directions": [["x", "y"]], "staggered": true}} -> /layouts/units/1
+* {"/layouts": {"size_mm": [25, 10], "free": [{"name": "a", "films": [{}, {"angle_deg": 90}, {"theta_deg": 30}, {"theta_deg": 61}, {"theta_deg": -20, "angle_deg": 90}]}]}}
+    -> /layouts/free/0/films/2 | /layouts/free/0/films/4
+* {"/layouts": {"search": {"films": [1, 3], "fixed": [{}, {"theta_deg": 90}], "forbidden_deg": [[165, 195], [1]], "least_distance_mm": -1}}}
+    -> /layouts/search/least_distance_mm
+* {"/layouts": {"search": {"films": [1, 3], "fixed": [{}, {"theta_deg": 90}], "forbidden_deg": [[165, 195], [1]]}}}
+    -> /layouts/search/forbidden_deg/1 | /layouts/search/films/0
 "##;
 
 /// The shipped study with these changes.
@@ -309,7 +321,7 @@ fn a_study_of_layouts_reads_back_as_itself() {
         "units": [7], "section_deg": [-20], "directions": [["x", "y"], [45]], "staggered": true, "loads_n": [5, 13], "noise_strain": 1e-3,
         "gain_std": 0.1, "place_std_deg": 3, "dead": true, "level": "coarse",
         "free": [{"name": "a", "films": [{"theta_deg": 10, "phi_deg": 20, "angle_deg": 30}]}],
-        "search": {"films": [3]}, "size_mm": [12, 4.5], "candidate_sizes_mm": [[10, 5], [25, 10]],
+        "search": {"films": [3], "fixed": [{"theta_deg": 90}], "forbidden_deg": [[165, 195]], "least_distance_mm": 20}, "size_mm": [12, 4.5], "candidate_sizes_mm": [[10, 5], [25, 10]],
     });
     let read = Study::from_value(&document, &|path| Err(path.to_owned())).unwrap();
     assert_eq!(Study::from_canonical(&read.canonical()), Ok(read));

@@ -50,6 +50,8 @@ __all__ = [
     "FrontLayout",
     "GradedNote",
     "Input",
+    "InputShare",
+    "InputsAnswer",
     "Knee",
     "Layout",
     "LayoutAnswer",
@@ -140,6 +142,8 @@ class Answer:
     """The best place; None where no location has an index."""
     layout: LayoutAnswer | None = None
     """The best layout; None where none is asked for, or none has a score."""
+    inputs: InputsAnswer | None = None
+    """Inputs that matter, of all there are; None where the strain at the contact centre has no index."""
     left_out: LeftOut | None = None
     """Part that the model leaves out and that changes strains most; None where no effect is known."""
     surer: Surer | None = None
@@ -854,6 +858,32 @@ class Input:
 
 
 @dataclass(frozen=True, kw_only=True)
+class InputShare:
+    """Share of an input."""
+
+    input: str
+    """Name of the input."""
+    index: float
+    """First-order index, 0 to 1."""
+    error: float | None = None
+    """Claimed error of the index; None where it isn't known."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class InputsAnswer:
+    """Inputs in the order in which they matter for the strain at the contact centre."""
+
+    sentence: str
+    """The inputs that matter most, in a sentence."""
+    location: str
+    """Location at the contact centre."""
+    direction: str
+    """Direction of the strain: the one that varies more, of those asked for."""
+    shares: tuple[InputShare, ...]
+    """Share of each input, the greatest first."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Knee:
     """Knee: the number of units from which on more of them bring no more than their number."""
 
@@ -1055,8 +1085,9 @@ class LayoutSearch:
     too."""
     looked_at: int
     """Layouts whose criterion was computed."""
-    bayes_angle_error_deg: float
-    """Bound of the angle with a flat prior of the best one, root mean square over angles and loads, degrees."""
+    bayes_angle_error_deg: float | None = None
+    """Bound of the angle with a flat prior of the best one, root mean square over angles and loads, degrees; None
+    where no layout of so many films was found that has room."""
     best: tuple[FilmPlace, ...]
     """Films of the best layout."""
 

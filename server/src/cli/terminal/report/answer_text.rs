@@ -18,6 +18,12 @@ pub fn answer(result: &StudyResult) -> String {
     text.push('\n');
     let reason = visible(&answer.reason);
     text += &labelled(style(answer.verdict), answer.verdict.as_str(), &reason);
+    let more = answer.inputs.iter().filter(|inputs| {
+        inputs.sentence != answer.sentence && inputs.shares.len() > result.locations.len()
+    });
+    for inputs in more {
+        text += &labelled(STRONG, "inputs", &visible(&inputs.sentence));
+    }
     text += &labelled(STRONG, "left out", &left_out(answer));
     if let Some(surer) = &answer.surer {
         text += &labelled(STRONG, "surer", &surer.sentence);

@@ -1,12 +1,12 @@
 import type { ComponentChildren } from "preact";
-import { layoutStanding, leadOf, placeWords, surerWords, typeset } from "../../../lib/study/answer/answer-words.ts";
+import { inputWords, layoutStanding, leadOf, placeWords, surerWords, typeset } from "../../../lib/study/answer/answer-words.ts";
 import { Term } from "../../shared/term/term.tsx";
 import { VerdictBadge } from "./verdict-badge.tsx";
 import type { Answer } from "../../../wire.ts";
 
 /** The answer first, then how sure it is, then what it leaves out and what more would cost; the figures behind it folded. The layout has a line of its own where the verdict is the place's. */
 export function AnswerText({ answer, notes }: { answer: Answer; notes: string[] }) {
-  const { place, layout, left_out, surer } = answer;
+  const { place, layout, inputs, left_out, surer } = answer;
   return (
     <div class="answer-text">
       <p class="answer-sentence">{typeset(answer.sentence)}</p>
@@ -27,6 +27,7 @@ export function AnswerText({ answer, notes }: { answer: Answer; notes: string[] 
             {layoutStanding(layout)} <VerdictBadge verdict={layout.verdict} />
           </Fact>
         )}
+        {inputs != null && inputs.sentence !== answer.sentence && inputs.shares.length > 1 && <Fact name="Inputs">{inputWords(inputs)}</Fact>}
         {left_out != null && <Fact name="Left out">{leadOf(left_out.sentence)}</Fact>}
         {surer != null && <Fact name="Surer">{surerWords(surer)}</Fact>}
       </dl>

@@ -20,7 +20,7 @@ export function AnswerView({ result, study, route }: SectionProps) {
           </p>
         </div>
       ) : (
-        <AnswerText answer={answer} notes={notesOf(result, answer.left_out != null)} />
+        <AnswerText answer={answer} notes={notesOf(result, answer.left_out?.sentence)} />
       )}
       <AnswerPicture result={result} study={study} answer={answer} />
     </section>
@@ -28,7 +28,7 @@ export function AnswerView({ result, study, route }: SectionProps) {
 }
 
 /** Notes that change the answer; what is left out has its own line. */
-function notesOf(result: SectionProps["result"], hasLeftOut: boolean): string[] {
-  const changing = result.graded_notes.filter(({ grade, about }) => grade === "changes-answer" && !(hasLeftOut && about === "model"));
+function notesOf(result: SectionProps["result"], leftOut: string | undefined): string[] {
+  const changing = result.graded_notes.filter(({ grade, text }) => grade === "changes-answer" && text !== leftOut);
   return changing.map(({ text }) => typeset(text));
 }
