@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { LayoutAnswer, PlaceAnswer, StudyResult } from "../../../wire.ts";
-import { layoutStanding, leadOf, placeWords, surerWords, typeset, unrankedWords } from "./answer-words.ts";
+import { inputWords, layoutStanding, leadOf, placeWords, surerWords, typeset, unrankedWords } from "./answer-words.ts";
 
 test("terminal signs become those of print", () => {
   assert.equal(typeset("the angle to 9.2 +- 1.5 degrees, every 30 degrees, 2 mm deep"), "the angle to 9.2 ± 1.5°, every 30°, 2\u00a0mm deep");
@@ -33,4 +33,11 @@ test("what a surer answer costs, as far as it is known", () => {
   const surer = { sentence: "", level: "reference", times: 1.7013, expected_s: 32 };
   assert.equal(surerWords(surer), "reference mesh: 1.7 times the work, about 32 s");
   assert.equal(surerWords({ ...surer, times: null, expected_s: null }), "reference mesh");
+});
+
+test("the inputs that matter most are told with their errors", () => {
+  const share = (input: string, index: number, error: number | null) => ({ input, index, error });
+  const shares = [share("cords", 0.39, 0.012), share("P3", 0.301, null), share("P2", 0.1, 0.008), share("wall", 0.05, 0.008)];
+  const words = inputWords({ sentence: "", location: "P3", direction: "y", shares });
+  assert.equal(words, "cords 39.0 ± 1.2 %, P3 30.1 %, P2 10.0 ± 0.8 % of y at P3");
 });

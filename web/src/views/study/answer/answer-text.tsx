@@ -4,8 +4,8 @@ import { Term } from "../../shared/term/term.tsx";
 import { VerdictBadge } from "./verdict-badge.tsx";
 import type { Answer } from "../../../wire.ts";
 
-/** The answer first, then how sure it is, then what it leaves out and what more would cost; the figures behind it folded. The layout has a line of its own where the verdict is the place's. */
-export function AnswerText({ answer, notes }: { answer: Answer; notes: string[] }) {
+/** The answer first, then how sure it is, then what it leaves out and what more would cost; the figures behind it folded. The layout has a line of its own where the verdict is the place's, and inputs where there are more than the depths below the places. */
+export function AnswerText({ answer, notes, places }: { answer: Answer; notes: string[]; places: number }) {
   const { place, layout, inputs, left_out, surer } = answer;
   return (
     <div class="answer-text">
@@ -27,7 +27,7 @@ export function AnswerText({ answer, notes }: { answer: Answer; notes: string[] 
             {layoutStanding(layout)} <VerdictBadge verdict={layout.verdict} />
           </Fact>
         )}
-        {inputs != null && inputs.sentence !== answer.sentence && inputs.shares.length > 1 && <Fact name="Inputs">{inputWords(inputs)}</Fact>}
+        {inputs != null && inputs.sentence !== answer.sentence && inputs.shares.length > places && <Fact name="Inputs">{inputWords(inputs)}</Fact>}
         {left_out != null && <Fact name="Left out">{leadOf(left_out.sentence)}</Fact>}
         {surer != null && <Fact name="Surer">{surerWords(surer)}</Fact>}
       </dl>

@@ -20,7 +20,7 @@ export function AnswerView({ result, study, route }: SectionProps) {
           </p>
         </div>
       ) : (
-        <AnswerText answer={answer} notes={notesOf(result, answer.left_out?.sentence)} />
+        <AnswerText answer={answer} notes={notesOf(result, answer.left_out?.sentence)} places={result.locations.length} />
       )}
       <AnswerPicture result={result} study={study} answer={answer} />
     </section>
