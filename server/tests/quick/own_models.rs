@@ -85,6 +85,32 @@ fn auto_asks_until_it_knows() {
 }
 
 #[test]
+fn a_claim_as_large_as_the_indices_names_the_method_that_asks_for_more_and_takes_what_there_is() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let at = folder.path();
+    write_inputs(at, "kind = \"mdrm\"");
+    let checked = strainsite(at, &["validate", "inputs.toml"]);
+    assert_eq!(checked.status.code(), Some(0), "{}", text(&checked.stderr));
+    assert!(text(&checked.stdout).contains("3 inputs of a model of your own, by mdrm"));
+    let mut values = "id,y,\"z, N\"\n".to_owned();
+    let plan = strainsite(at, &["gsa", "plan", "inputs.toml"]);
+    answer(text(&plan.stdout), &mut values);
+    std::fs::write(at.join("values.csv"), &values).expect("writes");
+    let analyse = ["gsa", "analyse", "inputs.toml", "values.csv"];
+    assert!(text(&strainsite(at, &analyse).stdout).contains("kind = \"auto\""));
+    // The values go on to serve: a handful more are asked for.
+    write_inputs(at, "kind = \"auto\"");
+    let more = strainsite(
+        at,
+        &["gsa", "plan", "inputs.toml", "--values", "values.csv"],
+    );
+    assert_eq!(more.status.code(), Some(0), "{}", text(&more.stderr));
+    let asked = text(&more.stdout).lines().count() - 1;
+    assert!((1..12).contains(&asked), "{asked}");
+    assert!(!text(&strainsite(at, &analyse).stdout).contains("as large as the indices"));
+}
+
+#[test]
 fn plans_are_the_same_every_time_and_go_to_a_file_if_asked() {
     let folder = tempfile::tempdir().expect("temp dir");
     for kind in ["mdrm", "bivariate", "tensor", "pce", "saltelli"] {

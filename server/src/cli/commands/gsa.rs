@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use ::gsa::campaign::Campaign;
 use ::gsa::design::DesignError;
+use ::gsa::method::Kind;
 use ::gsa::method::analysis::{Analysis, Status};
 use clap::{Args, Subcommand};
 use document::fault::Fault;
@@ -253,13 +254,34 @@ impl Analyse {
                 self.values.display()
             ));
         }
-        let text = people_table(&inputs.names, table.outputs(), &found);
+        let mut text = people_table(&inputs.names, table.outputs(), &found);
+        if inputs.method.kind != Kind::Auto && found.iter().any(says_little) {
+            let advice = painted(WARNING, "an error is as large as the indices:");
+            text += &format!("{advice} {MORE_POINTS}\n");
+        }
         tell(&text, self.json.as_ref())?;
         match &self.json {
             Some(target) => target.write(&document(&inputs.names, &table, &found, wanted)),
             None => Ok(()),
         }
     }
+}
+
+/// Advice where a method with a plan of its own says little.
+const MORE_POINTS: &str = "method = { kind = \"auto\" } in the file of inputs asks for more points until it is within its tolerance; the values that you have serve it, too";
+
+/// Whether the claimed error is as large as the largest index.
+fn says_little(found: &Analysis) -> bool {
+    let largest = found
+        .first_order
+        .iter()
+        .flatten()
+        .copied()
+        .fold(0.0, f64::max);
+    found
+        .error
+        .total
+        .is_some_and(|error| found.first_order.is_some() && error >= largest)
 }
 
 fn document(inputs: &[String], table: &ValueTable, found: &[Analysis], wanted: usize) -> Value {

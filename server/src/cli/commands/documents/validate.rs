@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use document::parse;
+use documents::own_model::inputs_document::Inputs;
 use documents::study::plan::PlannedStudy;
 use fem_client::scene::Scene;
 use serde_json::Value;
@@ -13,10 +14,10 @@ use crate::cli::terminal::output::tell;
 use crate::cli::terminal::slip_text::slip_lines;
 use service::study_document::{format_of, read_study, read_study_file};
 
-/// Check a study or scene file without running it
+/// Check a study, a scene, or the inputs of a model of your own, without running it
 #[derive(Debug, Args)]
 pub(crate) struct Validate {
-    /// Study or scene file, TOML or JSON
+    /// Study, scene or inputs file, TOML or JSON
     file: PathBuf,
 }
 
@@ -25,12 +26,23 @@ impl Validate {
     pub fn execute(&self) -> Result<(), Failure> {
         let text = read_study_file(&self.file).map_err(Failure::Input)?;
         let document = parse(&text, format_of(&self.file)).map_err(Failure::Input)?;
-        let line = if is_study(&document) {
+        let line = if is_own_model(&document) {
+            self.inputs(&text)?
+        } else if is_study(&document) {
             self.study(&text)?
         } else {
             self.scene(&text)?
         };
         tell(&line, None)
+    }
+
+    fn inputs(&self, text: &str) -> Result<String, Failure> {
+        let inputs = Inputs::from_document(text, format_of(&self.file)).map_err(Failure::Input)?;
+        let (count, method) = (inputs.names.len(), inputs.method.kind.as_str());
+        Ok(format!(
+            "{0}: {count} inputs of a model of your own, by {method}: strainsite gsa plan {0}\n",
+            self.file.display()
+        ))
     }
 
     fn study(&self, text: &str) -> Result<String, Failure> {
@@ -53,6 +65,15 @@ impl Validate {
             slip_lines(scene.slips())
         ))
     }
+}
+
+/// Inputs of a model of one's own vary no field of a scene.
+fn is_own_model(document: &Value) -> bool {
+    let inputs = document.get("inputs").and_then(Value::as_array);
+    let varies = |input: &Value| input.get("vary").is_some();
+    let of_study = ["scene", "candidates", "layouts", "accuracy", "signals"];
+    let is_study = of_study.iter().any(|field| document.get(field).is_some());
+    inputs.is_some_and(|inputs| !inputs.iter().any(varies)) && !is_study
 }
 
 /// A study says what varies; a scene has none of a study's fields.
