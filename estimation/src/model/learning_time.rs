@@ -3,7 +3,7 @@
 use crate::model::ann::{Sizes as AnnSizes, nodes_and_weights};
 use crate::model::contract::Effort;
 use crate::model::gpr::{DEVIATION_ROWS, SCREENED_ROWS, Sizes as GprSizes};
-use crate::recipe::{GprSettings, Kind, Lengths, Models};
+use crate::recipe::{Kind, Lengths, Models};
 
 /// A line, s: sums by row and pair of features, left-out errors by row and feature, factors by cube of features.
 const RIDGE: [f64; 3] = [8.0e-10, 2.6e-8, 2.0e-8];
@@ -18,65 +18,67 @@ const DEVIATION: f64 = 4.0e-10;
 /// A network's loss and gradient by row and node, s, and by row and weight; and a prediction by node.
 const NETWORK: [f64; 3] = [1.1e-8, 2.0e-10, 1.0e-8];
 
-/// Seconds in which a model is learnt from so many rows and features.
-pub(crate) fn learning_s(
-    kind: Kind,
-    models: &Models,
-    effort: Effort,
-    rows: usize,
-    features: usize,
-) -> f64 {
-    let (n, d) = (rows as f64, features as f64);
-    match kind {
-        Kind::Mean | Kind::Blend => 0.0,
-        Kind::Ridge => RIDGE[0] * n * d * d + RIDGE[1] * n * d + RIDGE[2] * d.powi(3),
-        Kind::Gpr => {
-            let sizes = GprSizes::of(&models.gpr, effort, rows);
-            let screened = look_s(&models.gpr, SCREENED_ROWS.min(sizes.search_rows), d);
-            let followed = look_s(&models.gpr, sizes.search_rows, d);
-            let searched = sizes.restarts as f64 * LOOKS[0] * screened + LOOKS[1] * followed;
-            searched + CONDITION[0] * (sizes.most_rows as f64).powi(3)
-        }
-        Kind::Ann => {
-            let sizes = AnnSizes::of(&models.ann, effort, rows);
-            let looks = (sizes.networks * sizes.iterations) as f64;
-            let (nodes, weights) = nodes_and_weights(&models.ann, features);
-            looks * sizes.rows as f64 * (NETWORK[0] * nodes + NETWORK[1] * weights)
+/// A model to be learnt, by its sizes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LearningTask<'m> {
+    pub kind: Kind,
+    pub models: &'m Models,
+    pub effort: Effort,
+    /// Rows that it is learnt from.
+    pub rows: usize,
+    pub features: usize,
+}
+
+impl LearningTask<'_> {
+    /// Seconds in which it is learnt.
+    pub(crate) fn learning_s(&self) -> f64 {
+        let (n, d) = (self.rows as f64, self.features as f64);
+        match self.kind {
+            Kind::Mean | Kind::Blend => 0.0,
+            Kind::Ridge => RIDGE[0] * n * d * d + RIDGE[1] * n * d + RIDGE[2] * d.powi(3),
+            Kind::Gpr => {
+                let sizes = GprSizes::of(&self.models.gpr, self.effort, self.rows);
+                let screened = self.look_s(SCREENED_ROWS.min(sizes.search_rows));
+                let followed = self.look_s(sizes.search_rows);
+                let searched = sizes.restarts as f64 * LOOKS[0] * screened + LOOKS[1] * followed;
+                searched + CONDITION[0] * (sizes.most_rows as f64).powi(3)
+            }
+            Kind::Ann => {
+                let sizes = AnnSizes::of(&self.models.ann, self.effort, self.rows);
+                let looks = (sizes.networks * sizes.iterations) as f64;
+                let (nodes, weights) = nodes_and_weights(&self.models.ann, self.features);
+                looks * sizes.rows as f64 * (NETWORK[0] * nodes + NETWORK[1] * weights)
+            }
         }
     }
-}
 
-/// Seconds of a look at the likelihood of a process.
-fn look_s(settings: &GprSettings, rows: usize, features: f64) -> f64 {
-    let lengths = match settings.lengths {
-        Lengths::Shared => 1.0,
-        Lengths::Each => features,
-    };
-    let n = rows as f64;
-    n * n * (LOOK[0] * n + LOOK[1] + LOOK[2] * lengths)
-}
+    /// Seconds in which it predicts a row.
+    pub(crate) fn predicting_s(&self) -> f64 {
+        let d = self.features as f64;
+        match self.kind {
+            Kind::Mean | Kind::Blend => 0.0,
+            Kind::Ridge => RIDGE[0] * d * d,
+            Kind::Gpr => {
+                let known = GprSizes::of(&self.models.gpr, self.effort, self.rows).most_rows;
+                let deviating = DEVIATION_ROWS.min(known) as f64;
+                CONDITION[1] * (known as f64 + deviating) * (d + 4.0)
+                    + DEVIATION * deviating * deviating
+            }
+            Kind::Ann => {
+                let networks = AnnSizes::of(&self.models.ann, self.effort, self.rows).networks;
+                let (nodes, _) = nodes_and_weights(&self.models.ann, self.features);
+                NETWORK[2] * networks as f64 * nodes
+            }
+        }
+    }
 
-/// Seconds in which it predicts a row, learnt from so many.
-pub(crate) fn predicting_s(
-    kind: Kind,
-    models: &Models,
-    effort: Effort,
-    rows: usize,
-    features: usize,
-) -> f64 {
-    let d = features as f64;
-    match kind {
-        Kind::Mean | Kind::Blend => 0.0,
-        Kind::Ridge => RIDGE[0] * d * d,
-        Kind::Gpr => {
-            let known = GprSizes::of(&models.gpr, effort, rows).most_rows;
-            let deviating = DEVIATION_ROWS.min(known) as f64;
-            CONDITION[1] * (known as f64 + deviating) * (d + 4.0)
-                + DEVIATION * deviating * deviating
-        }
-        Kind::Ann => {
-            let networks = AnnSizes::of(&models.ann, effort, rows).networks;
-            NETWORK[2] * networks as f64 * nodes_and_weights(&models.ann, features).0
-        }
+    /// Seconds of a look at the likelihood of a process of so many rows.
+    fn look_s(&self, rows: usize) -> f64 {
+        let lengths = match self.models.gpr.lengths {
+            Lengths::Shared => 1.0,
+            Lengths::Each => self.features as f64,
+        };
+        let n = rows as f64;
+        n * n * (LOOK[0] * n + LOOK[1] + LOOK[2] * lengths)
     }
 }

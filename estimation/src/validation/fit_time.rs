@@ -2,7 +2,7 @@
 
 use crate::features::columns;
 use crate::model::contract::Effort;
-use crate::model::learning_time::{learning_s, predicting_s};
+use crate::model::learning_time::LearningTask;
 use crate::recipe::{FeatureSet, Kind, Recipe, SplitKind, StartValue};
 use crate::split::{FREQUENCIES, MOST_FOLDS, RANDOM_SHARE, TIME_PARTS};
 use crate::validation::candidate::{Candidate, candidates};
@@ -119,7 +119,7 @@ impl Work<'_> {
     /// Pieces that learn what was chosen from all rows, and what chance would do.
     fn learnt(&self, members: &[Candidate]) -> Vec<f64> {
         let of = |candidate: Candidate, rows: usize| {
-            let whole = self.learning_s(candidate, Effort::Whole, rows);
+            let whole = self.task(candidate, Effort::Whole, rows).learning_s();
             [whole, self.split_s(candidate, rows, self.chooses())]
         };
         let rows = self.sizes.rows.iter();
@@ -132,9 +132,8 @@ impl Work<'_> {
         let folds = self.folds(rows, split);
         let most = MOST_TESTED as f64 / folds.len().max(1) as f64;
         let of = |fold: &FoldSize| {
-            let train = fold.train as usize;
-            let said = self.predicting_s(candidate, train);
-            self.learning_s(candidate, Effort::Fold, train) + fold.test.min(most) * said
+            let task = self.task(candidate, Effort::Fold, fold.train as usize);
+            task.learning_s() + fold.test.min(most) * task.predicting_s()
         };
         folds.iter().map(of).sum()
     }
@@ -180,15 +179,14 @@ impl Work<'_> {
         self.recipe.validation.by.unwrap_or(strictest)
     }
 
-    fn learning_s(&self, candidate: Candidate, effort: Effort, rows: usize) -> f64 {
-        let features = columns(candidate.features, self.sizes.signals).count();
-        learning_s(candidate.kind, &self.recipe.models, effort, rows, features)
-    }
-
-    fn predicting_s(&self, candidate: Candidate, rows: usize) -> f64 {
-        let features = columns(candidate.features, self.sizes.signals).count();
-        let models = &self.recipe.models;
-        predicting_s(candidate.kind, models, Effort::Fold, rows, features)
+    fn task(&self, candidate: Candidate, effort: Effort, rows: usize) -> LearningTask<'_> {
+        LearningTask {
+            kind: candidate.kind,
+            models: &self.recipe.models,
+            effort,
+            rows,
+            features: columns(candidate.features, self.sizes.signals).count(),
+        }
     }
 }
 

@@ -57,10 +57,7 @@ impl FilmExtent {
             width_mm,
             phi: phi_deg.to_radians(),
             angle_deg,
-            radii_mm: [
-                geometry.outer_radius_mm - geometry.section_radius_mm,
-                geometry.section_radius_mm - geometry.wall_mm,
-            ],
+            radii_mm: inner_radii_mm(geometry),
         }
     }
 
@@ -138,8 +135,21 @@ impl FilmExtent {
 
     /// Returns the radius of the inner surface at a section angle, rad.
     fn wheel_radius_mm(&self, phi: f64) -> f64 {
-        self.radii_mm[0] + self.radii_mm[1] * phi.cos()
+        wheel_radius_mm(self.radii_mm, phi)
     }
+}
+
+/// Radii of the inner surface, mm: from the axle to the middle of the section, and of the section.
+pub(crate) fn inner_radii_mm(geometry: &Geometry) -> [f64; 2] {
+    [
+        geometry.outer_radius_mm - geometry.section_radius_mm,
+        geometry.section_radius_mm - geometry.wall_mm,
+    ]
+}
+
+/// Distance of the inner surface from the axle at a section angle, rad, by its radii; mm.
+pub(crate) fn wheel_radius_mm([middle, section]: [f64; 2], phi: f64) -> f64 {
+    middle + section * phi.cos()
 }
 
 /// Gauss points of the interval from -1/2 to 1/2 with their weights; its middle where there are no others.

@@ -5,7 +5,7 @@
 
 use fem_client::scene::Geometry;
 
-use crate::layouts::film_extent::FilmExtent;
+use crate::layouts::film_extent::{FilmExtent, inner_radii_mm, wheel_radius_mm};
 use crate::parts::film_place::FilmPlace;
 
 /// Films that are nearer touch, mm: rounding of angles and radii.
@@ -58,18 +58,12 @@ impl FilmRoom {
 
     /// Distances from one film's middle to another's around the wheel and along the section, mm.
     pub(crate) fn between_mm(&self, one: &FilmPlace, other: &FilmPlace) -> [f64; 2] {
-        let Geometry {
-            outer_radius_mm,
-            section_radius_mm,
-            wall_mm,
-            ..
-        } = self.geometry;
-        let section = section_radius_mm - wall_mm;
+        let radii = inner_radii_mm(&self.geometry);
         let halfway = 0.5 * (one.phi_deg + other.phi_deg);
-        let wheel = outer_radius_mm - section_radius_mm + section * halfway.to_radians().cos();
+        let wheel = wheel_radius_mm(radii, halfway.to_radians());
         [
             wheel * wrapped_deg(other.theta_deg - one.theta_deg).to_radians(),
-            section * (other.phi_deg - one.phi_deg).to_radians(),
+            radii[1] * (other.phi_deg - one.phi_deg).to_radians(),
         ]
     }
 }

@@ -189,10 +189,7 @@ impl Layouts {
 
     /// Numbers of units, in the order of the document, each once.
     pub fn unit_counts(&self) -> Vec<usize> {
-        let of_spacings = self
-            .spacings_deg
-            .iter()
-            .map(|spacing| (360.0 / spacing).round() as usize);
+        let of_spacings = self.spacings_deg.iter().map(|spacing| units_of(*spacing));
         once_each(of_spacings.chain(self.units.iter().copied()))
     }
 
@@ -317,6 +314,11 @@ impl Layouts {
         }
         Value::Object(table)
     }
+}
+
+/// Units around the wheel at this spacing, degrees.
+pub(crate) fn units_of(spacing_deg: f64) -> usize {
+    (360.0 / spacing_deg).round() as usize
 }
 
 /// The section angle up to which films are laid, degrees: a wall's thickness off the bead, where the clamp makes strains of its own.

@@ -8,7 +8,7 @@ use document::fields::Fields;
 use fem_client::scene::Geometry;
 
 use crate::layouts::film_room::FilmRoom;
-use crate::layouts::layout_settings::{Layouts, section_name};
+use crate::layouts::layout_settings::{Layouts, section_name, units_of};
 use crate::parts::directions::Directions;
 use crate::parts::film_place::FilmPlace;
 
@@ -63,10 +63,6 @@ pub(crate) fn check_overlaps(
             }
         }
     }
-}
-
-fn units_of(spacing_deg: f64) -> usize {
-    (360.0 / spacing_deg).round() as usize
 }
 
 /// Returns the section angle where neighbours of so many units overlap, degrees, and how far these are apart, mm.

@@ -94,12 +94,12 @@ impl Solve {
             );
             write(path, picture(&scene, &solved, &version)?.as_bytes())?;
         }
+        let unlikely = unlikely(&scene, &solved);
         if let Some(target) = &self.json {
-            target.write(&document(&scene, &solved)?)?;
+            target.write(&document(&unlikely, &solved)?)?;
         }
         let text = report(&solved, scene.ground.is_dragged());
-        let notes = slip_lines(unlikely(&scene, &solved));
-        tell(&(notes + &text), self.json.as_ref())
+        tell(&(slip_lines(unlikely) + &text), self.json.as_ref())
     }
 
     fn scene(&self) -> Result<Scene, Failure> {
@@ -145,7 +145,7 @@ fn picture(scene: &Scene, solved: &Solved, version: &str) -> Result<String, Fail
 }
 
 /// The response with its status and its time; the map and the rings are left out, as nobody asked for them.
-fn document(scene: &Scene, solved: &Solved) -> Result<Value, Failure> {
+fn document(unlikely: &[String], solved: &Solved) -> Result<Value, Failure> {
     let text = store::content::encode("the response", &solved.response).map_err(Failure::other)?;
     let Value::Object(response) = serde_json::from_str(&text).map_err(Failure::other)? else {
         return Err(Failure::Other("a response is a JSON object".to_owned()));
@@ -158,7 +158,7 @@ fn document(scene: &Scene, solved: &Solved) -> Result<Value, Failure> {
                 .filter(|(name, _)| name != "map" && name != "rings"),
         );
         document.insert("wall_s".to_owned(), json!(solved.cost.wall_s));
-        document.insert("unlikely".to_owned(), json!(unlikely(scene, solved)));
+        document.insert("unlikely".to_owned(), json!(unlikely));
     }
     Ok(document)
 }
@@ -357,7 +357,7 @@ mod tests {
             watch: &stop,
         };
         let mut solved = ClosedFormSolver::new().solve(&request).expect("solves");
-        let document = document(&scene, &solved).expect("finite");
+        let document = document(&[], &solved).expect("finite");
         assert_eq!(document["status"], "converged");
         for field in [
             "reaction_n",
