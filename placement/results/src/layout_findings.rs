@@ -18,6 +18,9 @@ pub struct LayoutFindings {
     pub coarser_level: Option<String>,
     /// The loads at which layouts are scored.
     pub loads: Vec<LayoutLoad>,
+    /// Menu of layouts, where the document names none.
+    #[serde(default)]
+    pub menu: MenuFindings,
     /// Layouts that no other beats with as few films, least films first.
     pub front: Vec<FrontLayout>,
     /// Kendall's tau between the order by simulated errors and that by the bound's worst error times the root of the number of films.
@@ -32,6 +35,15 @@ pub struct LayoutFindings {
     /// Reasons why something is missing, whole sentences.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub reasons: Vec<String>,
+}
+
+/// Layouts of the menu that aren't in the list.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct MenuFindings {
+    /// Count of those that weren't simulated: their bounds show that others with as few films are better.
+    pub screened: usize,
+    /// Count of those whose films have no room.
+    pub without_room: usize,
 }
 
 /// A load at which layouts are scored.

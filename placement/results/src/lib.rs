@@ -19,7 +19,7 @@ mod study_cost;
 
 pub use answer::{
     Answer, Certainty, Grade, GradedNote, InputShare, InputsAnswer, LayoutAnswer, LeftOut,
-    PlaceAnswer, Surer, Topic,
+    PlaceAnswer, SheetFilm, Surer, Topic, TradeAnswer, TradeRow,
 };
 pub use climb_report::{Climb, ClimbRung, FidelityReport};
 pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast};
@@ -34,7 +34,7 @@ pub use index_map::{IndexMap, MapLayer};
 pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};
 pub use layout_findings::{
     CandidateFilm, FrontLayout, Knee, LayoutFindings, LayoutLoad, LayoutSearch, LoadShear,
-    StrainRing,
+    MenuFindings, StrainRing,
 };
 pub use ranked_layout::{
     AlikeContacts, DeadFilm, LayoutError, LayoutScore, LoadScore, RankedLayout, ShearError,

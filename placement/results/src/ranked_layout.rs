@@ -35,7 +35,7 @@ pub struct RankedLayout {
     /// Figures that may be off by more than a fifth, in words.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub doubt: Option<String>,
-    /// Scores at the load where its error is largest.
+    /// Scores at the load where the angle's error is largest.
     pub score: LayoutScore,
     /// Scores at every load.
     pub loads: Vec<LoadScore>,
@@ -106,6 +106,9 @@ pub struct LayoutScore {
     /// Error of the depth as a vertical force, N: by the slope of force over depth.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub force_error_n: Option<f64>,
+    /// Standard error of the force's error by the number of simulated contacts, N.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub force_error_n_se: Option<f64>,
     /// The two contacts, more than 20 degrees apart, that look most alike.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub alike: Option<AlikeContacts>,
@@ -141,6 +144,9 @@ pub struct LayoutError {
     pub simulated_rms_angle_error_deg: Option<f64>,
     /// Error of the simulated 95th percentile, degrees.
     pub simulated_p95_angle_error_deg: Option<f64>,
+    /// Error of the force's error, N.
+    #[serde(default)]
+    pub force_error_n: Option<f64>,
 }
 
 /// Cramer-Rao bounds with four unknowns: contact angle, depth, and the ground's shifts along the wheel and across it, about a contact that isn't dragged. A

@@ -3,47 +3,48 @@
 use crate::score::notes::listed;
 use results::RankedLayout;
 
-/// `12 units of x and y at the crown, every 30 degrees`; of a layout without units `12 films of x and y at the crown ("mine")`.
+/// `12 films along y at the crown, one every 30 degrees`; of a layout without units `12 films along y at the crown ("mine")`.
 pub(super) fn words(layout: &RankedLayout) -> String {
-    let films = directions(layout);
-    let place = place(layout);
+    format!("{} {}", counted(layout.film_count), laid(layout))
+}
+
+/// `along y at the crown, one every 30 degrees`.
+pub(super) fn laid(layout: &RankedLayout) -> String {
+    let place = format!("along {} {}", directions(layout), place(layout));
     match (layout.spacing_deg, &layout.name) {
-        (Some(spacing), _) => format!(
-            "{} units of {films} {place}, {}",
-            layout.units,
-            every(layout, spacing)
-        ),
-        (None, Some(name)) => format!("{} films of {films} {place} ({name:?})", layout.units),
-        (None, None) => format!("{} films of {films} {place}", layout.units),
+        (Some(spacing), _) => format!("{place}, {}", every(layout, spacing)),
+        (None, Some(name)) => format!("{place} ({name:?})"),
+        (None, None) => place,
     }
 }
 
-/// Says what to do: `Glue films of x and y at the crown, 12 units every 30 degrees`.
-pub(super) fn instruction(layout: &RankedLayout) -> String {
-    match layout.spacing_deg {
-        Some(spacing) => format!(
-            "Glue films of {} {}, {} units {}",
-            directions(layout),
-            place(layout),
-            layout.units,
-            every(layout, spacing)
-        ),
-        None => format!("Glue {}", words(layout)),
+/// `1 film`, `12 films`.
+pub(super) fn counted(films: usize) -> String {
+    match films {
+        1 => "1 film".to_owned(),
+        films => format!("{films} films"),
     }
 }
 
-/// `every 30 degrees`, and whether the films of a unit are apart.
+/// `one every 30 degrees`, `a pair every 60 degrees`; films in turn are apart.
 fn every(layout: &RankedLayout, spacing_deg: f64) -> String {
-    let spacing = (spacing_deg * 10.0).round() / 10.0;
-    let staggered = if layout.staggered {
-        " with their films spread evenly between"
-    } else {
-        ""
+    let together = match layout.staggered {
+        true => 1,
+        false => layout.films.len(),
     };
-    format!("every {spacing} degrees{staggered}")
+    let apart = match layout.staggered {
+        true => spacing_deg / layout.films.len() as f64,
+        false => spacing_deg,
+    };
+    let apart = (apart * 10.0).round() / 10.0;
+    match together {
+        1 => format!("one every {apart} degrees"),
+        2 => format!("a pair every {apart} degrees"),
+        more => format!("{more} in one place every {apart} degrees"),
+    }
 }
 
-/// `x and y`, `y`, `x and 45 deg`.
+/// `x and y`, `y`, `x and 45 deg`; `x and y in turn` where they are spread between units.
 fn directions(layout: &RankedLayout) -> String {
     let named = |film: &String| match film.as_str() {
         "x" | "y" => film.clone(),
@@ -51,7 +52,10 @@ fn directions(layout: &RankedLayout) -> String {
     };
     let names: Vec<String> = layout.films.iter().map(named).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    listed(&names)
+    match layout.staggered {
+        true => format!("{} in turn", listed(&names)),
+        false => listed(&names),
+    }
 }
 
 /// Says where: `at the crown`, `at 30 degrees from the crown`, `at several section angles`.
@@ -73,6 +77,7 @@ mod tests {
             units: 7,
             position: position.to_owned(),
             films: films.iter().map(|film| (*film).to_owned()).collect(),
+            film_count: 7 * films.len(),
             ..RankedLayout::default()
         }
     }
@@ -82,23 +87,26 @@ mod tests {
         let mut crown = layout(Some(360.0 / 7.0), "crown", &["x", "y"]);
         assert_eq!(
             words(&crown),
-            "7 units of x and y at the crown, every 51.4 degrees"
-        );
-        assert_eq!(
-            instruction(&crown),
-            "Glue films of x and y at the crown, 7 units every 51.4 degrees"
+            "14 films along x and y at the crown, a pair every 51.4 degrees"
         );
         crown.staggered = true;
-        assert!(instruction(&crown).ends_with("degrees with their films spread evenly between"));
+        assert_eq!(
+            laid(&crown),
+            "along x and y in turn at the crown, one every 25.7 degrees"
+        );
         assert_eq!(
             words(&layout(Some(60.0), "30 deg", &["45"])),
-            "7 units of 45 deg at 30 degrees from the crown, every 60 degrees"
+            "7 films along 45 deg at 30 degrees from the crown, one every 60 degrees"
+        );
+        assert!(
+            words(&layout(Some(120.0), "crown", &["x", "y", "45"]))
+                .ends_with("at the crown, 3 in one place every 120 degrees")
         );
         let mut free = layout(None, "mixed", &["y"]);
         free.name = Some("mine".to_owned());
         assert_eq!(
-            instruction(&free),
-            "Glue 7 films of y at several section angles (\"mine\")"
+            words(&free),
+            "7 films along y at several section angles (\"mine\")"
         );
     }
 }

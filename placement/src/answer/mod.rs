@@ -2,19 +2,25 @@
 //!
 //! - `figure_words`: figures with their errors, as they stand in sentences
 //! - `first_rank`: how sure a first rank is
-//! - `best_place`, `best_layout`: the first ranks, their verdicts and reasons
+//! - `best_place`: the first rank of places, its verdict and reason
+//! - `film_trade`: the best layout of each number of films, and which of them answers; `trade_words`: the same in words
+//! - `picked_layout`: the verdict on the layout that answers, and the reason
 //! - `inputs_that_matter`: the shares of all inputs
+//! - `gluing_sheet`: its films, one by one
 //! - `layout_words`: what a layout is, in words
 //! - `left_out_words`: what is left out, as a sentence
 //! - `whole_answer`: all of it together
 
-mod best_layout;
 mod best_place;
 mod figure_words;
+mod film_trade;
 mod first_rank;
+mod gluing_sheet;
 mod inputs_that_matter;
 mod layout_words;
 mod left_out_words;
+mod picked_layout;
+mod trade_words;
 mod whole_answer;
 
 pub(crate) use left_out_words::effect_notes;

@@ -1,17 +1,26 @@
 //! The whole answer of a study: its sentence, the weaker verdict, and what could overturn it.
 
-use super::best_layout::best_layout;
 use super::best_place::best_place;
+use super::film_trade::trade;
+use super::gluing_sheet::sheet;
 use super::inputs_that_matter::inputs_that_matter;
 use super::left_out_words::largest;
+use super::picked_layout::picked_layout;
 use documents::study::Study;
-use results::{Answer, Certainty, InputsAnswer, PlaceAnswer, StudyResult};
+use results::{
+    Answer, Certainty, InputsAnswer, LayoutAnswer, PlaceAnswer, RankedLayout, SheetFilm,
+    StudyResult,
+};
 
 /// The answer of a study's result, which has everything else already; `None` where nothing has a rank. What a surer answer costs depends on the machine: who
 /// knows that adds it.
 pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
     let place = best_place(&result.locations, study.directions);
-    let layout = best_layout(&result.layouts);
+    let findings = result.layout_findings.as_ref();
+    let trade = trade(&result.layouts, findings, study.question);
+    let layout = trade
+        .as_ref()
+        .and_then(|trade| picked_layout(trade, &result.layouts));
     let of_layout = layout
         .as_ref()
         .map(|(layout, sentence)| (layout.verdict, &layout.reason, sentence));
@@ -51,9 +60,20 @@ pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
         reason,
         left_out: largest(&result.model.left_out),
         place,
+        films: films(study, result, layout.as_ref().map(|(layout, _)| layout)),
         layout: layout.map(|(layout, _)| layout),
+        trade,
         inputs,
         surer: None,
+    })
+}
+
+/// The films of the layout that answers.
+fn films(study: &Study, result: &StudyResult, layout: Option<&LayoutAnswer>) -> Vec<SheetFilm> {
+    let of_rank = |ranked: &&RankedLayout| layout.is_some_and(|layout| layout.rank == ranked.rank);
+    let found = result.layouts.iter().find(of_rank);
+    found.map_or_else(Vec::new, |layout| {
+        sheet(layout, &study.scene.geometry, study.layouts.size_mm)
     })
 }
 
@@ -152,8 +172,18 @@ mod tests {
     fn the_weaker_verdict_counts_and_its_reason_is_told() {
         let [clear, close] = [[(2.0, 0.1), (4.0, 0.1)], [(2.0, 0.1), (2.05, 0.1)]];
         let cases = [
-            (Some(1.0), &clear, Certainty::Certain, "No other comes near"),
-            (Some(1.0), &close, Certainty::Tied, "Rank 2 can't be told"),
+            (
+                Some(1.0),
+                &clear,
+                Certainty::Certain,
+                "Of the layouts tried with up to 12 films no other",
+            ),
+            (
+                Some(1.0),
+                &close,
+                Certainty::Tied,
+                "Of the layouts tried with up to 12 films rank 2 can't",
+            ),
             (Some(20.0), &clear, Certainty::Tied, "Ranked by the indices"),
             (None, &close, Certainty::Unknown, "Ranked by the indices"),
         ];
@@ -161,7 +191,11 @@ mod tests {
             let answer = answered(index_error, layouts, None);
             assert_eq!(answer.verdict, verdict);
             assert!(answer.reason.starts_with(reason), "{}", answer.reason);
-            assert!(answer.sentence.starts_with("Glue films of x at the crown"));
+            assert!(
+                answer
+                    .sentence
+                    .starts_with("The knee is at 12 films: glue them along x at the crown")
+            );
             assert_eq!(answer.left_out.expect("friction").effect, 0.2);
         }
     }

@@ -23,6 +23,7 @@ use tire::embedded::EmbeddedSolver;
 use documents::layouts::layout_settings::Layouts;
 use documents::parts::directions::Directions;
 use documents::study::plan::Plan;
+use documents::study::question::Question;
 use documents::study::{Accuracy, Input, Study};
 use placement::points::RunContext;
 use placement::points::memory::MemoryArchive;
@@ -90,11 +91,8 @@ fn study(
         scene,
         directions: Directions::Both,
         grid: None,
-        layouts: Layouts {
-            spacings_deg: Vec::new(),
-            positions: Vec::new(),
-            ..Layouts::default()
-        },
+        layouts: Layouts::none(),
+        question: Question::default(),
         method,
         accuracy: Accuracy::Preset,
         signals: None,

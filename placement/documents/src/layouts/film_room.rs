@@ -46,6 +46,16 @@ impl FilmRoom {
                 .is_none_or(|size| is_clear(size, apart, [one.angle_deg, other.angle_deg]))
     }
 
+    /// Two films that can't both be glued on; `None` where all can.
+    pub fn crowded(&self, films: &[FilmPlace]) -> Option<(FilmPlace, FilmPlace)> {
+        let mut pairs = films.iter().enumerate().flat_map(|(k, one)| {
+            let later = films.iter().skip(k + 1);
+            later.map(move |other| (one, other))
+        });
+        let found = pairs.find(|(one, other)| !self.has_both(one, other));
+        found.map(|(one, other)| (*one, *other))
+    }
+
     /// Whether a film keeps out of sectors of the wheel, each from one angle to another in the rolling direction, degrees.
     pub fn keeps_out(&self, film: &FilmPlace, sectors_deg: &[[f64; 2]]) -> bool {
         let extent = |size| FilmExtent::on(&self.geometry, size, film.phi_deg, film.angle_deg);
@@ -54,6 +64,17 @@ impl FilmRoom {
             let half = 0.5 * (to - from).rem_euclid(360.0);
             wrapped_deg(film.theta_deg - from - half).abs() > half + reach_deg + TOUCHING_MM
         })
+    }
+
+    /// Distances to a film's middle on the inner surface: around the wheel from the mark at 0 degrees, and along the section from the nearer bead, mm.
+    pub fn from_marks_mm(&self, film: &FilmPlace) -> [f64; 2] {
+        let radii = inner_radii_mm(&self.geometry);
+        let wheel = wheel_radius_mm(radii, film.phi_deg.to_radians());
+        let off_bead = self.geometry.bead_angle_deg - film.phi_deg.abs();
+        [
+            wheel * film.theta_deg.to_radians(),
+            radii[1] * off_bead.to_radians(),
+        ]
     }
 
     /// Distances from one film's middle to another's around the wheel and along the section, mm.

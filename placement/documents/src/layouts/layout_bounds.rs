@@ -16,7 +16,7 @@ pub(super) const MOST_UNITS: u64 = 120;
 pub(super) const MOST_LOADS: usize = 8;
 pub(super) const MOST_FREE: usize = 100;
 /// Most films of one layout.
-pub(super) const MOST_FILMS: usize = 240;
+pub(crate) const MOST_FILMS: usize = 240;
 pub(super) const MOST_SEARCHED: u64 = 48;
 pub(super) const MOST_SLOTS: u64 = 120;
 /// Most regular layouts: each takes about a second of a core at three loads on two meshes.

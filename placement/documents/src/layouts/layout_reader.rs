@@ -42,6 +42,7 @@ pub(crate) fn layouts(
     };
     let mut layouts = Layouts::default();
     let known = [
+        "films",
         "spacings_deg",
         "units",
         "positions",
@@ -67,15 +68,28 @@ pub(crate) fn layouts(
     let fields = Fields::open(value, &pointer, &known, faults)?;
     let before = faults.len();
     let has = |name: &str| fields.get(name).is_some();
-    // Who names other layouts doesn't mean the common ones, too.
-    if ["units", "free", "search"].into_iter().any(has) {
-        layouts.spacings_deg.clear();
+    // Who names layouts doesn't mean the common menu, too.
+    if ["spacings_deg", "units", "free", "search"]
+        .into_iter()
+        .any(has)
+    {
+        layouts.films.clear();
     }
     if has("section_deg") {
         layouts.positions.clear();
     }
     let section =
         |value: &Value, at: &str, faults: &mut Vec<Fault>| section(value, at, scene, faults);
+    entries(
+        &fields,
+        "films",
+        &mut layouts.films,
+        MOST_ENTRIES,
+        faults,
+        |value, at, faults| {
+            integer(value, at, 1, MOST_FILMS as u64, faults).map(|films| films as usize)
+        },
+    );
     entries(
         &fields,
         "spacings_deg",
@@ -139,14 +153,14 @@ pub(crate) fn layouts(
         layouts.level = fields.choice("level", Level::CHOICES, Level::Coarse, faults);
     }
     layouts.search = search(&fields, scene, faults);
-    check_count(&layouts, &pointer, faults);
+    check_count(&layouts, directions, &pointer, faults);
     read_films(&fields, &mut layouts, film, faults);
     if let Some(scene) = scene.filter(|_| faults.len() == before) {
         check_film(&layouts, &fields, scene, faults);
         let geometry = &scene.geometry;
         check_sizes(&layouts, &fields, geometry, directions, faults);
         if faults.len() == before {
-            check_overlaps(&mut layouts, &fields, geometry, directions, faults);
+            check_overlaps(&layouts, &fields, geometry, directions, faults);
         }
     }
     (faults.len() == before).then_some(layouts)
@@ -490,12 +504,11 @@ fn sector(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<[f64;
     Some([from?, to?])
 }
 
-fn check_count(layouts: &Layouts, pointer: &str, faults: &mut Vec<Fault>) {
-    let sets = layouts.directions.len().max(1) * if layouts.staggered { 2 } else { 1 };
-    let count = layouts.unit_counts().len() * layouts.sections_deg().len() * sets;
+fn check_count(layouts: &Layouts, directions: Directions, pointer: &str, faults: &mut Vec<Fault>) {
+    let count = layouts.rings(directions).len();
     if count > MOST_LAYOUTS {
         let detail = format!(
-            "numbers of units, section angles and sets of directions make {count} layouts; a study scores at most {MOST_LAYOUTS}"
+            "numbers of films or units, section angles and sets of directions make {count} layouts; a study scores at most {MOST_LAYOUTS}"
         );
         Fault::add(faults, pointer, detail);
     }

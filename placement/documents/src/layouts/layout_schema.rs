@@ -34,8 +34,14 @@ fn describe_which(layouts: &mut Properties, schemas: &mut Schemas) {
     let usual = Layouts::default();
     let mut add = |name, doc, schema, default| layouts.add(name, doc, schema, default, false);
     let spacings = Vec::<f64>::schema(&Entries::distinct(MOST_ENTRIES, SPACING), schemas);
+    let films = Vec::<usize>::schema(
+        &Entries::distinct(MOST_ENTRIES, (1, MOST_FILMS as u64)),
+        schemas,
+    );
+    let doc = "Numbers of films of the menu: each along every direction, and as all directions in one place or in turn. Without spacings_deg, units, free and search the common menu.";
+    add("films", doc, films, usual.films.write());
     let doc = "Angles between neighbouring units, degrees; each divides 360.";
-    add("spacings_deg", doc, spacings, usual.spacings_deg.write());
+    add("spacings_deg", doc, spacings, None);
     let units = Vec::<usize>::schema(&Entries::distinct(MOST_ENTRIES, (1, MOST_UNITS)), schemas);
     let doc = "Numbers of units, beside those of the spacings.";
     add("units", doc, units, None);

@@ -5,6 +5,7 @@ use fem_client::solver::Position;
 use fem_client::solver::direction::Direction;
 use serde_json::{Map, Value, json};
 
+use crate::layouts::rings::COMMON_FILMS;
 use crate::parts::directions::Directions;
 use crate::parts::film_model::FilmModel;
 use crate::parts::film_place::FilmPlace;
@@ -19,6 +20,8 @@ pub(crate) const NOISE_SHARE: f64 = 0.02;
 /// The `[layouts]` of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layouts {
+    /// Numbers of films of the menu: each is laid along every direction, and as all directions in one place or in turn.
+    pub films: Vec<usize>,
     /// Angles between neighbouring units, degrees; each divides 360.
     pub spacings_deg: Vec<f64>,
     /// Numbers of units, beside those of the spacings.
@@ -151,7 +154,8 @@ impl SearchSettings {
 impl Default for Layouts {
     fn default() -> Self {
         Self {
-            spacings_deg: vec![30.0, 45.0, 60.0, 72.0, 90.0, 120.0, 180.0],
+            films: COMMON_FILMS.to_vec(),
+            spacings_deg: Vec::new(),
             units: Vec::new(),
             positions: vec![Position::Crown, Position::Shoulder, Position::Sidewall],
             section_deg: Vec::new(),
@@ -175,7 +179,7 @@ impl Layouts {
     /// Asks for no layouts.
     pub fn none() -> Self {
         Self {
-            spacings_deg: Vec::new(),
+            films: Vec::new(),
             positions: Vec::new(),
             ..Self::default()
         }
@@ -183,7 +187,8 @@ impl Layouts {
 
     /// Whether there is a layout to score or to search for.
     pub fn is_asked(&self) -> bool {
-        let regular = !self.unit_counts().is_empty() && !self.sections_deg().is_empty();
+        let is_counted = !self.films.is_empty() || !self.unit_counts().is_empty();
+        let regular = is_counted && !self.sections_deg().is_empty();
         regular || !self.free.is_empty() || self.search.is_some()
     }
 
@@ -213,22 +218,11 @@ impl Layouts {
         }
     }
 
-    /// Numbers of films of the layouts that it names, those of a search apart.
+    /// Numbers of films of the layouts that it names or offers, those of a search apart.
     pub(crate) fn film_counts(&self, asked: Directions) -> Vec<usize> {
-        let (units, sections) = (self.unit_counts(), self.sections_deg().len());
-        let mut counts = Vec::new();
-        for set in self.sets(asked) {
-            let twice = if self.staggered && set.len() > 1 {
-                2
-            } else {
-                1
-            };
-            for units in &units {
-                counts.extend(vec![units * set.len(); twice * sections]);
-            }
-        }
-        counts.extend(self.free.iter().map(|layout| layout.films.len()));
-        counts
+        let of_rings = self.rings(asked).into_iter().map(|ring| ring.films());
+        let of_free = self.free.iter().map(|layout| layout.films.len());
+        of_rings.chain(of_free).collect()
     }
 
     /// Unit of its films' signals.
@@ -248,6 +242,9 @@ impl Layouts {
     pub fn to_value(&self) -> Value {
         let mut table = Map::new();
         let mut put = |name: &str, value: Value| table.insert(name.to_owned(), value);
+        if !self.films.is_empty() {
+            put("films", json!(self.films));
+        }
         put("spacings_deg", json!(self.spacings_deg));
         put("positions", json!(self.positions));
         if !self.units.is_empty() {

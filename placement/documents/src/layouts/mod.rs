@@ -1,6 +1,7 @@
 //! Layouts of films, as a study asks for them.
 //!
 //! - [`layout_settings`]: what is asked
+//! - [`rings`]: regular layouts, those of the menu among them
 //! - [`film_extent`]: the rectangle that a film covers
 //! - [`film_room`]: room between films; `overlap_check`: layouts whose films overlap
 //! - [`layout_reader`], `film_size_reader`: read the table `layouts`, whose bounds are in [`layout_bounds`]; `layout_schema` describes it
@@ -13,3 +14,4 @@ pub mod layout_reader;
 pub(crate) mod layout_schema;
 pub mod layout_settings;
 pub(crate) mod overlap_check;
+pub mod rings;

@@ -9,13 +9,12 @@ use fem_client::scene::Geometry;
 
 use crate::layouts::film_room::FilmRoom;
 use crate::layouts::layout_settings::{Layouts, section_name, units_of};
+use crate::layouts::rings::Ring;
 use crate::parts::directions::Directions;
-use crate::parts::film_place::FilmPlace;
 
-/// A fault for each number of units whose films overlap, and for each film of a layout by hand that lies on an earlier one. Of common spacings, which nobody wrote,
-/// those that overlap are left out.
+/// A fault for each number of units whose films overlap, and for each film of a layout by hand that lies on an earlier one. What the menu offers is nobody's fault.
 pub(crate) fn check_overlaps(
-    layouts: &mut Layouts,
+    layouts: &Layouts,
     fields: &Fields<'_>,
     geometry: &Geometry,
     directions: Directions,
@@ -25,12 +24,7 @@ pub(crate) fn check_overlaps(
     let Some([length, width]) = layouts.size_mm else {
         return;
     };
-    let crowded = |layouts: &Layouts, units: usize| crowded_at(layouts, &room, units, directions);
-    if fields.get("spacings_deg").is_none() {
-        let mut spacings = std::mem::take(&mut layouts.spacings_deg);
-        spacings.retain(|spacing| crowded(layouts, units_of(*spacing)).is_none());
-        layouts.spacings_deg = spacings;
-    }
+    let rings = layouts.rings(directions);
     let of_spacings = layouts
         .spacings_deg
         .iter()
@@ -38,7 +32,7 @@ pub(crate) fn check_overlaps(
     let named = of_spacings.enumerate().map(|named| ("spacings_deg", named));
     let of_units = layouts.units.iter().copied().enumerate();
     for (list, (i, units)) in named.chain(of_units.map(|named| ("units", named))) {
-        if let Some((section_deg, apart_mm)) = crowded(layouts, units) {
+        if let Some((section_deg, apart_mm)) = crowded_at(&rings, &room, units) {
             let detail = format!(
                 "{units} units overlap at the {}: neighbours are {apart_mm:.1} mm apart there, and films of {length} x {width} mm have no room; fewer units, another direction or smaller films have",
                 section_name(section_deg)
@@ -66,50 +60,13 @@ pub(crate) fn check_overlaps(
 }
 
 /// Returns the section angle where neighbours of so many units overlap, degrees, and how far these are apart, mm.
-fn crowded_at(
-    layouts: &Layouts,
-    room: &FilmRoom,
-    units: usize,
-    directions: Directions,
-) -> Option<(f64, f64)> {
-    let sections = layouts.sections_deg();
-    let sets = layouts.sets(directions);
-    let mut laid = sections
+fn crowded_at(rings: &[Ring], room: &FilmRoom, units: usize) -> Option<(f64, f64)> {
+    let mut named = rings
         .iter()
-        .flat_map(|phi| sets.iter().map(move |set| (*phi, set)));
-    laid.find_map(|(phi_deg, set)| {
-        let rings = match layouts.staggered && set.len() > 1 {
-            true => vec![
-                ring(units, set, phi_deg, false),
-                ring(units, set, phi_deg, true),
-            ],
-            false => vec![ring(units, set, phi_deg, false)],
-        };
-        let mut pairs = rings.iter().flat_map(|ring| pairs(ring));
-        let (one, other) = pairs.find(|(one, other)| !room.has_both(one, other))?;
-        let [around, _] = room.between_mm(one, other);
-        Some((phi_deg, around.abs()))
+        .filter(|ring| !ring.of_menu && ring.units == units);
+    named.find_map(|ring| {
+        let (one, other) = room.crowded(&ring.places(2))?;
+        let [around, _] = room.between_mm(&one, &other);
+        Some((ring.section_deg, around.abs()))
     })
-}
-
-/// Films of two neighbouring units; staggered, those of a unit are spread up to the next.
-fn ring(units: usize, set: &[f64], phi_deg: f64, staggered: bool) -> Vec<FilmPlace> {
-    let spacing = 360.0 / units as f64;
-    let step = match staggered {
-        true => spacing / set.len() as f64,
-        false => 0.0,
-    };
-    let unit = |number: usize| {
-        set.iter().enumerate().map(move |(k, angle_deg)| FilmPlace {
-            theta_deg: spacing * number as f64 + step * k as f64,
-            phi_deg,
-            angle_deg: *angle_deg,
-        })
-    };
-    (0..units.min(2)).flat_map(unit).collect()
-}
-
-fn pairs(films: &[FilmPlace]) -> impl Iterator<Item = (&FilmPlace, &FilmPlace)> {
-    let with_later = |(k, one)| films.iter().skip(k + 1).map(move |other| (one, other));
-    films.iter().enumerate().flat_map(with_later)
 }

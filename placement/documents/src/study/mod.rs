@@ -2,6 +2,7 @@
 //!
 //! - `study_reader` and, for its parts, `candidate_reader`, `distribution_reader`, `input_reader` and `method_reader`: read a study, with every fault at once
 //! - `study_schema`: its JSON Schema
+//! - [`question`]: what is asked of layouts
 //! - `reading_bounds`: rules of a rig beside layouts
 //! - [`plan`]: the design points of a study, a pure function of the document
 
@@ -10,6 +11,7 @@ pub(crate) mod distribution_reader;
 pub(crate) mod input_reader;
 pub(crate) mod method_reader;
 pub mod plan;
+pub mod question;
 mod reading_bounds;
 pub(crate) mod study_reader;
 pub(crate) mod study_schema;
@@ -28,6 +30,7 @@ use crate::parts::directions::Directions;
 use crate::rig::rig_settings::RigSettings;
 use crate::signals::signal_settings::SignalSettings;
 use crate::study::candidate_reader::{Candidates, Points};
+use crate::study::question::Question;
 
 /// A checked study. Build it with [`Study::from_document`].
 #[derive(Debug, Clone, PartialEq)]
@@ -44,6 +47,8 @@ pub struct Study {
     pub grid: Option<Grid>,
     /// Layouts to score.
     pub layouts: Layouts,
+    /// Question that the layouts answer; empty where none is asked.
+    pub question: Question,
     /// Method that computes the indices.
     pub method: Method,
     /// Level of the mesh, at first where an accuracy is asked for; `scene.model.level` is the same.
@@ -131,7 +136,8 @@ impl Study {
         if let Some(document) = document.as_object_mut() {
             let signals = self.signals.as_ref().map(SignalSettings::to_value);
             let rig = self.rig.as_ref().map(table_value);
-            for (name, table) in [("signals", signals), ("rig", rig)] {
+            let question = (!self.question.is_empty()).then(|| table_value(&self.question));
+            for (name, table) in [("question", question), ("signals", signals), ("rig", rig)] {
                 document.extend(table.map(|table| (name.to_owned(), table)));
             }
         }

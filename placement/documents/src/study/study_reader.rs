@@ -14,6 +14,7 @@ use gsa::method::{Kind, Method};
 use serde_json::Value;
 
 use crate::layouts::layout_reader::layouts;
+use crate::layouts::layout_settings::Layouts;
 use crate::parts::directions::Directions;
 use crate::parts::scene_reader::{Resolve, scene};
 use crate::rig::rig_settings::RigSettings;
@@ -23,6 +24,7 @@ use crate::study::candidate_reader::Candidates;
 use crate::study::input_reader::read_inputs;
 use crate::study::method_reader::{Limits, read_method};
 use crate::study::plan::{Estimable, PlanError, PlannedStudy};
+use crate::study::question::Question;
 use crate::study::reading_bounds::check_readings;
 use crate::study::{Accuracy, Study};
 use document::typed::field_value::read_name;
@@ -131,6 +133,7 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         "inputs",
         "candidates",
         "layouts",
+        "question",
         "method",
         "accuracy",
         "signals",
@@ -155,7 +158,8 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
     let mut of_signals = Vec::new();
     let signals = signals(&fields, scene.as_ref(), resolve, &mut of_signals);
     let film = film_of(signals.as_ref(), scene.as_ref());
-    let layouts = layouts(&fields, scene.as_ref(), directions, film.as_ref(), faults);
+    let mut layouts = layouts(&fields, scene.as_ref(), directions, film.as_ref(), faults);
+    let question = question(&fields, layouts.as_mut(), faults);
     let method = read_method(&fields, LIMITS, faults);
     let accuracy = accuracy(&fields, scene.as_ref(), faults);
     let nodes = method
@@ -191,12 +195,47 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         directions,
         grid,
         layouts: layouts?,
+        question: question?,
         method: method?,
         level,
         accuracy,
         signals,
         rig,
     })
+}
+
+/// Reads what is asked of layouts. The number of films that there are is on the menu, and who asks without layouts means the common ones.
+fn question(
+    fields: &Fields<'_>,
+    layouts: Option<&mut Layouts>,
+    faults: &mut Vec<Fault>,
+) -> Option<Question> {
+    let asked = optional(
+        fields,
+        "question",
+        false,
+        Question::default,
+        faults,
+        |value, at, faults| Question::read(value, at, &(), faults),
+    )?;
+    if asked.is_empty() {
+        return Some(asked);
+    }
+    if let Some(layouts) = layouts {
+        if fields.get("layouts").is_none() {
+            *layouts = Layouts::default();
+        }
+        if !layouts.is_asked() {
+            let detail = "is answered by layouts, and the study asks for none: leave [layouts] out for the common menu, or name some";
+            Fault::add(faults, &fields.at("question"), detail);
+        }
+        let wanted = asked.films.filter(|_| !layouts.films.is_empty());
+        if let Some(films) = wanted.filter(|films| !layouts.films.contains(films)) {
+            layouts.films.push(films);
+            layouts.films.sort_unstable();
+        }
+    }
+    Some(asked)
 }
 
 /// The film of the signals; where the study asks for none, that of the scene, or a common one.

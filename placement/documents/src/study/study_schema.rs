@@ -13,6 +13,7 @@ use crate::signals::signal_reader::signals_schema;
 use crate::study::candidate_reader::Candidates;
 use crate::study::input_reader::inputs_schema;
 use crate::study::method_reader::method_schema;
+use crate::study::question::Question;
 use crate::study::study_reader::{BUDGET, LIMITS, LONGEST_NAME, TOLERANCE};
 
 /// The schema of a study.
@@ -36,6 +37,11 @@ pub(crate) fn study_schema(schemas: &mut Schemas) -> Value {
                 "layouts",
                 "Layouts to score; none when left out.",
                 layouts_schema(schemas),
+            ),
+            (
+                "question",
+                "Question that the layouts answer: the best with so many films, or the fewest that keep errors within limits; none when left out.",
+                Question::schema(&(), schemas),
             ),
             (
                 "method",

@@ -4,10 +4,12 @@ use fem_client::scene::Geometry;
 
 use crate::arrangement::{Arrangement, FilmKind, FilmReads, LaidFilm};
 use crate::search::search_films::{Conflicts, SearchFilms};
+use documents::layouts::film_extent::FilmExtent;
 use documents::layouts::film_room::FilmRoom;
 use documents::layouts::layout_settings::{
-    FreeLayout, Layouts, SearchSettings, direction_name, section_name,
+    FreeLayout, Layouts, SearchSettings, direction_name, farthest_section_deg, section_name,
 };
+use documents::layouts::rings::Ring;
 use documents::parts::directions::Directions;
 use documents::parts::film_place::FilmPlace;
 use results::RankedLayout;
@@ -32,6 +34,8 @@ pub struct AskedLayout {
     pub arrangement: Arrangement,
     /// Row of the layout in the answer, without scores.
     pub label: RankedLayout,
+    /// Whether the menu offers it: it is simulated only where it may be the best of as few films.
+    pub of_menu: bool,
 }
 
 impl Kinds {
@@ -90,6 +94,19 @@ impl Kinds {
             })
     }
 
+    /// Whether a ring's films fit in the section and beside each other.
+    fn have_room(&self, ring: &Ring) -> bool {
+        let Some(size_mm) = self.size_mm else {
+            return true;
+        };
+        let farthest = farthest_section_deg(&self.geometry);
+        let extent = |angle| FilmExtent::on(&self.geometry, size_mm, ring.section_deg, angle);
+        let room = FilmRoom::on(&self.geometry, self.size_mm, 0.0);
+        let mut directions = ring.directions.iter();
+        directions.all(|angle| extent(*angle).fits(farthest))
+            && room.crowded(&ring.places(2)).is_none()
+    }
+
     /// Returns the place of a film.
     pub fn place(&self, film: &LaidFilm) -> FilmPlace {
         let kind = self.all[film.kind];
@@ -126,52 +143,44 @@ impl Kinds {
     }
 }
 
-/// Every layout that a study asks for, in the order of its document.
+/// Every layout that a study asks for, in the order of its document, and the number of those on its menu whose films have no room.
 pub fn asked_layouts(
     settings: &Layouts,
     directions: Directions,
     kinds: &mut Kinds,
-) -> Vec<AskedLayout> {
+) -> (Vec<AskedLayout>, usize) {
     let mut layouts = Vec::new();
-    for &section in &settings.sections_deg() {
-        for set in settings.sets(directions) {
-            let of_set: Vec<usize> = set
-                .iter()
-                .map(|&angle_deg| kinds.laid(section, angle_deg))
-                .collect();
-            for units in settings.unit_counts() {
-                layouts.push(regular(units, section, &set, &of_set, false));
-                if settings.staggered && set.len() > 1 {
-                    layouts.push(regular(units, section, &set, &of_set, true));
-                }
-            }
+    let mut without_room = 0;
+    for ring in settings.rings(directions) {
+        if ring.of_menu && !kinds.have_room(&ring) {
+            without_room += 1;
+        } else {
+            layouts.push(regular(&ring, kinds));
         }
     }
     layouts.extend(settings.free.iter().map(|layout| free(layout, kinds)));
-    layouts
+    (layouts, without_room)
 }
 
-fn regular(
-    units: usize,
-    section_deg: f64,
-    directions: &[f64],
-    kinds: &[usize],
-    staggered: bool,
-) -> AskedLayout {
+fn regular(ring: &Ring, kinds: &mut Kinds) -> AskedLayout {
+    let of_unit: Vec<usize> = ring
+        .directions
+        .iter()
+        .map(|&angle_deg| kinds.laid(ring.section_deg, angle_deg))
+        .collect();
+    let directions = ring.directions.iter();
     AskedLayout {
-        arrangement: Arrangement::regular(units, kinds, staggered),
+        arrangement: Arrangement::regular(ring.units, &of_unit, ring.staggered),
         label: RankedLayout {
-            spacing_deg: Some(360.0 / units as f64),
-            units,
-            position: section_name(section_deg),
-            films: directions
-                .iter()
-                .map(|angle| direction_name(*angle))
-                .collect(),
-            staggered,
-            film_count: units * directions.len(),
+            spacing_deg: Some(360.0 / ring.units as f64),
+            units: ring.units,
+            position: section_name(ring.section_deg),
+            films: directions.map(|angle| direction_name(*angle)).collect(),
+            staggered: ring.staggered,
+            film_count: ring.films(),
             ..RankedLayout::default()
         },
+        of_menu: ring.of_menu,
     }
 }
 
@@ -211,6 +220,7 @@ pub fn listed(name: String, films: Vec<LaidFilm>, kinds: &Kinds) -> AskedLayout 
             places,
             ..RankedLayout::default()
         },
+        of_menu: false,
     }
 }
 
@@ -253,21 +263,40 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_default_document_asks_for_seven_spacings_at_three_positions() {
-        let mut kinds = Kinds::of_crown(&Geometry::default(), None, FilmReads::Strain);
-        let layouts = asked_layouts(&Layouts::default(), Directions::Both, &mut kinds);
-        assert_eq!((layouts.len(), kinds.all().len()), (21, 6));
+    fn a_default_document_asks_for_the_common_menu() {
+        let asked = |size_mm| {
+            let mut kinds = Kinds::of_crown(&Geometry::default(), size_mm, FilmReads::Strain);
+            let asked = asked_layouts(&Layouts::default(), Directions::Both, &mut kinds);
+            (asked, kinds.all().len())
+        };
+        let ((layouts, without_room), kinds) = asked(None);
+        assert_eq!((layouts.len(), without_room, kinds), (150, 0, 6));
         assert_eq!(
             (layouts[0].label.units, layouts[0].label.film_count),
-            (12, 24)
+            (3, 3)
         );
-        assert_eq!(layouts[20].label.position, "sidewall");
+        assert_eq!(layouts[149].label.position, "sidewall");
+        assert!(layouts.iter().all(|layout| layout.of_menu));
+        // 25 mm of the crown's 295: 11 films along x at most, 29 along y of 10 mm width.
+        let ((layouts, without_room), _) = asked(Some([25.0, 10.0]));
+        let most = |films: &[&str], position: &str| {
+            let counts = layouts
+                .iter()
+                .filter(|layout| layout.label.films == films && layout.label.position == position)
+                .map(|layout| layout.label.units);
+            counts.max()
+        };
+        assert_eq!(
+            (most(&["x"], "crown"), most(&["y"], "crown")),
+            (Some(10), Some(24))
+        );
+        assert_eq!(layouts.len() + without_room, 150);
     }
 
     #[test]
     fn sets_staggered_and_free_ones_are_named() {
         let settings = Layouts {
-            spacings_deg: Vec::new(),
+            films: Vec::new(),
             units: vec![6],
             positions: Vec::new(),
             section_deg: vec![30.0],
@@ -291,7 +320,7 @@ mod tests {
             ..Layouts::default()
         };
         let mut kinds = Kinds::of_crown(&Geometry::default(), None, FilmReads::Strain);
-        let layouts = asked_layouts(&settings, Directions::Both, &mut kinds);
+        let (layouts, _) = asked_layouts(&settings, Directions::Both, &mut kinds);
         let shown: Vec<(String, Vec<String>, bool, usize)> = layouts
             .iter()
             .map(|layout| {

@@ -75,6 +75,7 @@ fn error(fine: &LayoutScore, coarse: &LayoutScore, factor: f64) -> LayoutError {
             |score| score.simulated_p95_angle_error_deg,
             fine.simulated_p95_angle_error_deg_se,
         ),
+        force_error_n: simulated(|score| score.force_error_n, fine.force_error_n_se),
     }
 }
 

@@ -90,6 +90,34 @@ impl Scorer {
         self.depths_mm.iter().zip(&simulated).map(at).collect()
     }
 
+    /// The depth where the bound with a flat prior is worst, mm, and that bound, degrees.
+    ///
+    /// # Panics
+    /// Of a layout that wasn't announced.
+    pub fn worst_bound(&self, arrangement: &Arrangement) -> (f64, f64) {
+        let (likelihood, own) = self.own(arrangement);
+        let at = |&depth: &f64| {
+            let bound = bayes_angle_deg(&likelihood.field(depth), &own, &self.noise);
+            (depth, bound.unwrap_or(f64::INFINITY))
+        };
+        let bounds = self.depths_mm.iter().map(at);
+        bounds.fold(
+            (0.0, 0.0),
+            |worst, own| if own.1 > worst.1 { own } else { worst },
+        )
+    }
+
+    /// The 95th percentile of the angle's error, degrees, and the force's error, N, at a depth by other draws.
+    ///
+    /// # Panics
+    /// Of a layout that wasn't announced.
+    pub fn glimpse(&self, arrangement: &Arrangement, depth_mm: f64, draws: &Draws) -> [f64; 2] {
+        let (likelihood, own) = self.own(arrangement);
+        let slope = likelihood.field(depth_mm).force_slope.abs();
+        let found = &simulate(likelihood, &[depth_mm], &own, draws)[0];
+        [found.p95_angle_deg, found.rms_depth_mm * slope]
+    }
+
     /// The likelihood of a layout's kinds of film, and the layout with its kinds numbered as there.
     fn own(&self, arrangement: &Arrangement) -> (&Likelihood, Arrangement) {
         let kinds = kinds_of(arrangement);
@@ -112,6 +140,7 @@ impl Scorer {
             lost_share: Some(simulated.lost_share),
             simulated_rms_depth_error_mm: Some(simulated.rms_depth_mm),
             force_error_n: Some(simulated.rms_depth_mm * field.force_slope.abs()),
+            force_error_n_se: Some(simulated.rms_depth_se_mm * field.force_slope.abs()),
             shear: shear(fields, &self.noise, depth_mm, arrangement),
             ..bounded(field, &self.noise, arrangement)
         }

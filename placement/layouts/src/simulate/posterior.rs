@@ -5,6 +5,11 @@
 //! that may hold some of the mass are then cut into thirds, ninths or more, until a part is no wider than two standard deviations of the likelihood there: sums
 //! of a bell over such steps are off by 1.4 %, and shift its mean by a twentieth of its deviation, at most.
 
+use std::cell::OnceCell;
+use std::collections::HashMap;
+
+use ndarray::{Array2, ArrayView1};
+
 use crate::arrangement::Arrangement;
 use crate::field::film_field::{DepthFields, LoadField, Noise};
 use crate::field::separated::Separated;
@@ -18,8 +23,8 @@ const DEPTH_CELLS: usize = 16;
 const MOST_PARTS: usize = 27;
 /// Standard deviations that a part may be wide.
 const STEP: f64 = 2.0;
-/// Distance below the largest ln p at which a part holds nothing: exp(-25) of it.
-const NEGLIGIBLE: f64 = 25.0;
+/// Distance below the largest ln p at which a part holds nothing: exp(-16) of it.
+const NEGLIGIBLE: f64 = 16.0;
 /// Share of the largest field that separation may leave out: of a signal 100 times the noise it changes ln p by some hundredths.
 const TOLERANCE: f64 = 3e-6;
 
@@ -51,12 +56,21 @@ pub struct Estimator<'l> {
     directions: Vec<(f64, f64)>,
     /// Cells by angle, then depth.
     cells: Vec<Cell>,
-    /// Functions of the products at each film by part of an angle, product after product.
-    linear: Vec<Vec<f64>>,
-    /// Functions with squared readings; empty where the noise is the same everywhere.
-    quadratic: Vec<Vec<f64>>,
-    /// Functions without readings, summed over the films.
-    constant: Vec<Vec<f64>>,
+    /// Weights of each film's reading, and of its square, in ln p at the cells' middles.
+    at_middles: [Option<Array2<f64>>; 2],
+    arrangement: Arrangement,
+    /// Products' functions by part of an angle, where they were asked for.
+    functions: Vec<OnceCell<Functions>>,
+}
+
+/// Products' functions at an angle.
+struct Functions {
+    /// Those with readings at each film, product after product.
+    linear: Vec<f64>,
+    /// Those with squared readings; empty where the noise is the same everywhere.
+    quadratic: Vec<f64>,
+    /// Those without readings, summed over the films.
+    constant: Vec<f64>,
 }
 
 /// Demands of the likelihood on a cell of the grid.
@@ -64,10 +78,57 @@ pub struct Estimator<'l> {
 struct Cell {
     /// Parts along angle and depth.
     parts: [usize; 2],
-    /// Shortfall of its middle below its best point, at most.
-    slack: f64,
+    /// Shortfall of its middle below its best point by either side, at most.
+    slack: [f64; 2],
     /// Part of ln p at its middle without readings.
     constant: f64,
+}
+
+/// Part of a cell, among the finest parts.
+#[derive(Debug, Clone, Copy)]
+struct Block {
+    /// Its first parts along angle and depth.
+    first: [usize; 2],
+    /// Finest parts that it spans.
+    spans: [usize; 2],
+    /// Parts that it is still to be cut into.
+    parts: [usize; 2],
+    /// Parts of the whole cell.
+    share: f64,
+    /// Shortfall of its middle below its best point by either side, at most.
+    slack: [f64; 2],
+    /// Value of ln p at its middle.
+    log: f64,
+}
+
+impl Block {
+    fn middle(&self) -> [usize; 2] {
+        [0, 1].map(|k| self.first[k] + self.spans[k] / 2)
+    }
+
+    /// Its thirds along each side that is to be cut, with its own ln p. The slack goes by the square of a side.
+    fn thirds(&self) -> impl Iterator<Item = Self> + use<> {
+        let whole = *self;
+        let cuts = whole.parts.map(|parts| if parts > 1 { 3 } else { 1 });
+        let part = move |i: usize, j: usize| Self {
+            first: [(0, i), (1, j)].map(|(k, i)| whole.first[k] + i * whole.spans[k] / cuts[k]),
+            spans: [0, 1].map(|k| whole.spans[k] / cuts[k]),
+            parts: [0, 1].map(|k| whole.parts[k] / cuts[k]),
+            slack: [0, 1].map(|k| whole.slack[k] / (cuts[k] * cuts[k]) as f64),
+            ..whole
+        };
+        (0..cuts[0]).flat_map(move |i| (0..cuts[1]).map(move |j| part(i, j)))
+    }
+}
+
+/// Parts of the grid that were looked at after one set of readings.
+struct Found {
+    /// Largest ln p so far.
+    largest: f64,
+    /// Values of the products' functions by part of an angle.
+    products: HashMap<usize, Vec<f64>>,
+    /// Logarithm of the mass of each point, and its parts along angle and depth.
+    points: Vec<(f64, usize, usize)>,
 }
 
 /// An estimate.
@@ -115,70 +176,158 @@ impl<'l> Estimator<'l> {
         let cells = cells(&likelihood.fields, arrangement, &likelihood.noise);
         let finest = cells.iter().map(|cell| cell.parts[0]).fold(1, usize::max);
         let angles_deg = middles([0.0, 360.0], ANGLE_CELLS * finest);
-        let parts = &likelihood.parts;
-        let films = arrangement.films.len();
-        let quadratic = parts.quadratic.as_ref();
+        let directions = angles_deg.iter().map(|angle| angle.to_radians().sin_cos());
         let mut estimator = Self {
             likelihood,
-            films,
+            films: arrangement.films.len(),
             finest,
             cells,
-            linear: at_films(&parts.linear, arrangement, &angles_deg),
-            quadratic: quadratic
-                .map_or_else(Vec::new, |field| at_films(field, arrangement, &angles_deg)),
-            constant: summed(&parts.constant, arrangement, &angles_deg),
-            directions: angles_deg
-                .iter()
-                .map(|angle| angle.to_radians().sin_cos())
-                .collect(),
+            at_middles: [None, None],
+            directions: directions.collect(),
+            arrangement: arrangement.clone(),
+            functions: angles_deg.iter().map(|_| OnceCell::new()).collect(),
         };
         for cell in 0..estimator.cells.len() {
             estimator.cells[cell].constant = estimator.constant_at(cell);
         }
+        let parts = &likelihood.parts;
+        let of_readings = estimator.weights(|at| &at.linear, (0, 1.0));
+        let rank = parts.linear.rank();
+        let of_squares = || estimator.weights(|at| &at.quadratic, (rank, -0.5));
+        let of_squares = parts.quadratic.is_some().then(of_squares);
+        estimator.at_middles = [Some(of_readings), of_squares];
         estimator
+    }
+
+    /// The products' functions at a part of an angle.
+    fn at(&self, fine: usize) -> &Functions {
+        self.functions[fine].get_or_init(|| {
+            let angle_deg = (fine as f64 + 0.5) * 360.0 / self.functions.len() as f64;
+            let parts = &self.likelihood.parts;
+            let films = |field| at_films(field, &self.arrangement, angle_deg);
+            Functions {
+                linear: films(&parts.linear),
+                quadratic: parts.quadratic.as_ref().map(films).unwrap_or_default(),
+                constant: summed(&films(&parts.constant), self.films),
+            }
+        })
+    }
+
+    /// Films by cells: the products' functions at the films times their factors at the cells' middles, which begin at a number, times a factor of all.
+    fn weights(
+        &self,
+        functions: impl Fn(&Functions) -> &Vec<f64>,
+        (first, factor): (usize, f64),
+    ) -> Array2<f64> {
+        let mut weights = Array2::zeros((self.films, self.cells.len()));
+        for cell in 0..self.cells.len() {
+            let [angle, depth] = self.block(cell, 0.0).middle();
+            let coefficients = &self.likelihood.coefficients[depth][first..];
+            let products = functions(self.at(angle)).chunks_exact(self.films);
+            for (of_films, coefficient) in products.zip(coefficients) {
+                for (film, function) in of_films.iter().enumerate() {
+                    weights[[film, cell]] += factor * coefficient * function;
+                }
+            }
+        }
+        weights
     }
 
     /// Returns the part of ln p at the middle of a cell without readings.
     fn constant_at(&self, cell: usize) -> f64 {
-        let (angle, depth) = (cell / DEPTH_CELLS, cell % DEPTH_CELLS);
-        let sums = &self.constant[angle * self.finest + self.finest / 2];
-        let coefficients = &self.likelihood.coefficients[depth * MOST_PARTS + MOST_PARTS / 2];
+        let [angle, depth] = self.block(cell, 0.0).middle();
+        let sums = &self.at(angle).constant;
+        let coefficients = &self.likelihood.coefficients[depth];
         -0.5 * dot(&coefficients[coefficients.len() - sums.len()..], sums)
     }
 
-    /// The posterior's means after these readings, one of each film.
-    pub fn estimate(&self, readings: &[f64]) -> Estimated {
-        let squares: Vec<f64> = readings.iter().map(|y| y * y).collect();
-        let mut logs = Vec::with_capacity(self.cells.len());
-        for angle in 0..ANGLE_CELLS {
-            let middle = angle * self.finest + self.finest / 2;
-            let products = self.of_readings(middle, readings, &squares);
-            logs.extend((0..DEPTH_CELLS).map(|depth| {
-                let constant = self.cells[angle * DEPTH_CELLS + depth].constant;
-                constant + self.log(&products, depth * MOST_PARTS + MOST_PARTS / 2)
-            }));
-        }
-        let limit = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max) - NEGLIGIBLE;
-        let mut points = Vec::new();
-        for (angle, column) in self.cells.chunks_exact(DEPTH_CELLS).enumerate() {
-            let mut products: Vec<Option<Vec<f64>>> = vec![None; self.finest];
-            for (depth, cell) in column.iter().enumerate() {
-                if logs[angle * DEPTH_CELLS + depth] + cell.slack < limit {
-                    continue;
-                }
-                let share = (cell.parts[0] * cell.parts[1]) as f64;
-                for part in parts(cell.parts[0], self.finest) {
-                    let fine = angle * self.finest + part;
-                    let products = products[part]
-                        .get_or_insert_with(|| self.products(fine, readings, &squares));
-                    points.extend(parts(cell.parts[1], MOST_PARTS).map(|part| {
-                        let depth = depth * MOST_PARTS + part;
-                        (self.log(products, depth) - share.ln(), fine, depth)
-                    }));
-                }
+    /// The posterior's means after each row of readings, one of each film.
+    pub fn estimates(&self, readings: &Array2<f64>) -> Vec<Estimated> {
+        let squares = readings.mapv(|y| y * y);
+        let mut logs = Array2::zeros((readings.nrows(), self.cells.len()));
+        for (values, weights) in [readings, &squares].into_iter().zip(&self.at_middles) {
+            if let Some(weights) = weights {
+                logs += &values.dot(weights);
             }
         }
-        self.mean(&points)
+        let rows = logs
+            .rows()
+            .into_iter()
+            .zip(readings.rows())
+            .zip(squares.rows());
+        rows.map(|((logs, readings), squares)| {
+            let [readings, squares] = [readings, squares].map(|row| row.to_vec());
+            self.estimate(logs, &readings, &squares)
+        })
+        .collect()
+    }
+
+    /// The posterior's means after these readings, whose part of ln p at the cells' middles is known.
+    fn estimate(
+        &self,
+        of_readings: ArrayView1<'_, f64>,
+        readings: &[f64],
+        squares: &[f64],
+    ) -> Estimated {
+        let with_constants = of_readings.iter().zip(&self.cells);
+        let logs: Vec<f64> = with_constants
+            .map(|(log, cell)| log + cell.constant)
+            .collect();
+        let largest = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let may_hold =
+            |cell: &usize| logs[*cell] + sum(self.cells[*cell].slack) >= largest - NEGLIGIBLE;
+        let mut cells: Vec<usize> = (0..logs.len()).filter(may_hold).collect();
+        // The best first: what is found there leaves less to look for elsewhere.
+        cells.sort_by(|&a, &b| logs[b].total_cmp(&logs[a]));
+        let mut found = Found {
+            largest,
+            products: HashMap::new(),
+            points: Vec::new(),
+        };
+        for cell in cells {
+            let block = self.block(cell, logs[cell]);
+            self.refine(&block, readings, squares, &mut found);
+        }
+        self.mean(&found.points)
+    }
+
+    /// The whole of a cell.
+    fn block(&self, cell: usize, log: f64) -> Block {
+        let Cell { parts, slack, .. } = self.cells[cell];
+        Block {
+            first: [
+                cell / DEPTH_CELLS * self.finest,
+                cell % DEPTH_CELLS * MOST_PARTS,
+            ],
+            spans: [self.finest, MOST_PARTS],
+            parts,
+            share: (parts[0] * parts[1]) as f64,
+            slack,
+            log,
+        }
+    }
+
+    /// Cuts a block that may hold some of the mass into thirds along each side that asks for it, and so on; a part that asks for no more is a point.
+    fn refine(&self, block: &Block, readings: &[f64], squares: &[f64], found: &mut Found) {
+        if block.log + sum(block.slack) < found.largest - NEGLIGIBLE {
+            return;
+        }
+        let [angle, depth] = block.middle();
+        if block.parts == [1, 1] {
+            let mass = block.log - block.share.ln();
+            found.points.push((mass, angle, depth));
+            return;
+        }
+        for mut third in block.thirds() {
+            let [fine, depth_part] = third.middle();
+            if [fine, depth_part] != [angle, depth] {
+                let products = found.products.entry(fine);
+                let products = products.or_insert_with(|| self.products(fine, readings, squares));
+                third.log = self.log(products, depth_part);
+                found.largest = found.largest.max(third.log);
+            }
+            self.refine(&third, readings, squares, found);
+        }
     }
 
     /// Means over points with the logarithms of their masses.
@@ -203,27 +352,17 @@ impl<'l> Estimator<'l> {
 
     /// The products' functions at an angle, after these readings.
     fn products(&self, angle: usize, readings: &[f64], squares: &[f64]) -> Vec<f64> {
-        let mut products = self.of_readings(angle, readings, squares);
-        products.extend(self.constant[angle].iter().map(|sum| -0.5 * sum));
-        products
-    }
-
-    /// Returns the products that readings enter, which come first.
-    fn of_readings(&self, angle: usize, readings: &[f64], squares: &[f64]) -> Vec<f64> {
-        let mut products: Vec<f64> = Vec::with_capacity(self.likelihood.coefficients[0].len());
-        products.extend(
-            self.linear[angle]
-                .chunks_exact(self.films)
-                .map(|films| dot(films, readings)),
-        );
-        if let Some(quadratic) = self.quadratic.get(angle) {
-            products.extend(
-                quadratic
-                    .chunks_exact(self.films)
-                    .map(|films| -0.5 * dot(films, squares)),
-            );
-        }
-        products
+        let Functions {
+            linear,
+            quadratic,
+            constant,
+        } = self.at(angle);
+        let linear = linear.chunks_exact(self.films);
+        let quadratic = quadratic.chunks_exact(self.films);
+        let of_readings = linear.map(|films| dot(films, readings));
+        let of_squares = quadratic.map(|films| -0.5 * dot(films, squares));
+        let constant = constant.iter().map(|sum| -0.5 * sum);
+        of_readings.chain(of_squares).chain(constant).collect()
     }
 
     /// The sum of the first products at a depth.
@@ -251,12 +390,6 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 fn middles([low, high]: [f64; 2], count: usize) -> Vec<f64> {
     let step = (high - low) / count as f64;
     (0..count).map(|k| low + (k as f64 + 0.5) * step).collect()
-}
-
-/// Middles of a cell's so many parts among those of its finest.
-fn parts(count: usize, finest: usize) -> impl Iterator<Item = usize> {
-    let stride = finest / count;
-    (0..count).map(move |part| part * stride + stride / 2)
 }
 
 /// Returns what the information asks of each cell: that at the middles of the cell and its neighbours.
@@ -292,11 +425,15 @@ fn cells(fields: &DepthFields, arrangement: &Arrangement, noise: &Noise) -> Vec<
         let deviations = largest(cell);
         Cell {
             parts: deviations.map(parts_of),
-            slack: deviations.iter().map(|d| d * d / 8.0).sum(),
+            slack: deviations.map(|d| d * d / 8.0),
             constant: 0.0,
         }
     };
     (0..found.len()).map(cell).collect()
+}
+
+fn sum([along, across]: [f64; 2]) -> f64 {
+    along + across
 }
 
 /// Parts of a cell that is so many standard deviations wide.
@@ -350,30 +487,19 @@ fn joined(parts: &Parts) -> Vec<Vec<f64>> {
     (0..parts.linear.coefficients.len()).map(all).collect()
 }
 
-/// Returns by angle each product's function at each film.
-fn at_films(field: &Separated, arrangement: &Arrangement, angles_deg: &[f64]) -> Vec<Vec<f64>> {
-    let at = |angle: &f64| {
-        let product = |r: usize| {
-            arrangement
-                .films
-                .iter()
-                .map(move |film| field.functions[film.kind][r].at(film.theta_deg - angle))
-        };
-        (0..field.rank()).flat_map(product).collect()
+/// Returns each product's function at each film with the contact at an angle.
+fn at_films(field: &Separated, arrangement: &Arrangement, angle_deg: f64) -> Vec<f64> {
+    let product = |r: usize| {
+        let films = arrangement.films.iter();
+        films.map(move |film| field.functions[film.kind][r].at(film.theta_deg - angle_deg))
     };
-    angles_deg.iter().map(at).collect()
+    (0..field.rank()).flat_map(product).collect()
 }
 
-/// Returns by angle each product's function, summed over the films.
-fn summed(field: &Separated, arrangement: &Arrangement, angles_deg: &[f64]) -> Vec<Vec<f64>> {
-    let at = |angle: &f64| {
-        let product = |r: usize| {
-            let films = arrangement.films.iter();
-            films
-                .map(|film| field.functions[film.kind][r].at(film.theta_deg - angle))
-                .sum()
-        };
-        (0..field.rank()).map(product).collect()
-    };
-    angles_deg.iter().map(at).collect()
+/// Sums products' functions over the films.
+fn summed(at_films: &[f64], films: usize) -> Vec<f64> {
+    at_films
+        .chunks_exact(films)
+        .map(|films| films.iter().sum())
+        .collect()
 }

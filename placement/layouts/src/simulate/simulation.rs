@@ -1,6 +1,7 @@
 //! Simulation of a layout's errors, by estimating contacts from noisy readings.
 
 use estimation::error_metrics::order_statistics::interpolated_quantile;
+use ndarray::Array2;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
@@ -32,6 +33,8 @@ pub struct Simulated {
     pub lost_share: f64,
     /// Root mean square of the depth's error, mm.
     pub rms_depth_mm: f64,
+    /// Standard error of it by the number of samples, mm.
+    pub rms_depth_se_mm: f64,
 }
 
 /// Standard normal numbers, the same for all layouts: by sample, then film.
@@ -101,14 +104,11 @@ fn simulate_at(
                 (reading, noise.variance(reading, signal.slope(apart)).sqrt())
             })
             .collect();
-        for repeat in 0..repeats {
-            let normals = draws.of(c * repeats + repeat);
-            let noisy: Vec<f64> = readings
-                .iter()
-                .zip(normals)
-                .map(|((signal, deviation), z)| signal + deviation * z)
-                .collect();
-            let found = estimator.estimate(&noisy);
+        let noisy = Array2::from_shape_fn((repeats, readings.len()), |(repeat, film)| {
+            let (signal, deviation) = readings[film];
+            signal + deviation * draws.of(c * repeats + repeat)[film]
+        });
+        for found in estimator.estimates(&noisy) {
             angles.push(apart(found.angle_deg, contact));
             depths.push(found.depth_mm - depth_mm);
         }
@@ -125,26 +125,37 @@ fn apart(a: f64, b: f64) -> f64 {
 fn summary(mut angles: Vec<f64>, depths: &[f64]) -> Simulated {
     let count = angles.len() as f64;
     angles.sort_by(f64::total_cmp);
-    let mean_square =
-        |errors: &[f64]| errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64;
-    let square = mean_square(&angles);
-    let fourth = angles.iter().map(|e| e.powi(4)).sum::<f64>() / count;
-    let rms = square.sqrt();
     let at_share = |share: f64| interpolated_quantile(&angles, share);
     // One standard deviation of the binomial number below the percentile.
     let spread = (0.95 * 0.05 / count).sqrt();
+    let [rms_angle_deg, rms_angle_se_deg] = root_mean_square(&angles);
+    let [rms_depth_mm, rms_depth_se_mm] = root_mean_square(depths);
     Simulated {
-        rms_angle_deg: rms,
-        rms_angle_se_deg: if rms > 0.0 {
-            (fourth - square * square).max(0.0).sqrt() / (2.0 * rms * count.sqrt())
-        } else {
-            0.0
-        },
+        rms_angle_deg,
+        rms_angle_se_deg,
         p95_angle_deg: at_share(0.95),
         p95_angle_se_deg: 0.5 * (at_share(0.95 + spread) - at_share(0.95 - spread)),
         lost_share: angles.iter().filter(|error| **error > LOST_DEG).count() as f64 / count,
-        rms_depth_mm: mean_square(depths).sqrt(),
+        rms_depth_mm,
+        rms_depth_se_mm,
     }
+}
+
+/// Root mean square of errors, and its standard error by their number.
+fn root_mean_square(errors: &[f64]) -> [f64; 2] {
+    let count = errors.len() as f64;
+    let mean = |power: i32| errors.iter().map(|e| e.powi(power)).sum::<f64>() / count;
+    let (square, fourth) = (mean(2), mean(4));
+    let rms = square.sqrt();
+    let of_squares = (fourth - square * square).max(0.0).sqrt() / count.sqrt();
+    [
+        rms,
+        if rms > 0.0 {
+            of_squares / (2.0 * rms)
+        } else {
+            0.0
+        },
+    ]
 }
 
 #[cfg(test)]

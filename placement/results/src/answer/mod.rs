@@ -1,11 +1,15 @@
 //! The answer in a sentence with its verdict, and what the reader must know beside it, graded.
 
 mod certainty_word;
+mod film_sheet;
 mod graded_note;
 mod study_answer;
+mod trade_answer;
 
 pub use certainty_word::Certainty;
+pub use film_sheet::SheetFilm;
 pub use graded_note::{Grade, GradedNote, Topic};
 pub use study_answer::{
     Answer, InputShare, InputsAnswer, LayoutAnswer, LeftOut, PlaceAnswer, Surer,
 };
+pub use trade_answer::{TradeAnswer, TradeRow};

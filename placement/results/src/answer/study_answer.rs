@@ -3,6 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::certainty_word::Certainty;
+use super::film_sheet::SheetFilm;
+use super::trade_answer::TradeAnswer;
 
 /// Answer of a study: where the films go, how sure that is, and what could overturn it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
@@ -15,8 +17,14 @@ pub struct Answer {
     pub reason: String,
     /// The best place; null where no location has an index.
     pub place: Option<PlaceAnswer>,
-    /// The best layout; null where none is asked for, or none has a score.
+    /// The layout that answers the question, or the knee of the trade; null where none is asked for, or none has a score.
     pub layout: Option<LayoutAnswer>,
+    /// The trade of films against errors; null where no layout has a score.
+    #[serde(default)]
+    pub trade: Option<TradeAnswer>,
+    /// Films of the answer's layout, one by one, as they are glued.
+    #[serde(default)]
+    pub films: Vec<SheetFilm>,
     /// Inputs that matter, of all there are; null where the strain at the contact centre has no index.
     #[serde(default)]
     pub inputs: Option<InputsAnswer>,
@@ -69,12 +77,12 @@ pub struct PlaceAnswer {
     pub sentence: String,
 }
 
-/// The layout that ranks first.
+/// The layout that answers the question; where none is asked, the knee of the trade.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct LayoutAnswer {
     /// Rank in `layouts`.
     pub rank: usize,
-    /// Description of the layout, as in `12 units of x and y at the crown, every 30 degrees`.
+    /// Description of the layout, as in `12 films along y at the crown, one every 30 degrees`.
     pub words: String,
     /// Count of its units; of a layout without units of its films.
     pub units: usize,
@@ -86,7 +94,7 @@ pub struct LayoutAnswer {
     pub error_deg: Option<f64>,
     /// Ranks of layouts that the errors can't tell from it.
     pub tied_with: Vec<usize>,
-    /// Certainty of the first rank, by what layouts are ranked by: that error times the root of the number of films.
+    /// Certainty that no layout that was tried answers better with as few films; where limits are asked, that it meets them and fewer films don't.
     pub verdict: Certainty,
     /// Reason for the verdict, with the figures that decide; where forces along and across are unknown, too, also what tells them from the angle.
     pub reason: String,

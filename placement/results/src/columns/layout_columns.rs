@@ -5,6 +5,25 @@ use documents::layouts::layout_settings::{STRAIN_UNIT, VOLT_UNIT};
 use super::answer_table::Table;
 use super::figure_column::Column;
 
+/// Columns for rows of [`films`](super::table_rows::films).
+pub fn films() -> Table {
+    let columns = vec![
+        Column::integer("film", "/film/number"),
+        Column::float("theta_deg", "/film/theta_deg").titled("angle", 1),
+        Column::float("arc_mm", "/film/arc_mm").titled("arc from the mark", 1),
+        Column::float("phi_deg", "/film/phi_deg").titled("section", 1),
+        Column::float("from_bead_mm", "/film/from_bead_mm").titled("from the bead", 1),
+        Column::text("direction", "/film/direction"),
+        Column::float("length_mm", "/film/length_mm").titled("length", 1),
+        Column::float("width_mm", "/film/width_mm").titled("width", 1),
+    ];
+    Table {
+        name: "films",
+        parts: &[("film", "SheetFilm")],
+        columns,
+    }
+}
+
 /// Columns for rows of [`layouts`](super::table_rows::layouts).
 pub fn layouts() -> Table {
     let columns = vec![

@@ -45,6 +45,12 @@ pub fn layouts(result: &StudyResult) -> Vec<Value> {
     layouts.map(|layout| self::layout(layout, unit)).collect()
 }
 
+/// A row for each film of the answer.
+pub fn films(result: &StudyResult) -> Vec<Value> {
+    let films = result.answer.iter().flat_map(|answer| &answer.films);
+    films.map(|film| json!({ "film": film })).collect()
+}
+
 /// A layout's row.
 pub fn layout(layout: &RankedLayout, unit: Option<&str>) -> Value {
     let scores = RankedLayout {

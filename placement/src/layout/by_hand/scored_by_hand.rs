@@ -215,7 +215,9 @@ impl HandLayouts {
             if stop.load(Ordering::Relaxed) {
                 return None;
             }
-            let AskedLayout { arrangement, label } = asked;
+            let AskedLayout {
+                arrangement, label, ..
+            } = asked;
             let coarse = coarse
                 .as_ref()
                 .map(|(mesh, factor)| (mesh.figures(&arrangement), *factor));

@@ -19,8 +19,14 @@ use layouts::fisher::dense_ring::knee;
 use layouts::ranking::asked_layouts::{AskedLayout, Kinds};
 use layouts::ranking::layout_order::{front, rank, tau_of_bound, with_scores};
 use layouts::ranking::layout_scores::Scorer;
-use layouts::simulate::simulation::SAMPLES;
-use results::{Knee, LayoutFindings, LayoutLoad, LoadShear, RankedLayout, StrainRing};
+use layouts::ranking::screening::{Limits, competitors, kept};
+use layouts::simulate::simulation::{Draws, SAMPLES};
+use results::{
+    Knee, LayoutFindings, LayoutLoad, LoadShear, MenuFindings, RankedLayout, StrainRing,
+};
+
+/// Simulated readings of a scored layout over those of one that is screened.
+const FULL_TO_SHORT: usize = 5;
 
 /// Fields that were solved on both meshes.
 pub(crate) struct Answer<'s> {
@@ -50,13 +56,16 @@ impl Answer<'_> {
         )
         .ok_or(RunError::Stopped)?;
         let fine = self.scorer(&self.fine, &asked, study);
+        let screened = self.screen(&mut asked, &fine, study, context)?;
         let coarse = self
             .coarse
             .as_ref()
             .map(|(fields, coarser)| (self.scorer(fields, &asked, study), coarser.factor));
         let load_rows = self.loads(settings, study, &mut asked.kinds, &noise);
         let scored = in_parallel(asked.layouts.len(), context.threads, context.stop, |i| {
-            let AskedLayout { arrangement, label } = &asked.layouts[i];
+            let AskedLayout {
+                arrangement, label, ..
+            } = &asked.layouts[i];
             let coarse = coarse
                 .as_ref()
                 .map(|(scorer, factor)| (scorer.figures(arrangement), *factor));
@@ -98,6 +107,10 @@ impl Answer<'_> {
                 .coarse
                 .as_ref()
                 .map(|(_, coarser)| coarser.level.as_str().to_owned()),
+            menu: MenuFindings {
+                screened,
+                without_room: asked.without_room,
+            },
             front: front(&layouts),
             tau_of_bound: tau_of_bound(&layouts),
             searches,
@@ -125,6 +138,38 @@ impl Answer<'_> {
             (study.method.seed, samples(self.level)),
             study.layouts.dead,
         )
+    }
+
+    /// Leaves those layouts of the menu that can't be the best of as few films, and counts the others.
+    fn screen(
+        &self,
+        asked: &mut Asked,
+        scorer: &Scorer,
+        study: &Study,
+        context: RunContext<'_>,
+    ) -> Result<usize, RunError> {
+        let groups = competitors(&asked.layouts);
+        let films = asked
+            .layouts
+            .iter()
+            .map(|layout| layout.arrangement.films.len());
+        let samples = samples(self.level) / FULL_TO_SHORT;
+        let draws = Draws::new(study.method.seed, samples, films.max().unwrap_or(0));
+        let limits = Limits {
+            angle_deg: study.question.angle_deg,
+            force_n: study.question.force_n,
+        };
+        let found = in_parallel(groups.len(), context.threads, context.stop, |k| {
+            kept(&groups[k], &asked.layouts, scorer, &draws, limits)
+        });
+        let kept = found.ok_or(RunError::Stopped)?.concat();
+        let before = asked.layouts.len();
+        let mut index = 0;
+        asked.layouts.retain(|layout| {
+            index += 1;
+            !layout.of_menu || kept.contains(&(index - 1))
+        });
+        Ok(before - asked.layouts.len())
     }
 
     fn loads(

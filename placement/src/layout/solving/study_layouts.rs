@@ -11,6 +11,8 @@ use layouts::search::search_films::SearchFilms;
 pub(crate) struct Asked {
     pub kinds: Kinds,
     pub layouts: Vec<AskedLayout>,
+    /// Layouts of the menu whose films have no room.
+    pub without_room: usize,
     pub candidates: Vec<usize>,
     pub places: SearchFilms,
 }
@@ -23,7 +25,7 @@ impl Asked {
             study.layouts.size_mm,
             FilmReads::of(&study.layouts),
         );
-        let layouts = asked_layouts(&study.layouts, study.directions, &mut kinds);
+        let (layouts, without_room) = asked_layouts(&study.layouts, study.directions, &mut kinds);
         let search = study.layouts.search.as_ref();
         let places =
             search.map_or_else(SearchFilms::none, |search| search_films(search, &mut kinds));
@@ -32,6 +34,7 @@ impl Asked {
             candidates: kinds.candidates(farthest, &study.layouts.candidate_sizes_mm),
             kinds,
             layouts,
+            without_room,
             places,
         }
     }

@@ -13,6 +13,8 @@ pub enum Table {
     Locations,
     /// Ranked layouts.
     Layouts,
+    /// Films of the answer, one by one: what to glue by.
+    Films,
     /// Solved points: inputs, force, strains.
     Points,
     /// Readings of films by loads, pressures and contact angles.
@@ -24,10 +26,11 @@ pub enum Table {
 }
 
 impl Table {
-    const ALL: [Self; 7] = [
+    const ALL: [Self; 8] = [
         Self::Indices,
         Self::Locations,
         Self::Layouts,
+        Self::Films,
         Self::Points,
         Self::Signals,
         Self::Candidates,
@@ -40,6 +43,7 @@ impl Table {
             Self::Indices => "indices",
             Self::Locations => "locations",
             Self::Layouts => "layouts",
+            Self::Films => "films",
             Self::Points => "points",
             Self::Signals => "signals",
             Self::Candidates => "candidates",

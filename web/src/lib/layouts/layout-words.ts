@@ -17,12 +17,18 @@ export function short(value: number | null | undefined, digits = 3): string {
   return String(Number(value.toPrecision(Math.max(digits, whole))));
 }
 
-/** `24 units of x and y at the crown, every 15°`. */
+/** `24 films along x and y at the crown, a pair every 30°`. */
 export function layoutWords(layout: RankedLayout): string {
   if (layout.spacing_deg == null) return `${layout.name ?? `${layout.units} films`}: ${placesWords(layout.places ?? [])}`;
-  const words = `${layout.units} units of ${listed(layout.films.map(filmWord))} ${positionWords(layout.position)}, every ${short(layout.spacing_deg)}°`;
-  return layout.staggered === true ? `${words}, staggered` : words;
+  const isApart = layout.staggered === true;
+  const together = isApart ? 1 : layout.films.length;
+  const spacing = short(layout.spacing_deg / (isApart ? layout.films.length : 1));
+  const ways = `${listed(layout.films.map(filmWord))}${isApart ? " in turn" : ""}`;
+  const count = layout.film_count === 1 ? "1 film" : `${layout.film_count} films`;
+  return `${count} along ${ways} ${positionWords(layout.position)}, ${TOGETHER[together] ?? `${together} in one place`} every ${spacing}°`;
 }
+
+const TOGETHER: Record<number, string> = { 1: "one", 2: "a pair" };
 
 /** Films one by one: `0° x at 0, 30, 60°; 45° x at 90°`. */
 export function placesWords(places: FilmPlace[]): string {

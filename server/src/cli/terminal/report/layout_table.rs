@@ -64,7 +64,6 @@ pub fn layouts(result: &StudyResult) -> String {
     text.push_str(&dead(&table, &shown));
     text.push_str(&shear(&table, &shown, &result.layouts));
     text.push_str(&films(result));
-    text.push_str(&knees(result));
     text
 }
 
@@ -199,32 +198,6 @@ fn is_the_papers(layout: &RankedLayout) -> bool {
         && layout.position == "crown"
         && layout.films == ["x", "y"]
         && !layout.staggered
-}
-
-/// Says for each load from how many units on more bring no more than their number.
-fn knees(result: &StudyResult) -> String {
-    let Some(findings) = &result.layout_findings else {
-        return String::new();
-    };
-    let of_load = |load: &results::LayoutLoad| {
-        let knee = load.knees.first()?;
-        let units = knee.units?;
-        Some(format!("{units} at {:.1} N", load.load_n?))
-    };
-    let texts: Vec<String> = findings.loads.iter().filter_map(of_load).collect();
-    let first = findings.loads.iter().find_map(|load| load.knees.first());
-    match (texts.as_slice(), first) {
-        ([], _) | (_, None) => String::new(),
-        (texts, Some(knee)) => wrapped(
-            &format!(
-                "dense enough (bounds within twice a dense ring's) from so many units of {} at {} deg on: {}",
-                knee.films.join("+"),
-                knee.section_deg,
-                texts.join(", ")
-            ),
-            2,
-        ),
-    }
 }
 
 #[cfg(test)]

@@ -6,9 +6,10 @@ import { faultsAt, type FormProps } from "./form-props.ts";
 import { FieldFaults, NumberBox } from "./number-control.tsx";
 
 const POSITIONS = ["crown", "shoulder", "sidewall"] as const;
-const START = { spacings_deg: [30, 45, 60, 90], positions: ["crown"] };
+/** The common menu. */
+const START = {};
 const SETS: readonly { value: DirectionSets; label: string }[] = [
-  { value: "both", label: "x and y in each unit" },
+  { value: "both", label: "x and y, alone and together" },
   { value: "y", label: "y, meridional" },
   { value: "x", label: "x, circumferential" },
   { value: "all", label: "all three, compared" },
@@ -23,8 +24,41 @@ export function LayoutsForm(props: FormProps) {
       <label class="switch">
         <input type="checkbox" checked={isOn} onChange={(event) => write("/layouts", event.currentTarget.checked ? START : undefined)} /> Score layouts of films
       </label>
+      {isOn && <Question {...props} />}
       {isOn && <Layouts {...props} />}
     </FormGroup>
+  );
+}
+
+const ASKED = [
+  { name: "films", label: "films at most" },
+  { name: "angle_deg", label: "angle error at most, degrees" },
+  { name: "force_n", label: "force error at most, N" },
+] as const;
+
+/** What is asked of the layouts: empty boxes ask for the knee. */
+function Question({ full, faults, write }: FormProps) {
+  return (
+    <fieldset class="field-row">
+      <legend>Question</legend>
+      {ASKED.map(({ name, label }) => {
+        const pointer = `/question/${name}`;
+        const value = valueAt(full, pointer);
+        const id = `field-question-${name}`;
+        return (
+          <label key={name} class="input-box">
+            <span>{label}</span>
+            <NumberBox id={id} name={label} value={typeof value === "number" ? value : undefined} faults={faultsAt(faults, pointer)} onChange={(asked) => write(pointer, asked)} />
+          </label>
+        );
+      })}
+      {isTable(valueAt(full, "/question")) && (
+        <button type="button" onClick={() => write("/question", undefined)}>
+          Ask nothing
+        </button>
+      )}
+      <FieldFaults id="field-question" faults={ASKED.flatMap(({ name }) => faultsAt(faults, `/question/${name}`))} />
+    </fieldset>
   );
 }
 
@@ -60,6 +94,7 @@ function Layouts({ full, faults, write }: FormProps) {
           ))}
         </select>
       </label>
+      <ListBox label="Numbers of films on the menu" pointer="/layouts/films" value={valueAt(full, "/layouts/films")} faults={faults} write={write} />
       <ListBox label="Units around the wheel" pointer="/layouts/units" value={valueAt(full, "/layouts/units")} faults={faults} write={write} />
       <ListBox
         label="Spacings of units, degrees, each divides 360"

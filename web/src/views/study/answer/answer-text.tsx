@@ -2,11 +2,12 @@ import type { ComponentChildren } from "preact";
 import { inputWords, layoutStanding, leadOf, placeWords, surerWords, typeset } from "../../../lib/study/answer/answer-words.ts";
 import { Term } from "../../shared/term/term.tsx";
 import { VerdictBadge } from "./verdict-badge.tsx";
+import { TradePlot } from "./trade-plot.tsx";
 import type { Answer } from "../../../wire.ts";
 
 /** The answer first, then how sure it is, then what it leaves out and what more would cost; the figures behind it folded. The layout has a line of its own where the verdict is the place's, and inputs where there are more than the depths below the places. */
 export function AnswerText({ answer, notes, places }: { answer: Answer; notes: string[]; places: number }) {
-  const { place, layout, inputs, left_out, surer } = answer;
+  const { place, layout, trade, inputs, left_out, surer } = answer;
   return (
     <div class="answer-text">
       <p class="answer-sentence">{typeset(answer.sentence)}</p>
@@ -16,6 +17,7 @@ export function AnswerText({ answer, notes, places }: { answer: Answer; notes: s
         </Term>{" "}
         {leadOf(answer.reason)}
       </p>
+      {trade != null && <TradePlot trade={trade} />}
       <dl class="answer-facts">
         {place != null && (
           <Fact name="Place">
@@ -30,6 +32,7 @@ export function AnswerText({ answer, notes, places }: { answer: Answer; notes: s
         {inputs != null && inputs.sentence !== answer.sentence && inputs.shares.length > places && <Fact name="Inputs">{inputWords(inputs)}</Fact>}
         {left_out != null && <Fact name="Left out">{leadOf(left_out.sentence)}</Fact>}
         {surer != null && <Fact name="Surer">{surerWords(surer)}</Fact>}
+        {trade != null && trade.rows.length > 1 && <Fact name="Menu">{leadOf(trade.menu)}</Fact>}
       </dl>
       <Why answer={answer} notes={notes} />
     </div>

@@ -1,0 +1,24 @@
+//! Films of the answer, as they are glued.
+
+use serde::{Deserialize, Serialize};
+
+/// A film of the answer, and where it is glued on the tire that isn't inflated.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct SheetFilm {
+    /// Number of the film, from 1, around the wheel from the mark.
+    pub number: usize,
+    /// Wheel angle from the mark in the rolling direction, degrees.
+    pub theta_deg: f64,
+    /// Arc on the inner surface from the mark to the film's middle, around the wheel at its section angle, mm.
+    pub arc_mm: f64,
+    /// Section angle from the crown, degrees.
+    pub phi_deg: f64,
+    /// Arc on the inner surface from the nearer bead, where the wall ends, to the film's middle, mm.
+    pub from_bead_mm: f64,
+    /// Direction of its length: `x`, `y`, or an angle such as `45`.
+    pub direction: String,
+    /// Length of the film, mm; null of a point.
+    pub length_mm: Option<f64>,
+    /// Width of the film, mm; null of a point.
+    pub width_mm: Option<f64>,
+}

@@ -1,0 +1,166 @@
+//! Trade of films against errors: the best layout of each number of films, and which of them answers.
+
+use std::collections::BTreeMap;
+
+use super::layout_words::words;
+use documents::study::question::Question;
+use layouts::simulate::simulation::LOST_DEG;
+use results::{LayoutFindings, RankedLayout, TradeAnswer, TradeRow};
+
+/// Figure of a layout that is known only to within a claim.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Figure {
+    pub value: f64,
+    /// Claimed error; none where there is no coarser mesh.
+    pub claim: Option<f64>,
+}
+
+/// The angle's error, degrees; `None` of a layout without a score.
+pub(super) fn angle(layout: &RankedLayout) -> Option<Figure> {
+    let error = layout.score.error.as_ref();
+    Some(Figure {
+        value: layout.score.simulated_p95_angle_error_deg?,
+        claim: error.and_then(|error| error.simulated_p95_angle_error_deg),
+    })
+}
+
+/// The force's error at the load where it is largest, N.
+pub(super) fn force(layout: &RankedLayout) -> Option<Figure> {
+    let at_loads = layout.loads.iter().filter_map(|load| {
+        let error = load.score.error.as_ref();
+        Some(Figure {
+            value: load.score.force_error_n?,
+            claim: error.and_then(|error| error.force_error_n),
+        })
+    });
+    at_loads.max_by(|a, b| a.value.total_cmp(&b.value))
+}
+
+/// Returns what layouts are compared by: the angle's error; where limits are asked, the largest error over its limit.
+pub(super) fn compared(layout: &RankedLayout, question: &Question) -> Option<Figure> {
+    if !question.has_limits() {
+        return angle(layout);
+    }
+    let over = |figure: Option<Figure>, limit: Option<f64>| {
+        let (figure, limit) = (figure, limit?);
+        figure.map(|figure| Figure {
+            value: figure.value / limit,
+            claim: figure.claim.map(|claim| claim / limit),
+        })
+    };
+    let shares = [
+        over(angle(layout), question.angle_deg),
+        over(force(layout), question.force_n),
+    ];
+    let shares = shares.into_iter().flatten();
+    shares.max_by(|a, b| a.value.total_cmp(&b.value))
+}
+
+/// The trade of these layouts, which are in their order; `None` where none has a score.
+pub(super) fn trade(
+    layouts: &[RankedLayout],
+    findings: Option<&LayoutFindings>,
+    question: Question,
+) -> Option<TradeAnswer> {
+    let mut rows = best_of_each_count(layouts, &question);
+    if rows.is_empty() {
+        return None;
+    }
+    mark_front(&mut rows, layouts, &question);
+    let knee = knee(&rows);
+    let picked = match question.is_empty() {
+        true => knee.or_else(|| least(&rows, layouts, &question)),
+        false => answering(&rows, layouts, &question),
+    };
+    let menu = findings.map(|findings| findings.menu).unwrap_or_default();
+    Some(TradeAnswer {
+        question,
+        picked,
+        knee,
+        tried: layouts.len() + menu.screened,
+        screened: menu.screened,
+        without_room: menu.without_room,
+        menu: super::trade_words::menu(layouts, menu),
+        rows,
+    })
+}
+
+fn best_of_each_count(layouts: &[RankedLayout], question: &Question) -> Vec<TradeRow> {
+    let mut best: BTreeMap<usize, (f64, usize)> = BTreeMap::new();
+    for (index, layout) in layouts.iter().enumerate() {
+        let Some(figure) = compared(layout, question).filter(|_| angle(layout).is_some()) else {
+            continue;
+        };
+        let entry = best
+            .entry(layout.film_count)
+            .or_insert((f64::INFINITY, index));
+        if figure.value < entry.0 {
+            *entry = (figure.value, index);
+        }
+    }
+    let found = best.into_values();
+    found
+        .filter_map(|(_, index)| row(index, &layouts[index], question))
+        .collect()
+}
+
+fn row(index: usize, layout: &RankedLayout, question: &Question) -> Option<TradeRow> {
+    let (angle, force) = (angle(layout)?, force(layout));
+    let compared = compared(layout, question)?;
+    Some(TradeRow {
+        film_count: layout.film_count,
+        rank: layout.rank,
+        index,
+        words: words(layout),
+        angle_error_deg: angle.value,
+        angle_claim_deg: angle.claim,
+        force_error_n: force.map(|force| force.value),
+        force_claim_n: force.and_then(|force| force.claim),
+        meets: question.has_limits().then_some(compared.value <= 1.0),
+        is_front: false,
+    })
+}
+
+/// Marks rows that no row of fewer films equals.
+fn mark_front(rows: &mut [TradeRow], layouts: &[RankedLayout], question: &Question) {
+    let mut least = f64::INFINITY;
+    for row in rows {
+        let value = compared(&layouts[row.index], question).map_or(f64::INFINITY, |own| own.value);
+        row.is_front = value < least;
+        least = least.min(value);
+    }
+}
+
+/// Returns the row from which on twice the films don't halve the error: the fewest films, of those that keep the contact, whose number times the error can't be told
+/// from the least.
+fn knee(rows: &[TradeRow]) -> Option<usize> {
+    let price = |row: &TradeRow| {
+        let films = row.film_count as f64;
+        let claim = films * row.angle_claim_deg.unwrap_or(0.0);
+        (films * row.angle_error_deg, claim)
+    };
+    let keeps = || (0..rows.len()).filter(|&k| rows[k].angle_error_deg <= LOST_DEG);
+    let prices = keeps().map(|k| price(&rows[k]));
+    let (least, claim) = prices.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    keeps().find(|&k| {
+        let own = price(&rows[k]);
+        own.0 - least <= own.1.max(claim)
+    })
+}
+
+/// Returns the row of the least error.
+fn least(rows: &[TradeRow], layouts: &[RankedLayout], question: &Question) -> Option<usize> {
+    let value = |k: usize| {
+        compared(&layouts[rows[k].index], question).map_or(f64::INFINITY, |own| own.value)
+    };
+    (0..rows.len()).min_by(|&i, &j| value(i).total_cmp(&value(j)))
+}
+
+/// Returns the row that answers a question: the fewest films within the limits; without limits the least error. Neither has more films than there are.
+fn answering(rows: &[TradeRow], layouts: &[RankedLayout], question: &Question) -> Option<usize> {
+    let few = rows.partition_point(|row| question.films.is_none_or(|most| row.film_count <= most));
+    if question.has_limits() {
+        return rows[..few].iter().position(|row| row.meets == Some(true));
+    }
+    least(&rows[..few], layouts, question)
+}
