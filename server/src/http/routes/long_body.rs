@@ -1,4 +1,4 @@
-//! Reads bodies with recordings, which are larger than other documents.
+//! Reads bodies that have files in them, which are larger than other documents.
 //!
 //! What is held of them is counted from the first byte until it is stored or answered, for all clients together.
 
@@ -18,23 +18,23 @@ use tokio::time::timeout;
 use crate::http::edge::document_body::{BodyLimits, format_of, read, well_formed};
 use crate::http::edge::problem_document::Problem;
 
-const RECORDINGS: BodyLimits = BodyLimits {
-    what: "a document with recordings has",
+const LONG: BodyLimits = BodyLimits {
+    what: "a document with files has",
     bytes: 64 << 20,
     discarded: 128 << 20,
     time: Duration::from_secs(60),
 };
 /// Bytes of such bodies that are held at once.
-const HELD: usize = 4 * RECORDINGS.bytes;
+const HELD: usize = 4 * LONG.bytes;
 /// A client whose document waits for its check longer is refused.
 const PATIENCE: Duration = Duration::from_secs(30);
 
 static HELD_BYTES: Semaphore = Semaphore::const_new(HELD);
-/// Documents checked at once: the rows of the largest take 300 MB meanwhile.
+/// Documents checked at once: the rows of the largest recording take 300 MB meanwhile.
 static CHECKERS: Semaphore = Semaphore::const_new(1);
 
-/// A request's body: a document with recordings that nobody has looked into yet.
-pub(crate) struct RecordingsBody {
+/// A request's body: a document with files that nobody has looked into yet.
+pub(crate) struct LongBody {
     text: String,
     held: Held,
 }
@@ -61,27 +61,27 @@ impl Held {
 fn crowded() -> Problem {
     Problem::new(
         StatusCode::SERVICE_UNAVAILABLE,
-        "recordings of others are taken in just now: ask again later",
+        "files of others are taken in just now: ask again later",
     )
 }
 
-impl<S: Send + Sync> FromRequest<S> for RecordingsBody {
+impl<S: Send + Sync> FromRequest<S> for LongBody {
     type Rejection = Problem;
 
     async fn from_request(request: Request, _: &S) -> Result<Self, Problem> {
         if format_of(request.headers())? != Format::Json {
             return Err(Problem::new(
                 StatusCode::UNSUPPORTED_MEDIA_TYPE,
-                "recordings are sent as application/json",
+                "files are sent in application/json",
             ));
         }
         let mut held = Held::default();
-        let text = read(request, RECORDINGS, |bytes| held.grow(bytes)).await?;
+        let text = read(request, LONG, |bytes| held.grow(bytes)).await?;
         Ok(Self { text, held })
     }
 }
 
-impl RecordingsBody {
+impl LongBody {
     /// Reads it with a reader, and returns the room that it takes.
     ///
     /// # Errors
@@ -94,7 +94,7 @@ impl RecordingsBody {
         let Self { text, held } = self;
         let place = timeout(PATIENCE, CHECKERS.acquire()).await;
         let place = place.ok().and_then(Result::ok).ok_or_else(crowded)?;
-        // A large recording takes seconds to check, which the runtime's threads haven't.
+        // A large file takes seconds to check, which the runtime's threads haven't.
         let read = tokio::task::spawn_blocking(move || {
             let _place = place;
             let document = well_formed(parse_long_texts(&text))?;
@@ -118,7 +118,7 @@ mod tests {
     fn bodies_have_one_bound_and_give_back_what_they_took() {
         let mut held = Held::default();
         for _ in 0..4 {
-            held.grow(RECORDINGS.bytes).expect("fits");
+            held.grow(LONG.bytes).expect("fits");
         }
         assert!(Held::default().grow(1).is_err());
         drop(held);

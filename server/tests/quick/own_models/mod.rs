@@ -1,4 +1,6 @@
-//! `strainsite gsa`: a model of somebody else, asked and told on the command line.
+//! A model of somebody else, asked and told: by `strainsite gsa` here, by `/v1/analyses` in `over_http`.
+
+mod over_http;
 
 use std::f64::consts::PI;
 use std::path::Path;
