@@ -106,6 +106,7 @@ def record(ask, wait):
     record_studies(ask, wait)
     record_sweeps(ask, wait)
     record_estimators(ask, wait)
+    record_analyses(ask)
 
 
 def record_studies(ask, wait):
@@ -139,6 +140,16 @@ def record_sweeps(ask, wait):
     ask("DELETE", sweep)
     ask("GET", f"/v1/comparison?sweep={identity}")
     ask("GET", f"/v1/comparison/export?sweep={identity}&format=json")
+
+
+def record_analyses(ask):
+    """A sum of two inputs at the points that its method asks for."""
+    inputs = [{"name": name, "distribution": {"kind": "uniform", "min": 0, "max": 1}} for name in "ab"]
+    document = {"inputs": inputs, "method": {"kind": "mdrm", "nodes": 3, "check_points": 2}}
+    points = ask("POST", "/v1/analyses", document)["points"]
+    values = {"outputs": ["y"], "ids": points["ids"], "rows": [[a + 2 * b] for a, b in points["rows"]]}
+    # Without the last one, so that a point is still to be run.
+    ask("POST", "/v1/analyses", document | {"method": {"kind": "auto", "nodes": 3, "check_points": 2}, "values": values})
 
 
 def record_estimators(ask, wait):

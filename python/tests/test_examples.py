@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -108,3 +110,19 @@ def test_the_first_script_runs(readme: str, said: str, written: set[str], tmp_pa
     printed = said_by(["-c", script], tmp_path, 60, MPLBACKEND="Agg")
     assert re.search(said, printed), printed
     assert written <= {path.name for path in tmp_path.iterdir()}
+
+
+def test_the_page_of_own_models_runs_from_python_and_on_the_command_line(tmp_path: Path) -> None:
+    page = (ROOT / "docs/use/own-model.md").read_text()
+    blocks = re.findall(r"^```(?:python|toml|console)\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    printed = said_by(["-c", blocks[0]], tmp_path, 60, STRAINSITE_BIN=str(BINARY))
+    files = {named[1]: block for block in blocks if (named := re.match(r"# (\S+)\n", block))}
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    block = next(block for block in blocks if block.startswith("$ echo"))
+    commands = "\n".join(line[2:] for line in block.splitlines() if line.startswith("$ "))
+    shell = f'set -e; strainsite() {{ "{BINARY}" "$@"; }}; python() {{ "{sys.executable}" "$@"; }}\n{commands}'
+    told = subprocess.run(["bash", "-c", shell], cwd=tmp_path, capture_output=True, text=True, check=True)  # noqa: S607
+    shown = [line.strip() for line in page.splitlines()]
+    for line in [*printed.splitlines()[:5], *told.stdout.splitlines()[:5], told.stderr.splitlines()[-1]]:
+        assert line.strip() in shown, line

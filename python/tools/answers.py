@@ -27,6 +27,7 @@ ANSWERS = (
     "EstimatorSummary",
     "EvaluationView",
     "LeftOutRows",
+    "ModelAnalysis",
     "Presets",
     "Preview",
     "Report",
@@ -56,6 +57,7 @@ NAMES = {
     "Comparison": "ComparisonFields",
     "ForceReport": "ForceReportFields",
     "LeftOutRows": "LeftOutRowsFields",
+    "ModelAnalysis": "SensitivityFields",
     "Report": "FitReportFields",
     "StudyResult": "ResultFields",
 }

@@ -42,6 +42,7 @@ GROUPS = {
         "SplitReport",
         "LeftOutRows",
     ],
+    "Models of your own": ["analyse", "Sensitivity", "ModelOutput"],
     "Errors": [
         name
         for name in PUBLIC

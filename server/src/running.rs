@@ -46,6 +46,8 @@ pub struct ServiceParts {
     pub previewer: Arc<dyn Solver>,
     /// Starts a process that learns an estimator.
     pub learner: Start,
+    /// Starts a process that analyses a model of others.
+    pub analyst: Start,
     /// Solves that run at once.
     pub threads: usize,
     /// Time that a study runs before another one that waits has its turn.
@@ -207,6 +209,7 @@ impl Service {
             queue: queue.clone(),
             estimators: estimators.clone(),
             previewer: Arc::new(previewer),
+            analyst: Arc::new(parts.analyst),
             shutdown: stopping.clone(),
             access,
             metrics,

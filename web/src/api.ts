@@ -14,6 +14,7 @@ import type {
   FilmFields,
   FilmPlace,
   LeftOutRows,
+  ModelAnalysis,
   Presets,
   Preview,
   ProblemDocument,
@@ -225,6 +226,11 @@ export function fitForces(document: { name?: string; recipe: unknown; recordings
 /** The forces of a recording as CSV. */
 export async function applyEstimator(id: string, recording: RecordingFile): Promise<string> {
   return (await answer("POST", `${ROOT}${estimatorPath(id, ":apply")}`, recording, { Accept: "text/csv, application/problem+json" })).text();
+}
+
+/** The indices of a model of the reader's own, as far as a file of values tells them; the points to run at first. */
+export function analyse(inputs: object, values: string | null): Promise<ModelAnalysis> {
+  return request("POST", "/analyses", values === null ? inputs : { ...inputs, values });
 }
 
 export function cancelEstimator(id: string): Promise<unknown> {

@@ -27,6 +27,15 @@ export interface components {
              */
             sigmas: number;
         };
+        /** @description Inputs of a model of your own, and the values of its outputs so far. */
+        AnalysisDocument: {
+            /** @description Inputs of the model. */
+            inputs: components["schemas"]["ModelInputDocument"][];
+            /** @description Method that computes the indices. */
+            method?: components["schemas"]["AnalysisMethodDocument"];
+            /** @description Values of the outputs so far. */
+            values?: string | components["schemas"]["ListedValuesDocument"];
+        };
         /** @description Answer of a study: where the films go, how sure that is, and what could overturn it. */
         Answer: {
             /** @description The answer: the best layout and what it knows, or the best place where no layouts are asked for. */
@@ -1423,6 +1432,101 @@ export interface components {
             model: components["schemas"]["Kind"];
             /** @description The features it reads. */
             features: components["schemas"]["FeatureSet"];
+        };
+        /** @description Indices as far as the values tell, and the points that are still to be run. */
+        ModelAnalysis: {
+            /** @description Names of the inputs. */
+            inputs: string[];
+            /** @description Outputs with their indices; none while the method's first points lack values. */
+            outputs: components["schemas"]["ModelOutput"][];
+            /** @description Points that have values. */
+            evaluations: number;
+            /** @description Points that are still to be run; 0 at the end. */
+            wanted: number;
+            /** @description Points that are still to be run. */
+            points: components["schemas"]["ModelPoints"];
+            /** @description Advice, a sentence, where the indices say little or points are missing. */
+            advice?: string | null;
+        };
+        /** @description Errors of first-order indices: what they are off by at most, in all and in parts. */
+        ModelIndexError: {
+            /**
+             * Format: double
+             * @description Error of the nodes' number.
+             */
+            quadrature?: number | null;
+            /**
+             * Format: double
+             * @description Error of the form.
+             */
+            decomposition?: number | null;
+            /**
+             * Format: double
+             * @description Error of the sample.
+             */
+            sampling?: number | null;
+            /**
+             * Format: double
+             * @description Share of the variance that is rounding of doubles.
+             */
+            floor: number;
+            /**
+             * Format: double
+             * @description Error of runs that failed.
+             */
+            lost?: number | null;
+            /**
+             * Format: double
+             * @description Error of digits that weren't printed.
+             */
+            rounding?: number | null;
+            /**
+             * Format: double
+             * @description Error of the worst index, all parts together.
+             */
+            total?: number | null;
+            /** @description Error of each input's index. */
+            by_input?: number[] | null;
+        };
+        /** @description Indices of an output, one an input. */
+        ModelOutput: {
+            /** @description Name of the output. */
+            name: string;
+            /**
+             * Format: double
+             * @description Mean, in the output's units.
+             */
+            mean?: number | null;
+            /**
+             * Format: double
+             * @description Variance, in the output's units squared.
+             */
+            variance?: number | null;
+            /** @description First-order index of each input: its share of the variance alone. */
+            first_order?: number[] | null;
+            /** @description Total index of each input: its share with all that it interacts in. */
+            total?: number[] | null;
+            /** @description Share of each pair of inputs alone, in the order 12, 13, .., 23, ..; null where the method has none. */
+            second_order?: number[] | null;
+            /** @description End of the analysis: `ok`, `constant`, `product-form-broken` or `unusable`. */
+            status: string;
+            /** @description Reason why a number is missing, and what else a reader should know. */
+            reason?: string | null;
+            /** @description Form behind the indices. */
+            method: string;
+            /** @description First-order indices of the product form where it is broken. */
+            mdrm_first_order?: number[] | null;
+            /** @description Total indices of the product form where it is broken. */
+            mdrm_total?: number[] | null;
+            /** @description Errors of the first-order indices. */
+            error: components["schemas"]["ModelIndexError"];
+        };
+        /** @description Points of a model, each a value of every input. */
+        ModelPoints: {
+            /** @description Number of each point, by which its values are sent. */
+            ids: number[];
+            /** @description Values of the inputs at each point, in the inputs' units. */
+            rows: number[][];
         };
         /** @description Report of a candidate. */
         ModelReport: {
@@ -4305,7 +4409,7 @@ export interface components {
             /** @description Inputs of the model. */
             inputs: components["schemas"]["ModelInputDocument"][];
             /** @description Method that computes the indices. */
-            method?: components["schemas"]["MethodDocument"];
+            method?: components["schemas"]["ModelMethodDocument"];
         };
         /** @description An input of the model. */
         ModelInputDocument: {
@@ -4313,6 +4417,93 @@ export interface components {
             name: string;
             /** @description Distribution of its values. */
             distribution: components["schemas"]["DistributionDocument"];
+        };
+        /** @description Method that computes the indices. */
+        ModelMethodDocument: {
+            /**
+             * @description Kind of method.
+             * @default mdrm
+             * @enum {string}
+             */
+            kind: "mdrm" | "bivariate" | "tensor" | "pce" | "saltelli" | "auto";
+            /**
+             * @description Gauss nodes of each input.
+             * @default 5
+             */
+            nodes: number;
+            /**
+             * @description Points off the lines, for the error.
+             * @default 5
+             */
+            check_points: number;
+            /**
+             * @description Points of pce, base points of saltelli.
+             * @default 200
+             */
+            samples: number;
+            /**
+             * @description Most runs of auto.
+             * @default 1000
+             */
+            most_runs: number;
+            /**
+             * @description Seed of what is random.
+             * @default 1
+             */
+            seed: number;
+            /**
+             * @description Largest error of an index at which auto stops.
+             * @default 0.02
+             */
+            tolerance: number;
+        };
+        /** @description Method that computes the indices. */
+        AnalysisMethodDocument: {
+            /**
+             * @description Kind of method.
+             * @default auto
+             * @enum {string}
+             */
+            kind: "mdrm" | "bivariate" | "tensor" | "pce" | "saltelli" | "auto";
+            /**
+             * @description Gauss nodes of each input.
+             * @default 5
+             */
+            nodes: number;
+            /**
+             * @description Points off the lines, for the error.
+             * @default 5
+             */
+            check_points: number;
+            /**
+             * @description Points of pce, base points of saltelli.
+             * @default 200
+             */
+            samples: number;
+            /**
+             * @description Most runs of auto.
+             * @default 1000
+             */
+            most_runs: number;
+            /**
+             * @description Seed of what is random.
+             * @default 1
+             */
+            seed: number;
+            /**
+             * @description Largest error of an index at which auto stops.
+             * @default 0.02
+             */
+            tolerance: number;
+        };
+        /** @description Values of outputs by point; every digit of them counts. */
+        ListedValuesDocument: {
+            /** @description Names of the outputs. */
+            outputs: string[];
+            /** @description Point of each row; 0, 1, 2 and so on when left out. */
+            ids?: number[];
+            /** @description Values of each point, one an output, null where the run failed. */
+            rows: (number | null)[][];
         };
     };
     responses: never;
@@ -4322,6 +4513,7 @@ export interface components {
     pathItems: never;
 }
 export type AlikeContacts = components['schemas']['AlikeContacts'];
+export type AnalysisDocument = components['schemas']['AnalysisDocument'];
 export type Answer = components['schemas']['Answer'];
 export type AskewError = components['schemas']['AskewError'];
 export type CandidateFilm = components['schemas']['CandidateFilm'];
@@ -4418,6 +4610,10 @@ export type MapLayer = components['schemas']['MapLayer'];
 export type MapShape = components['schemas']['MapShape'];
 export type MapView = components['schemas']['MapView'];
 export type MemberReport = components['schemas']['MemberReport'];
+export type ModelAnalysis = components['schemas']['ModelAnalysis'];
+export type ModelIndexError = components['schemas']['ModelIndexError'];
+export type ModelOutput = components['schemas']['ModelOutput'];
+export type ModelPoints = components['schemas']['ModelPoints'];
 export type ModelReport = components['schemas']['ModelReport'];
 export type ModelSummary = components['schemas']['ModelSummary'];
 export type Output = components['schemas']['Output'];
@@ -4527,6 +4723,9 @@ export type AnnDocument = components['schemas']['AnnDocument'];
 export type ValidationDocument = components['schemas']['ValidationDocument'];
 export type InputsDocument = components['schemas']['InputsDocument'];
 export type ModelInputDocument = components['schemas']['ModelInputDocument'];
+export type ModelMethodDocument = components['schemas']['ModelMethodDocument'];
+export type AnalysisMethodDocument = components['schemas']['AnalysisMethodDocument'];
+export type ListedValuesDocument = components['schemas']['ListedValuesDocument'];
 export type $defs = Record<string, never>;
 export type operations = Record<string, never>;
 

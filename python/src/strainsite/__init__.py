@@ -36,6 +36,8 @@ from .forces.left_out import LeftOutRows as LeftOutRows
 from .forces.report import FitReport as FitReport
 from .forces.report import ForceReport as ForceReport
 from .local import local as local
+from .own.analyse import analyse as analyse
+from .own.sensitivity import Sensitivity as Sensitivity
 from .study import Study as Study
 from .sweep import Sweep as Sweep
 

@@ -18,6 +18,7 @@ from .errors import DocumentError, StrainsiteError
 from .forces.estimator import Estimator
 from .forces.recordings import recipe as recipe_of
 from .forces.recordings import recording
+from .own import rounds
 from .study import Study, id_of
 from .sweep import Sweep
 
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 
     from .answers._generated import ComparisonTable, State
     from .forces.recordings import Recipe, Run
+    from .own.rounds import Model
+    from .own.sensitivity import Sensitivity
 
     Document = Mapping[str, Any] | str | Path
     """A study: its fields, a TOML or JSON file, or the name of one that the service ships."""
@@ -326,6 +329,25 @@ class Client:
         """All estimators, newest first; pages are asked for as they are needed."""
         for entry in self._pages("estimators", {}):
             yield Estimator(self._transport, read(EstimatorSummary, entry))
+
+    def analyse(
+        self,
+        problem: Mapping[str, Any] | Sequence[Mapping[str, Any]],
+        model: Model,
+        *,
+        method: Mapping[str, Any] | None = None,
+        outputs: Sequence[str] | None = None,
+        by_row: bool = False,
+    ) -> Sensitivity:
+        """Sobol indices of a model that this script runs; arguments as for `strainsite.analyse`.
+
+        Raises:
+            DocumentError: Nothing was sent: the problem can't be read, or has groups.
+            InvalidDocument: Inputs or method have faults, all of which it names.
+            StrainsiteError: The model's answer has another shape than the points.
+
+        """
+        return rounds.run(self._transport, problem, model, method=method, outputs=outputs, by_row=by_row)
 
     def compare(self, studies: Iterable[Study | str], baseline: Study | str | None = None) -> Comparison:
         """Compares studies: index and rank of each location, and which differences are real.

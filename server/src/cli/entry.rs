@@ -18,6 +18,7 @@ use crate::telemetry;
 use service::forces::fit_process::{self, learn_for_parent};
 use service::solving::isolated::child;
 use service::solving::solver_choice::solve_for_parent;
+use service::work::analysis_process::{self, analyse_for_parent};
 
 /// Ranks strain-sensor locations in a smart tire
 #[derive(Debug, Parser)]
@@ -93,6 +94,9 @@ pub fn main() -> ExitCode {
     }
     if arguments == [fit_process::ARGUMENT] {
         return learn_for_parent();
+    }
+    if arguments == [analysis_process::ARGUMENT] {
+        return analyse_for_parent();
     }
     let command = match settings::parse::<Cli>() {
         Ok(cli) => cli.command,

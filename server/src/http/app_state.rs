@@ -8,6 +8,7 @@ use service::forces::estimator_queue::EstimatorQueue;
 use service::metrics::Metrics;
 use service::previewer::Previewer;
 use service::queue::Queue;
+use service::work::own_process::Start;
 use service::work::shutdown::Shutdown;
 use store::Store;
 
@@ -29,6 +30,8 @@ pub struct AppState {
     pub estimators: Arc<EstimatorQueue>,
     /// Solves previews beside it.
     pub previewer: Arc<Previewer>,
+    /// Starts processes that analyse models of others.
+    pub analyst: Arc<Start>,
     /// Memory that a study may take, bytes.
     pub memory_bytes: u64,
     /// Hears when the service is to stop.

@@ -12,8 +12,9 @@ use crate::http::app_state::AppState;
 use crate::http::edge::problem_document::Problem;
 use crate::http::edge::{access, answer_limits, guard, packed, request_id};
 use crate::http::mount::{self, Mounting};
+use crate::http::routes::assets;
 use crate::http::routes::openapi::description;
-use crate::http::routes::{assets, metric_routes};
+use crate::http::routes::upkeep::metric_routes;
 
 /// All routes, guarded: the innermost layer stands first.
 pub fn app(state: AppState, hosts: guard::HostList, mounting: Mounting) -> Router {

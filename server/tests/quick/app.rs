@@ -12,7 +12,8 @@ use reqwest::redirect::Policy;
 use reqwest::{Client, Response, StatusCode};
 use serde_json::{Value, json};
 use server::running::{Limits, Outside, Service, ServiceParts, StartError};
-use service::forces::fit_process::ARGUMENT;
+use service::forces::fit_process;
+use service::work::analysis_process;
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{Connection, SqliteConnection};
 use tempfile::TempDir;
@@ -103,7 +104,8 @@ async fn serve_to(
         database,
         previewer: solver.clone(),
         solver,
-        learner: Box::new(learner),
+        learner: Box::new(|| program(fit_process::ARGUMENT)),
+        analyst: Box::new(|| program(analysis_process::ARGUMENT)),
         threads: 2,
         turn,
         outside,
@@ -114,10 +116,10 @@ async fn serve_to(
     })
 }
 
-/// The program, which learns for its parent.
-fn learner() -> Command {
+/// The program, which works for its parent.
+fn program(argument: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_strainsite"));
-    command.arg(ARGUMENT);
+    command.arg(argument);
     command
 }
 

@@ -19,6 +19,7 @@ test("an address and its view are the same thing", () => {
     { ...studyRoute("0197"), section: "tire", sight: { ...PLAIN_SIGHT, isCut: false, factor: 2, pin: { theta_deg: 3, phi_deg: -40 }, eye: "side" } },
     { ...compareRoute(["0197", "0198"]), direction: "y", quantity: "std", drawnAs: "tires", sight: { ...PLAIN_SIGHT, scale: [0, 0.002] } },
     { view: "forces" },
+    { view: "own" },
     estimatorRoute("a b/c"),
     { ...estimatorRoute("0197"), force: "fz_n" },
     ...SECTIONS.map((section): Route => ({ ...studyRoute("0197"), section })),

@@ -36,9 +36,11 @@ export type Section = (typeof SECTIONS)[number];
 export type StudyRoute = { view: "study"; id: string; section: Section; films: string | null; sight: Sight } & LayerChoice;
 /** All estimators of forces, and the form of a new one. */
 type ForcesRoute = { view: "forces" };
+/** Indices of a model of the reader's own. */
+type OwnRoute = { view: "own" };
 /** One estimator, with the force that its table and plot are of; its first when none is named. */
 export type EstimatorRoute = { view: "estimator"; id: string; force: string | null };
-export type Route = HomeRoute | SweepRoute | StudyRoute | CompareRoute | ForcesRoute | EstimatorRoute;
+export type Route = HomeRoute | SweepRoute | StudyRoute | CompareRoute | ForcesRoute | OwnRoute | EstimatorRoute;
 
 /** Reads `#/studies/{id}/tire?direction=x&quantity=index&input=P3`, `#/sweeps/{id}?baseline=STUDY&shown=difference` and `#/forces/{id}?force=fz_n`; anything else is the home view. */
 export function parseRoute(hash: string): Route {
@@ -51,6 +53,7 @@ export function parseRoute(hash: string): Route {
     return { view: "compare", studies, baseline: values.get("baseline"), shown, drawnAs, sight: readSight(values), ...layerIn(values) };
   }
   if (path === "/forces") return { view: "forces" };
+  if (path === "/model") return { view: "own" };
   const estimator = /^\/forces\/([^/]+)$/.exec(path)?.[1];
   if (estimator !== undefined) return { view: "estimator", id: decode(estimator), force: values.get("force") };
   const [, kind, id, section] = /^\/(studies|sweeps)\/([^/]+)(?:\/([^/]*))?$/.exec(path) ?? [];
@@ -88,6 +91,7 @@ export function formatRoute(route: Route): string {
     return withQuery("#/", values);
   }
   if (route.view === "forces") return "#/forces";
+  if (route.view === "own") return "#/model";
   if (route.view === "estimator") {
     if (route.force !== null) values.set("force", route.force);
     return withQuery(`#/forces/${encodeURIComponent(route.id)}`, values);

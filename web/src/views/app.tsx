@@ -14,6 +14,7 @@ import { StudyPage } from "./study/study-page.tsx";
 const ComparePage = later("the comparison", async () => (await import("./compare/compare-page.tsx")).ComparePage);
 const EstimatorPage = later("the estimator", async () => (await import("./forces/estimator-page.tsx")).EstimatorPage);
 const ForcesPage = later("the forces", async () => (await import("./forces/forces-page.tsx")).ForcesPage);
+const OwnPage = later("your model", async () => (await import("./own/own-page.tsx")).OwnPage);
 const StudyForm = later("the form", async () => (await import("./home/study-form.tsx")).StudyForm);
 const SweepPage = later("the sweep", async () => (await import("./sweep/sweep-page.tsx")).SweepPage);
 
@@ -32,6 +33,7 @@ export function App({ state, actions }: { state: AppState; actions: Actions }) {
         {route.view === "compare" && <ComparePage state={state} route={route} actions={actions} />}
         {route.view === "estimator" && <EstimatorPage state={state} route={route} actions={actions} />}
         {route.view === "forces" && <ForcesPage state={state} actions={actions} />}
+        {route.view === "own" && <OwnPage />}
         {route.view === "study" && <StudyPage state={state} route={route} actions={actions} />}
         {route.view === "sweep" && <SweepPage state={state} route={route} actions={actions} />}
       </main>

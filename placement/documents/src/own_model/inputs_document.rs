@@ -9,7 +9,7 @@ use document::json_schema::{Properties, Schemas};
 use document::typed::field_value::Field;
 use document::{Format, parse};
 use gsa::law::distribution::Distribution;
-use gsa::method::Method;
+use gsa::method::{Kind, Method};
 use serde_json::{Value, json};
 
 use crate::study::distribution_reader::{distribution_schema, read_distribution};
@@ -23,11 +23,16 @@ const MOST_INPUTS: usize = 10_000;
 const LONGEST_NAME: usize = 100;
 /// Limits for models of others, which may be cheap.
 const LIMITS: Limits = Limits {
+    name: "ModelMethod",
+    usual: Kind::Mdrm,
     nodes: gsa::law::rule::MAX_NODES as u64,
     check_points: gsa::design::MAX_CHECK_POINTS as u64,
     samples: gsa::design::MAX_CHECK_POINTS as u64,
     runs: 1_000_000,
 };
+
+/// Fields of the document.
+pub(super) const FIELDS: [&str; 2] = ["inputs", "method"];
 
 /// Inputs and method. Build it with [`Inputs::from_document`].
 #[derive(Debug, Clone, PartialEq)]
@@ -48,16 +53,15 @@ impl Inputs {
     pub fn from_document(text: &str, format: Format) -> Result<Self, Vec<Fault>> {
         let value = parse(text, format)?;
         let mut faults = Vec::new();
-        match read(&value, &mut faults) {
-            Some(inputs) if faults.is_empty() => Ok(inputs),
-            _ => Err(faults),
-        }
+        let fields = Fields::open(&value, "", &FIELDS, &mut faults);
+        let read = fields.and_then(|fields| read(&fields, LIMITS, &mut faults));
+        read.filter(|_| faults.is_empty()).ok_or(faults)
     }
 }
 
-fn read(value: &Value, faults: &mut Vec<Fault>) -> Option<Inputs> {
-    let fields = Fields::open(value, "", &["inputs", "method"], faults)?;
-    let method = read_method(&fields, LIMITS, faults);
+/// Reads inputs and method from the fields of a document.
+pub(super) fn read(fields: &Fields<'_>, limits: Limits, faults: &mut Vec<Fault>) -> Option<Inputs> {
+    let method = read_method(fields, limits, faults);
     let what = format!("a list of 1 to {MOST_INPUTS} tables");
     let (value, pointer) = fields.required("inputs", &what, faults)?;
     let fits = |items: &&Vec<Value>| (1..=MOST_INPUTS).contains(&items.len());
@@ -96,28 +100,29 @@ fn read(value: &Value, faults: &mut Vec<Fault>) -> Option<Inputs> {
 /// The schema of such a document.
 pub(crate) fn inputs_file_schema(schemas: &mut Schemas) -> Value {
     schemas.define("Inputs", |schemas| {
-        let input = schemas.define("ModelInput", |schemas| {
-            let mut input = Properties::default();
-            let name = String::schema(&LONGEST_NAME, schemas);
-            input.add_required("name", "Name, like no other's.", name);
-            let law = distribution_schema(schemas);
-            input.add_required("distribution", "Distribution of its values.", law);
-            input.table("An input of the model.")
-        });
         let mut file = Properties::default();
-        let inputs =
-            json!({"type": "array", "minItems": 1, "maxItems": MOST_INPUTS, "items": input});
-        file.add_required("inputs", "Inputs of the model.", inputs);
-        let method = method_schema(LIMITS, schemas);
-        file.add(
-            "method",
-            "Method that computes the indices.",
-            method,
-            None,
-            false,
-        );
+        describe(&mut file, LIMITS, schemas);
         file.table("Inputs of a model that others run, and the method that asks for points.")
     })
+}
+
+/// Describes inputs and method among the fields of a document.
+pub(super) fn describe(table: &mut Properties, limits: Limits, schemas: &mut Schemas) {
+    let input = schemas.define("ModelInput", |schemas| {
+        let mut input = Properties::default();
+        let name = String::schema(&LONGEST_NAME, schemas);
+        input.add_required("name", "Name, like no other's.", name);
+        let law = distribution_schema(schemas);
+        input.add_required("distribution", "Distribution of its values.", law);
+        input.table("An input of the model.")
+    });
+    let inputs = json!({"type": "array", "minItems": 1, "maxItems": MOST_INPUTS, "items": input});
+    table.add_required("inputs", "Inputs of the model.", inputs);
+    let (method, doc) = (
+        method_schema(limits, schemas),
+        "Method that computes the indices.",
+    );
+    table.add("method", doc, method, None, false);
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use document::fault::Fault;
+use document::fault::{Fault, entry};
 
 use crate::own_model::csv_cell::text;
 use crate::own_model::planned_cells::PlannedCells;
@@ -23,11 +23,30 @@ pub(super) enum Column {
     Output,
 }
 
+/// Place of a row in what was read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Place {
+    /// Line of a file.
+    Line(usize),
+    /// Entry of a list.
+    Entry(usize),
+}
+
+impl Place {
+    /// Adds a fault at this place.
+    pub(super) fn fault(self, faults: &mut Vec<Fault>, detail: &str) {
+        match self {
+            Self::Line(line) => fault(faults, line, detail),
+            Self::Entry(at) => Fault::add(faults, &entry("/rows", at), detail),
+        }
+    }
+}
+
 /// A row that was read.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct ValueRow {
-    /// Line that it came from.
-    pub(super) line: usize,
+    /// Place that it came from.
+    pub(super) place: Place,
     /// Value of each output, NaN where the run failed.
     pub(super) values: Vec<f64>,
     /// Digits of each output's value; `None` where the run failed.
@@ -61,7 +80,7 @@ pub(super) fn read(
         fault(faults, line, &detail);
     });
     let mut row = ValueRow {
-        line,
+        place: Place::Line(line),
         values: Vec::with_capacity(columns.len()),
         printed: Vec::with_capacity(columns.len()),
         planned: PlannedCells::default(),

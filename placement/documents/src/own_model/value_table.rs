@@ -14,7 +14,7 @@ use crate::own_model::planned_cells;
 pub use crate::own_model::planned_cells::Planned;
 use crate::own_model::printed_number::half_unit;
 pub use crate::own_model::value_row::PLAN_COLUMN;
-use crate::own_model::value_row::{Column, ValueRow, cells, fault, read};
+use crate::own_model::value_row::{Column, Place, ValueRow, cells, fault, read};
 
 /// Points named in one sentence.
 const MOST_NAMED: usize = 10;
@@ -34,6 +34,11 @@ impl ValueTable {
             outputs: Vec::new(),
             rows: BTreeMap::new(),
         }
+    }
+
+    /// Makes a table of rows by point, with a value for each output.
+    pub(super) fn of_rows(outputs: Vec<String>, rows: BTreeMap<usize, ValueRow>) -> Self {
+        Self { outputs, rows }
     }
 
     /// Reads the text of a file, all of whose columns are outputs. An empty cell, `nan` and infinities are runs that failed.
@@ -78,8 +83,8 @@ impl ValueTable {
             let Some((id, row)) = read(number, line, (&names, &columns), &mut faults) else {
                 continue;
             };
-            if let Some(before) = rows.insert(id, row) {
-                let detail = format!("point {id} was given on line {} already", before.line);
+            if let Some(Place::Line(line)) = rows.insert(id, row).map(|before| before.place) {
+                let detail = format!("point {id} was given on line {line} already");
                 fault(&mut faults, number, &detail);
             }
         }
@@ -139,7 +144,7 @@ impl ValueTable {
     ///
     /// # Errors
     /// Each of them, with its line and column; the first ones of a column.
-    pub fn check_plan(&self, plan: &Planned<'_>) -> Result<(), Vec<Fault>> {
+    pub(super) fn check_plan(&self, plan: &Planned<'_>) -> Result<(), Vec<Fault>> {
         let mut faults = Vec::new();
         let points = plan.points.len();
         for (id, row) in self.rows.range(points..) {
@@ -151,10 +156,13 @@ impl ValueTable {
             } else {
                 format!("there is no point {id}")
             };
-            fault(&mut faults, row.line, &detail);
+            row.place.fault(&mut faults, &detail);
         }
-        let rows = self.rows.iter();
-        let repeated = rows.map(|(id, row)| (row.line, *id, &row.planned));
+        // Lists have nothing but outputs.
+        let repeated = self.rows.iter().filter_map(|(id, row)| match row.place {
+            Place::Line(line) => Some((line, *id, &row.planned)),
+            Place::Entry(_) => None,
+        });
         faults.extend(planned_cells::faults(repeated, plan));
         if faults.is_empty() {
             Ok(())
@@ -163,8 +171,8 @@ impl ValueTable {
         }
     }
 
-    /// The fault of a table that lacks points.
-    pub fn missing_ids(&self, points: usize) -> Vec<Fault> {
+    /// Returns what is to be done about a table that lacks some of so many points.
+    pub(super) fn missing_words(&self, points: usize) -> String {
         let missing: Vec<usize> = (0..points).filter(|id| !self.has(*id)).collect();
         let named: Vec<String> = missing
             .iter()
@@ -175,13 +183,10 @@ impl ValueTable {
             0 => String::new(),
             more => format!(" and {more} more"),
         };
-        vec![Fault {
-            pointer: String::new(),
-            detail: format!(
-                "no values for points {}{more}: run them, or give nan for a run that failed",
-                named.join(", ")
-            ),
-        }]
+        format!(
+            "no values for points {}{more}: run them, or give nan for a run that failed",
+            named.join(", ")
+        )
     }
 }
 
@@ -299,6 +304,6 @@ mod tests {
         }
         let gap = ValueTable::from_csv("id,y\n0,1\n2,1\n").unwrap();
         assert_eq!(gap.leading_rows().nrows(), 1);
-        assert!(gap.missing_ids(4)[0].detail.contains("points 1, 3:"));
+        assert!(gap.missing_words(4).contains("points 1, 3:"));
     }
 }

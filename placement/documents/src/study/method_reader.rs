@@ -10,9 +10,13 @@ use document::typed::field_value::Field;
 use gsa::method::{Kind, Method};
 use serde_json::{Value, json};
 
-/// Limits of a method's settings.
+/// Limits of a method's settings, and what is usual.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Limits {
+    /// Name of their schema.
+    pub name: &'static str,
+    /// Kind where none is said.
+    pub usual: Kind,
     /// Most nodes per input.
     pub nodes: u64,
     /// Most check points.
@@ -33,7 +37,7 @@ pub(crate) fn read_method(
     faults: &mut Vec<Fault>,
 ) -> Option<Method> {
     let Some((value, pointer)) = fields.get("method") else {
-        return Some(Method::of(Kind::Mdrm));
+        return Some(Method::of(limits.usual));
     };
     let known = [
         "kind",
@@ -46,8 +50,8 @@ pub(crate) fn read_method(
     ];
     let fields = Fields::open(value, &pointer, &known, faults)?;
     let kinds = Kind::ALL.map(|kind| (kind.as_str(), kind));
-    let kind = fields.choice("kind", &kinds, Kind::Mdrm, faults);
-    let default = Method::of(kind.unwrap_or(Kind::Mdrm));
+    let kind = fields.choice("kind", &kinds, limits.usual, faults);
+    let default = Method::of(kind.unwrap_or(limits.usual));
     let mut whole = |name: &str, low: u64, high: u64, default: usize| {
         fields
             .integer(name, (low, high), default as u64, faults)
@@ -72,8 +76,8 @@ pub(crate) fn read_method(
 
 /// The schema of `method`; defaults are those of the kind that is usual.
 pub(crate) fn method_schema(limits: Limits, schemas: &mut Schemas) -> Value {
-    let usual = Method::of(Kind::Mdrm);
-    schemas.define("Method", |schemas| {
+    let usual = Method::of(limits.usual);
+    schemas.define(limits.name, |schemas| {
         let mut properties = Properties::default();
         let kinds = json!({"type": "string", "enum": Kind::ALL.map(Kind::as_str)});
         let kind = Some(usual.kind.as_str().into());

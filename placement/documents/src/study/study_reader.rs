@@ -39,6 +39,8 @@ pub(crate) const TOLERANCE: Range = Range::new(1e-4, 1.0, "");
 pub(crate) const BUDGET: Range = Range::new(0.1, 1e6, "s");
 /// Solves take seconds, so that more would be a slip.
 pub(crate) const LIMITS: Limits = Limits {
+    name: "Method",
+    usual: Kind::Mdrm,
     nodes: 15,
     check_points: 1000,
     samples: 10_000,

@@ -68,6 +68,9 @@ __all__ = [
     "LocationStrain",
     "MemberReport",
     "Model",
+    "ModelIndexError",
+    "ModelOutput",
+    "ModelPoints",
     "ModelReport",
     "Output",
     "PlaceAnswer",
@@ -1246,6 +1249,68 @@ class Model:
 
 
 @dataclass(frozen=True, kw_only=True)
+class ModelIndexError:
+    """Errors of first-order indices: what they are off by at most, in all and in parts."""
+
+    quadrature: float | None = None
+    """Error of the nodes' number."""
+    decomposition: float | None = None
+    """Error of the form."""
+    sampling: float | None = None
+    """Error of the sample."""
+    floor: float
+    """Share of the variance that is rounding of doubles."""
+    lost: float | None = None
+    """Error of runs that failed."""
+    rounding: float | None = None
+    """Error of digits that weren't printed."""
+    total: float | None = None
+    """Error of the worst index, all parts together."""
+    by_input: tuple[float, ...] | None = None
+    """Error of each input's index."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ModelOutput:
+    """Indices of an output, one an input."""
+
+    name: str
+    """Name of the output."""
+    mean: float | None = None
+    """Mean, in the output's units."""
+    variance: float | None = None
+    """Variance, in the output's units squared."""
+    first_order: tuple[float, ...] | None = None
+    """First-order index of each input: its share of the variance alone."""
+    total: tuple[float, ...] | None = None
+    """Total index of each input: its share with all that it interacts in."""
+    second_order: tuple[float, ...] | None = None
+    """Share of each pair of inputs alone, in the order 12, 13, .., 23, ..; None where the method has none."""
+    status: str
+    """End of the analysis: `ok`, `constant`, `product-form-broken` or `unusable`."""
+    reason: str | None = None
+    """Reason why a number is missing, and what else a reader should know."""
+    method: str
+    """Form behind the indices."""
+    mdrm_first_order: tuple[float, ...] | None = None
+    """First-order indices of the product form where it is broken."""
+    mdrm_total: tuple[float, ...] | None = None
+    """Total indices of the product form where it is broken."""
+    error: ModelIndexError
+    """Errors of the first-order indices."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ModelPoints:
+    """Points of a model, each a value of every input."""
+
+    ids: tuple[int, ...]
+    """Number of each point, by which its values are sent."""
+    rows: tuple[tuple[float, ...], ...]
+    """Values of the inputs at each point, in the inputs' units."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class ModelReport:
     """Report of a candidate."""
 
@@ -1498,6 +1563,24 @@ class Sections:
     """The solved nodes, by value. A design of scattered points has the means alone."""
     failed: tuple[FailedNode, ...]
     """Nodes that have no equilibrium, by value."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SensitivityFields:
+    """Indices as far as the values tell, and the points that are still to be run."""
+
+    inputs: tuple[str, ...]
+    """Names of the inputs."""
+    outputs: tuple[ModelOutput, ...]
+    """Outputs with their indices; none while the method's first points lack values."""
+    evaluations: int
+    """Points that have values."""
+    wanted: int
+    """Points that are still to be run; 0 at the end."""
+    points: ModelPoints
+    """Points that are still to be run."""
+    advice: str | None = None
+    """Advice, a sentence, where the indices say little or points are missing."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -88,14 +88,15 @@ class Transport:
         *,
         key: str | None = None,
         params: Mapping[str, str] | None = None,
+        timeout: float | None = None,
     ) -> dict[str, Any]:
-        """The JSON object with which a document is answered."""
+        """The answer to a document, a JSON object; `timeout` counts where it is longer than the client's."""
         headers = {"Idempotency-Key": key} if key is not None else {}
         content = None
         if body is not None:
             headers["Content-Type"] = "application/json"
             content = json.dumps(body, allow_nan=False).encode()
-        return _object(self.request("POST", path, content=content, headers=headers, params=params))
+        return _object(self.request("POST", path, content=content, headers=headers, params=params, timeout=timeout))
 
     def patch(self, path: str, change: Mapping[str, Any]) -> dict[str, Any]:
         """The JSON object with which a change is answered; the same change again changes nothing."""
@@ -110,12 +111,16 @@ class Transport:
         content: bytes | None = None,
         headers: Mapping[str, str] | None = None,
         params: Mapping[str, str] | None = None,
+        timeout: float | None = None,
     ) -> httpx.Response:
         """Sends until it is answered for good, or the patience is over."""
         patience = self.patience()
+        limit = max(self._timeout, timeout or 0.0)
         while True:
             try:
-                response = self._http.request(method, path, content=content, headers=headers, params=params)
+                response = self._http.request(
+                    method, path, content=content, headers=headers, params=params, timeout=limit
+                )
             except httpx.TransportError as error:
                 if not patience.again():
                     raise self.lost(error, patience) from error

@@ -4,7 +4,6 @@ use std::process::{Command, ExitCode};
 
 use estimation::fit_report::Report;
 use estimation::recipe::Recipe;
-use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 use serde::{Deserialize, Serialize};
 
 use crate::forces::fitting::{Fit, FitFailure, Work, fit};
@@ -95,7 +94,7 @@ pub fn learn_for_parent() -> ExitCode {
 }
 
 fn answer(order: &FitOrder) -> Answer {
-    limit_memory(order.memory_bytes);
+    answering::limit_memory(order.memory_bytes);
     let work = Work {
         threads: order.threads,
         told: &|progress| answering::tell(&progress),
@@ -109,15 +108,4 @@ fn learnt(found: Fit) -> Answer {
         report: found.report,
         left_out: found.left_out,
     }))
-}
-
-/// Has the system refuse this process more memory than that: an allocation that is refused ends it.
-fn limit_memory(bytes: u64) {
-    let before = getrlimit(Resource::Data);
-    let limit = Rlimit {
-        current: Some(before.current.map_or(bytes, |earlier| earlier.min(bytes))),
-        maximum: before.maximum,
-    };
-    // Where the system has no such limit, the parent's forecast is what there is.
-    let _ = setrlimit(Resource::Data, limit);
 }

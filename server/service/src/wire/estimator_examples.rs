@@ -74,7 +74,7 @@ pub fn crowded() -> Value {
 
 /// More than is read.
 pub fn too_large() -> Value {
-    let detail = "a document with recordings has at most 67108864 bytes";
+    let detail = "a document with files has at most 67108864 bytes";
     problem(413, "Payload Too Large", detail)
 }
 

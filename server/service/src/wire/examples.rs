@@ -66,6 +66,18 @@ pub fn hand_layouts_toml() -> &'static str {
     "simulated = true\n[[layouts]]\nname = \"mine\"\nfilms = [{ theta_deg = 0, phi_deg = 0, angle_deg = 90 }, { theta_deg = 40, phi_deg = 0, angle_deg = 0 }]\n"
 }
 
+/// A model of two inputs, of which two points have values.
+pub fn analysis() -> Value {
+    json!({
+        "inputs": [
+            {"name": "force_n", "distribution": {"kind": "normal", "mean": 10.0, "std": 1.0}},
+            {"name": "height_mm", "distribution": {"kind": "uniform", "min": 1.8, "max": 2.2}},
+        ],
+        "method": {"kind": "auto", "tolerance": 0.01},
+        "values": {"outputs": ["strain"], "ids": [0, 1], "rows": [[1.07e-3], [9.1e-4]]},
+    })
+}
+
 /// A study without layouts.
 pub fn no_layouts() -> Value {
     problem(

@@ -1,5 +1,6 @@
-//! Documents on the wire beside results: states, estimates, previews, comparisons; with an example of each.
+//! Documents on the wire beside results: states, estimates, previews, comparisons, indices of models of others; with an example of each.
 
+pub mod analysis_wire;
 pub mod described_tables;
 pub mod entry_change;
 pub mod estimator_examples;

@@ -4,6 +4,7 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 use std::thread;
 
+use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 use serde::Serialize;
 
 use super::{ANSWER, TOLD};
@@ -38,4 +39,15 @@ fn written(word: &str, message: &impl Serialize) -> io::Result<()> {
     let mut output = io::stdout().lock();
     output.write_all(line.as_bytes())?;
     output.flush()
+}
+
+/// Has the system refuse this process more memory than that: an allocation that is refused ends it.
+pub(crate) fn limit_memory(bytes: u64) {
+    let before = getrlimit(Resource::Data);
+    let limit = Rlimit {
+        current: Some(before.current.map_or(bytes, |earlier| earlier.min(bytes))),
+        maximum: before.maximum,
+    };
+    // Where the system has no such limit, the parent's forecast is what there is.
+    let _ = setrlimit(Resource::Data, limit);
 }

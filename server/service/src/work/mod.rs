@@ -6,7 +6,9 @@
 //! - [`shutdown`]: the wish to stop
 //! - [`memory_share`]: memory that studies and fits share
 //! - [`own_process`]: starts a process, listens and waits; `answering`: the process's own side; `ending`: who is to blame for its end
+//! - [`analysis_process`]: analyses of models that others run, in such a process
 
+pub mod analysis_process;
 pub(crate) mod answering;
 mod ending;
 pub mod memory_share;

@@ -6,19 +6,15 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use ::gsa::campaign::Campaign;
-use ::gsa::design::DesignError;
-use ::gsa::method::Kind;
 use ::gsa::method::analysis::{Analysis, Status};
 use clap::{Args, Subcommand};
 use document::fault::Fault;
 use document::visible::visible;
 use documents::own_model::csv_cell;
-use documents::own_model::fingerprint::fingerprint;
 use documents::own_model::inputs_document::Inputs;
-use documents::own_model::value_table::{PLAN_COLUMN, Planned, ValueTable};
-use ndarray::ArrayView2;
-use serde_json::{Value, json};
+use documents::own_model::own_analysis::{OwnAnalysis, fingerprint_of};
+use documents::own_model::value_table::{PLAN_COLUMN, ValueTable};
+use serde_json::json;
 
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
@@ -29,6 +25,7 @@ use crate::cli::terminal::paint::{HEADER, WARNING, painted};
 use crate::cli::terminal::progress::clock;
 use service::study_document::text_files::read_text;
 use service::study_document::{format_of, read_file};
+use service::wire::analysis_wire::ModelAnalysis;
 
 /// Analyse a model of your own: print the points to run, then read their outputs back
 #[derive(Debug, Args)]
@@ -125,38 +122,12 @@ fn read_values(path: &Path, inputs: &Inputs) -> Result<ValueTable, Failure> {
     Ok(table)
 }
 
-fn no_plan(error: &DesignError) -> Failure {
-    Failure::Input(vec![Fault {
-        pointer: "/inputs".to_owned(),
-        detail: error.to_string(),
-    }])
-}
-
-/// The fingerprint of what these inputs plan before there are values.
-fn fingerprint_of(inputs: &Inputs) -> Result<String, Failure> {
-    let campaign = Campaign::new(&inputs.laws, inputs.method).map_err(|error| no_plan(&error))?;
-    Ok(fingerprint(&inputs.names, campaign.points()))
-}
-
-/// Values belong to the plan, or to none: points that they lack are no fault.
-fn check(table: &ValueTable, inputs: &Inputs, campaign: &Campaign) -> Result<(), Failure> {
-    let plan = Planned {
-        inputs: &inputs.names,
-        points: campaign.points(),
-        fingerprint: &fingerprint_of(inputs)?,
-    };
-    table.check_plan(&plan).map_err(Failure::Input)
-}
-
-/// The campaign as these values leave it, and what they say so far, if they are enough to say anything.
-fn replay(
-    inputs: &Inputs,
-    values: &ArrayView2<f64>,
-) -> Result<(Campaign, Option<Vec<Analysis>>), Failure> {
+/// The analysis as far as the values go.
+fn analysed<'a>(inputs: &'a Inputs, values: &'a ValueTable) -> Result<OwnAnalysis<'a>, Failure> {
     let waiting = clock("planning and analysing");
-    let replayed = Campaign::replay(&inputs.laws, inputs.method, values);
+    let analysis = OwnAnalysis::of(inputs, values);
     waiting.finish_and_clear();
-    replayed.map_err(|error| no_plan(&error))
+    analysis.map_err(Failure::Input)
 }
 
 impl Plan {
@@ -166,16 +137,13 @@ impl Plan {
             Some(path) => read_values(path, &inputs)?,
             None => ValueTable::empty(),
         };
-        let (campaign, _) = replay(&inputs, &table.leading_rows().view())?;
-        check(&table, &inputs, &campaign)?;
-        let missing: Vec<usize> = (0..campaign.points().len())
-            .filter(|id| !table.has(*id))
-            .collect();
-        let text = self.table(&inputs, &campaign, &missing)?;
+        let analysis = analysed(&inputs, &table)?;
+        let (points, missing) = (analysis.points(), analysis.wanted());
+        let text = self.table(&inputs, points, &missing)?;
         warn(&format!(
             "{} points to run, {} in all\n",
             missing.len(),
-            campaign.points().len()
+            points.len()
         ));
         match &self.output {
             Some(path) => write(path, text.as_bytes()),
@@ -189,8 +157,8 @@ impl Plan {
     fn table(
         &self,
         inputs: &Inputs,
-        campaign: &Campaign,
-        points: &[usize],
+        points: &[Vec<f64>],
+        wanted: &[usize],
     ) -> Result<String, Failure> {
         let last = match self.fingerprint {
             true => Some(fingerprint_column(inputs)?),
@@ -200,9 +168,9 @@ impl Plan {
         let of_plan = last.iter().map(|_| &plan);
         let columns = std::iter::once(&id).chain(&inputs.names).chain(of_plan);
         let mut text = csv_cell::line(columns);
-        for &id in points {
+        for &id in wanted {
             text.push_str(&id.to_string());
-            for x in &campaign.points()[id] {
+            for x in &points[id] {
                 // The shortest digits that read back bit for bit.
                 write!(text, ",{x:?}").map_err(Failure::other)?;
             }
@@ -222,7 +190,7 @@ fn fingerprint_column(inputs: &Inputs) -> Result<String, Failure> {
             pointer: format!("/inputs/{input}/name"),
             detail: "is that of the column of --fingerprint: rename the input, or leave --fingerprint out".to_owned(),
         }])),
-        None => fingerprint_of(inputs),
+        None => fingerprint_of(inputs).map_err(Failure::Input),
     }
 }
 
@@ -230,21 +198,13 @@ impl Analyse {
     fn execute(&self) -> Result<(), Failure> {
         let inputs = read_inputs(&self.inputs)?;
         let table = read_values(&self.values, &inputs)?;
-        let rows = table.leading_rows();
-        let (campaign, found) = replay(&inputs, &rows.view())?;
-        let points = campaign.points().len();
-        check(&table, &inputs, &campaign)?;
-        let Some(found) = found else {
-            return Err(Failure::Input(table.missing_ids(points)));
+        let analysis = analysed(&inputs, &table)?;
+        let Some(found) = analysis.found() else {
+            return Err(Failure::Input(
+                analysis.advice().map(of_values).into_iter().collect(),
+            ));
         };
-        let printed = found.into_iter().zip(table.half_units());
-        let found: Vec<Analysis> = printed
-            .map(|(found, half_unit)| match half_unit > 0.0 {
-                true => found.of_printed(half_unit),
-                false => found,
-            })
-            .collect();
-        let wanted = (0..points).filter(|id| !table.has(*id)).count();
+        let wanted = analysis.wanted().len();
         if wanted > 0 {
             let more = format!("the method asks for {wanted} more points");
             warn(&format!(
@@ -254,73 +214,24 @@ impl Analyse {
                 self.values.display()
             ));
         }
-        let mut text = people_table(&inputs.names, table.outputs(), &found);
-        if inputs.method.kind != Kind::Auto && found.iter().any(says_little) {
-            let advice = painted(WARNING, "an error is as large as the indices:");
-            text += &format!("{advice} {MORE_POINTS}\n");
+        let mut text = people_table(&inputs.names, table.outputs(), found);
+        if let Some(advice) = analysis.advice() {
+            text += &format!("{}\n", painted(WARNING, advice));
         }
         tell(&text, self.json.as_ref())?;
         match &self.json {
-            Some(target) => target.write(&document(&inputs.names, &table, &found, wanted)),
+            Some(target) => target.write(&json!(ModelAnalysis::of(&analysis))),
             None => Ok(()),
         }
     }
 }
 
-/// Advice where a method with a plan of its own says little.
-const MORE_POINTS: &str = "method = { kind = \"auto\" } in the file of inputs asks for more points until it is within its tolerance; the values that you have serve it, too";
-
-/// Whether the claimed error is as large as the largest index.
-fn says_little(found: &Analysis) -> bool {
-    let largest = found
-        .first_order
-        .iter()
-        .flatten()
-        .copied()
-        .fold(0.0, f64::max);
-    found
-        .error
-        .total
-        .is_some_and(|error| found.first_order.is_some() && error >= largest)
-}
-
-fn document(inputs: &[String], table: &ValueTable, found: &[Analysis], wanted: usize) -> Value {
-    let outputs: Vec<Value> = table
-        .outputs()
-        .iter()
-        .zip(found)
-        .map(|(name, analysis)| output(name, analysis))
-        .collect();
-    json!({"inputs": inputs, "outputs": outputs, "evaluations": table.points(), "wanted": wanted})
-}
-
-fn output(name: &str, found: &Analysis) -> Value {
-    let broken = found.status == Status::ProductFormBroken;
-    let indexed = found.first_order.is_some();
-    let mdrm = |indices: &Option<Vec<f64>>| indices.clone().filter(|_| broken);
-    json!({
-        "name": name,
-        "mean": found.mean,
-        "variance": found.variance,
-        "first_order": found.first_order,
-        "total": found.total,
-        "second_order": found.second_order,
-        "status": found.status.as_str(),
-        "reason": found.reason,
-        "method": found.method.as_str(),
-        "mdrm_first_order": mdrm(&found.mdrm_first_order),
-        "mdrm_total": mdrm(&found.mdrm_total),
-        "error": {
-            "quadrature": found.error.quadrature.filter(|_| indexed),
-            "decomposition": found.error.decomposition.filter(|_| indexed),
-            "sampling": found.error.sampling,
-            "floor": found.error.floor,
-            "lost": found.error.lost.filter(|_| indexed),
-            "rounding": found.error.rounding.filter(|_| indexed),
-            "total": found.error.total.filter(|_| indexed),
-            "by_input": found.error.by_input.clone().filter(|_| indexed),
-        },
-    })
+/// A fault of the file of values as a whole.
+fn of_values(detail: String) -> Fault {
+    Fault {
+        pointer: String::new(),
+        detail,
+    }
 }
 
 fn people_table(inputs: &[String], outputs: &[String], found: &[Analysis]) -> String {

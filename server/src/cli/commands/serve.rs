@@ -18,8 +18,9 @@ use crate::http::mount::{Mount, Mounting};
 use crate::running::{Limits, Outside, Service, ServiceParts};
 use crate::telemetry::{self, LogFilter, LogFormat};
 use crate::token::{Token, TokenError};
-use service::forces::fit_process::ARGUMENT;
+use service::forces::fit_process;
 use service::solving::solver_choice::preview_solver;
+use service::work::analysis_process;
 use service::work::own_process::own_program;
 
 /// The environment variable that may hold the token: unlike an argument, it is in no list of processes.
@@ -152,7 +153,8 @@ impl Serve {
             return Err(faults);
         }
         let parts = ServiceParts {
-            learner: Box::new(|| own_program(ARGUMENT)),
+            learner: Box::new(|| own_program(fit_process::ARGUMENT)),
+            analyst: Box::new(|| own_program(analysis_process::ARGUMENT)),
             address: self.addr,
             database: self.config.db.clone(),
             solver,

@@ -27,6 +27,7 @@ async fn every_operation_answers_as_recorded() {
     let mut asked = studies(&app).await;
     asked.extend(sweeps(&app).await);
     asked.extend(estimators(&app).await);
+    asked.extend(analyses(&app).await);
     asked.extend(service(&app).await);
 
     let described = app.json("/openapi.json").await;
@@ -196,6 +197,26 @@ async fn estimators(app: &App) -> Asked {
         .ask(Method::DELETE, &format!("{path}?purge"), None)
         .await;
     compare("estimators", &session.record());
+    session.asked
+}
+
+async fn analyses(app: &App) -> Asked {
+    let mut session = Session::new(app);
+    let law = json!({"kind": "uniform", "min": 0, "max": 1});
+    let inputs = json!([{"name": "a", "distribution": law}, {"name": "b", "distribution": law}]);
+    let method = json!({"kind": "mdrm", "nodes": 3, "check_points": 0});
+    let mut document = json!({"inputs": inputs, "method": method});
+    let post = Method::POST;
+    session
+        .ask(post.clone(), "/v1/analyses", Some(&document))
+        .await;
+    document["values"] = json!("id,y\n0,1.5\n1,1.39\n2,1.61\n3,1.27\n4,1.73\n");
+    session
+        .ask(post.clone(), "/v1/analyses", Some(&document))
+        .await;
+    document["method"]["colour"] = json!(1);
+    session.ask(post, "/v1/analyses", Some(&document)).await;
+    compare("analyses", &session.record());
     session.asked
 }
 

@@ -4,11 +4,13 @@ interface Props {
   /** What is to be dropped. */
   title: string;
   isMany?: boolean;
+  /** Endings of files that are offered. */
+  accept?: string;
   onFiles: (files: File[]) => void;
 }
 
-/** Where CSV files are dropped or chosen. */
-export function FileDrop({ title, isMany = false, onFiles }: Props) {
+/** Where files are dropped or chosen. */
+export function FileDrop({ title, isMany = false, accept = ".csv,text/csv", onFiles }: Props) {
   const [isOver, setOver] = useState(false);
   const take = (list: FileList | null | undefined): void => {
     const files = [...(list ?? [])];
@@ -34,7 +36,7 @@ export function FileDrop({ title, isMany = false, onFiles }: Props) {
       <input
         type="file"
         class="hidden"
-        accept=".csv,text/csv"
+        accept={accept}
         multiple={isMany}
         onChange={(event) => {
           take(event.currentTarget.files);

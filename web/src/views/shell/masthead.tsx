@@ -5,6 +5,7 @@ import { chooseTheme, chosenTheme } from "../../state/preferences.ts";
 
 const HOME = formatRoute(homeRoute());
 const FORCES = formatRoute({ view: "forces" });
+const OWN = formatRoute({ view: "own" });
 
 const THEME_NAMES: Record<ThemeChoice, string> = { system: "System", light: "Light", dark: "Dark" };
 
@@ -23,6 +24,9 @@ export function Masthead({ route, onHelp }: { route: Route; onHelp: () => void }
           </a>
           <a href={FORCES} aria-current={route.view === "forces" ? "page" : undefined}>
             Forces
+          </a>
+          <a href={OWN} aria-current={route.view === "own" ? "page" : undefined}>
+            Your model
           </a>
           <a href="docs">API</a>
         </nav>

@@ -15,7 +15,7 @@ use crate::http::edge::conditional;
 use crate::http::edge::extract::{EstimatorId, EstimatorPath, Params, RemovalQuery};
 use crate::http::edge::problem_document::Problem;
 use crate::http::routes::entry_list::PageQuery;
-use crate::http::routes::estimators::recordings_body::RecordingsBody;
+use crate::http::routes::long_body::LongBody;
 use crate::http::routes::study_routes::idempotency_key;
 use service::forces::estimator_queue::UntakenError;
 use service::forces::submission_reader::{FitLimits, read_submission};
@@ -61,7 +61,7 @@ pub(crate) fn router() -> OpenApiRouter<AppState> {
 async fn submit_estimator(
     State(state): State<AppState>,
     headers: HeaderMap,
-    body: RecordingsBody,
+    body: LongBody,
 ) -> Result<Response, Problem> {
     let key = idempotency_key(&headers)?;
     let limits = FitLimits {

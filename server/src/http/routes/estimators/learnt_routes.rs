@@ -25,7 +25,7 @@ use crate::http::edge::conditional::{has, tagged};
 use crate::http::edge::extract::{AppliedId, EstimatorId, EstimatorPath, no_method};
 use crate::http::edge::problem_document::Problem;
 use crate::http::routes::estimators::estimator_routes::known;
-use crate::http::routes::estimators::recordings_body::RecordingsBody;
+use crate::http::routes::long_body::LongBody;
 use service::export::FileFormat;
 use service::forces::applying::{Bounds, apply_within};
 use service::forces::model_file::read_model;
@@ -132,7 +132,7 @@ async fn estimator_left_out(
 async fn apply_estimator(
     State(state): State<AppState>,
     AppliedId(id): AppliedId,
-    body: RecordingsBody,
+    body: LongBody,
 ) -> Result<Response, Problem> {
     ready(&state.store, &id, Part::Model).await?;
     let (recording, _held) = body.checked(read_recording).await?;

@@ -2,11 +2,9 @@
 //!
 //! - [`estimator_routes`]: submit, list, look at, cancel
 //! - [`learnt_routes`]: what was learnt, and estimates by it
-//! - [`recordings_body`]: bodies with recordings
 
 pub(crate) mod estimator_routes;
 pub(crate) mod learnt_routes;
-pub(crate) mod recordings_body;
 
 use utoipa_axum::router::OpenApiRouter;
 

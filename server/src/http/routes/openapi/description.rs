@@ -9,6 +9,7 @@ use axum::http::HeaderMap;
 use axum::response::Response;
 use axum::{Extension, Json};
 use document::json_schema::Schemas;
+use documents::own_model::analysis_document::analysis_schema;
 use documents::schemas::DocumentKind;
 use documents::sweep::sweep_schema::further_designs_schema;
 use serde_json::{Value, json};
@@ -20,9 +21,10 @@ use crate::http::app_state::AppState;
 use crate::http::edge::access::Access;
 use crate::http::mount::Mount;
 use crate::http::routes::openapi::generator_idioms;
+use crate::http::routes::upkeep::{health, login_routes, metric_routes};
 use crate::http::routes::{
-    answers, assets, comparison_routes, estimators, event_routes, health, login_routes,
-    metric_routes, preset_routes, preview_routes, study_routes, sweep_routes,
+    analysis_routes, answers, assets, comparison_routes, estimators, event_routes, preset_routes,
+    preview_routes, study_routes, sweep_routes,
 };
 use service::export::{ComparisonFormat, ComparisonTable, FileFormat, Table};
 use service::wire::described_tables::described_tables;
@@ -45,6 +47,7 @@ use service::wire::study_wire::{LiveSolve, ProblemDocument};
         (name = "answers", description = "Answers of studies"),
         (name = "sweeps", description = "One study and many designs, and what differs between them"),
         (name = "estimators", description = "Forces from recorded signals: learnt, judged, applied"),
+        (name = "analyses", description = "Indices of a model of your own: points out, values in"),
         (name = "service", description = "The service itself")
     )
 )]
@@ -94,6 +97,7 @@ fn describe_documents(document: &mut Value) {
         kind.root(&mut schemas);
     }
     further_designs_schema(&mut schemas);
+    analysis_schema(&mut schemas);
     if let Some(described) = document["components"]["schemas"].as_object_mut() {
         described.extend(schemas.definitions());
     }
@@ -114,6 +118,7 @@ pub(crate) fn routes() -> OpenApiRouter<AppState> {
         .merge(event_routes::router())
         .merge(answers::router())
         .merge(estimators::router())
+        .merge(analysis_routes::router())
         .merge(preset_routes::router())
         .merge(health::router())
         .merge(login_routes::router())

@@ -1,0 +1,1 @@
+"""Sensitivity of models that the script runs itself."""

@@ -1,0 +1,1 @@
+export{in as readToml}from"../views-Uh6k8NSP.js";

@@ -1,1 +1,0 @@
-export{in as readToml}from"../views-C2dJu8xh.js";
