@@ -13,6 +13,7 @@
 //!
 //! Where the law's range is unbounded the nodes in its middle come closer like N^-1/2 only, and N_k/N is the root of that. Errors then fall so
 //! slowly that v is hardly better than v_k: with f their ratio, v_k - v is 1 - f of the coarser line's error, and the finest one's f/(1 - f) of it.
+//! That matters where several coarser lines speak against the modes; a single one can only raise what these say.
 
 use crate::form::spectrum::{MOST_MISSING, Tail};
 
@@ -45,7 +46,10 @@ impl Level {
             level.tail.missing * self.fall_of_amplitude(level).min(1.0)
         });
         let by_modes = stopping * self.tail.missing.max(before);
-        let seen = coarser.iter().map(|level| level.error * self.fall(level));
+        let is_slow = !self.is_bounded && coarser.len() > 1;
+        let seen = coarser
+            .iter()
+            .map(|level| level.error * self.fall(level, is_slow));
         let observed = OBSERVED * seen.fold(0.0, f64::max);
         let missing = match coarser.len() {
             0 => by_modes,
@@ -57,16 +61,14 @@ impl Level {
 
     /// Returns the ratio of the error to what is seen of a coarser line's: as the distance of nodes, as at a step, and as much more as the amplitudes
     /// at the end of the modes fall faster than the N^-2 of a kink.
-    fn fall(&self, coarser: &Self) -> f64 {
+    fn fall(&self, coarser: &Self, is_slow: bool) -> f64 {
         let ratio = coarser.nodes as f64 / self.nodes as f64;
         let of_modes = self.fall_of_amplitude(coarser) / (ratio * ratio);
-        match self.is_bounded {
-            true => of_modes.min(ratio),
-            false => {
-                let fall = of_modes.min(ratio.sqrt());
-                fall / (1.0 - fall)
-            }
+        if !is_slow {
+            return of_modes.min(ratio);
         }
+        let fall = of_modes.min(ratio.sqrt());
+        fall / (1.0 - fall)
     }
 
     /// Returns the ratio of the amplitudes, 1 where the coarser line ends in nothing.

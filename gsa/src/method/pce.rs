@@ -13,7 +13,7 @@
 //!
 //! - what values that scatter by s, or each by its own r, make of the coefficients: laws with heavy tails put few points where high degrees are
 //!   decided, and a section that is singular at an end has its residuals there;
-//! - s^2/V for what the expansion lacks, which concerns an index in second order only, since a least squares fit is
+//! - a share of s^2/V for what the expansion lacks, which concerns an index in second order only, since a least squares fit is
 //!   orthogonal to it;
 //! - where the points contradict the coefficients, all of the difference. At the points the main effect g_i and the output have
 //!   mean squares V_i and V, but for chance; a high degree that bends up beyond the last point has its variance there, which no

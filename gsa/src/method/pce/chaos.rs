@@ -18,8 +18,8 @@ const LEAST_POINTS: usize = 8;
 const SCATTER: f64 = 2.7;
 /// Ratio of the scatter by each value's own residual to that by all alike from which the former counts: less is the chance in some hundred values.
 const UNLIKE: f64 = 1.5;
-/// Share of s^2/V: all of it in one main effect, as of a singular section.
-const REMAINDER: f64 = 1.0;
+/// Share of s^2/V: all of it in one main effect would be 1.
+const REMAINDER: f64 = 0.5;
 /// Standard deviations of a mean over random points by which Sobol's points seldom miss.
 const CONTRADICTION: f64 = 1.5;
 /// Rounding of the values beyond this share of their spread is all there is.
