@@ -146,6 +146,22 @@ impl Shape {
         }
     }
 
+    /// Energy of a main effect beside the section's shape, and the share of it that is missed. A rule is wrong by products of low and high modes.
+    /// Where the high ones don't have the section's shape, what is beside it counts with all of the effect's low modes, not with its own alone.
+    fn beside(&self, effect: &[f64], of_line: f64, beyond: Option<f64>) -> Option<(f64, f64)> {
+        let squares: Vec<f64> = effect.iter().map(|c| c * c).collect();
+        let whole = tail_with(&squares, true, beyond)?;
+        let energies: [f64; 2] = [&squares, &self.across].map(|squares| squares.iter().sum());
+        let [all, beside] = energies;
+        if beside <= 0.0 {
+            return Some((0.0, 0.0));
+        }
+        let end = tail_with(&self.across, true, None)?.amplitude * beside.sqrt();
+        let part = (end / (whole.amplitude * all.sqrt())).min(1.0);
+        let more = (all * whole.missing * part - self.along * of_line) / beside;
+        Some((beside, whole.missing.max(more)))
+    }
+
     fn add(&mut self, other: Self) {
         self.along += other.along;
         for (energy, more) in self.across.iter_mut().zip(other.across) {
@@ -241,15 +257,13 @@ impl<'a> Composite<'a> {
     ) -> Option<Missed> {
         let effect = self.main_effect(input);
         let main = Shape::of(&effect, &self.direction(input));
-        let beside: f64 = main.across.iter().sum();
-        let squares: Vec<f64> = effect.iter().map(|c| c * c).collect();
         let mut energies = vec![0.0; effect.len()];
         for coefficients in interactions {
             add_squares(&mut energies, coefficients);
         }
         Some(Missed {
             line: (main.along, of_line),
-            effect: (beside, tail_with(&squares, true, beyond)?.missing),
+            effect: main.beside(&effect, of_line, beyond)?,
             rest: (
                 energies.iter().sum(),
                 tail_with(&energies, true, beyond)?.missing,
@@ -409,6 +423,22 @@ pub(crate) fn pair(n: usize, i: usize, j: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn high_modes_beside_the_sections_shape_count_with_all_low_ones() {
+        // a line of first degree, and a main effect whose high modes are all beside it
+        let effect = [1.0, 0.0, 0.0, 0.0, 0.0, 0.1];
+        let main = Shape::of(&effect, &[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        let squares = effect.map(|c| c * c);
+        let whole = tail_with(&squares, true, None).unwrap().missing;
+        let (energy, missed) = main.beside(&effect, 0.0, None).unwrap();
+        assert!((energy - 0.01).abs() < 1e-15);
+        assert!((energy * missed - 1.01 * whole).abs() < 1e-12);
+        // nothing beside it: the line judges all
+        let shape = [0.8, 0.6];
+        let main = Shape::of(&[1.6, 1.2], &shape);
+        assert_eq!(main.beside(&[1.6, 1.2], 0.0, None), Some((0.0, 0.0)));
+    }
 
     #[test]
     fn pairs_are_counted_row_by_row() {

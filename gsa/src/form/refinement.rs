@@ -10,6 +10,10 @@
 //!
 //! At a step s falls like N^-1 and at a kink like N^-2, and the bound is N_k/N: a step's error does fall so, a kink's faster. Of an
 //! analytic section s falls like its modes, and the bound with it.
+//!
+//! Where the law's range is unbounded the nodes in its middle come closer like N^-1/2 only, and N_k/N is the root of that. Errors then fall so
+//! slowly that v is hardly better than v_k: with f their ratio, v_k - v is 1 - f of the coarser line's error, and the finest one's f/(1 - f) of it.
+//! That matters where several coarser lines speak against the modes; a single one can only raise what these say.
 
 use crate::form::spectrum::{MOST_MISSING, Tail};
 
@@ -26,6 +30,8 @@ pub(crate) fn stopping(refined_on_demand: bool) -> f64 {
 /// Error that one of an input's lines shows.
 pub(crate) struct Level {
     pub(crate) nodes: usize,
+    /// whether the law's range has two ends
+    pub(crate) is_bounded: bool,
     pub(crate) tail: Tail,
     /// difference of its variance from the finest line's, as a share of that
     pub(crate) error: f64,
@@ -40,7 +46,10 @@ impl Level {
             level.tail.missing * self.fall_of_amplitude(level).min(1.0)
         });
         let by_modes = stopping * self.tail.missing.max(before);
-        let seen = coarser.iter().map(|level| level.error * self.fall(level));
+        let is_slow = !self.is_bounded && coarser.len() > 1;
+        let seen = coarser
+            .iter()
+            .map(|level| level.error * self.fall(level, is_slow));
         let observed = OBSERVED * seen.fold(0.0, f64::max);
         let missing = match coarser.len() {
             0 => by_modes,
@@ -50,11 +59,16 @@ impl Level {
         missing.min(MOST_MISSING)
     }
 
-    /// Returns the ratio of the error to a coarser line's: at least by 1/N, as at a step, and as much more as the amplitudes at the end of the modes
-    /// fall faster than the N^-2 of a kink.
-    fn fall(&self, coarser: &Self) -> f64 {
+    /// Returns the ratio of the error to what is seen of a coarser line's: as the distance of nodes, as at a step, and as much more as the amplitudes
+    /// at the end of the modes fall faster than the N^-2 of a kink.
+    fn fall(&self, coarser: &Self, is_slow: bool) -> f64 {
         let ratio = coarser.nodes as f64 / self.nodes as f64;
-        (self.fall_of_amplitude(coarser) / (ratio * ratio)).min(ratio)
+        let of_modes = self.fall_of_amplitude(coarser) / (ratio * ratio);
+        if !is_slow {
+            return of_modes.min(ratio);
+        }
+        let fall = of_modes.min(ratio.sqrt());
+        fall / (1.0 - fall)
     }
 
     /// Returns the ratio of the amplitudes, 1 where the coarser line ends in nothing.
@@ -90,7 +104,12 @@ mod tests {
         let level = |&nodes: &usize| {
             let (v, tail) = seen(nodes, f);
             let error = (v - finest).abs() / finest;
-            Level { nodes, tail, error }
+            Level {
+                nodes,
+                is_bounded: true,
+                tail,
+                error,
+            }
         };
         let levels: Vec<Level> = sizes.iter().map(level).collect();
         let (last, coarser) = levels.split_last().unwrap();
@@ -178,16 +197,32 @@ mod tests {
         assert!(order(sine).0 > 10.0);
     }
 
-    #[test]
-    fn one_coarser_line_only_raises_a_claim() {
-        let level = |nodes, missing, error| Level {
+    fn level(nodes: usize, missing: f64, error: f64) -> Level {
+        Level {
             nodes,
+            is_bounded: true,
             tail: Tail {
                 amplitude: 0.1,
                 missing,
             },
             error,
+        }
+    }
+
+    #[test]
+    fn errors_fall_slowly_where_the_range_is_unbounded() {
+        let unbounded = |level: Level| Level {
+            is_bounded: false,
+            ..level
         };
+        let fine = unbounded(level(36, 1.0, 0.0));
+        // nodes twice as close where they are four times as many: half of the coarser line's error is left, and half of it was seen
+        let coarser = [level(4, 1.0, 0.0), level(9, 1.0, 0.02)].map(unbounded);
+        assert!((fine.missing(&coarser, 1.0) - OBSERVED * 0.02).abs() < 1e-15);
+    }
+
+    #[test]
+    fn one_coarser_line_only_raises_a_claim() {
         let fine = level(9, 1e-3, 0.0);
         let alone = fine.missing(&[], 1.0);
         assert_eq!(alone, 1e-3);

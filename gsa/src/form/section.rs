@@ -15,6 +15,7 @@ use crate::design::{CheckPoint, Design, Line};
 use crate::form::refinement::{self, Level};
 use crate::form::scale::{exponent, times_power_of_two};
 use crate::form::spectrum::{Tail, tail};
+use crate::law::distribution::Distribution;
 
 /// A response rounded in its last bits has this many eps of spread without depending on anything.
 const NOISE_IN_EPS: f64 = 4.0;
@@ -87,18 +88,24 @@ impl Sections {
                 .collect(),
         };
         let stopping = refinement::stopping(design.is_refined_on_demand());
-        for input in 0..inputs {
+        for (input, law) in design.inputs().iter().enumerate() {
             let lines: Vec<&Line> = design.lines_of(input).collect();
-            sections.add_moments(input, &lines, &lost, stopping);
+            sections.add_moments((input, law), &lines, &lost, stopping);
         }
         sections.lost = lost;
         Ok(sections)
     }
 
-    fn add_moments(&mut self, input: usize, lines: &[&Line], lost: &[usize], stopping: f64) {
+    fn add_moments(
+        &mut self,
+        (input, law): (usize, &Distribution),
+        lines: &[&Line],
+        lost: &[usize],
+        stopping: f64,
+    ) {
         let line = lines[lines.len() - 1];
         let (shift, variance) = moments(&line.rule().weights, self.differences(input));
-        let levels = self.levels(input, lines, variance, lost);
+        let levels = self.levels((input, law), lines, variance, lost);
         let missing = levels.and_then(|levels| {
             let (finest, coarser) = levels.split_last()?;
             Some(finest.missing(coarser, stopping))
@@ -114,11 +121,13 @@ impl Sections {
     /// Returns what each of an input's lines shows; `None` if one is too small to tell.
     fn levels(
         &self,
-        input: usize,
+        (input, law): (usize, &Distribution),
         lines: &[&Line],
         variance: f64,
         lost: &[usize],
     ) -> Option<Vec<Level>> {
+        let (low, high) = law.support();
+        let is_bounded = low.is_finite() && high.is_finite();
         let mut from = 0;
         let of_line = |line: &&Line| {
             let nodes = line.rule().len();
@@ -126,7 +135,12 @@ impl Sections {
             from += nodes;
             let (_, seen) = moments(&line.rule().weights, d);
             let error = (seen - variance).abs() / variance;
-            tail_of(line, d, lost).map(|tail| Level { nodes, tail, error })
+            tail_of(line, d, lost).map(|tail| Level {
+                nodes,
+                is_bounded,
+                tail,
+                error,
+            })
         };
         lines.iter().map(of_line).collect()
     }
@@ -251,7 +265,6 @@ mod tests {
     use rand_chacha::rand_core::SeedableRng;
 
     use super::*;
-    use crate::law::distribution::Distribution;
 
     fn sections(nodes: usize, model: impl Fn(&[f64]) -> f64) -> Sections {
         let inputs = [

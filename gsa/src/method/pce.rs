@@ -11,7 +11,8 @@
 //!
 //! The error of an index is the sum of three parts, with r the cross-validated residuals and s their root mean square:
 //!
-//! - what values that scatter by s make of the coefficients: laws with heavy tails put few points where high degrees are decided;
+//! - what values that scatter by s, or each by its own r, make of the coefficients: laws with heavy tails put few points where high degrees are
+//!   decided, and a section that is singular at an end has its residuals there;
 //! - a share of s^2/V for what the expansion lacks, which concerns an index in second order only, since a least squares fit is
 //!   orthogonal to it;
 //! - where the points contradict the coefficients, all of the difference. At the points the main effect g_i and the output have

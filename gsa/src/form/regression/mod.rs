@@ -87,13 +87,27 @@ impl Fit {
     /// Standard deviation of a number with this gradient to the coefficients, for values that scatter by one each:
     /// sqrt(g^T (R^T R)^-1 g).
     pub(crate) fn deviation(&self, gradient: &[f64]) -> f64 {
+        let y = self.on_units(gradient);
+        y.iter().map(|y| y * y).sum::<f64>().sqrt()
+    }
+
+    /// The sum of so many times the terms' columns that says how much each value counts in such a number: (R^T R)^-1 g.
+    pub(crate) fn weights(&self, gradient: &[f64]) -> Vec<(usize, f64)> {
+        let columns = self.terms.iter().map(|(column, _)| *column);
+        columns
+            .zip(back(&self.triangles, self.on_units(gradient)))
+            .collect()
+    }
+
+    /// R^-T g
+    fn on_units(&self, gradient: &[f64]) -> Vec<f64> {
         let mut y: Vec<f64> = Vec::with_capacity(gradient.len());
         for (g, column) in gradient.iter().zip(&self.triangles) {
             let (above, diagonal) = column.split_at(y.len());
             let before: f64 = above.iter().zip(&y).map(|(a, b)| a * b).sum();
             y.push((g - before) / diagonal[0]);
         }
-        y.iter().map(|y| y * y).sum::<f64>().sqrt()
+        y
     }
 }
 
@@ -298,15 +312,22 @@ fn left_out(residual: &Array1<f64>, leverage: &Array1<f64>, count: f64) -> f64 {
 }
 
 /// Coefficients of the columns as given from those of the unit vectors, by back substitution.
-fn solve(steps: &[Step], mut coefficients: Vec<f64>) -> Vec<(usize, f64)> {
-    for p in (0..steps.len()).rev() {
-        coefficients[p] /= steps[p].triangle[p];
+fn solve(steps: &[Step], coefficients: Vec<f64>) -> Vec<(usize, f64)> {
+    let triangles: Vec<&[f64]> = steps.iter().map(|step| &step.triangle[..]).collect();
+    let columns = steps.iter().map(|step| step.column);
+    columns.zip(back(&triangles, coefficients)).collect()
+}
+
+/// R^-1 times some numbers.
+fn back(triangles: &[impl AsRef<[f64]>], mut numbers: Vec<f64>) -> Vec<f64> {
+    for p in (0..triangles.len()).rev() {
+        let triangle = triangles[p].as_ref();
+        numbers[p] /= triangle[p];
         for q in 0..p {
-            coefficients[q] -= steps[p].triangle[q] * coefficients[p];
+            numbers[q] -= triangle[q] * numbers[p];
         }
     }
-    let columns = steps.iter().map(|step| step.column);
-    columns.zip(coefficients).collect()
+    numbers
 }
 
 /// Fits the values, and says what a fit without point k, chosen without it too, is off by there. A point's mirror image is left out with it, where there are

@@ -8,8 +8,10 @@
 //! ```
 //!
 //! p is taken from the last octave of the modes, m/2 to m, and g from how p differs in the octave before. Of fewer than [`OCTAVES`] modes only
-//! the last octave is there: its halves tell g, and even and odd modes are taken together, as singularities at one end have both alike. Where one
-//! kind is missing, as of |x| or sqrt(1 - x^2), the other goes on algebraically if it falls slowly.
+//! the last octave is there: its halves tell g, and even and odd modes are taken together, as singularities at one end have both alike. Where the
+//! halves don't agree on an algebraic fall, a smooth part as large may hide one: the last half goes on algebraically if it falls as slowly as at an
+//! infinite slope and the fall slowed down before. Where one kind is missing, as of |x| or sqrt(1 - x^2), the other
+//! goes on algebraically if it falls as slowly as at an infinite slope.
 //!
 //! Modes beyond the rule's are seen in those that it resolves: at the nodes p_(2N-k) is about -p_k, so that a mode of degree k shows as c_k - c_(2N-k).
 //! Near the end of the modes most is lost by that, and they seem to fall faster than they do.
@@ -27,6 +29,11 @@ const GEOMETRIC: f64 = 1.0;
 /// Range of g in which three modes say something of an end's singularity: it scatters a little about 0, and of analytic sections is 1 on a
 /// uniform law and 1/2 on a normal one.
 const GROWTH_OF_THREE: Range<f64> = -0.25..0.5;
+/// Largest g at which a smooth part may hide a singular end's fall: acos t has 1.1 at five nodes. Exponentials that fall
+/// as slowly have 1.3 and more on a normal law, 1.9 on a uniform one.
+const GROWTH_BESIDE_SMOOTH: f64 = 1.15;
+/// Largest p there, where the fall slows down before, as behind a smooth part: acos t has 2.5 at five nodes.
+const SLOPE_BESIDE_SMOOTH: f64 = 2.6;
 /// Largest p of an infinite slope, of t^a with a = 0.8.
 const OF_INFINITE_SLOPE: f64 = 3.1;
 /// Largest factor by which a mode strays from the power law between the ends of an octave.
@@ -112,15 +119,23 @@ impl Modes<'_> {
         let last = self.0.len();
         let (first, middle) = (last / 2, (last + last / 2) / 2);
         let [before, after] = [first..=middle, middle..=last];
-        let growth = growth(
-            (self.falling(&before)?, centre(&before)),
-            (self.falling(&after)?, centre(&after)),
-        );
-        let octave = first..=last;
-        GROWTH_OF_THREE.contains(&growth).then_some(Law {
-            exponent: self.falling(&octave)?,
-            at: centre(&octave),
-            growth: growth.max(0.0),
+        let (previous, exponent) = (self.falling(&before)?, self.falling(&after)?);
+        let growth = growth((previous, centre(&before)), (exponent, centre(&after)));
+        if GROWTH_OF_THREE.contains(&growth) {
+            let octave = first..=last;
+            return Some(Law {
+                exponent: self.falling(&octave)?,
+                at: centre(&octave),
+                growth: growth.max(0.0),
+            });
+        }
+        let earlier = self.exponent(&((first / 2).max(1)..=first));
+        let slowed_down = earlier.is_some_and(|p| p > previous);
+        let is_beside_smooth = (GROWTH_OF_THREE.end..GROWTH_BESIDE_SMOOTH).contains(&growth);
+        (slowed_down && is_beside_smooth && exponent <= SLOPE_BESIDE_SMOOTH).then_some(Law {
+            exponent,
+            at: centre(&after),
+            growth: 0.0,
         })
     }
 

@@ -2,6 +2,8 @@
 
 use crate::design::Line;
 use crate::judge::failed_share;
+use crate::law::distribution::Distribution;
+use crate::method::amended::outermost::{beyond_others, deviations};
 use crate::method::analysis::Analysis;
 use crate::method::procedure::Runs;
 
@@ -11,24 +13,31 @@ struct Failed {
     of: usize,
     /// Share of the runs, or on a line the probability of its nodes, whichever is more.
     probability: f64,
+    /// Distance by which they lie beyond the others, in standard deviations of an input.
+    distance: f64,
 }
 
 impl Failed {
     fn new(runs: &Runs<'_>, values: &[f64]) -> Self {
-        let (of, on_lines) = match runs {
+        let (points, of, on_lines) = match runs {
             Runs::Lines(design) => {
                 let lines = design.lines().iter();
                 let lost = lines.map(|line| lost_on(line, values));
-                (design.to_run(), lost.fold(0.0, f64::max))
+                (design.points(), design.to_run(), lost.fold(0.0, f64::max))
             }
-            Runs::Scattered(points) => (points.len(), 0.0),
+            Runs::Scattered(points) => (*points, points.len(), 0.0),
         };
         let failed = values[..of].iter().filter(|y| !y.is_finite());
         let count = failed.count();
+        let deviations = match runs {
+            Runs::Lines(design) => design.inputs().iter().map(Distribution::std).collect(),
+            Runs::Scattered(points) => deviations(points),
+        };
         Self {
             count,
             of,
             probability: on_lines.max(count as f64 / of as f64),
+            distance: beyond_others(&points[..of], &values[..of], &deviations),
         }
     }
 }
@@ -51,7 +60,7 @@ impl Analysis {
         if failed.count == 0 {
             return self;
         }
-        let errors = failed_share::errors(first_order, failed.probability);
+        let errors = failed_share::errors(first_order, failed.probability, failed.distance);
         self.error.lost = Some(self.error.add(&errors));
         if failed_share::is_too_much(failed.probability) {
             self.note(&format!(

@@ -16,6 +16,8 @@ const HIGHEST: usize = 12;
 const LEAST_POINTS: usize = 8;
 /// Standard deviations of the coefficients' scatter that count as its error: two for 95 %, and the rest for the terms' choice.
 const SCATTER: f64 = 2.7;
+/// Ratio of the scatter by each value's own residual to that by all alike from which the former counts: less is the chance in some hundred values.
+const UNLIKE: f64 = 1.5;
 /// Share of s^2/V: all of it in one main effect would be 1.
 const REMAINDER: f64 = 0.5;
 /// Standard deviations of a mean over random points by which Sobol's points seldom miss.
@@ -197,7 +199,8 @@ impl Chaos {
         let squares: Vec<f64> = values.iter().map(|h| (h - mean).powi(2)).collect();
         let error = |input: usize| {
             let s = first_order[input];
-            let scatter = SCATTER * missed.sqrt() * self.scatter(fit, variance, (input, s));
+            let gradient = self.gradient(fit, variance, (input, s));
+            let scatter = SCATTER * scatter(fit, &gradient, candidates, unseen);
             let contradiction = contradiction(&effects[input], s, &squares);
             index_error::at_most_one(scatter + REMAINDER * missed / variance + contradiction)
         };
@@ -226,8 +229,8 @@ impl Survey<'_> {
 }
 
 impl Chaos {
-    /// Standard deviation of a first-order index s for values that scatter by one each.
-    fn scatter(&self, fit: &Fit, variance: f64, (input, s): (usize, f64)) -> f64 {
+    /// Gradient of a first-order index s to the coefficients.
+    fn gradient(&self, fit: &Fit, variance: f64, (input, s): (usize, f64)) -> Vec<f64> {
         let slope = |(candidate, c): &(usize, f64)| {
             let own = match self.indices[*candidate][..] {
                 [] => return 0.0,
@@ -236,9 +239,20 @@ impl Chaos {
             };
             2.0 * c * (own - s) / variance
         };
-        let gradient: Vec<f64> = fit.terms.iter().map(slope).collect();
-        fit.deviation(&gradient)
+        fit.terms.iter().map(slope).collect()
     }
+}
+
+/// Standard deviation of a number with this gradient to the coefficients, for values that scatter by the residuals' root mean square each, or by their
+/// own residual where that makes much more: a singular end has its residuals where the columns are largest.
+fn scatter(fit: &Fit, gradient: &[f64], candidates: &Candidates, unseen: &[f64]) -> f64 {
+    let squares: f64 = unseen.iter().map(|r| r * r).sum();
+    let alike = (squares / unseen.len() as f64).sqrt() * fit.deviation(gradient);
+    let weights = fit.weights(gradient);
+    let by_value = unseen.iter().enumerate();
+    let by_value = by_value.map(|(k, r)| (candidates.combined(&weights, k) * r).powi(2));
+    let own = by_value.sum::<f64>().sqrt();
+    if own > UNLIKE * alike { own } else { alike }
 }
 
 /// Returns by how much the points contradict an index s: its difference from the ratio of mean squares of the main effect and of the output at the
