@@ -32,8 +32,9 @@ const GROWTH_OF_THREE: Range<f64> = -0.25..0.5;
 /// Largest g at which a smooth part may hide a singular end's fall: acos t has 1.1 at five nodes. Exponentials that fall
 /// as slowly have 1.3 and more on a normal law, 1.9 on a uniform one.
 const GROWTH_BESIDE_SMOOTH: f64 = 1.15;
-/// Largest p there, where the fall slows down before, as behind a smooth part: acos t has 2.5 at five nodes.
-const SLOPE_BESIDE_SMOOTH: f64 = 2.6;
+/// Range of p there, where the fall slows down before, as behind a smooth part: from an infinite value to a square root's slope. acos t has 2.5 at five
+/// nodes.
+const SLOPE_BESIDE_SMOOTH: Range<f64> = 1.5..2.6;
 /// Largest p of an infinite slope, of t^a with a = 0.8.
 const OF_INFINITE_SLOPE: f64 = 3.1;
 /// Largest factor by which a mode strays from the power law between the ends of an octave.
@@ -132,11 +133,13 @@ impl Modes<'_> {
         let earlier = self.exponent(&((first / 2).max(1)..=first));
         let slowed_down = earlier.is_some_and(|p| p > previous);
         let is_beside_smooth = (GROWTH_OF_THREE.end..GROWTH_BESIDE_SMOOTH).contains(&growth);
-        (slowed_down && is_beside_smooth && exponent <= SLOPE_BESIDE_SMOOTH).then_some(Law {
-            exponent,
-            at: centre(&after),
-            growth: 0.0,
-        })
+        (slowed_down && is_beside_smooth && SLOPE_BESIDE_SMOOTH.contains(&exponent)).then_some(
+            Law {
+                exponent,
+                at: centre(&after),
+                growth: 0.0,
+            },
+        )
     }
 
     /// Law of the last two modes of a section that is even or odd about its middle: two don't tell g, and only as slow a fall as at an infinite slope
