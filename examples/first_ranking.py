@@ -10,7 +10,7 @@ import strainsite
 CHANGES = {
     "scene.geometry.wall_mm": 2.5,
     "accuracy.preset": "coarse",
-    "layouts.spacings_deg": [60, 90],
+    "layouts.films": [6, 12, 24],
     "layouts.depths_mm": [1.0],
 }
 
@@ -34,11 +34,9 @@ with strainsite.local("tire.db") as client:
     for note in result.notes:
         print("-", note)
 
-    # The best of the layouts around the wheel: 95 % of contacts, read with noise at the worst load, are known so well.
-    best = result.layouts[0]
-    error = best.score.simulated_p95_angle_error_deg
-    print(f"best layout: {best.units} units at the {best.position}, {best.spacing_deg:g} degrees apart")
-    print(f"it knows the contact angle to {error:.1f} degrees")
+    # Where to glue films, how well they then know the contact, and how sure that is.
+    print(result.answer.sentence)
+    print(f"{result.answer.layout.verdict}: {result.answer.layout.reason}")
 
     result.plot_ranking().savefig("ranking.png")
     result.plot_map("y", input="P3").savefig("map.png")

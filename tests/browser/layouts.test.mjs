@@ -67,10 +67,13 @@ test("layouts are answered in a sentence, drawn over their units, and listed", {
   const [first, papers] = await panel.locator(".layout-answer p").allInnerTexts();
   t.diagnostic(`${first} | ${papers}`);
   const digits = (value) => String(Number(value.toPrecision(Math.max(2, Math.floor(Math.log10(value)) + 1))));
-  assert.match(first, new RegExp(`${best.units} units of .* at the ${best.position}, every ${best.spacing_deg}°`));
+  assert.match(first, new RegExp(`${best.film_count} films along .* at the ${best.position}, .* every [\\d.]+°`));
   assert.ok(first.includes(`the contact angle to ${digits(best.score.simulated_p95_angle_error_deg)}`), first);
   assert.ok(first.includes(`as force ${digits(best.score.force_error_n)} N`), first);
-  assert.match(papers, /The paper's layout, 6 units of x and y at the crown, every 60°, ranks \d+ of \d+: it would know the contact angle to [\d.]+/);
+  assert.match(
+    papers,
+    /The paper's layout, 12 films along x and y at the crown, a pair every 60°, ranks \d+ of \d+: it would know the contact angle to [\d.]+/,
+  );
 
   // Two positions by three sets of films, each over five numbers of units; y alone isn't staggered.
   const plot = panel.locator("svg.layout-plot");

@@ -114,13 +114,12 @@ for (const viewport of WINDOWS) {
     const words = (await page.locator("main").innerText()).split(/\s+/).filter((word) => word !== "").length;
     t.diagnostic(`${words} words`);
     assert.ok(words < 120, `${words} words`);
-    for (const part of [".answer-sentence", ".answer-sure .verdict", ".answer-facts", ".wheel", ".wheel-section"]) {
+    for (const part of [".answer-sentence", ".answer-sure .verdict", ".trade-plot", ".answer-facts", ".wheel", ".wheel-section"]) {
       const { y, height } = await page.locator(part).first().boundingBox();
       assert.ok(y >= 0 && y + height <= viewport.height, `${part} ends at ${y + height} px`);
     }
-    const { layouts } = await (await fetch(`${origin()}/v1/studies/${id}/layouts`)).json();
-    const best = layouts.find(({ rank }) => rank === 1);
-    assert.equal(await page.locator(".wheel .wheel-film").count(), best.film_count, "every film of the best layout is drawn");
+    const { answer } = await (await fetch(`${origin()}/v1/studies/${id}/result?map=false`)).json();
+    assert.equal(await page.locator(".wheel .wheel-film").count(), answer.layout.film_count, "every film of the answer is drawn");
     await page.context().close();
   });
 }

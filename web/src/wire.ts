@@ -46,6 +46,9 @@ export interface components {
             reason: string;
             place?: components["schemas"]["PlaceAnswer"] | null;
             layout?: components["schemas"]["LayoutAnswer"] | null;
+            trade?: components["schemas"]["TradeAnswer"] | null;
+            /** @description Films of the answer's layout, one by one, as they are glued. */
+            films?: components["schemas"]["SheetFilm"][];
             inputs?: components["schemas"]["InputsAnswer"] | null;
             left_out?: components["schemas"]["LeftOut"] | null;
             surer?: components["schemas"]["Surer"] | null;
@@ -1045,11 +1048,11 @@ export interface components {
              */
             of_60_deg?: number | null;
         };
-        /** @description The layout that ranks first. */
+        /** @description The layout that answers the question; where none is asked, the knee of the trade. */
         LayoutAnswer: {
             /** @description Rank in `layouts`. */
             rank: number;
-            /** @description Description of the layout, as in `12 units of x and y at the crown, every 30 degrees`. */
+            /** @description Description of the layout, as in `12 films along y at the crown, one every 30 degrees`. */
             words: string;
             /** @description Count of its units; of a layout without units of its films. */
             units: number;
@@ -1067,7 +1070,7 @@ export interface components {
             error_deg?: number | null;
             /** @description Ranks of layouts that the errors can't tell from it. */
             tied_with: number[];
-            /** @description Certainty of the first rank, by what layouts are ranked by: that error times the root of the number of films. */
+            /** @description Certainty that no layout that was tried answers better with as few films; where limits are asked, that it meets them and fewer films don't. */
             verdict: components["schemas"]["Certainty"];
             /** @description Reason for the verdict, with the figures that decide; where forces along and across are unknown, too, also what tells them from the angle. */
             reason: string;
@@ -1099,6 +1102,11 @@ export interface components {
              * @description Error of the simulated 95th percentile, degrees.
              */
             simulated_p95_angle_error_deg?: number | null;
+            /**
+             * Format: double
+             * @description Error of the force's error, N.
+             */
+            force_error_n?: number | null;
         };
         /** @description Findings of a study's layouts together: loads, knees, fronts, kinds of film. */
         LayoutFindings: {
@@ -1112,6 +1120,8 @@ export interface components {
             coarser_level?: string | null;
             /** @description The loads at which layouts are scored. */
             loads: components["schemas"]["LayoutLoad"][];
+            /** @description Menu of layouts, where the document names none. */
+            menu?: components["schemas"]["MenuFindings"];
             /** @description Layouts that no other beats with as few films, least films first. */
             front: components["schemas"]["FrontLayout"][];
             /**
@@ -1213,6 +1223,11 @@ export interface components {
              * @description Error of the depth as a vertical force, N: by the slope of force over depth.
              */
             force_error_n?: number | null;
+            /**
+             * Format: double
+             * @description Standard error of the force's error by the number of simulated contacts, N.
+             */
+            force_error_n_se?: number | null;
             alike?: components["schemas"]["AlikeContacts"] | null;
             dead?: components["schemas"]["DeadFilm"] | null;
             shear?: components["schemas"]["ShearScore"] | null;
@@ -1432,6 +1447,13 @@ export interface components {
             model: components["schemas"]["Kind"];
             /** @description The features it reads. */
             features: components["schemas"]["FeatureSet"];
+        };
+        /** @description Layouts of the menu that aren't in the list. */
+        MenuFindings: {
+            /** @description Count of those that weren't simulated: their bounds show that others with as few films are better. */
+            screened: number;
+            /** @description Count of those whose films have no room. */
+            without_room: number;
         };
         /** @description Indices as far as the values tell, and the points that are still to be run. */
         ModelAnalysis: {
@@ -1680,6 +1702,21 @@ export interface components {
             /** @description The request's identifier, as in the header `x-request-id` and in the log. */
             request_id?: string | null;
         };
+        /** @description Question that a study's layouts answer: the best with so many films, or the fewest films that keep errors within limits. */
+        Question: {
+            /** @description Most films of a layout, those that are glued on already among them. */
+            films?: number | null;
+            /**
+             * Format: double
+             * @description Largest error of the contact angle that is allowed, degrees: of 95 in 100 contacts at the worst load.
+             */
+            angle_deg?: number | null;
+            /**
+             * Format: double
+             * @description Largest error of the vertical force that is allowed, N: root mean square at the worst load.
+             */
+            force_n?: number | null;
+        };
         /** @description A layout in the ranking. */
         RankedLayout: {
             /** @description 1 is best. Layouts of equal score share the rank of the first of them. */
@@ -1707,7 +1744,7 @@ export interface components {
             places?: components["schemas"]["FilmPlace"][];
             /** @description Figures that may be off by more than a fifth, in words. */
             doubt?: string | null;
-            /** @description Scores at the load where its error is largest. */
+            /** @description Scores at the load where the angle's error is largest. */
             score: components["schemas"]["LayoutScore"];
             /** @description Scores at every load. */
             loads: components["schemas"]["LoadScore"][];
@@ -2037,6 +2074,43 @@ export interface components {
             error?: components["schemas"]["ShearError"] | null;
             /** @description Quantity that can't be told, in words. */
             reason?: string | null;
+        };
+        /** @description A film of the answer, and where it is glued on the tire that isn't inflated. */
+        SheetFilm: {
+            /** @description Number of the film, from 1, around the wheel from the mark. */
+            number: number;
+            /**
+             * Format: double
+             * @description Wheel angle from the mark in the rolling direction, degrees.
+             */
+            theta_deg: number;
+            /**
+             * Format: double
+             * @description Arc on the inner surface from the mark to the film's middle, around the wheel at its section angle, mm.
+             */
+            arc_mm: number;
+            /**
+             * Format: double
+             * @description Section angle from the crown, degrees.
+             */
+            phi_deg: number;
+            /**
+             * Format: double
+             * @description Arc on the inner surface from the nearer bead, where the wall ends, to the film's middle, mm.
+             */
+            from_bead_mm: number;
+            /** @description Direction of its length: `x`, `y`, or an angle such as `45`. */
+            direction: string;
+            /**
+             * Format: double
+             * @description Length of the film, mm; null of a point.
+             */
+            length_mm?: number | null;
+            /**
+             * Format: double
+             * @description Width of the film, mm; null of a point.
+             */
+            width_mm?: number | null;
         };
         /**
          * @description Quantity that changes along a curve.
@@ -2465,6 +2539,8 @@ export interface components {
             candidates?: components["schemas"]["CandidatesDocument"];
             /** @description Layouts to score; none when left out. */
             layouts?: components["schemas"]["LayoutsDocument"];
+            /** @description Question that the layouts answer: the best with so many films, or the fewest that keep errors within limits; none when left out. */
+            question?: components["schemas"]["QuestionDocument"];
             /** @description Method that computes the indices. */
             method?: components["schemas"]["MethodDocument"];
             /** @description Accuracy that is asked of the answer: exactly one of the three. */
@@ -2653,7 +2729,7 @@ export interface components {
          * @description Table of a study.
          * @enum {string}
          */
-        Table: "indices" | "locations" | "layouts" | "points" | "signals" | "candidates" | "forces";
+        Table: "indices" | "locations" | "layouts" | "films" | "points" | "signals" | "candidates" | "forces";
         /** @description Errors of a table over all kinds of film, wheel angles and tested solves, relative. */
         TableError: {
             /** @description Solves that it was tested by. */
@@ -2728,6 +2804,60 @@ export interface components {
             reference: components["schemas"]["Rung"];
             /** @description The rungs, in the order of the ladder. */
             rungs: components["schemas"]["Rung"][];
+        };
+        /** @description Trade of films against errors: the best layout of each number of films, and which of them answers the question. */
+        TradeAnswer: {
+            /** @description Question of the document; empty where none is asked. */
+            question: components["schemas"]["Question"];
+            /** @description Best layout of each number of films, fewest first: that with the least error of the angle, or the one that comes closest to the limits asked for. */
+            rows: components["schemas"]["TradeRow"][];
+            /** @description Row that answers, from 0: the question's, or the knee where none is asked; null where no layout meets the question. */
+            picked?: number | null;
+            /** @description Knee, a row from 0: from there on twice the films don't halve the error; null where every layout loses the contact. */
+            knee?: number | null;
+            /** @description Layouts that were tried: named in the document, found by its search, or on its menu. */
+            tried: number;
+            /** @description Layouts of the menu that weren't simulated, as their bounds show that others with as few films are better. */
+            screened: number;
+            /** @description Layouts of the menu whose films have no room. */
+            without_room: number;
+            /** @description Sentence that says what was tried. */
+            menu: string;
+        };
+        /** @description Best layout of a number of films. */
+        TradeRow: {
+            /** @description Number of films. */
+            film_count: number;
+            /** @description Rank of the layout in `layouts`. */
+            rank: number;
+            /** @description Index of the layout in the list of layouts, from 0: mirror images share a rank. */
+            index: number;
+            /** @description Description of the layout, as in `12 films along y at the crown, one every 30 degrees`. */
+            words: string;
+            /**
+             * Format: double
+             * @description Simulated 95th percentile of the angle's error at its worst load, degrees.
+             */
+            angle_error_deg: number;
+            /**
+             * Format: double
+             * @description Claimed error of that, degrees; null where there is no coarser mesh.
+             */
+            angle_claim_deg?: number | null;
+            /**
+             * Format: double
+             * @description Root mean square error of the vertical force at the load where that is largest, N.
+             */
+            force_error_n?: number | null;
+            /**
+             * Format: double
+             * @description Claimed error of that, N; null where there is no coarser mesh.
+             */
+            force_claim_n?: number | null;
+            /** @description Whether it meets every limit that is asked for; null where none is. */
+            meets?: boolean | null;
+            /** @description Whether fewer films do worse. */
+            is_front: boolean;
         };
         /**
          * @description Trend of a curve.
@@ -3447,18 +3577,27 @@ export interface components {
         /** @description Layouts to score. */
         LayoutsDocument: {
             /**
-             * @description Angles between neighbouring units, degrees; each divides 360.
+             * @description Numbers of films of the menu: each along every direction, and as all directions in one place or in turn. Without spacings_deg, units, free and search the common menu.
              * @default [
+             *       3,
+             *       4,
+             *       6,
+             *       8,
+             *       9,
+             *       10,
+             *       12,
+             *       15,
+             *       18,
+             *       20,
+             *       24,
              *       30,
-             *       45,
-             *       60,
-             *       72,
-             *       90,
-             *       120,
-             *       180
+             *       36,
+             *       48
              *     ]
              */
-            spacings_deg: number[];
+            films: number[];
+            /** @description Angles between neighbouring units, degrees; each divides 360. */
+            spacings_deg?: number[];
             /** @description Numbers of units, beside those of the spacings. */
             units?: number[];
             /**
@@ -3590,6 +3729,15 @@ export interface components {
              * @default 0
              */
             least_distance_mm: number;
+        };
+        /** @description Question that a study's layouts answer: the best with so many films, or the fewest films that keep errors within limits. */
+        QuestionDocument: {
+            /** @description Most films of a layout, those that are glued on already among them. */
+            films?: number;
+            /** @description Largest error of the contact angle that is allowed, degrees: of 95 in 100 contacts at the worst load. */
+            angle_deg?: number;
+            /** @description Largest error of the vertical force that is allowed, N: root mean square at the worst load. */
+            force_n?: number;
         };
         /** @description Method that computes the indices. */
         MethodDocument: {
@@ -4610,6 +4758,7 @@ export type MapLayer = components['schemas']['MapLayer'];
 export type MapShape = components['schemas']['MapShape'];
 export type MapView = components['schemas']['MapView'];
 export type MemberReport = components['schemas']['MemberReport'];
+export type MenuFindings = components['schemas']['MenuFindings'];
 export type ModelAnalysis = components['schemas']['ModelAnalysis'];
 export type ModelIndexError = components['schemas']['ModelIndexError'];
 export type ModelOutput = components['schemas']['ModelOutput'];
@@ -4622,6 +4771,7 @@ export type Preset = components['schemas']['Preset'];
 export type Presets = components['schemas']['Presets'];
 export type Preview = components['schemas']['Preview'];
 export type ProblemDocument = components['schemas']['ProblemDocument'];
+export type Question = components['schemas']['Question'];
 export type RankedLayout = components['schemas']['RankedLayout'];
 export type RankedLocation = components['schemas']['RankedLocation'];
 export type Reached = components['schemas']['Reached'];
@@ -4638,6 +4788,7 @@ export type SectionNode = components['schemas']['SectionNode'];
 export type Sections = components['schemas']['Sections'];
 export type ShearError = components['schemas']['ShearError'];
 export type ShearScore = components['schemas']['ShearScore'];
+export type SheetFilm = components['schemas']['SheetFilm'];
 export type SignalAxis = components['schemas']['SignalAxis'];
 export type SignalCurve = components['schemas']['SignalCurve'];
 export type SignalError = components['schemas']['SignalError'];
@@ -4672,6 +4823,8 @@ export type TableError = components['schemas']['TableError'];
 export type TableReport = components['schemas']['TableReport'];
 export type Topic = components['schemas']['Topic'];
 export type Trade = components['schemas']['Trade'];
+export type TradeAnswer = components['schemas']['TradeAnswer'];
+export type TradeRow = components['schemas']['TradeRow'];
 export type Trend = components['schemas']['Trend'];
 export type TrialError = components['schemas']['TrialError'];
 export type Verdict = components['schemas']['Verdict'];
@@ -4699,6 +4852,7 @@ export type LayoutsDocument = components['schemas']['LayoutsDocument'];
 export type FilmPlaceDocument = components['schemas']['FilmPlaceDocument'];
 export type FreeLayoutDocument = components['schemas']['FreeLayoutDocument'];
 export type LayoutSearchDocument = components['schemas']['LayoutSearchDocument'];
+export type QuestionDocument = components['schemas']['QuestionDocument'];
 export type MethodDocument = components['schemas']['MethodDocument'];
 export type AccuracyDocument = components['schemas']['AccuracyDocument'];
 export type SignalsDocument = components['schemas']['SignalsDocument'];
@@ -4857,6 +5011,18 @@ export const LAYOUTS_COLUMNS = {
   shear_force_z_error_n: {"at":"/layout/score/shear/worst_force_error_n/2","kind":"float","unit":"N","title":"force up","digits":2,"error_at":"/layout/score/shear/error/worst_force_error_n/2","view":"shear","description":"Bounds of the ground's forces on the tire along the wheel, across it (null where no film feels it) and up, worst angle, N."},
   shear_reason: {"at":"/layout/score/shear/reason","kind":"text","title":"shear reason","digits":2,"description":"Quantity that can't be told, in words."},
   dead_p95_angle_error_deg: {"at":"/layout/score/dead/simulated_p95_angle_error_deg","kind":"float","unit":"deg","title":"angle, 95 %, one dead","digits":2,"view":"dead","description":"Simulated 95th percentile of the angle's error without it, degrees."},
+} as const;
+
+/** Columns of films. */
+export const FILMS_COLUMNS = {
+  film: {"at":"/film/number","kind":"integer","title":"film","digits":2,"description":"Number of the film, from 1, around the wheel from the mark."},
+  theta_deg: {"at":"/film/theta_deg","kind":"float","unit":"deg","title":"angle","digits":1,"description":"Wheel angle from the mark in the rolling direction, degrees."},
+  arc_mm: {"at":"/film/arc_mm","kind":"float","unit":"mm","title":"arc from the mark","digits":1,"description":"Arc on the inner surface from the mark to the film's middle, around the wheel at its section angle, mm."},
+  phi_deg: {"at":"/film/phi_deg","kind":"float","unit":"deg","title":"section","digits":1,"description":"Section angle from the crown, degrees."},
+  from_bead_mm: {"at":"/film/from_bead_mm","kind":"float","unit":"mm","title":"from the bead","digits":1,"description":"Arc on the inner surface from the nearer bead, where the wall ends, to the film's middle, mm."},
+  direction: {"at":"/film/direction","kind":"text","title":"direction","digits":2,"description":"Direction of its length: `x`, `y`, or an angle such as `45`."},
+  length_mm: {"at":"/film/length_mm","kind":"float","unit":"mm","title":"length","digits":1,"description":"Length of the film, mm; null of a point."},
+  width_mm: {"at":"/film/width_mm","kind":"float","unit":"mm","title":"width","digits":1,"description":"Width of the film, mm; null of a point."},
 } as const;
 
 /** Columns of candidates. */

@@ -1,8 +1,8 @@
 //! The sheet to glue by: every film of the answer with its distances on the inner surface.
 
+use documents::layouts::film_rings::Ring;
 use documents::layouts::film_room::FilmRoom;
 use documents::layouts::layout_settings::direction_name;
-use documents::layouts::rings::Ring;
 use documents::parts::film_place::FilmPlace;
 use fem_client::scene::Geometry;
 use fem_client::solver::Position;

@@ -8,7 +8,7 @@ pub(super) fn words(layout: &RankedLayout) -> String {
     format!("{} {}", counted(layout.film_count), laid(layout))
 }
 
-/// `along y at the crown, one every 30 degrees`.
+/// Says how films are laid: `along y at the crown, one every 30 degrees`.
 pub(super) fn laid(layout: &RankedLayout) -> String {
     let place = format!("along {} {}", directions(layout), place(layout));
     match (layout.spacing_deg, &layout.name) {
@@ -26,7 +26,7 @@ pub(super) fn counted(films: usize) -> String {
     }
 }
 
-/// `one every 30 degrees`, `a pair every 60 degrees`; films in turn are apart.
+/// Spacing in words: `one every 30 degrees`, `a pair every 60 degrees`; films in turn are apart.
 fn every(layout: &RankedLayout, spacing_deg: f64) -> String {
     let together = match layout.staggered {
         true => 1,

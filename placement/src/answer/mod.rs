@@ -7,6 +7,7 @@
 //! - `picked_layout`: the verdict on the layout that answers, and the reason
 //! - `inputs_that_matter`: the shares of all inputs
 //! - `gluing_sheet`: its films, one by one
+//! - `layout_figures`: errors of layouts with their claims
 //! - `layout_words`: what a layout is, in words
 //! - `left_out_words`: what is left out, as a sentence
 //! - `whole_answer`: all of it together
@@ -17,6 +18,7 @@ mod film_trade;
 mod first_rank;
 mod gluing_sheet;
 mod inputs_that_matter;
+mod layout_figures;
 mod layout_words;
 mod left_out_words;
 mod picked_layout;

@@ -1,7 +1,7 @@
 //! The trade of films against errors in words.
 
 use super::figure_words::with_error;
-use super::film_trade::{Figure, angle, force};
+use super::layout_figures::{Figure, angle, force};
 use super::layout_words::{counted, laid, words};
 use crate::score::notes::listed;
 use documents::study::question::Question;
@@ -56,7 +56,7 @@ fn ways(layouts: &[RankedLayout]) -> String {
     }
 }
 
-/// `at the crown, shoulder or sidewall`.
+/// Names of the section angles: `at the crown, shoulder or sidewall`.
 fn places(layouts: &[RankedLayout]) -> String {
     let mut names: Vec<&str> = Vec::new();
     for layout in layouts {

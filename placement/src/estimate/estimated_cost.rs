@@ -256,8 +256,8 @@ mod tests {
         let mut text = presets()[0]
             .1
             .replace("depths_mm = [0.5, 1, 2]", "units = []");
-        let spacings = "spacings_deg = [30, 45, 60, 72, 90, 120, 180]";
-        for (from, to) in [&[(spacings, "spacings_deg = []")], changes].concat() {
+        let none = ("[layouts]", "[layouts]\nspacings_deg = []");
+        for (from, to) in [&[none], changes].concat() {
             assert!(text.contains(from), "{from}");
             text = text.replace(from, to);
         }

@@ -151,10 +151,9 @@ mod tests {
 
     /// The shipped study on a machine with one thread, as fast as the law says.
     fn pace() -> Pace {
-        let text = presets()[0].1.replace(
-            "spacings_deg = [30, 45, 60, 72, 90, 120, 180]",
-            "spacings_deg = []",
-        );
+        let text = presets()[0]
+            .1
+            .replace("[layouts]", "[layouts]\nspacings_deg = []");
         let study = Study::from_document(&text, Format::Toml, &|path| Err(path.to_owned()));
         let planned = PlannedStudy::new(study.expect("ships")).expect("a plan");
         let work = Workload::of(&planned, &EmbeddedSolver::default());

@@ -82,10 +82,7 @@ mod tests {
         });
         let mdrm = "kind = \"mdrm\"\nnodes = 5\ncheck_points = 5";
         let text = presets()[0].1.replace(map, &other);
-        let text = text.replace(
-            "spacings_deg = [30, 45, 60, 72, 90, 120, 180]",
-            "spacings_deg = []",
-        );
+        let text = text.replace("[layouts]", "[layouts]\nspacings_deg = []");
         let text = text.replace(mdrm, method);
         text.replace("preset = \"standard\"", &format!("preset = \"{level}\""))
     }

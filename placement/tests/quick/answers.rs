@@ -174,6 +174,7 @@ fn the_map_agrees_with_the_locations() {
 fn layouts_are_ranked_by_what_each_film_contributes() {
     let mut study = shipped("foot-tire");
     study.layouts = Layouts {
+        films: Vec::new(),
         spacings_deg: vec![15.0, 30.0, 60.0, 180.0],
         loads: LayoutLoads::Depths(vec![0.8, 1.0]),
         ..Layouts::default()
@@ -233,6 +234,7 @@ fn layouts_are_ranked_by_what_each_film_contributes() {
 fn films_of_a_size_are_scored_beside_points() {
     let mut study = shipped("foot-tire");
     study.layouts = Layouts {
+        films: Vec::new(),
         spacings_deg: vec![15.0],
         positions: vec![Position::Crown],
         loads: LayoutLoads::Depths(vec![1.0]),

@@ -55,6 +55,7 @@ fn asking(directions: Directions) -> Study {
     study.grid = None;
     study.directions = directions;
     study.layouts = Layouts {
+        films: Vec::new(),
         spacings_deg: vec![30.0, 60.0],
         ..Layouts::default()
     };

@@ -37,6 +37,7 @@ fn rigged() -> Study {
     rig.gait.length = RunLength::Stances(8);
     rig.runs = 2;
     let layouts = Layouts {
+        films: Vec::new(),
         spacings_deg: Vec::new(),
         units: vec![2, 12],
         positions: Vec::new(),

@@ -32,6 +32,8 @@ const THIRD_ORDER: f64 = 0.06 / 5.0;
 /// The crown's fields at 1 mm, on a mesh that is fine to 60 degrees.
 fn fields(level: Level) -> MeshFields {
     let settings = Layouts {
+        films: Vec::new(),
+        spacings_deg: vec![30.0, 45.0, 60.0, 72.0, 90.0, 120.0, 180.0],
         loads: LayoutLoads::Depths(vec![1.0]),
         ..Layouts::default()
     };
@@ -84,6 +86,8 @@ fn slopes_over_the_ground_s_shift_are_those_of_separate_solves() {
     let mut scene = Scene::preset("foot-tire").expect("ships");
     scene.contact.friction = 0.5;
     let settings = Layouts {
+        films: Vec::new(),
+        spacings_deg: vec![30.0, 45.0, 60.0, 72.0, 90.0, 120.0, 180.0],
         loads: LayoutLoads::Depths(vec![1.0]),
         ..Layouts::default()
     };

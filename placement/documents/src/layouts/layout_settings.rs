@@ -5,7 +5,6 @@ use fem_client::solver::Position;
 use fem_client::solver::direction::Direction;
 use serde_json::{Map, Value, json};
 
-use crate::layouts::rings::COMMON_FILMS;
 use crate::parts::directions::Directions;
 use crate::parts::film_model::FilmModel;
 use crate::parts::film_place::FilmPlace;
@@ -14,6 +13,8 @@ use crate::parts::film_place::FilmPlace;
 pub const STRAIN_UNIT: &str = "strain";
 /// Unit of glued films' signals.
 pub const VOLT_UNIT: &str = "V";
+/// Numbers of films of the common menu, 3 to 48: those that divide a turn into angles that can be marked by hand.
+const COMMON_FILMS: [usize; 14] = [3, 4, 6, 8, 9, 10, 12, 15, 18, 20, 24, 30, 36, 48];
 /// Share of the crown's largest strain that a film's noise has unless the study says otherwise.
 pub(crate) const NOISE_SHARE: f64 = 0.02;
 
@@ -193,7 +194,7 @@ impl Layouts {
     }
 
     /// Numbers of units, in the order of the document, each once.
-    pub fn unit_counts(&self) -> Vec<usize> {
+    pub(crate) fn unit_counts(&self) -> Vec<usize> {
         let of_spacings = self.spacings_deg.iter().map(|spacing| units_of(*spacing));
         once_each(of_spacings.chain(self.units.iter().copied()))
     }

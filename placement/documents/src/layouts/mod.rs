@@ -1,12 +1,13 @@
 //! Layouts of films, as a study asks for them.
 //!
 //! - [`layout_settings`]: what is asked
-//! - [`rings`]: regular layouts, those of the menu among them
+//! - [`film_rings`]: regular layouts, those of the menu among them
 //! - [`film_extent`]: the rectangle that a film covers
 //! - [`film_room`]: room between films; `overlap_check`: layouts whose films overlap
 //! - [`layout_reader`], `film_size_reader`: read the table `layouts`, whose bounds are in [`layout_bounds`]; `layout_schema` describes it
 
 pub mod film_extent;
+pub mod film_rings;
 pub mod film_room;
 pub(crate) mod film_size_reader;
 pub mod layout_bounds;
@@ -14,4 +15,3 @@ pub mod layout_reader;
 pub(crate) mod layout_schema;
 pub mod layout_settings;
 pub(crate) mod overlap_check;
-pub mod rings;

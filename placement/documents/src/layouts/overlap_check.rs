@@ -7,9 +7,9 @@ use document::fault::{Fault, entry, member};
 use document::fields::Fields;
 use fem_client::scene::Geometry;
 
+use crate::layouts::film_rings::Ring;
 use crate::layouts::film_room::FilmRoom;
 use crate::layouts::layout_settings::{Layouts, section_name, units_of};
-use crate::layouts::rings::Ring;
 use crate::parts::directions::Directions;
 
 /// A fault for each number of units whose films overlap, and for each film of a layout by hand that lies on an earlier one. What the menu offers is nobody's fault.

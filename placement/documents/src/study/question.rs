@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::layouts::layout_bounds::MOST_FILMS;
 
-/// Beyond half a turn nothing is asked of an angle.
+/// Errors of an angle: half a turn at most.
 const ANGLE: Range = Range::new(1e-3, 180.0, "degrees");
 const FORCE: Range = Range::new(1e-6, 1e6, "N");
 const FILMS: (u64, u64) = (1, MOST_FILMS as u64);

@@ -5,11 +5,11 @@ use fem_client::scene::Geometry;
 use crate::arrangement::{Arrangement, FilmKind, FilmReads, LaidFilm};
 use crate::search::search_films::{Conflicts, SearchFilms};
 use documents::layouts::film_extent::FilmExtent;
+use documents::layouts::film_rings::Ring;
 use documents::layouts::film_room::FilmRoom;
 use documents::layouts::layout_settings::{
     FreeLayout, Layouts, SearchSettings, direction_name, farthest_section_deg, section_name,
 };
-use documents::layouts::rings::Ring;
 use documents::parts::directions::Directions;
 use documents::parts::film_place::FilmPlace;
 use results::RankedLayout;

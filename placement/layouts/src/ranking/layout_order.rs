@@ -139,7 +139,7 @@ fn weighted(layout: &RankedLayout, error_deg: f64) -> f64 {
 
 /// Key of the order, with its range.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OrderKey {
+pub(crate) struct OrderKey {
     /// The error times the root of the number of films, degrees; infinite where there is no error.
     pub value: f64,
     /// Distances down and up by which it may be off by the claimed error; `None` where that isn't known. An error that may be beyond the loss of the contact
@@ -148,7 +148,7 @@ pub struct OrderKey {
 }
 
 /// Returns what the order goes by in a layout.
-pub fn order_key(layout: &RankedLayout) -> OrderKey {
+pub(crate) fn order_key(layout: &RankedLayout) -> OrderKey {
     let (value, middle) = (key(layout), p95(&layout.score));
     let error = layout.score.error.as_ref();
     let error = error.and_then(|error| error.simulated_p95_angle_error_deg);

@@ -94,7 +94,7 @@ impl Scorer {
     ///
     /// # Panics
     /// Of a layout that wasn't announced.
-    pub fn worst_bound(&self, arrangement: &Arrangement) -> (f64, f64) {
+    pub(crate) fn worst_bound(&self, arrangement: &Arrangement) -> (f64, f64) {
         let (likelihood, own) = self.own(arrangement);
         let at = |&depth: &f64| {
             let bound = bayes_angle_deg(&likelihood.field(depth), &own, &self.noise);
@@ -111,7 +111,12 @@ impl Scorer {
     ///
     /// # Panics
     /// Of a layout that wasn't announced.
-    pub fn glimpse(&self, arrangement: &Arrangement, depth_mm: f64, draws: &Draws) -> [f64; 2] {
+    pub(crate) fn glimpse(
+        &self,
+        arrangement: &Arrangement,
+        depth_mm: f64,
+        draws: &Draws,
+    ) -> [f64; 2] {
         let (likelihood, own) = self.own(arrangement);
         let slope = likelihood.field(depth_mm).force_slope.abs();
         let found = &simulate(likelihood, &[depth_mm], &own, draws)[0];

@@ -39,7 +39,7 @@ pub fn competitors(layouts: &[AskedLayout]) -> Vec<Vec<usize>> {
     groups.into_values().collect()
 }
 
-/// Those of a group of competitors that may be its best, in their order.
+/// Layouts of a group of competitors that may be its best, in their order.
 pub fn kept(
     group: &[usize],
     layouts: &[AskedLayout],

@@ -65,11 +65,11 @@ pub struct Estimator<'l> {
 
 /// Products' functions at an angle.
 struct Functions {
-    /// Those with readings at each film, product after product.
+    /// Functions with readings at each film, product after product.
     linear: Vec<f64>,
-    /// Those with squared readings; empty where the noise is the same everywhere.
+    /// Functions with squared readings; empty where the noise is the same everywhere.
     quadratic: Vec<f64>,
-    /// Those without readings, summed over the films.
+    /// Functions without readings, summed over the films.
     constant: Vec<f64>,
 }
 
@@ -87,7 +87,7 @@ struct Cell {
 /// Part of a cell, among the finest parts.
 #[derive(Debug, Clone, Copy)]
 struct Block {
-    /// Its first parts along angle and depth.
+    /// First parts along angle and depth.
     first: [usize; 2],
     /// Finest parts that it spans.
     spans: [usize; 2],
@@ -106,7 +106,7 @@ impl Block {
         [0, 1].map(|k| self.first[k] + self.spans[k] / 2)
     }
 
-    /// Its thirds along each side that is to be cut, with its own ln p. The slack goes by the square of a side.
+    /// Thirds along each side that is to be cut, with its own ln p. The slack goes by the square of a side.
     fn thirds(&self) -> impl Iterator<Item = Self> + use<> {
         let whole = *self;
         let cuts = whole.parts.map(|parts| if parts > 1 { 3 } else { 1 });

@@ -92,6 +92,9 @@ const FAULTY: &str = r##"
 * {"/scene": {"preset": "foot-tire", "contact": {"friction": 0.5}, "ground": {"shift_mm": [0.1, 0]}},
     "/layouts": {"units": [7], "shear": true}}
     -> /layouts/shear
+* {"/question": {"films": 0, "angle_deg": -5, "force_n": "two", "film": 3}} -> /question/film | /question/films | /question/angle_deg | /question/force_n
+* {"/question": {"films": 12}, "/layouts": {"spacings_deg": []}} -> /question
+* {"/layouts": {"films": [0, 12, 12]}} -> /layouts/films/0 | /layouts/films/2
 * {"/layouts": {"size_mm": 25}} -> /layouts/size_mm
 * {"/layouts": {"size_mm": [25]}} -> /layouts/size_mm
 * {"/layouts": {"size_mm": [25, 0]}} -> /layouts/size_mm/1
@@ -106,7 +109,7 @@ const FAULTY: &str = r##"
 * {"/layouts": {"size_mm": [25, 10], "units": [6], "section_deg": [26, 27], "directions": [["x"], ["y"]]}} -> /layouts/section_deg/1
 # The sidewall is one of the positions that a document without any has.
 * {"/layouts": {"size_mm": [25, 10], "units": [6]}} -> /layouts/size_mm
-* {"/layouts": {"size_mm": [25, 10], "positions": ["crown", "shoulder"]}} -> /layouts/positions/1
+* {"/layouts": {"size_mm": [25, 10], "units": [6], "directions": [["y"]], "positions": ["crown", "shoulder"]}} -> /layouts/positions/1
 * {"/layouts": {"size_mm": [300, 1], "units": [6], "positions": ["crown"], "directions": [["x"]]}} -> /layouts/positions/0
 * {"/layouts": {"candidate_sizes_mm": [[25, 10], [40, 36]]}} -> /layouts/candidate_sizes_mm/1
 # 295 mm around at the crown: 11 films of 25 mm end to end, 29 side by side.
@@ -312,6 +315,32 @@ fn the_accuracy_sets_the_level_of_the_scene() {
     let study = Study::from_value(&document, &|_| Err(String::new())).unwrap();
     assert_eq!(study.level.as_str(), "draft");
     assert_eq!(study.scene.model.level, study.level);
+}
+
+#[test]
+fn a_question_is_answered_by_the_common_menu_or_by_its_own() {
+    let read = |change: &dyn Fn(&mut Value)| {
+        let mut document = valid();
+        document.as_object_mut().unwrap().remove("layouts");
+        change(&mut document);
+        let study = Study::from_value(&document, &|path| Err(path.to_owned())).unwrap();
+        assert_eq!(Study::from_canonical(&study.canonical()), Ok(study.clone()));
+        study
+    };
+    let asked = read(&|document| document["question"] = json!({"films": 14, "angle_deg": 5}));
+    assert_eq!(
+        (asked.question.films, asked.question.angle_deg),
+        (Some(14), Some(5.0))
+    );
+    // Fourteen films are on the menu then, too: x, y, and both in two ways at three section angles.
+    let of_14 = asked.layouts.rings(asked.directions).into_iter();
+    assert_eq!(of_14.filter(|ring| ring.films() == 14).count(), 12);
+    let own = read(&|document| {
+        document["question"] = json!({"films": 14});
+        document["layouts"] = json!({"units": [7], "positions": ["crown"]});
+    });
+    assert_eq!(own.layouts.rings(own.directions).len(), 1);
+    assert!(read(&|_| ()).question.is_empty());
 }
 
 #[test]

@@ -67,6 +67,7 @@ __all__ = [
     "LocationError",
     "LocationStrain",
     "MemberReport",
+    "MenuFindings",
     "Model",
     "ModelIndexError",
     "ModelOutput",
@@ -77,6 +78,7 @@ __all__ = [
     "Preset",
     "Presets",
     "Preview",
+    "Question",
     "Reached",
     "RecordingFigures",
     "RingLoad",
@@ -85,6 +87,7 @@ __all__ = [
     "Sections",
     "ShearError",
     "ShearScore",
+    "SheetFilm",
     "SignalCurve",
     "SignalError",
     "SignalRow",
@@ -102,6 +105,8 @@ __all__ = [
     "SweepSummary",
     "TableError",
     "TableReport",
+    "TradeAnswer",
+    "TradeRow",
     "TrialError",
     "WheelRing",
     "WorstContact",
@@ -113,7 +118,7 @@ ComparisonTable = Literal["locations", "designs"]
 State = Literal["queued", "running", "done", "failed", "cancelled"]
 """State of a study."""
 
-Table = Literal["indices", "locations", "layouts", "points", "signals", "candidates", "forces"]
+Table = Literal["indices", "locations", "layouts", "films", "points", "signals", "candidates", "forces"]
 """Table of a study."""
 
 
@@ -144,7 +149,12 @@ class Answer:
     place: PlaceAnswer | None = None
     """The best place; None where no location has an index."""
     layout: LayoutAnswer | None = None
-    """The best layout; None where none is asked for, or none has a score."""
+    """The layout that answers the question, or the knee of the trade; None where none is asked for, or none has a
+    score."""
+    trade: TradeAnswer | None = None
+    """The trade of films against errors; None where no layout has a score."""
+    films: tuple[SheetFilm, ...] = ()
+    """Films of the answer's layout, one by one, as they are glued."""
     inputs: InputsAnswer | None = None
     """Inputs that matter, of all there are; None where the strain at the contact centre has no index."""
     left_out: LeftOut | None = None
@@ -930,7 +940,7 @@ class Layout:
     doubt: str | None = None
     """Figures that may be off by more than a fifth, in words."""
     score: LayoutScore
-    """Scores at the load where its error is largest."""
+    """Scores at the load where the angle's error is largest."""
     loads: tuple[LoadScore, ...]
     """Scores at every load."""
     force_error: tuple[ForceError, ...] | None = None
@@ -940,12 +950,12 @@ class Layout:
 
 @dataclass(frozen=True, kw_only=True)
 class LayoutAnswer:
-    """The layout that ranks first."""
+    """The layout that answers the question; where none is asked, the knee of the trade."""
 
     rank: int
     """Rank in `layouts`."""
     words: str
-    """Description of the layout, as in `12 units of x and y at the crown, every 30 degrees`."""
+    """Description of the layout, as in `12 films along y at the crown, one every 30 degrees`."""
     units: int
     """Count of its units; of a layout without units of its films."""
     film_count: int
@@ -957,8 +967,8 @@ class LayoutAnswer:
     tied_with: tuple[int, ...]
     """Ranks of layouts that the errors can't tell from it."""
     verdict: str
-    """Certainty of the first rank, by what layouts are ranked by: that error times the root of the number of films.
-    One of `certain`, `likely`, `tied`, `unknown`."""
+    """Certainty that no layout that was tried answers better with as few films; where limits are asked, that it
+    meets them and fewer films don't. One of `certain`, `likely`, `tied`, `unknown`."""
     reason: str
     """Reason for the verdict, with the figures that decide; where forces along and across are unknown, too, also
     what tells them from the angle."""
@@ -978,6 +988,8 @@ class LayoutError:
     """Error of the simulated root mean square, degrees."""
     simulated_p95_angle_error_deg: float | None = None
     """Error of the simulated 95th percentile, degrees."""
+    force_error_n: float | None = None
+    """Error of the force's error, N."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -995,6 +1007,8 @@ class LayoutFindings:
     """Coarser level that shows their errors."""
     loads: tuple[LayoutLoad, ...]
     """The loads at which layouts are scored."""
+    menu: MenuFindings | None = None
+    """Menu of layouts, where the document names none."""
     front: tuple[FrontLayout, ...]
     """Layouts that no other beats with as few films, least films first."""
     tau_of_bound: float | None = None
@@ -1057,6 +1071,8 @@ class LayoutScore:
     """Error of the depth as estimated, root mean square, mm."""
     force_error_n: float | None = None
     """Error of the depth as a vertical force, N: by the slope of force over depth."""
+    force_error_n_se: float | None = None
+    """Standard error of the force's error by the number of simulated contacts, N."""
     alike: AlikeContacts | None = None
     """The two contacts, more than 20 degrees apart, that look most alike."""
     dead: DeadFilm | None = None
@@ -1228,6 +1244,16 @@ class MemberReport:
     """The model. One of `mean`, `ridge`, `gpr`, `ann`, `blend`."""
     features: str
     """The features it reads. One of `raw`, `slopes`, `rolling`, `all`."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class MenuFindings:
+    """Layouts of the menu that aren't in the list."""
+
+    screened: int
+    """Count of those that weren't simulated: their bounds show that others with as few films are better."""
+    without_room: int
+    """Count of those whose films have no room."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1434,6 +1460,19 @@ class Preview:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Question:
+    """Question that a study's layouts answer: the best with so many films, or the fewest films that keep errors
+    within limits."""
+
+    films: int | None = None
+    """Most films of a layout, those that are glued on already among them."""
+    angle_deg: float | None = None
+    """Largest error of the contact angle that is allowed, degrees: of 95 in 100 contacts at the worst load."""
+    force_n: float | None = None
+    """Largest error of the vertical force that is allowed, N: root mean square at the worst load."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Reached:
     """Loads that a failed solve got to."""
 
@@ -1610,6 +1649,28 @@ class ShearScore:
     """Errors by the mesh; absent where there is no coarser one."""
     reason: str | None = None
     """Quantity that can't be told, in words."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SheetFilm:
+    """A film of the answer, and where it is glued on the tire that isn't inflated."""
+
+    number: int
+    """Number of the film, from 1, around the wheel from the mark."""
+    theta_deg: float
+    """Wheel angle from the mark in the rolling direction, degrees."""
+    arc_mm: float
+    """Arc on the inner surface from the mark to the film's middle, around the wheel at its section angle, mm."""
+    phi_deg: float
+    """Section angle from the crown, degrees."""
+    from_bead_mm: float
+    """Arc on the inner surface from the nearer bead, where the wall ends, to the film's middle, mm."""
+    direction: str
+    """Direction of its length: `x`, `y`, or an angle such as `45`."""
+    length_mm: float | None = None
+    """Length of the film, mm; None of a point."""
+    width_mm: float | None = None
+    """Width of the film, mm; None of a point."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1979,6 +2040,58 @@ class TableReport:
 
 
 @dataclass(frozen=True, kw_only=True)
+class TradeAnswer:
+    """Trade of films against errors: the best layout of each number of films, and which of them answers the
+    question."""
+
+    question: Question
+    """Question of the document; empty where none is asked."""
+    rows: tuple[TradeRow, ...]
+    """Best layout of each number of films, fewest first: that with the least error of the angle, or the one that
+    comes closest to the limits asked for."""
+    picked: int | None = None
+    """Row that answers, from 0: the question's, or the knee where none is asked; None where no layout meets the
+    question."""
+    knee: int | None = None
+    """Knee, a row from 0: from there on twice the films don't halve the error; None where every layout loses the
+    contact."""
+    tried: int
+    """Layouts that were tried: named in the document, found by its search, or on its menu."""
+    screened: int
+    """Layouts of the menu that weren't simulated, as their bounds show that others with as few films are better."""
+    without_room: int
+    """Layouts of the menu whose films have no room."""
+    menu: str
+    """Sentence that says what was tried."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class TradeRow:
+    """Best layout of a number of films."""
+
+    film_count: int
+    """Number of films."""
+    rank: int
+    """Rank of the layout in `layouts`."""
+    index: int
+    """Index of the layout in the list of layouts, from 0: mirror images share a rank."""
+    words: str
+    """Description of the layout, as in `12 films along y at the crown, one every 30 degrees`."""
+    angle_error_deg: float
+    """Simulated 95th percentile of the angle's error at its worst load, degrees."""
+    angle_claim_deg: float | None = None
+    """Claimed error of that, degrees; None where there is no coarser mesh."""
+    force_error_n: float | None = None
+    """Root mean square error of the vertical force at the load where that is largest, N."""
+    force_claim_n: float | None = None
+    """Claimed error of that, N; None where there is no coarser mesh."""
+    meets: bool | None = None
+    """Whether it meets every limit that is asked for; None where none is."""
+    is_front: bool
+    """Whether fewer films do worse."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class TrialError:
     """Estimates against true forces on runs that nobody learnt from, rows in the air among them."""
 
@@ -2092,6 +2205,16 @@ COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {
         ("shear_force_y_error_n", "/layout/score/shear/worst_force_error_n/1", None),
         ("shear_force_z_error_n", "/layout/score/shear/worst_force_error_n/2", None),
         ("shear_reason", "/layout/score/shear/reason", None),
+    ],
+    "films": [
+        ("film", "/film/number", None),
+        ("theta_deg", "/film/theta_deg", None),
+        ("arc_mm", "/film/arc_mm", None),
+        ("phi_deg", "/film/phi_deg", None),
+        ("from_bead_mm", "/film/from_bead_mm", None),
+        ("direction", "/film/direction", None),
+        ("length_mm", "/film/length_mm", None),
+        ("width_mm", "/film/width_mm", None),
     ],
     "candidates": [
         ("section_deg", "/film/section_deg", None),

@@ -29,9 +29,12 @@ pub fn draft(folder: &Path) -> &'static str {
     let study = std::fs::read_to_string(format!("{REPOSITORY}/studies/foot-tire.toml"))
         .expect("the study ships");
     let study = study.replace("preset = \"standard\"", "preset = \"draft\"");
-    let spacings = "spacings_deg = [30, 45, 60, 72, 90, 120, 180]\npositions = [\"crown\", \"shoulder\", \"sidewall\"]\ndepths_mm = [0.5, 1, 2]";
-    assert!(study.contains(spacings));
-    let study = study.replace(spacings, "spacings_deg = [60]\npositions = [\"crown\"]");
+    let menu = "[layouts]\ndepths_mm = [0.5, 1, 2]";
+    assert!(study.contains(menu));
+    let study = study.replace(
+        menu,
+        "[layouts]\nspacings_deg = [60]\npositions = [\"crown\"]",
+    );
     std::fs::write(folder.join("draft.toml"), study).expect("writes");
     "draft.toml"
 }

@@ -15,7 +15,7 @@ const PLACES = [
 
 test("a layout is told in words", () => {
   assert.equal(layoutWords(layout({})), "12 films along x and y at the crown, a pair every 60°");
-  const spread = layout({ units: 18, spacing_deg: 20, position: "30 deg", films: ["x", "45", "y"], staggered: true });
+  const spread = layout({ units: 18, spacing_deg: 20, position: "30 deg", films: ["x", "45", "y"], film_count: 54, staggered: true });
   assert.equal(layoutWords(spread), "54 films along x, 45° and y in turn 30° from the crown, one every 6.67°");
   const free = layout({ name: "best 3 films, 1", spacing_deg: null, position: "mixed", places: PLACES });
   assert.equal(layoutWords(free), "best 3 films, 1: 0° x at 0, 120°; 45° y at 22.5°");

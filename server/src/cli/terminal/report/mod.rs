@@ -2,7 +2,7 @@
 //! [`COLUMNS`](super::wrapping::COLUMNS).
 //!
 //! - `answer_text`: the answer, how sure it is, what could overturn it
-//! - `trade_table`: films against errors
+//! - `film_table`: films against errors
 //! - `ranked_table`, `layout_table`, `signal_table`: places, layouts, films' signals
 //! - `forces_known`: what a virtual rig shows of layouts
 //! - `study_notes`: what to know, by what it does to the answer
@@ -10,6 +10,7 @@
 //! - `shared_rank`: `2=`
 
 mod answer_text;
+mod film_table;
 mod forces_known;
 mod layout_table;
 mod ranked_table;
@@ -17,7 +18,6 @@ mod shared_rank;
 mod signal_table;
 mod study_figures;
 mod study_notes;
-mod trade_table;
 
 use results::StudyResult;
 
@@ -27,7 +27,7 @@ use crate::cli::terminal::estimate_text::comparison;
 pub fn report(result: &StudyResult) -> String {
     [
         answer_text::answer,
-        trade_table::trade,
+        film_table::trade,
         ranked_table::ranked,
         layout_table::layouts,
         signal_table::signals,

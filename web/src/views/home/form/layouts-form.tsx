@@ -48,7 +48,13 @@ function Question({ full, faults, write }: FormProps) {
         return (
           <label key={name} class="input-box">
             <span>{label}</span>
-            <NumberBox id={id} name={label} value={typeof value === "number" ? value : undefined} faults={faultsAt(faults, pointer)} onChange={(asked) => write(pointer, asked)} />
+            <NumberBox
+              id={id}
+              name={label}
+              value={typeof value === "number" ? value : undefined}
+              faults={faultsAt(faults, pointer)}
+              onChange={(asked) => write(pointer, asked)}
+            />
           </label>
         );
       })}

@@ -29,7 +29,11 @@ export function TradePlot({ trade }: { trade: TradeAnswer }) {
       <Axis side="bottom" frame={FRAME} values={unitTicks([...new Set(counts)], x, NUMBER)} at={x} text={String} title="films" />
       {limit !== null && <path class="asked-line" d={`M${FRAME.left} ${y(limit)}H${FRAME.right}`} />}
       {films !== null && <path class="asked-line" d={`M${x(films)} ${FRAME.top}V${FRAME.bottom}`} />}
-      <Curve class="layout-curve place-0" radius={3} values={points.map(({ row, error, low, high, title }) => ({ at: [x(row.film_count), y(error)], ends: [y(low), y(high)], title }))} />
+      <Curve
+        class="layout-curve place-0"
+        radius={3}
+        values={points.map(({ row, error, low, high, title }) => ({ at: [x(row.film_count), y(error)], ends: [y(low), y(high)], title }))}
+      />
       {picked !== undefined && (
         <circle class="picked-mark" cx={x(picked.row.film_count)} cy={y(picked.error)} r={8}>
           <title>{picked.title}</title>

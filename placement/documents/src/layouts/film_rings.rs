@@ -4,9 +4,6 @@ use crate::layouts::layout_settings::{Layouts, direction_deg};
 use crate::parts::directions::Directions;
 use crate::parts::film_place::FilmPlace;
 
-/// Numbers of films of the common menu, 3 to 48: those that divide a turn into angles that can be marked by hand.
-pub(crate) const COMMON_FILMS: [usize; 14] = [3, 4, 6, 8, 9, 10, 12, 15, 18, 20, 24, 30, 36, 48];
-
 /// Units of films at equal distances around the wheel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ring {

@@ -1,1 +1,0 @@
-export{in as readToml}from"../views-Uh6k8NSP.js";
