@@ -114,7 +114,14 @@ for (const viewport of WINDOWS) {
     const words = (await page.locator("main").innerText()).split(/\s+/).filter((word) => word !== "").length;
     t.diagnostic(`${words} words`);
     assert.ok(words < 120, `${words} words`);
-    for (const part of [".answer-sentence", ".answer-sure .verdict", ".trade-plot", ".answer-facts", ".wheel", ".wheel-section"]) {
+    for (const part of [
+      ".answer-sentence",
+      ".answer-sure .verdict",
+      ".answer-facts",
+      ".wheel",
+      ".wheel-section",
+      ...(viewport.width > 400 ? [".trade-plot"] : []),
+    ]) {
       const { y, height } = await page.locator(part).first().boundingBox();
       assert.ok(y >= 0 && y + height <= viewport.height, `${part} ends at ${y + height} px`);
     }

@@ -2,7 +2,6 @@ import type { ComponentChildren } from "preact";
 import { inputWords, layoutStanding, leadOf, placeWords, surerWords, typeset } from "../../../lib/study/answer/answer-words.ts";
 import { Term } from "../../shared/term/term.tsx";
 import { VerdictBadge } from "./verdict-badge.tsx";
-import { TradePlot } from "./trade-plot.tsx";
 import type { Answer } from "../../../wire.ts";
 
 /** The answer first, then how sure it is, then what it leaves out and what more would cost; the figures behind it folded. The layout has a line of its own where the verdict is the place's, and inputs where there are more than the depths below the places. */
@@ -17,7 +16,6 @@ export function AnswerText({ answer, notes, places }: { answer: Answer; notes: s
         </Term>{" "}
         {leadOf(answer.reason)}
       </p>
-      {trade != null && <TradePlot trade={trade} />}
       <dl class="answer-facts">
         {place != null && (
           <Fact name="Place">

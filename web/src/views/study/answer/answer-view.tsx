@@ -3,6 +3,7 @@ import { formatRoute } from "../../../lib/route.ts";
 import type { SectionProps } from "../section-props.ts";
 import { AnswerPicture } from "./answer-picture.tsx";
 import { AnswerText } from "./answer-text.tsx";
+import { TradePlot } from "./trade-plot.tsx";
 
 /** Where the films go, how sure that is, and what could overturn it. */
 export function AnswerView({ result, study, route }: SectionProps) {
@@ -23,6 +24,7 @@ export function AnswerView({ result, study, route }: SectionProps) {
         <AnswerText answer={answer} notes={notesOf(result, answer.left_out?.sentence)} places={result.locations.length} />
       )}
       <AnswerPicture result={result} study={study} answer={answer} />
+      {answer?.trade != null && <TradePlot trade={answer.trade} />}
     </section>
   );
 }

@@ -8,7 +8,7 @@ import { Chart } from "../../shared/chart/chart.tsx";
 import { Curve } from "../../shared/chart/marks.tsx";
 import type { TradeAnswer } from "../../../wire.ts";
 
-const FRAME = frameOf(620, 230, { left: 52, right: 18, top: 14, bottom: 42 });
+const FRAME = frameOf(350, 160, { left: 44, right: 10, top: 8, bottom: 36 });
 /** Outermost points stand so far from the axes. */
 const INDENT = 14;
 /** Width that a number takes. */
