@@ -36,7 +36,7 @@ export function filmTrade({ question, rows, picked }: TradeAnswer): FilmTrade {
   };
   return {
     points: rows.flatMap(pointOf),
-    title: isForce ? "force error, rms, N" : "angle error, 95 %, degrees",
+    title: isForce ? "force error, N" : "angle error, °",
     unit,
     limit: (isForce ? question.force_n : question.angle_deg) ?? null,
     films: question.films ?? null,

@@ -12,6 +12,11 @@ export function typeset(sentence: string): string {
     .replace(/(\d) mm\b/g, "$1\u00a0mm");
 }
 
+/** The first sentence, typeset: what more and fewer films give is drawn beside it. */
+export function firstOf(sentences: string): string {
+  return typeset(sentences).split(/(?<=\.) (?=[A-Z0-9])/, 1)[0] ?? "";
+}
+
 /** What a reason comes to, without the figures behind its colon. */
 export function leadOf(reason: string): string {
   const [lead = "", rest] = typeset(reason).split(/: |(?<=\.) /, 2);

@@ -1,15 +1,15 @@
 import type { ComponentChildren } from "preact";
-import { inputWords, layoutStanding, leadOf, placeWords, surerWords, typeset } from "../../../lib/study/answer/answer-words.ts";
+import { firstOf, inputWords, layoutStanding, leadOf, placeWords, surerWords, typeset } from "../../../lib/study/answer/answer-words.ts";
 import { Term } from "../../shared/term/term.tsx";
 import { VerdictBadge } from "./verdict-badge.tsx";
 import type { Answer } from "../../../wire.ts";
 
 /** The answer first, then how sure it is, then what it leaves out and what more would cost; the figures behind it folded. The layout has a line of its own where the verdict is the place's, and inputs where there are more than the depths below the places. */
 export function AnswerText({ answer, notes, places }: { answer: Answer; notes: string[]; places: number }) {
-  const { place, layout, trade, inputs, left_out, surer } = answer;
+  const { place, layout, inputs, left_out, surer } = answer;
   return (
     <div class="answer-text">
-      <p class="answer-sentence">{typeset(answer.sentence)}</p>
+      <p class="answer-sentence">{firstOf(answer.sentence)}</p>
       <p class="answer-sure">
         <Term of={answer.verdict}>
           <VerdictBadge verdict={answer.verdict} />
@@ -30,7 +30,6 @@ export function AnswerText({ answer, notes, places }: { answer: Answer; notes: s
         {inputs != null && inputs.sentence !== answer.sentence && inputs.shares.length > places && <Fact name="Inputs">{inputWords(inputs)}</Fact>}
         {left_out != null && <Fact name="Left out">{leadOf(left_out.sentence)}</Fact>}
         {surer != null && <Fact name="Surer">{surerWords(surer)}</Fact>}
-        {trade != null && trade.rows.length > 1 && <Fact name="Menu">{leadOf(trade.menu)}</Fact>}
       </dl>
       <Why answer={answer} notes={notes} />
     </div>
@@ -47,8 +46,8 @@ function Fact({ name, children }: { name: string; children: ComponentChildren })
 }
 
 /** All sentences in full, and the notes that bear on the answer. */
-function Why({ answer: { place, layout, left_out, surer }, notes }: { answer: Answer; notes: string[] }) {
-  const whole = [place?.reason, layout?.reason, left_out?.sentence, surer?.sentence].filter((sentence) => sentence !== undefined);
+function Why({ answer: { sentence, place, layout, trade, left_out, surer }, notes }: { answer: Answer; notes: string[] }) {
+  const whole = [sentence, trade?.menu, place?.reason, layout?.reason, left_out?.sentence, surer?.sentence].filter((sentence) => sentence !== undefined);
   return (
     <details>
       <summary>Why{notes.length > 0 && `, and ${notes.length} notes`}</summary>
