@@ -35,8 +35,10 @@ with strainsite.local("tire.db") as client:
         print("-", note)
 
     # Where to glue films, how well they then know the contact, and how sure that is.
-    print(result.answer.sentence)
-    print(f"{result.answer.layout.verdict}: {result.answer.layout.reason}")
+    answer = result.answer
+    if answer is not None and answer.layout is not None:
+        print(answer.sentence)
+        print(f"{answer.layout.verdict}: {answer.layout.reason}")
 
     result.plot_ranking().savefig("ranking.png")
     result.plot_map("y", input="P3").savefig("map.png")
