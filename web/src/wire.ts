@@ -1448,12 +1448,14 @@ export interface components {
             /** @description The features it reads. */
             features: components["schemas"]["FeatureSet"];
         };
-        /** @description Layouts of the menu that aren't in the list. */
+        /** @description Layouts that were tried, and those of the menu that aren't in the list. */
         MenuFindings: {
             /** @description Count of those that weren't simulated: their bounds show that others with as few films are better. */
             screened: number;
             /** @description Count of those whose films have no room. */
             without_room: number;
+            /** @description Sentence that says what was tried. */
+            sentence: string;
         };
         /** @description Indices as far as the values tell, and the points that are still to be run. */
         ModelAnalysis: {
@@ -2729,7 +2731,7 @@ export interface components {
          * @description Table of a study.
          * @enum {string}
          */
-        Table: "indices" | "locations" | "layouts" | "films" | "points" | "signals" | "candidates" | "forces";
+        Table: "indices" | "locations" | "layouts" | "trade" | "films" | "points" | "signals" | "candidates" | "forces";
         /** @description Errors of a table over all kinds of film, wheel angles and tested solves, relative. */
         TableError: {
             /** @description Solves that it was tested by. */
@@ -5011,6 +5013,19 @@ export const LAYOUTS_COLUMNS = {
   shear_force_z_error_n: {"at":"/layout/score/shear/worst_force_error_n/2","kind":"float","unit":"N","title":"force up","digits":2,"error_at":"/layout/score/shear/error/worst_force_error_n/2","view":"shear","description":"Bounds of the ground's forces on the tire along the wheel, across it (null where no film feels it) and up, worst angle, N."},
   shear_reason: {"at":"/layout/score/shear/reason","kind":"text","title":"shear reason","digits":2,"description":"Quantity that can't be told, in words."},
   dead_p95_angle_error_deg: {"at":"/layout/score/dead/simulated_p95_angle_error_deg","kind":"float","unit":"deg","title":"angle, 95 %, one dead","digits":2,"view":"dead","description":"Simulated 95th percentile of the angle's error without it, degrees."},
+} as const;
+
+/** Columns of trade. */
+export const TRADE_COLUMNS = {
+  film_count: {"at":"/trade/film_count","kind":"integer","title":"films","digits":0,"description":"Number of films."},
+  layout: {"at":"/trade/words","kind":"text","title":"layout","digits":2,"description":"Description of the layout, as in `12 films along y at the crown, one every 30 degrees`."},
+  angle_error_deg: {"at":"/trade/angle_error_deg","kind":"float","unit":"deg","title":"angle, 95 %","digits":2,"error_at":"/trade/angle_claim_deg","view":"trade","description":"Simulated 95th percentile of the angle's error at its worst load, degrees."},
+  angle_claim_deg: {"at":"/trade/angle_claim_deg","kind":"float","unit":"deg","title":"angle claim deg","digits":2,"description":"Claimed error of that, degrees; null where there is no coarser mesh."},
+  force_error_n: {"at":"/trade/force_error_n","kind":"float","unit":"N","title":"force, rms","digits":2,"error_at":"/trade/force_claim_n","view":"trade","description":"Root mean square error of the vertical force at the load where that is largest, N."},
+  force_claim_n: {"at":"/trade/force_claim_n","kind":"float","unit":"N","title":"force claim n","digits":2,"description":"Claimed error of that, N; null where there is no coarser mesh."},
+  meets: {"at":"/trade/meets","kind":"bool","title":"meets","digits":2,"description":"Whether it meets every limit that is asked for; null where none is."},
+  is_front: {"at":"/trade/is_front","kind":"bool","title":"is front","digits":2,"description":"Whether fewer films do worse."},
+  rank: {"at":"/trade/rank","kind":"integer","title":"rank","digits":2,"description":"Rank of the layout in `layouts`."},
 } as const;
 
 /** Columns of films. */

@@ -3,6 +3,7 @@
 use fem_client::scene::Geometry;
 
 use documents::layouts::film_extent::{FilmExtent, FilmPoint};
+use documents::layouts::film_rings::ring_angles;
 use documents::layouts::layout_settings::Layouts;
 
 /// A kind of film: where it lies in the section, along which direction, and how large it is.
@@ -108,21 +109,15 @@ pub struct Arrangement {
 impl Arrangement {
     /// Units of one film of each kind at equal distances; `staggered` ones have their films spread evenly between two units.
     pub fn regular(units: usize, kinds: &[usize], staggered: bool) -> Self {
-        let spacing = 360.0 / units as f64;
-        let offset = |k: usize| match staggered {
-            true => spacing * k as f64 / kinds.len() as f64,
-            false => 0.0,
-        };
-        let unit = |i: usize| {
-            let film = move |(k, &kind): (usize, &usize)| LaidFilm {
-                theta_deg: i as f64 * spacing + offset(k),
-                kind,
-            };
-            kinds.iter().enumerate().map(film)
+        let film = |(k, theta_deg): (usize, f64)| LaidFilm {
+            theta_deg,
+            kind: kinds[k],
         };
         Self {
-            films: (0..units).flat_map(unit).collect(),
-            period_deg: spacing,
+            films: ring_angles(units, kinds.len(), staggered)
+                .map(film)
+                .collect(),
+            period_deg: 360.0 / units as f64,
         }
     }
 

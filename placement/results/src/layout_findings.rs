@@ -37,13 +37,15 @@ pub struct LayoutFindings {
     pub reasons: Vec<String>,
 }
 
-/// Layouts of the menu that aren't in the list.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
+/// Layouts that were tried, and those of the menu that aren't in the list.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct MenuFindings {
     /// Count of those that weren't simulated: their bounds show that others with as few films are better.
     pub screened: usize,
     /// Count of those whose films have no room.
     pub without_room: usize,
+    /// Sentence that says what was tried.
+    pub sentence: String,
 }
 
 /// A load at which layouts are scored.

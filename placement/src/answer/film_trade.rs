@@ -24,7 +24,8 @@ pub(super) fn trade(
         true => knee.or_else(|| least(&rows, layouts, &question)),
         false => answering(&rows, layouts, &question),
     };
-    let menu = findings.map(|findings| findings.menu).unwrap_or_default();
+    let menu = findings.map(|findings| findings.menu.clone());
+    let menu = menu.unwrap_or_default();
     Some(TradeAnswer {
         question,
         picked,
@@ -32,7 +33,7 @@ pub(super) fn trade(
         tried: layouts.len() + menu.screened,
         screened: menu.screened,
         without_room: menu.without_room,
-        menu: super::trade_words::menu(layouts, menu),
+        menu: menu.sentence,
         rows,
     })
 }

@@ -2,10 +2,9 @@
 
 use documents::layouts::film_rings::Ring;
 use documents::layouts::film_room::FilmRoom;
-use documents::layouts::layout_settings::direction_name;
+use documents::layouts::layout_settings::{direction_name, direction_of, section_of};
 use documents::parts::film_place::FilmPlace;
 use fem_client::scene::Geometry;
-use fem_client::solver::Position;
 use results::{RankedLayout, SheetFilm};
 
 /// Films of a layout in the order of their angles; empty where the layout doesn't say where they lie.
@@ -38,33 +37,15 @@ fn places(layout: &RankedLayout) -> Option<Vec<FilmPlace>> {
     if layout.spacing_deg.is_none() {
         return Some(layout.places.clone());
     }
-    let directions: Option<Vec<f64>> = layout.films.iter().map(|film| angle_deg(film)).collect();
+    let directions: Option<Vec<f64>> = layout.films.iter().map(|film| direction_of(film)).collect();
     let ring = Ring {
         units: layout.units,
-        section_deg: section_deg(&layout.position)?,
+        section_deg: section_of(&layout.position)?,
         directions: directions?,
         staggered: layout.staggered,
         of_menu: false,
     };
     Some(ring.places(layout.units))
-}
-
-fn section_deg(position: &str) -> Option<f64> {
-    let named = Position::ALL
-        .into_iter()
-        .find(|known| known.as_str() == position);
-    match named {
-        Some(position) => Some(position.angle_deg()),
-        None => position.strip_suffix(" deg")?.parse().ok(),
-    }
-}
-
-fn angle_deg(direction: &str) -> Option<f64> {
-    match direction {
-        "x" => Some(0.0),
-        "y" => Some(90.0),
-        angle => angle.parse().ok(),
-    }
 }
 
 #[cfg(test)]

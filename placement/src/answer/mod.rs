@@ -4,7 +4,7 @@
 //! - `first_rank`: how sure a first rank is
 //! - `best_place`: the first rank of places, its verdict and reason
 //! - `film_trade`: the best layout of each number of films, and which of them answers; `trade_words`: the same in words
-//! - `picked_layout`: the verdict on the layout that answers, and the reason
+//! - `picked_layout`: the layout that answers; `rivals`: its verdict against the others, and the reason
 //! - `inputs_that_matter`: the shares of all inputs
 //! - `gluing_sheet`: its films, one by one
 //! - `layout_figures`: errors of layouts with their claims
@@ -22,6 +22,7 @@ mod layout_figures;
 mod layout_words;
 mod left_out_words;
 mod picked_layout;
+mod rivals;
 mod trade_words;
 mod whole_answer;
 

@@ -1,17 +1,11 @@
-//! The layout that answers, how sure that is, and why.
+//! The layout that answers, with its verdict.
 
-use super::first_rank::{Judged, Standing, judge};
-use super::layout_figures::{Figure, angle, compared};
+use super::layout_figures::{angle, compared};
 use super::layout_words::words;
+use super::rivals::Rivals;
 use super::trade_words::sentence;
-use crate::score::notes::listed;
 use layouts::simulate::simulation::LOST_DEG;
 use results::{Certainty, LayoutAnswer, RankedLayout, TradeAnswer};
-
-/// Layouts that a sentence names.
-const NAMED: usize = 3;
-/// Figures nearer than this are equal, relative: those of mirror images differ by rounding.
-const EQUAL: f64 = 1e-9;
 
 /// The layout that a trade picks, with its sentence; where it picks none, the one that comes closest.
 pub(super) fn picked_layout(
@@ -62,179 +56,6 @@ pub(super) fn picked_layout(
     Some((answer, sentence(trade, picked)))
 }
 
-/// The picked layout beside those that could answer in its place.
-struct Rivals<'a> {
-    picked: &'a RankedLayout,
-    trade: &'a TradeAnswer,
-    /// Layouts with as few films, without mirror images of the picked one, best first; where limits are asked, those with fewer films.
-    others: Vec<&'a RankedLayout>,
-}
-
-impl<'a> Rivals<'a> {
-    fn of(picked: &'a RankedLayout, layouts: &'a [RankedLayout], trade: &'a TradeAnswer) -> Self {
-        let question = &trade.question;
-        let own = compared(picked, question).map_or(f64::INFINITY, |figure| figure.value);
-        let is_rival = |layout: &&RankedLayout| {
-            let Some(figure) = compared(layout, question) else {
-                return false;
-            };
-            match question.has_limits() && trade.picked.is_some() {
-                true => layout.film_count < picked.film_count,
-                false => {
-                    let most = match trade.picked {
-                        Some(_) => picked.film_count.max(question.films.unwrap_or(0)),
-                        None => question.films.unwrap_or(usize::MAX),
-                    };
-                    let is_image = (figure.value - own).abs() <= EQUAL * own;
-                    layout.film_count <= most && !is_image
-                }
-            }
-        };
-        let mut others: Vec<&RankedLayout> = layouts.iter().filter(is_rival).collect();
-        let value = |layout: &RankedLayout| {
-            compared(layout, question).map_or(f64::INFINITY, |figure| figure.value)
-        };
-        others.sort_by(|a, b| value(a).total_cmp(&value(b)));
-        Self {
-            picked,
-            trade,
-            others,
-        }
-    }
-
-    /// Whether limits decide: the picked one meets them, and others don't.
-    fn by_limits(&self) -> bool {
-        self.trade.question.has_limits()
-    }
-
-    fn standing(&self, layout: &RankedLayout) -> Standing {
-        let figure = compared(layout, &self.trade.question).unwrap_or(Figure {
-            value: f64::INFINITY,
-            claim: None,
-        });
-        Standing {
-            // What is best is greatest.
-            value: -figure.value,
-            off: figure.claim.map(|claim| [claim; 2]),
-        }
-    }
-
-    /// Judges the picked one against the others; where limits are asked, it against them, and them against the others.
-    fn judged(&self) -> Judged {
-        let others: Vec<Standing> = self
-            .others
-            .iter()
-            .map(|other| self.standing(other))
-            .collect();
-        let own = self.standing(self.picked);
-        if !self.by_limits() {
-            return judge(&own, &others);
-        }
-        let limit = Standing {
-            value: -1.0,
-            off: Some([0.0; 2]),
-        };
-        match self.trade.picked {
-            Some(_) => {
-                let meets = judge(&own, &[limit]).verdict;
-                let mut fewer = judge(&limit, &others);
-                fewer.verdict = fewer.verdict.max(meets);
-                fewer
-            }
-            None => judge(&limit, &[own]),
-        }
-    }
-
-    /// Ranks of those that can't be told from the picked one.
-    fn tied(&self, judged: &Judged) -> Vec<usize> {
-        if self.trade.picked.is_none() {
-            return Vec::new();
-        }
-        let mut ranks: Vec<usize> = judged.tied.iter().map(|&k| self.others[k].rank).collect();
-        ranks.sort_unstable();
-        ranks.dedup();
-        ranks
-    }
-
-    /// Says why the answer is as sure as it is, and of what.
-    fn reason(&self, judged: &Judged) -> String {
-        match (self.by_limits(), self.trade.picked) {
-            (true, Some(_)) => self.reason_of_limits(judged),
-            (true, None) => format!(
-                "The layout that comes closest has {}.",
-                self.figures(self.picked)
-            ),
-            (false, _) => self.reason_of_best(judged),
-        }
-    }
-
-    fn reason_of_best(&self, judged: &Judged) -> String {
-        let most = self
-            .picked
-            .film_count
-            .max(self.trade.question.films.unwrap_or(0));
-        let among = format!("Of the layouts tried with up to {most} films");
-        let Some(closest) = judged.closest.map(|k| self.others[k]) else {
-            return match judged.verdict {
-                Certainty::Unknown => {
-                    format!("{among} it is the only one, and its error isn't known.")
-                }
-                _ => format!("{among} it is the only one."),
-            };
-        };
-        let figures = format!(
-            "it has {}, and {} {}",
-            self.figures(self.picked),
-            words(closest),
-            self.figures(closest)
-        );
-        match judged.verdict {
-            Certainty::Certain => format!("{among} no other comes near: {figures}."),
-            Certainty::Likely => format!(
-                "{among} the next is farther off than either error, and not than both: {figures}."
-            ),
-            Certainty::Tied => {
-                let tied = named(&self.tied(judged));
-                format!("{among} {tied} can't be told from it: {figures}.")
-            }
-            Certainty::Unknown => {
-                format!(
-                    "{among} it is first, and how far off the figures are isn't known: {figures}."
-                )
-            }
-        }
-    }
-
-    fn reason_of_limits(&self, judged: &Judged) -> String {
-        let own = format!("It has {}", self.figures(self.picked));
-        let fewer = match judged.closest.map(|k| self.others[k]) {
-            None => "nothing with fewer films was tried".to_owned(),
-            Some(closest) => format!(
-                "of fewer films {} come closest with {}",
-                words(closest),
-                self.figures(closest)
-            ),
-        };
-        match judged.verdict {
-            Certainty::Certain => format!("{own}; {fewer}."),
-            Certainty::Likely => {
-                format!("{own}; {fewer}: the errors make another number of films unlikely.")
-            }
-            Certainty::Tied => format!(
-                "{own}; {fewer}: within the errors it may need more films, or fewer may do."
-            ),
-            Certainty::Unknown => {
-                format!("{own}; {fewer}: how far off these figures are isn't known.")
-            }
-        }
-    }
-
-    /// The figures that are asked for: `10.7 +- 1.8 degrees`, `0.81 +- 0.05 N`, or both.
-    fn figures(&self, layout: &RankedLayout) -> String {
-        super::trade_words::figures(layout, &self.trade.question)
-    }
-}
-
 /// Says what a layout that loses the contact is worth.
 fn lost(best: &RankedLayout) -> String {
     let share = best.score.lost_share;
@@ -242,19 +63,6 @@ fn lost(best: &RankedLayout) -> String {
     format!(
         "It is off by more than {LOST_DEG:.0} degrees in {lost} of 100 contacts: which layout loses least says little."
     )
-}
-
-/// `rank 2`, `ranks 2 and 3`, `ranks 2, 3, 4 and 9 more`.
-fn named(ranks: &[usize]) -> String {
-    let first = ranks.iter().take(NAMED).map(usize::to_string);
-    let mut names: Vec<String> = first.collect();
-    let more = ranks.len().saturating_sub(NAMED);
-    if more > 0 {
-        names.push(format!("{more} more"));
-    }
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let noun = if ranks.len() == 1 { "rank" } else { "ranks" };
-    format!("{noun} {}", listed(&names))
 }
 
 /// Says what tells forces along and across from the angle, where they are unknown, too.

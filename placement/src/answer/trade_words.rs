@@ -3,84 +3,9 @@
 use super::figure_words::with_error;
 use super::layout_figures::{Figure, angle, force};
 use super::layout_words::{counted, laid, words};
-use crate::score::notes::listed;
 use documents::study::question::Question;
 use layouts::simulate::simulation::LOST_DEG;
-use results::{MenuFindings, RankedLayout, TradeAnswer, TradeRow};
-
-/// Says what was tried: `180 layouts were tried: 3 to 48 films along x, y, or both, at the crown, shoulder or sidewall.`
-pub(super) fn menu(layouts: &[RankedLayout], menu: MenuFindings) -> String {
-    let tried = layouts.len() + menu.screened;
-    let mut told = match tried {
-        1 => "1 layout was tried".to_owned(),
-        tried => format!("{tried} layouts were tried"),
-    };
-    let counts = || layouts.iter().map(|layout| layout.film_count);
-    if let (Some(fewest), Some(most)) = (counts().min(), counts().max()) {
-        let range = match fewest == most {
-            true => format!("{most} films"),
-            false => format!("{fewest} to {most} films"),
-        };
-        told = format!(
-            "{told}: {range} along {}, {}",
-            ways(layouts),
-            places(layouts)
-        );
-    }
-    if menu.screened > 0 {
-        told = format!(
-            "{told}; {} of them weren't simulated, as their bounds are worse than others' errors",
-            menu.screened
-        );
-    }
-    match menu.without_room {
-        0 => format!("{told}."),
-        1 => format!("{told}. 1 more has no room for its films."),
-        more => format!("{told}. {more} more have no room for their films."),
-    }
-}
-
-/// `x, y, x and y`: each set of directions once, in their order of size.
-fn ways(layouts: &[RankedLayout]) -> String {
-    let mut sets: Vec<Vec<&str>> = layouts
-        .iter()
-        .map(|layout| layout.films.iter().map(String::as_str).collect())
-        .collect();
-    sets.sort_by(|a, b| a.len().cmp(&b.len()).then(a.cmp(b)));
-    sets.dedup();
-    let named: Vec<String> = sets.iter().map(|set| listed(set)).collect();
-    match named.as_slice() {
-        [one] => one.clone(),
-        [first @ .., last] => format!("{}, or {last}", first.join(", ")),
-        [] => String::new(),
-    }
-}
-
-/// Names of the section angles: `at the crown, shoulder or sidewall`.
-fn places(layouts: &[RankedLayout]) -> String {
-    let mut names: Vec<&str> = Vec::new();
-    for layout in layouts {
-        let name = match layout.position.as_str() {
-            "mixed" => "several section angles",
-            name => name,
-        };
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    // From the crown down to the bead, as the eye goes.
-    names.sort_by_key(|name| {
-        ["crown", "shoulder", "sidewall"]
-            .iter()
-            .position(|known| known == name)
-            .unwrap_or(3)
-    });
-    match names.as_slice() {
-        [one] => format!("at {one}"),
-        [first @ .., last] => format!("at {} or {last}", first.join(", ")),
-        [] => String::new(),
-    }
-}
+use results::{RankedLayout, TradeAnswer, TradeRow};
 
 /// The figures that are asked for: `10.7 +- 1.8 degrees`, `0.81 +- 0.05 N`, or both.
 pub(super) fn figures(layout: &RankedLayout, question: &Question) -> String {

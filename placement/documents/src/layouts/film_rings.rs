@@ -1,6 +1,6 @@
 //! Rings of films: the regular layouts of a study, those that it names and those of the menu.
 
-use crate::layouts::layout_settings::{Layouts, direction_deg};
+use crate::layouts::layout_settings::Layouts;
 use crate::parts::directions::Directions;
 use crate::parts::film_place::FilmPlace;
 
@@ -19,6 +19,22 @@ pub struct Ring {
     pub of_menu: bool,
 }
 
+/// Wheel angles of films of some units, degrees, unit after unit, with the film's number in its unit; staggered, those of a unit are spread evenly up to the next one.
+pub fn ring_angles(
+    units: usize,
+    films: usize,
+    staggered: bool,
+) -> impl Iterator<Item = (usize, f64)> {
+    let spacing = 360.0 / units as f64;
+    let offset = move |film: usize| match staggered {
+        true => spacing * film as f64 / films as f64,
+        false => 0.0,
+    };
+    let of_unit =
+        move |unit| (0..films).map(move |film| (film, unit as f64 * spacing + offset(film)));
+    (0..units).flat_map(of_unit)
+}
+
 impl Ring {
     /// Number of films.
     pub fn films(&self) -> usize {
@@ -27,21 +43,16 @@ impl Ring {
 
     /// The films of its first units, one by one.
     pub fn places(&self, units: usize) -> Vec<FilmPlace> {
-        let spacing = 360.0 / self.units as f64;
-        let step = match self.staggered {
-            true => spacing / self.directions.len() as f64,
-            false => 0.0,
+        let of_unit = self.directions.len();
+        let angles = ring_angles(self.units, of_unit, self.staggered);
+        let place = |(film, theta_deg): (usize, f64)| {
+            self.directions.get(film).map(|angle_deg| FilmPlace {
+                theta_deg,
+                phi_deg: self.section_deg,
+                angle_deg: *angle_deg,
+            })
         };
-        let place = |unit: usize, film: usize, angle_deg: f64| FilmPlace {
-            theta_deg: spacing * unit as f64 + step * film as f64,
-            phi_deg: self.section_deg,
-            angle_deg,
-        };
-        let of_unit = |unit| {
-            let films = self.directions.iter().enumerate();
-            films.map(move |(film, angle)| place(unit, film, *angle))
-        };
-        (0..units.min(self.units)).flat_map(of_unit).collect()
+        angles.take(units * of_unit).filter_map(place).collect()
     }
 
     /// Whether both lay the same films.
@@ -95,14 +106,11 @@ impl Layouts {
 
     /// Sets of directions of the menu: those that the document names; else each direction that the study asks for, and all of them together.
     fn menu_sets(&self, asked: Directions) -> Vec<Vec<f64>> {
+        let named = self.sets(asked);
         if !self.directions.is_empty() {
-            return self.directions.clone();
+            return named;
         }
-        let all: Vec<f64> = asked
-            .asked()
-            .iter()
-            .map(|one| direction_deg(*one))
-            .collect();
+        let all = named.concat();
         let mut sets: Vec<Vec<f64>> = all.iter().map(|angle| vec![*angle]).collect();
         if all.len() > 1 {
             sets.push(all);

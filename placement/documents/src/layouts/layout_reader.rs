@@ -4,26 +4,25 @@
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use document::Choice;
-use document::fault::{Fault, entry, member};
+use document::fault::Fault;
 use document::fields::{Fields, integer, number, shown};
 use document::typed::field_value::Field;
 use fem_client::scene::{Film, Level, Scene};
 use fem_client::solver::Position;
 use serde_json::Value;
 
+use crate::layouts::film_place_reader::{direction, entries, film, section};
 use crate::layouts::film_size_reader::{check_film, check_sizes, read_films};
 use crate::layouts::layout_bounds::{
-    ANGLE, DISTANCE, GAIN, LONGEST_LAYOUT, MOST_ENTRIES, MOST_FILMS, MOST_FREE, MOST_LAYOUTS,
-    MOST_LOADS, MOST_PLACES, MOST_SEARCHED, MOST_SLOTS, MOST_UNITS, PLACE, SHARE, SPACING, STRAIN,
-    VOLTS,
+    GAIN, LONGEST_LAYOUT, MOST_ENTRIES, MOST_FILMS, MOST_FREE, MOST_LAYOUTS, MOST_LOADS,
+    MOST_UNITS, PLACE, SHARE, SPACING, STRAIN, VOLTS,
 };
 use crate::layouts::layout_settings::{
-    FreeLayout, LayoutLoads, Layouts, NoiseFloor, NoiseSettings, SearchSettings,
-    farthest_section_deg,
+    FreeLayout, LayoutLoads, Layouts, NoiseFloor, NoiseSettings,
 };
 use crate::layouts::overlap_check::check_overlaps;
+use crate::layouts::search_reader::search;
 use crate::parts::directions::Directions;
-use crate::parts::film_place::FilmPlace;
 use crate::parts::scene_number::of_scene;
 use document::typed::field_value::read_name;
 use document::typed::lists::distinct_list as list;
@@ -166,22 +165,6 @@ pub(crate) fn layouts(
     (faults.len() == before).then_some(layouts)
 }
 
-/// Reads a list into its place, where it is given.
-fn entries<T: PartialEq>(
-    fields: &Fields<'_>,
-    name: &str,
-    place: &mut Vec<T>,
-    longest: usize,
-    faults: &mut Vec<Fault>,
-    read: impl Fn(&Value, &str, &mut Vec<Fault>) -> Option<T>,
-) {
-    if let Some((value, pointer)) = fields.get(name)
-        && let Some(items) = list(value, &pointer, longest, faults, read)
-    {
-        *place = items;
-    }
-}
-
 fn flag(fields: &Fields<'_>, name: &str, faults: &mut Vec<Fault>) -> bool {
     let Some((value, pointer)) = fields.get(name) else {
         return false;
@@ -206,45 +189,6 @@ fn spacing(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<f64>
         return None;
     }
     Some(360.0 / units.round())
-}
-
-/// A section angle up to a wall's thickness off the bead, where the clamp makes strains of its own.
-fn section(
-    value: &Value,
-    pointer: &str,
-    scene: Option<&Scene>,
-    faults: &mut Vec<Fault>,
-) -> Option<f64> {
-    let farthest = scene.map_or(180.0, |scene| farthest_section_deg(&scene.geometry));
-    let read = value.as_f64().filter(|angle| angle.abs() <= farthest);
-    if read.is_none() {
-        let detail = format!(
-            "must be an angle from the crown of -{farthest:.1} to {farthest:.1} degrees, a wall's thickness off the bead; it is {}",
-            shown(value)
-        );
-        Fault::add(faults, pointer, detail);
-    }
-    read.map(|angle| angle + 0.0)
-}
-
-/// A direction, degrees to the circumference: a name or an angle.
-fn direction(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<f64> {
-    match value.as_str() {
-        Some("x") => Some(0.0),
-        Some("y") => Some(90.0),
-        None if value.is_number() => number(value, pointer, ANGLE, faults),
-        _ => {
-            Fault::add(
-                faults,
-                pointer,
-                format!(
-                    "must be \"x\", \"y\" or an angle in degrees; it is {}",
-                    shown(value)
-                ),
-            );
-            None
-        }
-    }
 }
 
 fn set(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<Vec<f64>> {
@@ -273,31 +217,6 @@ fn free_layout(
         return None;
     }
     Some(FreeLayout { name: name?, films })
-}
-
-/// Reads where a film lies, on a scene where it is known.
-pub fn film(
-    value: &Value,
-    pointer: &str,
-    scene: Option<&Scene>,
-    faults: &mut Vec<Fault>,
-) -> Option<FilmPlace> {
-    let fields = Fields::open(
-        value,
-        pointer,
-        &["theta_deg", "phi_deg", "angle_deg"],
-        faults,
-    )?;
-    let theta_deg = fields.number("theta_deg", ANGLE, 0.0, faults);
-    let phi_deg = fields
-        .get("phi_deg")
-        .map_or(Some(0.0), |(value, at)| section(value, &at, scene, faults));
-    let angle_deg = fields.number("angle_deg", ANGLE, 0.0, faults);
-    Some(FilmPlace {
-        theta_deg: theta_deg?,
-        phi_deg: phi_deg?,
-        angle_deg: angle_deg?,
-    })
 }
 
 fn loads(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> LayoutLoads {
@@ -372,136 +291,6 @@ fn noise(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> NoiseSettings {
     // Faults are in the list; the numbers stay as they are then.
     let _ = fields.numbers(numbers, faults);
     noise
-}
-
-fn search(
-    fields: &Fields<'_>,
-    scene: Option<&Scene>,
-    faults: &mut Vec<Fault>,
-) -> Option<SearchSettings> {
-    let (value, pointer) = fields.get("search")?;
-    let fields = Fields::open(
-        value,
-        &pointer,
-        &[
-            "films",
-            "slots",
-            "section_deg",
-            "directions",
-            "fixed",
-            "forbidden_deg",
-            "least_distance_mm",
-        ],
-        faults,
-    )?;
-    let mut search = SearchSettings {
-        films: Vec::new(),
-        slots: 24,
-        section_deg: vec![0.0],
-        directions: vec![0.0, 90.0],
-        fixed: Vec::new(),
-        forbidden_deg: Vec::new(),
-        least_distance_mm: fields.number("least_distance_mm", DISTANCE, 0.0, faults)?,
-    };
-    fields.required("films", "a list of numbers of films", faults)?;
-    entries(
-        &fields,
-        "films",
-        &mut search.films,
-        MOST_ENTRIES,
-        faults,
-        |value, at, faults| {
-            integer(value, at, 1, MOST_SEARCHED, faults).map(|films| films as usize)
-        },
-    );
-    search.slots = fields.integer("slots", (3, MOST_SLOTS), 24, faults)? as usize;
-    let section =
-        |value: &Value, at: &str, faults: &mut Vec<Fault>| section(value, at, scene, faults);
-    entries(
-        &fields,
-        "section_deg",
-        &mut search.section_deg,
-        MOST_ENTRIES,
-        faults,
-        section,
-    );
-    entries(
-        &fields,
-        "directions",
-        &mut search.directions,
-        MOST_ENTRIES,
-        faults,
-        direction,
-    );
-    let fixed = |value: &Value, at: &str, faults: &mut Vec<Fault>| film(value, at, scene, faults);
-    entries(
-        &fields,
-        "fixed",
-        &mut search.fixed,
-        MOST_ENTRIES,
-        faults,
-        fixed,
-    );
-    entries(
-        &fields,
-        "forbidden_deg",
-        &mut search.forbidden_deg,
-        MOST_ENTRIES,
-        faults,
-        sector,
-    );
-    for (name, is_empty) in [
-        ("films", search.films.is_empty()),
-        ("section_deg", search.section_deg.is_empty()),
-        ("directions", search.directions.is_empty()),
-    ] {
-        if is_empty {
-            Fault::add(
-                faults,
-                &member(&pointer, name),
-                "must have an entry; it is empty",
-            );
-        }
-    }
-    let free = search.slots * search.section_deg.len() * search.directions.len();
-    let places = free + search.fixed.len();
-    if places > MOST_PLACES {
-        let detail = format!(
-            "slots times section angles times directions are {places} places; a search tries at most {MOST_PLACES}"
-        );
-        Fault::add(faults, &pointer, detail);
-    }
-    if let Some((i, films)) = search
-        .films
-        .iter()
-        .enumerate()
-        .find(|(_, films)| **films > places || **films < search.fixed.len())
-    {
-        let at = entry(&member(&pointer, "films"), i);
-        let detail = match search.fixed.len() {
-            0 => format!("must be at most the {places} places that there are; it is {films}"),
-            fixed => format!(
-                "counts the fixed films, too: it must be from {fixed} to the {places} places that there are; it is {films}"
-            ),
-        };
-        Fault::add(faults, &at, detail);
-    }
-    Some(search)
-}
-
-/// A sector of the wheel, from one angle to another in the rolling direction, degrees.
-fn sector(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<[f64; 2]> {
-    let Some([from, to]) = value.as_array().map(Vec::as_slice) else {
-        let detail = format!(
-            "must be two angles in degrees, from and to, as [165, 195]; it is {}",
-            shown(value)
-        );
-        Fault::add(faults, pointer, detail);
-        return None;
-    };
-    let from = number(from, &entry(pointer, 0), ANGLE, faults);
-    let to = number(to, &entry(pointer, 1), ANGLE, faults);
-    Some([from?, to?])
 }
 
 fn check_count(layouts: &Layouts, directions: Directions, pointer: &str, faults: &mut Vec<Fault>) {

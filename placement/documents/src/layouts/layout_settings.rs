@@ -362,6 +362,24 @@ pub fn section_name(section_deg: f64) -> String {
     )
 }
 
+/// The angle of a direction's name, degrees.
+pub fn direction_of(name: &str) -> Option<f64> {
+    match name {
+        "x" => Some(0.0),
+        "y" => Some(90.0),
+        angle => angle.parse().ok(),
+    }
+}
+
+/// The section angle of its name, degrees; `None` of several.
+pub fn section_of(name: &str) -> Option<f64> {
+    let mut positions = Position::ALL.into_iter();
+    match positions.find(|position| position.as_str() == name) {
+        Some(position) => Some(position.angle_deg()),
+        None => name.strip_suffix(" deg")?.parse().ok(),
+    }
+}
+
 fn once_each<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
     let mut kept = Vec::new();
     for item in items {

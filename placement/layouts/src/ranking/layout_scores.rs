@@ -6,7 +6,7 @@ use crate::arrangement::{Arrangement, LaidFilm};
 use crate::field::film_field::{DepthFields, LoadField, Noise};
 use crate::fisher::bounds::{bayes_angle_deg, bounds, weakest_signal};
 use crate::simulate::alike::alike;
-use crate::simulate::posterior::Likelihood;
+use crate::simulate::reading_likelihood::Likelihood;
 use crate::simulate::simulation::{Draws, Simulated, simulate};
 use results::{DeadFilm, LayoutScore, ShearScore};
 

@@ -1,6 +1,11 @@
 //! Estimates from readings: the [`posterior`] of angle and depth, errors by [`simulation`] with noise of [`normal_pairs`], and the contacts that look most [`alike`].
+//!
+//! The posterior is that of a [`reading_likelihood`], with products that are turned to each angle in `turned_products`, on a `posterior_grid`.
 
 pub mod alike;
 pub mod normal_pairs;
 pub mod posterior;
+mod posterior_grid;
+pub(crate) mod reading_likelihood;
 pub mod simulation;
+mod turned_products;

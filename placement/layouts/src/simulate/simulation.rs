@@ -7,7 +7,8 @@ use rand_chacha::rand_core::SeedableRng;
 
 use crate::arrangement::Arrangement;
 use crate::simulate::normal_pairs::normal_pair;
-use crate::simulate::posterior::{Estimator, Likelihood};
+use crate::simulate::posterior::Estimator;
+use crate::simulate::reading_likelihood::Likelihood;
 
 /// Contacts in one period of a layout; as many more where there is none.
 const CONTACTS: usize = 24;

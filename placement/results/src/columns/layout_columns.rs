@@ -5,6 +5,32 @@ use documents::layouts::layout_settings::{STRAIN_UNIT, VOLT_UNIT};
 use super::answer_table::Table;
 use super::figure_column::Column;
 
+/// Columns for rows of [`trade`](super::table_rows::trade).
+pub fn trade() -> Table {
+    let columns = vec![
+        Column::integer("film_count", "/trade/film_count").titled("films", 0),
+        Column::text("layout", "/trade/words"),
+        Column::float("angle_error_deg", "/trade/angle_error_deg")
+            .titled("angle, 95 %", 2)
+            .in_view("trade")
+            .with_error("/trade/angle_claim_deg"),
+        Column::float("angle_claim_deg", "/trade/angle_claim_deg"),
+        Column::float("force_error_n", "/trade/force_error_n")
+            .titled("force, rms", 2)
+            .in_view("trade")
+            .with_error("/trade/force_claim_n"),
+        Column::float("force_claim_n", "/trade/force_claim_n"),
+        Column::bool("meets", "/trade/meets"),
+        Column::bool("is_front", "/trade/is_front"),
+        Column::integer("rank", "/trade/rank"),
+    ];
+    Table {
+        name: "trade",
+        parts: &[("trade", "TradeRow")],
+        columns,
+    }
+}
+
 /// Columns for rows of [`films`](super::table_rows::films).
 pub fn films() -> Table {
     let columns = vec![

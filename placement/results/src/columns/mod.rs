@@ -18,17 +18,18 @@ pub use answer_table::Table;
 pub use comparison_columns::{compared_locations, designs};
 pub use figure_column::{Column, Kind, text};
 pub use force_columns::{elsewhere, forces, models};
-pub use layout_columns::{candidates, films, layouts};
+pub use layout_columns::{candidates, films, layouts, trade};
 pub use location_columns::{indices, locations};
 pub use rung_columns::rungs;
 pub use signal_columns::signals;
 
 /// Every table but that of solved points, whose columns are a study's own inputs and locations.
-pub fn tables() -> [Table; 12] {
+pub fn tables() -> [Table; 13] {
     [
         indices(),
         locations(),
         layouts(),
+        trade(),
         films(),
         candidates(),
         signals(),

@@ -45,6 +45,16 @@ pub fn layouts(result: &StudyResult) -> Vec<Value> {
     layouts.map(|layout| self::layout(layout, unit)).collect()
 }
 
+/// A row for each number of films of the answer's trade.
+pub fn trade(result: &StudyResult) -> Vec<Value> {
+    let trades = result
+        .answer
+        .iter()
+        .filter_map(|answer| answer.trade.as_ref());
+    let rows = trades.flat_map(|trade| &trade.rows);
+    rows.map(|row| json!({ "trade": row })).collect()
+}
+
 /// A row for each film of the answer.
 pub fn films(result: &StudyResult) -> Vec<Value> {
     let films = result.answer.iter().flat_map(|answer| &answer.films);

@@ -5,6 +5,7 @@ use fem_client::solver::Coarser;
 
 use crate::layout::solving::layout_fields::MeshFields;
 use crate::layout::solving::layout_scenes::{LayoutScenes, Pressed};
+use crate::layout::solving::menu_words::menu;
 use crate::layout::solving::searched_layouts::search;
 use crate::layout::solving::study_layouts::Asked;
 use crate::points::RunContext;
@@ -26,7 +27,7 @@ use results::{
 };
 
 /// Simulated readings of a scored layout over those of one that is screened.
-const FULL_TO_SHORT: usize = 5;
+pub(crate) const FULL_TO_SHORT: usize = 5;
 
 /// Fields that were solved on both meshes.
 pub(crate) struct Answer<'s> {
@@ -56,7 +57,7 @@ impl Answer<'_> {
         )
         .ok_or(RunError::Stopped)?;
         let fine = self.scorer(&self.fine, &asked, study);
-        let screened = self.screen(&mut asked, &fine, study, context)?;
+        let menu = self.screen(&mut asked, &fine, study, context)?;
         let coarse = self
             .coarse
             .as_ref()
@@ -107,10 +108,7 @@ impl Answer<'_> {
                 .coarse
                 .as_ref()
                 .map(|(_, coarser)| coarser.level.as_str().to_owned()),
-            menu: MenuFindings {
-                screened,
-                without_room: asked.without_room,
-            },
+            menu,
             front: front(&layouts),
             tau_of_bound: tau_of_bound(&layouts),
             searches,
@@ -140,14 +138,14 @@ impl Answer<'_> {
         )
     }
 
-    /// Leaves those layouts of the menu that can't be the best of as few films, and counts the others.
+    /// Leaves those layouts of the menu that can't be the best of as few films, and says what was tried.
     fn screen(
         &self,
         asked: &mut Asked,
         scorer: &Scorer,
         study: &Study,
         context: RunContext<'_>,
-    ) -> Result<usize, RunError> {
+    ) -> Result<MenuFindings, RunError> {
         let groups = competitors(&asked.layouts);
         let films = asked
             .layouts
@@ -163,13 +161,17 @@ impl Answer<'_> {
             kept(&groups[k], &asked.layouts, scorer, &draws, limits)
         });
         let kept = found.ok_or(RunError::Stopped)?.concat();
-        let before = asked.layouts.len();
-        let mut index = 0;
-        asked.layouts.retain(|layout| {
-            index += 1;
-            !layout.of_menu || kept.contains(&(index - 1))
-        });
-        Ok(before - asked.layouts.len())
+        let screened = groups.iter().map(Vec::len).sum::<usize>() - kept.len();
+        let labels: Vec<&RankedLayout> = asked.layouts.iter().map(|layout| &layout.label).collect();
+        let sentence = menu(&labels, screened, asked.without_room);
+        let all = std::mem::take(&mut asked.layouts).into_iter().enumerate();
+        let left = all.filter(|(index, layout)| !layout.of_menu || kept.contains(index));
+        asked.layouts = left.map(|(_, layout)| layout).collect();
+        Ok(MenuFindings {
+            screened,
+            without_room: asked.without_room,
+            sentence,
+        })
     }
 
     fn loads(

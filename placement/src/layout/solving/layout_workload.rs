@@ -4,6 +4,7 @@ use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Coarser, Readout, Solver};
 
 use crate::layout::solving::glued_films::GluedFilms;
+use crate::layout::solving::judged_layouts::FULL_TO_SHORT;
 use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
 use crate::layout::solving::mirror_parts::mirrored;
 use crate::layout::solving::study_layouts::Asked;
@@ -12,6 +13,9 @@ use documents::study::Study;
 use documents::study::plan::Plan;
 use layouts::search::layout_search::expected_looks;
 use layouts::search::search_criterion::SearchCriterion;
+
+/// Layouts of a menu for each that is simulated in full: 37 of 150 on the foot tire.
+const OFFERED_TO_KEPT: usize = 4;
 
 /// The level of a study's layouts, and the coarser one that shows its error.
 pub(crate) fn levels(study: &Study, plan: &Plan, solver: &dyn Solver) -> (Level, Option<Coarser>) {
@@ -90,6 +94,9 @@ pub(crate) fn scorings(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize
         .search
         .as_ref()
         .map_or(0, |search| search.films.len() * simulated);
-    let layouts = Asked::of(study).layouts.len() + found;
-    layouts * loads * (meshes + usize::from(study.layouts.dead && meshes > 0))
+    let layouts = Asked::of(study).layouts;
+    let offered = layouts.iter().filter(|layout| layout.of_menu).count();
+    let layouts = layouts.len() - offered + offered.div_ceil(OFFERED_TO_KEPT) + found;
+    let glimpses = offered.div_ceil(FULL_TO_SHORT);
+    layouts * loads * (meshes + usize::from(study.layouts.dead && meshes > 0)) + glimpses
 }

@@ -6,6 +6,7 @@
 //! - [`shear_fields`]: what a shift of the ground changes; [`mirror_parts`]: a field's parts that are even or odd in it
 //! - `searched_layouts`: the best layouts of so many films
 //! - `judged_layouts`: fields of two meshes to ranked layouts, on all threads
+//! - `menu_words`: what was tried, in words
 //! - `measuring_layouts`: solves and fills in a study's result
 //! - `layout_workload`: what all that takes
 
@@ -15,6 +16,7 @@ pub mod layout_fields;
 pub mod layout_scenes;
 pub(crate) mod layout_workload;
 pub(crate) mod measuring_layouts;
+mod menu_words;
 pub mod mirror_parts;
 pub(crate) mod searched_layouts;
 pub mod shear_fields;

@@ -118,7 +118,7 @@ ComparisonTable = Literal["locations", "designs"]
 State = Literal["queued", "running", "done", "failed", "cancelled"]
 """State of a study."""
 
-Table = Literal["indices", "locations", "layouts", "films", "points", "signals", "candidates", "forces"]
+Table = Literal["indices", "locations", "layouts", "trade", "films", "points", "signals", "candidates", "forces"]
 """Table of a study."""
 
 
@@ -1248,12 +1248,14 @@ class MemberReport:
 
 @dataclass(frozen=True, kw_only=True)
 class MenuFindings:
-    """Layouts of the menu that aren't in the list."""
+    """Layouts that were tried, and those of the menu that aren't in the list."""
 
     screened: int
     """Count of those that weren't simulated: their bounds show that others with as few films are better."""
     without_room: int
     """Count of those whose films have no room."""
+    sentence: str
+    """Sentence that says what was tried."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -2205,6 +2207,17 @@ COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {
         ("shear_force_y_error_n", "/layout/score/shear/worst_force_error_n/1", None),
         ("shear_force_z_error_n", "/layout/score/shear/worst_force_error_n/2", None),
         ("shear_reason", "/layout/score/shear/reason", None),
+    ],
+    "trade": [
+        ("film_count", "/trade/film_count", None),
+        ("layout", "/trade/words", None),
+        ("angle_error_deg", "/trade/angle_error_deg", None),
+        ("angle_claim_deg", "/trade/angle_claim_deg", None),
+        ("force_error_n", "/trade/force_error_n", None),
+        ("force_claim_n", "/trade/force_claim_n", None),
+        ("meets", "/trade/meets", None),
+        ("is_front", "/trade/is_front", None),
+        ("rank", "/trade/rank", None),
     ],
     "films": [
         ("film", "/film/number", None),

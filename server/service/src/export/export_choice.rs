@@ -13,6 +13,8 @@ pub enum Table {
     Locations,
     /// Ranked layouts.
     Layouts,
+    /// Best layout of each number of films.
+    Trade,
     /// Films of the answer, one by one: what to glue by.
     Films,
     /// Solved points: inputs, force, strains.
@@ -26,10 +28,11 @@ pub enum Table {
 }
 
 impl Table {
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 9] = [
         Self::Indices,
         Self::Locations,
         Self::Layouts,
+        Self::Trade,
         Self::Films,
         Self::Points,
         Self::Signals,
@@ -43,6 +46,7 @@ impl Table {
             Self::Indices => "indices",
             Self::Locations => "locations",
             Self::Layouts => "layouts",
+            Self::Trade => "trade",
             Self::Films => "films",
             Self::Points => "points",
             Self::Signals => "signals",

@@ -19,6 +19,7 @@ pub fn table(table: Table, result: &StudyResult, points: &[EvaluationView]) -> T
         Table::Indices => (columns::indices(), table_rows::indices(result)),
         Table::Locations => (columns::locations(), table_rows::locations(result)),
         Table::Layouts => (columns::layouts(), table_rows::layouts(result)),
+        Table::Trade => (columns::trade(), table_rows::trade(result)),
         Table::Films => (columns::films(), table_rows::films(result)),
         Table::Candidates => (columns::candidates(), table_rows::candidates(result)),
         Table::Signals => (columns::signals(), table_rows::signals(result)),

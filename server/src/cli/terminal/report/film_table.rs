@@ -1,15 +1,19 @@
 //! The trade of films against errors, for people.
 
-use std::fmt::Write;
-
 use document::visible::visible;
-use results::{StudyResult, TradeAnswer, TradeRow};
+use results::columns::{self, table_rows};
+use results::{StudyResult, TradeRow};
 
-use crate::cli::terminal::paint::{HEADER, STRONG, painted};
+use crate::cli::terminal::figures::Figures;
+use crate::cli::terminal::paint::{STRONG, painted};
 use crate::cli::terminal::wrapping::{cut, labelled};
 
+/// Words above numbers of films and layouts.
+const NAMES: &str = "   films  best layout";
 /// Columns of what a layout is, without its number of films.
 const DESCRIBED: usize = 50;
+/// Columns of both.
+const NAMED: usize = DESCRIBED + 10;
 
 /// The best layout of each number of films, and what was tried; nothing where there is but one.
 pub fn trade(result: &StudyResult) -> String {
@@ -20,14 +24,11 @@ pub fn trade(result: &StudyResult) -> String {
     let Some(trade) = trade.filter(|trade| trade.rows.len() > 1) else {
         return String::new();
     };
-    let head = format!(
-        "   films  {:<DESCRIBED$}{:>16}{:>16}",
-        "best layout", "angle, 95 %, deg", "force, rms, N"
-    );
-    let mut text = painted(HEADER, head) + "\n";
+    let figures = Figures::of(&columns::trade().view("trade"), &table_rows::trade(result));
+    let mut text = figures.head(NAMES, NAMED, "");
     for (number, row) in trade.rows.iter().enumerate() {
-        let line = line(row, trade, number);
         let is_picked = trade.picked == Some(number);
+        let line = format!("{}{}", named(row, is_picked), figures.row(number));
         text += &if is_picked {
             painted(STRONG, line)
         } else {
@@ -35,43 +36,17 @@ pub fn trade(result: &StudyResult) -> String {
         };
         text.push('\n');
     }
-    text + &labelled(STRONG, "menu", &visible(&trade.menu))
+    text + &labelled(STRONG, "menu", &visible(&trade.menu)) + "\n"
 }
 
-fn line(row: &TradeRow, trade: &TradeAnswer, number: usize) -> String {
-    let mark = match trade.picked == Some(number) {
-        true => '>',
-        false => ' ',
-    };
-    // Each row begins with its number of films, which the words do, too.
-    let words = row
-        .words
-        .split_once(" along ")
-        .map_or(&*row.words, |(_, rest)| rest);
-    let mut line = format!(
-        " {mark}{:>6}  {:<DESCRIBED$}",
-        row.film_count,
-        cut(visible(words), DESCRIBED)
-    );
-    let angle = figure(Some(row.angle_error_deg), row.angle_claim_deg);
-    let force = figure(row.force_error_n, row.force_claim_n);
-    let _ = write!(line, "{angle:>16}{force:>16}");
-    line
-}
-
-/// `10.7 +- 1.8`, as far as the claim tells; ` - ` where there is none.
-fn figure(value: Option<f64>, claim: Option<f64>) -> String {
-    let Some(value) = value else {
-        return "-".to_owned();
-    };
-    let decimals = match value.abs() {
-        size if size >= 10.0 => 1,
-        _ => 2,
-    };
-    match claim {
-        Some(claim) => format!("{value:.decimals$} +-{claim:>5.decimals$}"),
-        None => format!("{value:.decimals$}"),
-    }
+/// ` >    12  y at the crown, one every 30 degrees`: the row that answers is marked.
+fn named(row: &TradeRow, is_picked: bool) -> String {
+    let mark = if is_picked { '>' } else { ' ' };
+    // Each line begins with the number of films, which the words do, too.
+    let words = row.words.split_once(" along ");
+    let words = words.map_or(&*row.words, |(_, rest)| rest);
+    let words = cut(visible(words), DESCRIBED);
+    format!(" {mark}{:>6}  {words:<DESCRIBED$}", row.film_count)
 }
 
 #[cfg(test)]
@@ -79,10 +54,28 @@ mod tests {
     use super::*;
 
     #[test]
-    fn figures_are_told_with_their_claims() {
-        assert_eq!(figure(Some(10.65), Some(1.8)), "10.7 +-  1.8");
-        assert_eq!(figure(Some(0.525), Some(0.061)), "0.53 +- 0.06");
-        assert_eq!(figure(Some(0.525), None), "0.53");
-        assert_eq!(figure(None, None), "-");
+    fn a_row_is_named_by_its_films_and_marked_where_it_answers() {
+        let row = TradeRow {
+            film_count: 12,
+            rank: 3,
+            index: 2,
+            words: "12 films along y at the crown, one every 30 degrees".to_owned(),
+            angle_error_deg: 10.65,
+            angle_claim_deg: Some(1.8),
+            force_error_n: None,
+            force_claim_n: None,
+            meets: None,
+            is_front: true,
+        };
+        let [picked, other] = [true, false].map(|is_picked| named(&row, is_picked));
+        assert_eq!(
+            picked.trim_end(),
+            " >    12  y at the crown, one every 30 degrees"
+        );
+        assert_eq!(
+            other.trim_end(),
+            "      12  y at the crown, one every 30 degrees"
+        );
+        assert_eq!(picked.chars().count(), NAMED);
     }
 }

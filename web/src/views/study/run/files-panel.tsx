@@ -2,7 +2,7 @@ import { address } from "../../../api.ts";
 import type { StudyResult } from "../../../wire.ts";
 
 /** Tables that the service exports. */
-const TABLES = ["indices", "locations", "layouts", "candidates", "points", "signals", "forces"] as const;
+const TABLES = ["indices", "locations", "trade", "films", "layouts", "candidates", "points", "signals", "forces"] as const;
 
 /** Formats that they are exported in. */
 const FILES = [

@@ -1,0 +1,162 @@
+//! Grid of contact angles and depths: its cells, and the parts that they are cut into where the likelihood is sharp.
+
+use crate::arrangement::Arrangement;
+use crate::field::film_field::{DepthFields, LoadField, Noise};
+use crate::fisher::bounds::information;
+
+/// Cells around the wheel, 2 degrees each.
+pub(super) const ANGLE_CELLS: usize = 180;
+/// Cells over the depths of the study.
+pub(super) const DEPTH_CELLS: usize = 16;
+/// Most parts of a cell along either side, a power of three: parts of parts share their middles.
+pub(super) const MOST_PARTS: usize = 27;
+/// Standard deviations that a part may be wide.
+const STEP: f64 = 2.0;
+
+/// Cells of a layout's grid.
+pub(super) struct PosteriorGrid {
+    /// Cells by angle, then depth.
+    cells: Vec<Cell>,
+    /// Most parts of any cell around the wheel.
+    finest: usize,
+}
+
+impl PosteriorGrid {
+    /// Cells for a layout, each with the parts that the information asks for.
+    pub fn new(fields: &DepthFields, arrangement: &Arrangement, noise: &Noise) -> Self {
+        let cells = cells(fields, arrangement, noise);
+        let finest = cells.iter().map(|cell| cell.parts[0]).fold(1, usize::max);
+        Self { cells, finest }
+    }
+
+    /// Number of its cells.
+    pub fn len(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// Number of the finest parts of angles around the wheel.
+    pub fn angles(&self) -> usize {
+        ANGLE_CELLS * self.finest
+    }
+
+    /// The whole of a cell, with ln p at its middle.
+    pub fn block(&self, cell: usize, log: f64) -> Block {
+        let Cell { parts, slack } = self.cells[cell];
+        Block {
+            first: [
+                cell / DEPTH_CELLS * self.finest,
+                cell % DEPTH_CELLS * MOST_PARTS,
+            ],
+            spans: [self.finest, MOST_PARTS],
+            parts,
+            share: (parts[0] * parts[1]) as f64,
+            slack,
+            log,
+        }
+    }
+}
+
+/// Demands of the likelihood on a cell of the grid.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cell {
+    /// Parts along angle and depth.
+    pub parts: [usize; 2],
+    /// Shortfall of its middle below its best point by either side, at most.
+    pub slack: [f64; 2],
+}
+
+/// Part of a cell, among the finest parts.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Block {
+    /// First parts along angle and depth.
+    pub first: [usize; 2],
+    /// Finest parts that it spans.
+    pub spans: [usize; 2],
+    /// Parts that it is still to be cut into.
+    pub parts: [usize; 2],
+    /// Parts of the whole cell.
+    pub share: f64,
+    /// Shortfall of its middle below its best point by either side, at most.
+    pub slack: [f64; 2],
+    /// Value of ln p at its middle.
+    pub log: f64,
+}
+
+impl Block {
+    pub fn middle(&self) -> [usize; 2] {
+        [0, 1].map(|k| self.first[k] + self.spans[k] / 2)
+    }
+
+    /// Value of ln p that it may reach anywhere, at most.
+    pub fn highest(&self) -> f64 {
+        self.log + self.slack[0] + self.slack[1]
+    }
+
+    /// Thirds along each side that is to be cut, with its own ln p. The slack goes by the square of a side.
+    pub(super) fn thirds(&self) -> impl Iterator<Item = Self> + use<> {
+        let whole = *self;
+        let cuts = whole.parts.map(|parts| if parts > 1 { 3 } else { 1 });
+        let part = move |i: usize, j: usize| Self {
+            first: [(0, i), (1, j)].map(|(k, i)| whole.first[k] + i * whole.spans[k] / cuts[k]),
+            spans: [0, 1].map(|k| whole.spans[k] / cuts[k]),
+            parts: [0, 1].map(|k| whole.parts[k] / cuts[k]),
+            slack: [0, 1].map(|k| whole.slack[k] / (cuts[k] * cuts[k]) as f64),
+            ..whole
+        };
+        (0..cuts[0]).flat_map(move |i| (0..cuts[1]).map(move |j| part(i, j)))
+    }
+}
+
+/// Middles of equal parts of an interval.
+pub(super) fn middles([low, high]: [f64; 2], count: usize) -> Vec<f64> {
+    let step = (high - low) / count as f64;
+    (0..count).map(|k| low + (k as f64 + 0.5) * step).collect()
+}
+
+/// Returns what the information asks of each cell: that at the middles of the cell and its neighbours.
+fn cells(fields: &DepthFields, arrangement: &Arrangement, noise: &Noise) -> Vec<Cell> {
+    let ends = fields.depths.ends();
+    let widths = [
+        360.0 / ANGLE_CELLS as f64,
+        (ends[1] - ends[0]) / DEPTH_CELLS as f64,
+    ];
+    let loads: Vec<LoadField> = middles(ends, DEPTH_CELLS)
+        .iter()
+        .map(|depth| fields.at(*depth))
+        .collect();
+    let mut found = Vec::with_capacity(ANGLE_CELLS * DEPTH_CELLS);
+    for contact in middles([0.0, 360.0], ANGLE_CELLS) {
+        found.extend(loads.iter().map(|load| {
+            let information = information(load, arrangement, noise, contact);
+            [0, 1].map(|k| widths[k] * information.entry(k, k).sqrt())
+        }));
+    }
+    let largest = |cell: usize| {
+        let (angle, depth) = (cell / DEPTH_CELLS, cell % DEPTH_CELLS);
+        let angles = [ANGLE_CELLS - 1, 0, 1].map(|by| (angle + by) % ANGLE_CELLS);
+        let depths = depth.saturating_sub(1)..=(depth + 1).min(DEPTH_CELLS - 1);
+        let near = angles
+            .into_iter()
+            .flat_map(|angle| depths.clone().map(move |depth| angle * DEPTH_CELLS + depth));
+        near.fold([0.0f64; 2], |largest, cell| {
+            [0, 1].map(|k| largest[k].max(found[cell][k]))
+        })
+    };
+    let cell = |cell: usize| {
+        let deviations = largest(cell);
+        Cell {
+            parts: deviations.map(parts_of),
+            slack: deviations.map(|d| d * d / 8.0),
+        }
+    };
+    (0..found.len()).map(cell).collect()
+}
+
+/// Parts of a cell that is so many standard deviations wide.
+fn parts_of(deviations: f64) -> usize {
+    let mut parts = 1;
+    while STEP * (parts as f64) < deviations && parts < MOST_PARTS {
+        parts *= 3;
+    }
+    parts
+}

@@ -1,0 +1,98 @@
+//! Likelihood of readings, whatever the layout: ln p as sums of products of a function of the depth and one of the angle.
+
+use crate::field::film_field::{DepthFields, KindField, LoadField, Noise};
+use crate::field::separated::Separated;
+use crate::simulate::posterior_grid::{DEPTH_CELLS, MOST_PARTS, middles};
+
+/// Share of the largest field that separation may leave out: of a signal 100 times the noise it changes ln p by some hundredths.
+const TOLERANCE: f64 = 3e-6;
+
+/// The likelihood of readings of some kinds of film, whatever their layout.
+pub struct Likelihood {
+    fields: DepthFields,
+    noise: Noise,
+    /// Middles of the finest parts of the depth cells, mm.
+    pub(super) depths_mm: Vec<f64>,
+    /// Factors of the products by part of a depth, those of readings first, then those of squared readings.
+    pub(super) coefficients: Vec<Vec<f64>>,
+    pub(super) parts: Parts,
+}
+
+/// The three parts of ln p as separated fields; that of squared readings is left out where the noise is the same everywhere.
+pub(super) struct Parts {
+    pub linear: Separated,
+    pub quadratic: Option<Separated>,
+    pub constant: Separated,
+}
+
+impl Likelihood {
+    /// Prepares films of these fields; depths are flat between the ends of the solved ones.
+    pub fn new(fields: DepthFields, noise: Noise) -> Self {
+        let depths_mm = middles(fields.depths.ends(), DEPTH_CELLS * MOST_PARTS);
+        let parts = separate(&fields, &depths_mm, &noise);
+        Self {
+            fields,
+            noise,
+            coefficients: joined(&parts),
+            parts,
+            depths_mm,
+        }
+    }
+
+    /// The fields.
+    pub fn fields(&self) -> &DepthFields {
+        &self.fields
+    }
+
+    /// The fields at a depth, mm.
+    pub fn field(&self, depth_mm: f64) -> LoadField {
+        self.fields.at(depth_mm)
+    }
+
+    /// Errors of readings.
+    pub fn noise(&self) -> &Noise {
+        &self.noise
+    }
+}
+
+/// 1 / S, h / S and h^2 / S + ln S of every kind at every depth.
+fn separate(fields: &DepthFields, depths_mm: &[f64], noise: &Noise) -> Parts {
+    let loads: Vec<LoadField> = depths_mm.iter().map(|depth| fields.at(*depth)).collect();
+    let over = |part: &dyn Fn(f64, f64) -> f64| -> Separated {
+        let kind = |kind: &KindField| -> Vec<f64> {
+            let angles = (-180..180).map(f64::from).zip(kind.signal.samples());
+            angles
+                .map(|(u, signal)| part(*signal, noise.variance(*signal, kind.signal.slope(u))))
+                .collect()
+        };
+        let fields: Vec<Vec<Vec<f64>>> = loads
+            .iter()
+            .map(|load| load.kinds.iter().map(kind).collect())
+            .collect();
+        Separated::of(&fields, TOLERANCE)
+    };
+    Parts {
+        linear: over(&|signal, variance| signal / variance),
+        quadratic: (!noise.is_plain()).then(|| over(&|_, variance| 1.0 / variance)),
+        constant: over(&|signal, variance| {
+            signal * signal / variance + (variance / (noise.floor * noise.floor)).ln()
+        }),
+    }
+}
+
+/// The factors of all products by depth.
+fn joined(parts: &Parts) -> Vec<Vec<f64>> {
+    let all = |depth: usize| {
+        let quadratic = parts
+            .quadratic
+            .iter()
+            .flat_map(|field| &field.coefficients[depth]);
+        let linear = parts.linear.coefficients[depth].iter();
+        linear
+            .chain(quadratic)
+            .chain(&parts.constant.coefficients[depth])
+            .copied()
+            .collect()
+    };
+    (0..parts.linear.coefficients.len()).map(all).collect()
+}

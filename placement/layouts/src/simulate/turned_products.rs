@@ -1,0 +1,111 @@
+//! Products of ln p at a layout's films, by the angle of the contact.
+
+use std::cell::OnceCell;
+
+use crate::arrangement::Arrangement;
+use crate::field::separated::Separated;
+use crate::simulate::reading_likelihood::Likelihood;
+
+/// Products' functions at an angle.
+pub(super) struct Functions {
+    /// Functions with readings at each film, product after product.
+    pub linear: Vec<f64>,
+    /// Functions with squared readings; empty where the noise is the same everywhere.
+    pub quadratic: Vec<f64>,
+    /// Functions without readings, summed over the films.
+    pub constant: Vec<f64>,
+}
+
+/// Products' functions of a layout at angles around the wheel, made where they are asked for.
+pub(super) struct TurnedProducts<'l> {
+    pub likelihood: &'l Likelihood,
+    arrangement: Arrangement,
+    /// Functions by part of a turn.
+    functions: Vec<OnceCell<Functions>>,
+}
+
+impl<'l> TurnedProducts<'l> {
+    /// Prepares the functions of a layout at the middles of so many parts of a turn.
+    pub fn new(likelihood: &'l Likelihood, arrangement: &Arrangement, angles: usize) -> Self {
+        Self {
+            likelihood,
+            arrangement: arrangement.clone(),
+            functions: (0..angles).map(|_| OnceCell::new()).collect(),
+        }
+    }
+
+    /// Number of films.
+    pub fn films(&self) -> usize {
+        self.arrangement.films.len()
+    }
+
+    /// The middle of a part of a turn, degrees.
+    pub fn angle_deg(&self, angle: usize) -> f64 {
+        (angle as f64 + 0.5) * 360.0 / self.functions.len() as f64
+    }
+
+    /// The functions at a part of a turn.
+    pub fn at(&self, angle: usize) -> &Functions {
+        self.functions[angle].get_or_init(|| {
+            let parts = &self.likelihood.parts;
+            let films = |field| at_films(field, &self.arrangement, self.angle_deg(angle));
+            let constant = films(&parts.constant);
+            let of_films = constant.chunks_exact(self.films());
+            Functions {
+                linear: films(&parts.linear),
+                quadratic: parts.quadratic.as_ref().map(films).unwrap_or_default(),
+                constant: of_films.map(|films| films.iter().sum()).collect(),
+            }
+        })
+    }
+
+    /// The products' functions at a part of a turn, after these readings and their squares.
+    pub fn after(&self, angle: usize, readings: &[f64], squares: &[f64]) -> Vec<f64> {
+        let Functions {
+            linear,
+            quadratic,
+            constant,
+        } = self.at(angle);
+        let linear = linear.chunks_exact(self.films());
+        let quadratic = quadratic.chunks_exact(self.films());
+        let of_readings = linear.map(|films| dot(films, readings));
+        let of_squares = quadratic.map(|films| -0.5 * dot(films, squares));
+        let constant = constant.iter().map(|sum| -0.5 * sum);
+        of_readings.chain(of_squares).chain(constant).collect()
+    }
+
+    /// The sum of products, at a part of a depth.
+    pub fn log(&self, products: &[f64], depth: usize) -> f64 {
+        dot(&self.likelihood.coefficients[depth], products)
+    }
+
+    /// The part of ln p without readings, at parts of a turn and of a depth.
+    pub fn constant(&self, [angle, depth]: [usize; 2]) -> f64 {
+        let sums = &self.at(angle).constant;
+        let coefficients = &self.likelihood.coefficients[depth];
+        -0.5 * dot(&coefficients[coefficients.len() - sums.len()..], sums)
+    }
+}
+
+/// Returns each product's function at each film with the contact at an angle.
+fn at_films(field: &Separated, arrangement: &Arrangement, angle_deg: f64) -> Vec<f64> {
+    let product = |r: usize| {
+        let films = arrangement.films.iter();
+        films.map(move |film| field.functions[film.kind][r].at(film.theta_deg - angle_deg))
+    };
+    (0..field.rank()).flat_map(product).collect()
+}
+
+/// Four sums side by side: one alone would wait for each addition.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 4];
+    let (fours_a, fours_b) = (a.chunks_exact(4), b.chunks_exact(4));
+    let rest = fours_a.remainder().iter().zip(fours_b.remainder());
+    let rest: f64 = rest.map(|(a, b)| a * b).sum();
+    for (a, b) in fours_a.zip(fours_b) {
+        for k in 0..4 {
+            sums[k] += a[k] * b[k];
+        }
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+}
