@@ -600,7 +600,7 @@ export interface components {
          * @description Format of a file.
          * @enum {string}
          */
-        FileFormat: "csv" | "json" | "parquet" | "vtu" | "glb";
+        FileFormat: "csv" | "json" | "parquet" | "vtu" | "glb" | "svg";
         /** @description Glued films solved with the tire around the wheel, in a table on undragged ground; errors are over the largest signal of their kind. */
         FilmAnglesReport: {
             /** @description Mesh level of the tire with a film. */
@@ -1732,6 +1732,11 @@ export interface components {
              * @description Angle between neighbouring units, degrees; null of a layout without units.
              */
             spacing_deg?: number | null;
+            /**
+             * Format: double
+             * @description Angle of the first unit from the mark, degrees, where no film may lie there; absent of 0.
+             */
+            turn_deg?: number | null;
             /** @description Number of units; of a layout without units its number of films. */
             units: number;
             /** @description Meridional position: a name, an angle such as `30 deg`, or `mixed`. */
@@ -2093,6 +2098,11 @@ export interface components {
             arc_mm: number;
             /**
              * Format: double
+             * @description Arc once around the wheel there, mm.
+             */
+            circle_mm: number;
+            /**
+             * Format: double
              * @description Section angle from the crown, degrees.
              */
             phi_deg: number;
@@ -2101,6 +2111,11 @@ export interface components {
              * @description Arc on the inner surface from the nearer bead, where the wall ends, to the film's middle, mm.
              */
             from_bead_mm: number;
+            /**
+             * Format: double
+             * @description Arc from the crown to the film's middle, negative on the side of negative section angles, mm.
+             */
+            from_crown_mm: number;
             /** @description Direction of its length: `x`, `y`, or an angle such as `45`. */
             direction: string;
             /**
@@ -3624,6 +3639,15 @@ export interface components {
             free?: components["schemas"]["FreeLayoutDocument"][];
             /** @description Layouts to search for. */
             search?: components["schemas"]["LayoutSearchDocument"];
+            /** @description Films that are glued on already: part of every layout of the menu, of rings and of a search, and counted. A ring is turned until most of its films keep clear of them and of `forbidden_deg`, and goes without the others. */
+            taken?: components["schemas"]["FilmPlaceDocument"][];
+            /** @description Sectors of the wheel where no film lies, as a valve's or a seam's: from one angle to another in the rolling direction, degrees. */
+            forbidden_deg?: number[][];
+            /**
+             * @description Least distance between the middles of two films on the inner surface, mm.
+             * @default 0
+             */
+            least_distance_mm: number;
             /**
              * @description Model of the films: `bare`, or `transfer`: glued on with their stiffness, by the transfer of two coupled solves, and read in volts.
              * @default bare
@@ -3722,7 +3746,7 @@ export interface components {
              *     ]
              */
             directions: (("x" | "y") | number)[];
-            /** @description Films that are glued on already: part of every layout, and counted in `films`. */
+            /** @description Films that are glued on already, besides those that are `taken` for all layouts: part of every layout, and counted in `films`. */
             fixed?: components["schemas"]["FilmPlaceDocument"][];
             /** @description Sectors of the wheel where no film lies, as a valve's or a seam's: from one angle to another in the rolling direction, degrees. */
             forbidden_deg?: number[][];
@@ -5013,6 +5037,7 @@ export const LAYOUTS_COLUMNS = {
   shear_force_z_error_n: {"at":"/layout/score/shear/worst_force_error_n/2","kind":"float","unit":"N","title":"force up","digits":2,"error_at":"/layout/score/shear/error/worst_force_error_n/2","view":"shear","description":"Bounds of the ground's forces on the tire along the wheel, across it (null where no film feels it) and up, worst angle, N."},
   shear_reason: {"at":"/layout/score/shear/reason","kind":"text","title":"shear reason","digits":2,"description":"Quantity that can't be told, in words."},
   dead_p95_angle_error_deg: {"at":"/layout/score/dead/simulated_p95_angle_error_deg","kind":"float","unit":"deg","title":"angle, 95 %, one dead","digits":2,"view":"dead","description":"Simulated 95th percentile of the angle's error without it, degrees."},
+  turn_deg: {"at":"/layout/turn_deg","kind":"float","unit":"deg","title":"turn deg","digits":2,"description":"Angle of the first unit from the mark, degrees, where no film may lie there; absent of 0."},
 } as const;
 
 /** Columns of trade. */
@@ -5035,6 +5060,7 @@ export const FILMS_COLUMNS = {
   arc_mm: {"at":"/film/arc_mm","kind":"float","unit":"mm","title":"arc from the mark","digits":1,"description":"Arc on the inner surface from the mark to the film's middle, around the wheel at its section angle, mm."},
   phi_deg: {"at":"/film/phi_deg","kind":"float","unit":"deg","title":"section","digits":1,"description":"Section angle from the crown, degrees."},
   from_bead_mm: {"at":"/film/from_bead_mm","kind":"float","unit":"mm","title":"from the bead","digits":1,"description":"Arc on the inner surface from the nearer bead, where the wall ends, to the film's middle, mm."},
+  from_crown_mm: {"at":"/film/from_crown_mm","kind":"float","unit":"mm","title":"from crown mm","digits":2,"description":"Arc from the crown to the film's middle, negative on the side of negative section angles, mm."},
   direction: {"at":"/film/direction","kind":"text","title":"direction","digits":2,"description":"Direction of its length: `x`, `y`, or an angle such as `45`."},
   length_mm: {"at":"/film/length_mm","kind":"float","unit":"mm","title":"length","digits":1,"description":"Length of the film, mm; null of a point."},
   width_mm: {"at":"/film/width_mm","kind":"float","unit":"mm","title":"width","digits":1,"description":"Width of the film, mm; null of a point."},

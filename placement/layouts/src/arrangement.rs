@@ -121,6 +121,14 @@ impl Arrangement {
         }
     }
 
+    /// Turns it from the mark, degrees.
+    pub fn turned(mut self, turn_deg: f64) -> Self {
+        for film in &mut self.films {
+            film.theta_deg += turn_deg;
+        }
+        self
+    }
+
     /// Films at any places.
     pub fn free(films: Vec<LaidFilm>) -> Self {
         Self {

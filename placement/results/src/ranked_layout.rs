@@ -18,6 +18,9 @@ pub struct RankedLayout {
     pub name: Option<String>,
     /// Angle between neighbouring units, degrees; null of a layout without units.
     pub spacing_deg: Option<f64>,
+    /// Angle of the first unit from the mark, degrees, where no film may lie there; absent of 0.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub turn_deg: Option<f64>,
     /// Number of units; of a layout without units its number of films.
     pub units: usize,
     /// Meridional position: a name, an angle such as `30 deg`, or `mixed`.

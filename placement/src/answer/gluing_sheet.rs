@@ -15,15 +15,20 @@ pub(super) fn sheet(
 ) -> Vec<SheetFilm> {
     let room = FilmRoom::on(geometry, size_mm, 0.0);
     let mut places = places(layout).unwrap_or_default();
+    for place in &mut places {
+        place.theta_deg = place.theta_deg.rem_euclid(360.0);
+    }
     places.sort_by(|a, b| a.theta_deg.total_cmp(&b.theta_deg));
     let film = |(k, place): (usize, &FilmPlace)| {
-        let [arc_mm, from_bead_mm] = room.from_marks_mm(place);
+        let marks = room.marks(place);
         SheetFilm {
             number: k + 1,
             theta_deg: place.theta_deg,
-            arc_mm,
+            arc_mm: marks.arc_mm,
+            circle_mm: marks.circle_mm,
             phi_deg: place.phi_deg,
-            from_bead_mm,
+            from_bead_mm: marks.from_bead_mm,
+            from_crown_mm: marks.from_crown_mm,
             direction: direction_name(place.angle_deg),
             length_mm: size_mm.map(|size| size[0]),
             width_mm: size_mm.map(|size| size[1]),
@@ -45,7 +50,11 @@ fn places(layout: &RankedLayout) -> Option<Vec<FilmPlace>> {
         staggered: layout.staggered,
         of_menu: false,
     };
-    Some(ring.places(layout.units))
+    let mut places = ring.places(layout.units);
+    for place in &mut places {
+        place.theta_deg += layout.turn_deg.unwrap_or_default();
+    }
+    Some(places)
 }
 
 #[cfg(test)]
@@ -80,6 +89,8 @@ mod tests {
                 assert!((film.arc_mm - film.theta_deg.to_radians() * radius).abs() < 1e-9);
                 assert!((film.from_bead_mm - 9.5 * (120.0 - phi).to_radians()).abs() < 1e-9);
                 assert_eq!((film.length_mm, film.width_mm), (Some(10.0), Some(5.0)));
+                assert!((film.circle_mm - 360f64.to_radians() * radius).abs() < 1e-9);
+                assert!((film.from_crown_mm - 9.5 * phi.to_radians()).abs() < 1e-9);
             }
             assert_eq!([&*films[0].direction, &*films[1].direction], ["x", "y"]);
         };
@@ -89,10 +100,20 @@ mod tests {
     }
 
     #[test]
+    fn a_ring_that_is_turned_starts_off_the_mark() {
+        let turned = RankedLayout {
+            turn_deg: Some(8.75),
+            ..ring("crown", true)
+        };
+        let films = sheet(&turned, &Geometry::default(), None);
+        assert_eq!((films[0].theta_deg, films[11].theta_deg), (8.75, 338.75));
+    }
+
+    #[test]
     fn films_on_the_other_side_are_told_from_the_nearer_bead() {
         let layout = RankedLayout {
             places: vec![FilmPlace {
-                theta_deg: 350.0,
+                theta_deg: -10.0,
                 phi_deg: -45.0,
                 angle_deg: 30.0,
             }],
@@ -100,6 +121,10 @@ mod tests {
         };
         let films = sheet(&layout, &Geometry::default(), None);
         assert!((films[0].from_bead_mm - 9.5 * 75f64.to_radians()).abs() < 1e-9);
+        assert!(
+            (films[0].arc_mm - 350f64.to_radians() * (37.5 + 9.5 * 0.5f64.sqrt())).abs() < 1e-9
+        );
+        assert!((films[0].from_crown_mm + 9.5 * 45f64.to_radians()).abs() < 1e-9);
         assert_eq!((films[0].length_mm, &*films[0].direction), (None, "30"));
     }
 }

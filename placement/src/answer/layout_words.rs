@@ -12,7 +12,13 @@ pub(super) fn words(layout: &RankedLayout) -> String {
 pub(super) fn laid(layout: &RankedLayout) -> String {
     let place = format!("along {} {}", directions(layout), place(layout));
     match (layout.spacing_deg, &layout.name) {
-        (Some(spacing), _) => format!("{place}, {}", every(layout, spacing)),
+        (Some(spacing), _) => match layout.turn_deg {
+            None => format!("{place}, {}", every(layout, spacing)),
+            Some(turn) => format!(
+                "{place}, {}, the first at {turn:.1} degrees",
+                every(layout, spacing)
+            ),
+        },
         (None, Some(name)) => format!("{place} ({name:?})"),
         (None, None) => place,
     }

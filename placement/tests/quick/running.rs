@@ -4,6 +4,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use documents::layouts::gluing_limits::GluingLimits;
 use documents::layouts::layout_settings::{Layouts, SearchSettings};
 use documents::study::plan::Plan;
 use fem_client::closed_form::ClosedFormSolver;
@@ -48,9 +49,7 @@ fn layouts_are_scored_and_searched_alike_on_any_number_of_threads() {
             slots: 9,
             section_deg: vec![0.0],
             directions: vec![0.0, 90.0],
-            fixed: Vec::new(),
-            forbidden_deg: Vec::new(),
-            least_distance_mm: 0.0,
+            limits: GluingLimits::default(),
         }),
         ..Layouts::none()
     };
@@ -287,4 +286,30 @@ fn a_missing_start_state_is_an_error_that_names_the_entry() {
     let key = archive.starts.lock().unwrap().drain().next().unwrap().0;
     let result = observed(&study, &ClosedFormSolver::new(), &archive, 1).0;
     assert_eq!(result, Err(RunError::StartMissing { key }));
+}
+
+#[test]
+fn films_without_room_are_no_layout_and_the_others_keep_off_the_valve() {
+    let mut study = shipped("foot-tire");
+    study.level = Level::Draft;
+    // At the sidewall, 90 degrees, films end a wall off the bead: 11.9 degrees on, and half of 5 mm is 15.1.
+    study.layouts = Layouts {
+        films: vec![6],
+        size_mm: Some([10.0, 5.0]),
+        limits: GluingLimits {
+            forbidden_deg: vec![[350.0, 10.0]],
+            ..GluingLimits::default()
+        },
+        ..Layouts::default()
+    };
+    let solver = ClosedFormSolver::new();
+    let (result, _) = observed(&study, &solver, &MemoryArchive::default(), 1);
+    let result = result.unwrap();
+    let findings = result.layout_findings.expect("layouts");
+    assert_eq!(findings.menu.without_room, 4);
+    let films = result.answer.expect("an answer").films;
+    assert_eq!(films.len(), 6);
+    // Half of a film's 5 or 10 mm is 3 or 6.1 degrees of the crown.
+    let apart = |theta: f64| (theta + 180.0).rem_euclid(360.0) - 180.0;
+    assert!(films.iter().all(|film| apart(film.theta_deg).abs() > 13.0));
 }

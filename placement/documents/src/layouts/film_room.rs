@@ -11,6 +11,19 @@ use crate::parts::film_place::FilmPlace;
 /// Films that are nearer touch, mm: rounding of angles and radii.
 const TOUCHING_MM: f64 = 1e-9;
 
+/// Distances of a film's middle on the inner surface, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FilmMarks {
+    /// Arc around the wheel from the mark at 0 degrees.
+    pub arc_mm: f64,
+    /// Arc once around the wheel.
+    pub circle_mm: f64,
+    /// Arc along the section from the nearer bead.
+    pub from_bead_mm: f64,
+    /// Arc along the section from the crown, negative on the other side.
+    pub from_crown_mm: f64,
+}
+
 /// Room that films need.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilmRoom {
@@ -35,6 +48,9 @@ impl FilmRoom {
     pub fn has_both(&self, one: &FilmPlace, other: &FilmPlace) -> bool {
         let apart = self.between_mm(one, other);
         let distance = apart[0].hypot(apart[1]);
+        if self.is_of_points() {
+            return true;
+        }
         if distance < TOUCHING_MM {
             let turned = (one.angle_deg - other.angle_deg).rem_euclid(180.0);
             return self.least_distance_mm == 0.0 && turned != 0.0;
@@ -44,6 +60,23 @@ impl FilmRoom {
             && self
                 .size_mm
                 .is_none_or(|size| is_clear(size, apart, [one.angle_deg, other.angle_deg]))
+    }
+
+    /// Films that need no room: points that may lie anywhere.
+    fn is_of_points(&self) -> bool {
+        self.size_mm.is_none() && self.least_distance_mm == 0.0
+    }
+
+    /// Room in words: `films of 10 x 5 mm, 20 mm from middle to middle,`.
+    pub(crate) fn needs(&self) -> String {
+        let least = self.least_distance_mm;
+        match self.size_mm {
+            Some([length, width]) if least == 0.0 => format!("films of {length} x {width} mm"),
+            Some([length, width]) => {
+                format!("films of {length} x {width} mm, {least} mm from middle to middle,")
+            }
+            None => format!("films {least} mm from middle to middle"),
+        }
     }
 
     /// Two films that can't both be glued on; `None` where all can.
@@ -66,15 +99,17 @@ impl FilmRoom {
         })
     }
 
-    /// Distances to a film's middle on the inner surface: around the wheel from the mark at 0 degrees, and along the section from the nearer bead, mm.
-    pub fn from_marks_mm(&self, film: &FilmPlace) -> [f64; 2] {
+    /// Distances of a film's middle on the inner surface.
+    pub fn marks(&self, film: &FilmPlace) -> FilmMarks {
         let radii = inner_radii_mm(&self.geometry);
         let wheel = wheel_radius_mm(radii, film.phi_deg.to_radians());
         let off_bead = self.geometry.bead_angle_deg - film.phi_deg.abs();
-        [
-            wheel * film.theta_deg.to_radians(),
-            radii[1] * off_bead.to_radians(),
-        ]
+        FilmMarks {
+            arc_mm: wheel * film.theta_deg.to_radians(),
+            circle_mm: wheel * std::f64::consts::TAU,
+            from_bead_mm: radii[1] * off_bead.to_radians(),
+            from_crown_mm: radii[1] * film.phi_deg.to_radians(),
+        }
     }
 
     /// Distances from one film's middle to another's around the wheel and along the section, mm.

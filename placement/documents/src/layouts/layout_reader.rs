@@ -20,8 +20,9 @@ use crate::layouts::layout_bounds::{
 use crate::layouts::layout_settings::{
     FreeLayout, LayoutLoads, Layouts, NoiseFloor, NoiseSettings,
 };
+use crate::layouts::limits_reader::gluing_limits;
 use crate::layouts::overlap_check::check_overlaps;
-use crate::layouts::search_reader::search;
+use crate::layouts::search_reader::{check_places, search};
 use crate::parts::directions::Directions;
 use crate::parts::scene_number::of_scene;
 use document::typed::field_value::read_name;
@@ -49,6 +50,9 @@ pub(crate) fn layouts(
         "directions",
         "staggered",
         "free",
+        "taken",
+        "forbidden_deg",
+        "least_distance_mm",
         "film",
         "size_mm",
         "candidate_sizes_mm",
@@ -151,7 +155,9 @@ pub(crate) fn layouts(
     if has("level") {
         layouts.level = fields.choice("level", Level::CHOICES, Level::Coarse, faults);
     }
+    layouts.limits = gluing_limits(&fields, "taken", scene, faults);
     layouts.search = search(&fields, scene, faults);
+    check_places(&layouts, &fields, faults);
     check_count(&layouts, directions, &pointer, faults);
     read_films(&fields, &mut layouts, film, faults);
     if let Some(scene) = scene.filter(|_| faults.len() == before) {

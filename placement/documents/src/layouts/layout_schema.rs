@@ -23,6 +23,8 @@ pub(crate) fn layouts_schema(schemas: &mut Schemas) -> Value {
     schemas.define("Layouts", |schemas| {
         let mut layouts = Properties::default();
         describe_which(&mut layouts, schemas);
+        let doc = "Films that are glued on already: part of every layout of the menu, of rings and of a search, and counted. A ring is turned until most of its films keep clear of them and of `forbidden_deg`, and goes without the others.";
+        describe_limits(&mut layouts, ("taken", doc), schemas);
         describe_films(&mut layouts, schemas);
         describe_judgement(&mut layouts, schemas);
         layouts.table("Layouts to score.")
@@ -152,6 +154,22 @@ fn free_layout(schemas: &mut Schemas) -> Value {
     })
 }
 
+/// Describes limits to where films can be glued; those that are glued on already have this name and description.
+fn describe_limits(table: &mut Properties, (taken, doc): (&str, &str), schemas: &mut Schemas) {
+    let place = film_place(schemas);
+    let films =
+        json!({"type": "array", "maxItems": MOST_ENTRIES, "uniqueItems": true, "items": place});
+    table.add(taken, doc, films, None, false);
+    let sector = <[f64; 2]>::schema(&Each::of("", ANGLE), schemas);
+    let sectors =
+        json!({"type": "array", "maxItems": MOST_ENTRIES, "uniqueItems": true, "items": sector});
+    let doc = "Sectors of the wheel where no film lies, as a valve's or a seam's: from one angle to another in the rolling direction, degrees.";
+    table.add("forbidden_deg", doc, sectors, None, false);
+    let doc = "Least distance between the middles of two films on the inner surface, mm.";
+    let least = DISTANCE.schema();
+    table.add("least_distance_mm", doc, least, Some(0.0.into()), false);
+}
+
 fn search(schemas: &mut Schemas) -> Value {
     schemas.define("LayoutSearch", |schemas| {
         let mut search = Properties::default();
@@ -167,16 +185,8 @@ fn search(schemas: &mut Schemas) -> Value {
         let directions = json!({"type": "array", "minItems": 1, "maxItems": MOST_ENTRIES, "uniqueItems": true, "items": direction()});
         let doc = "Directions of the films.";
         search.add("directions", doc, directions, Some(json!(["x", "y"])), false);
-        let place = film_place(schemas);
-        let fixed = json!({"type": "array", "maxItems": MOST_ENTRIES, "uniqueItems": true, "items": place});
-        let doc = "Films that are glued on already: part of every layout, and counted in `films`.";
-        search.add("fixed", doc, fixed, None, false);
-        let sector = <[f64; 2]>::schema(&Each::of("", ANGLE), schemas);
-        let sectors = json!({"type": "array", "maxItems": MOST_ENTRIES, "uniqueItems": true, "items": sector});
-        let doc = "Sectors of the wheel where no film lies, as a valve's or a seam's: from one angle to another in the rolling direction, degrees.";
-        search.add("forbidden_deg", doc, sectors, None, false);
-        let doc = "Least distance between the middles of two films on the inner surface, mm.";
-        search.add("least_distance_mm", doc, DISTANCE.schema(), Some(0.0.into()), false);
+        let doc = "Films that are glued on already, besides those that are `taken` for all layouts: part of every layout, and counted in `films`.";
+        describe_limits(&mut search, ("fixed", doc), schemas);
         search.table("The best of all layouts of so many films. Films that overlap, by their `size_mm`, are none.")
     })
 }

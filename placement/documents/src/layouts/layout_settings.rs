@@ -5,6 +5,8 @@ use fem_client::solver::Position;
 use fem_client::solver::direction::Direction;
 use serde_json::{Map, Value, json};
 
+use crate::layouts::film_room::FilmRoom;
+use crate::layouts::gluing_limits::GluingLimits;
 use crate::parts::directions::Directions;
 use crate::parts::film_model::FilmModel;
 use crate::parts::film_place::FilmPlace;
@@ -37,6 +39,8 @@ pub struct Layouts {
     pub staggered: bool,
     /// Layouts film by film.
     pub free: Vec<FreeLayout>,
+    /// Limits to where films can be glued.
+    pub limits: GluingLimits,
     /// Length and width of all films, mm; none: they are points.
     pub size_mm: Option<[f64; 2]>,
     /// Further lengths and widths of the candidates, mm.
@@ -121,33 +125,23 @@ pub struct SearchSettings {
     pub section_deg: Vec<f64>,
     /// Directions, degrees to the circumference.
     pub directions: Vec<f64>,
-    /// Films that are glued on already: part of every layout, and counted.
-    pub fixed: Vec<FilmPlace>,
-    /// Sectors of the wheel where no film lies, each from one angle to another in the rolling direction, degrees.
-    pub forbidden_deg: Vec<[f64; 2]>,
-    /// Least distance between the middles of two films on the inner surface, mm.
-    pub least_distance_mm: f64,
+    /// Limits to where films can be glued, besides those of all layouts.
+    pub limits: GluingLimits,
 }
 
 impl SearchSettings {
     /// The table as in a document, every default filled in that this search uses.
     fn to_value(&self) -> Value {
         let mut table = Map::new();
-        let mut put = |name: &str, value: Value| table.insert(name.to_owned(), value);
+        let mut put = |name: &str, value: Value| {
+            table.insert(name.to_owned(), value);
+        };
         put("films", json!(self.films));
         put("slots", self.slots.into());
         put("section_deg", json!(self.section_deg));
         let directions = self.directions.iter().map(|angle| direction_value(*angle));
         put("directions", directions.collect());
-        if !self.fixed.is_empty() {
-            put("fixed", json!(self.fixed));
-        }
-        if !self.forbidden_deg.is_empty() {
-            put("forbidden_deg", json!(self.forbidden_deg));
-        }
-        if self.least_distance_mm > 0.0 {
-            put("least_distance_mm", self.least_distance_mm.into());
-        }
+        self.limits.write("fixed", &mut put);
         Value::Object(table)
     }
 }
@@ -163,6 +157,7 @@ impl Default for Layouts {
             directions: Vec::new(),
             staggered: false,
             free: Vec::new(),
+            limits: GluingLimits::default(),
             size_mm: None,
             candidate_sizes_mm: Vec::new(),
             glued: None,
@@ -191,6 +186,19 @@ impl Layouts {
         let is_counted = !self.films.is_empty() || !self.unit_counts().is_empty();
         let regular = is_counted && !self.sections_deg().is_empty();
         regular || !self.free.is_empty() || self.search.is_some()
+    }
+
+    /// Limits of the search: its own, and those of all layouts.
+    pub fn search_limits(&self) -> GluingLimits {
+        match &self.search {
+            Some(search) => self.limits.with(&search.limits),
+            None => self.limits.clone(),
+        }
+    }
+
+    /// Room that its films need on a tire.
+    pub fn room(&self, geometry: &Geometry) -> FilmRoom {
+        FilmRoom::on(geometry, self.size_mm, self.limits.least_distance_mm)
     }
 
     /// Numbers of units, in the order of the document, each once.
@@ -242,7 +250,9 @@ impl Layouts {
     /// The table as in a document, every default filled in that this study uses.
     pub fn to_value(&self) -> Value {
         let mut table = Map::new();
-        let mut put = |name: &str, value: Value| table.insert(name.to_owned(), value);
+        let mut put = |name: &str, value: Value| {
+            table.insert(name.to_owned(), value);
+        };
         if !self.films.is_empty() {
             put("films", json!(self.films));
         }
@@ -272,6 +282,7 @@ impl Layouts {
                 .map(|layout| json!({"name": layout.name, "films": layout.films}));
             put("free", free.collect());
         }
+        self.limits.write("taken", &mut put);
         if self.glued.is_some() {
             put("film", FilmModel::Transfer.as_str().into());
         }
@@ -282,12 +293,12 @@ impl Layouts {
             put("candidate_sizes_mm", json!(self.candidate_sizes_mm));
         }
         match &self.loads {
-            LayoutLoads::Mean => None,
+            LayoutLoads::Mean => {}
             LayoutLoads::Depths(depths) => put("depths_mm", json!(depths)),
             LayoutLoads::Forces(loads) => put("loads_n", json!(loads)),
         };
         match self.noise.floor {
-            NoiseFloor::Share(NOISE_SHARE) => None,
+            NoiseFloor::Share(NOISE_SHARE) => {}
             NoiseFloor::Share(share) => put("noise_share", share.into()),
             NoiseFloor::Strain(strain) => put("noise_strain", strain.into()),
             NoiseFloor::Volts(volts) => put("noise_v", volts.into()),

@@ -4,17 +4,16 @@
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use document::fault::{Fault, entry, member};
-use document::fields::{Fields, integer, number, shown};
+use document::fields::{Fields, integer};
 use fem_client::scene::Scene;
 use serde_json::Value;
 
-use crate::layouts::film_place_reader::{direction, entries, film, section};
-use crate::layouts::layout_bounds::{
-    ANGLE, DISTANCE, MOST_ENTRIES, MOST_PLACES, MOST_SEARCHED, MOST_SLOTS,
-};
-use crate::layouts::layout_settings::SearchSettings;
+use crate::layouts::film_place_reader::{direction, entries, section};
+use crate::layouts::layout_bounds::{MOST_ENTRIES, MOST_PLACES, MOST_SEARCHED, MOST_SLOTS};
+use crate::layouts::layout_settings::{Layouts, SearchSettings};
+use crate::layouts::limits_reader::gluing_limits;
 
-/// The layouts to search for; `None` where the table asks for none, or has faults.
+/// The layouts to search for, whose numbers of films are checked by [`check_places`]; `None` where the table asks for none, or has faults.
 pub(super) fn search(
     fields: &Fields<'_>,
     scene: Option<&Scene>,
@@ -40,9 +39,7 @@ pub(super) fn search(
         slots: 24,
         section_deg: vec![0.0],
         directions: vec![0.0, 90.0],
-        fixed: Vec::new(),
-        forbidden_deg: Vec::new(),
-        least_distance_mm: fields.number("least_distance_mm", DISTANCE, 0.0, faults)?,
+        limits: gluing_limits(&fields, "fixed", scene, faults),
     };
     fields.required("films", "a list of numbers of films", faults)?;
     entries(
@@ -74,23 +71,6 @@ pub(super) fn search(
         faults,
         direction,
     );
-    let fixed = |value: &Value, at: &str, faults: &mut Vec<Fault>| film(value, at, scene, faults);
-    entries(
-        &fields,
-        "fixed",
-        &mut search.fixed,
-        MOST_ENTRIES,
-        faults,
-        fixed,
-    );
-    entries(
-        &fields,
-        "forbidden_deg",
-        &mut search.forbidden_deg,
-        MOST_ENTRIES,
-        faults,
-        sector,
-    );
     for (name, is_empty) in [
         ("films", search.films.is_empty()),
         ("section_deg", search.section_deg.is_empty()),
@@ -104,8 +84,21 @@ pub(super) fn search(
             );
         }
     }
+    Some(search)
+}
+
+/// Faults where there are too many places to search, or more or fewer than a number of films.
+pub(super) fn check_places(layouts: &Layouts, fields: &Fields<'_>, faults: &mut Vec<Fault>) {
+    let Some((search, pointer)) = layouts
+        .search
+        .as_ref()
+        .zip(fields.get("search").map(|found| found.1))
+    else {
+        return;
+    };
     let free = search.slots * search.section_deg.len() * search.directions.len();
-    let places = free + search.fixed.len();
+    let fixed = layouts.search_limits().taken.len();
+    let places = free + fixed;
     if places > MOST_PLACES {
         let detail = format!(
             "slots times section angles times directions are {places} places; a search tries at most {MOST_PLACES}"
@@ -116,31 +109,15 @@ pub(super) fn search(
         .films
         .iter()
         .enumerate()
-        .find(|(_, films)| **films > places || **films < search.fixed.len())
+        .find(|(_, films)| **films > places || **films < fixed)
     {
         let at = entry(&member(&pointer, "films"), i);
-        let detail = match search.fixed.len() {
+        let detail = match fixed {
             0 => format!("must be at most the {places} places that there are; it is {films}"),
-            fixed => format!(
+            _ => format!(
                 "counts the fixed films, too: it must be from {fixed} to the {places} places that there are; it is {films}"
             ),
         };
         Fault::add(faults, &at, detail);
     }
-    Some(search)
-}
-
-/// A sector of the wheel, from one angle to another in the rolling direction, degrees.
-fn sector(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<[f64; 2]> {
-    let Some([from, to]) = value.as_array().map(Vec::as_slice) else {
-        let detail = format!(
-            "must be two angles in degrees, from and to, as [165, 195]; it is {}",
-            shown(value)
-        );
-        Fault::add(faults, pointer, detail);
-        return None;
-    };
-    let from = number(from, &entry(pointer, 0), ANGLE, faults);
-    let to = number(to, &entry(pointer, 1), ANGLE, faults);
-    Some([from?, to?])
 }

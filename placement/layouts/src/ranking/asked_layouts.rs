@@ -7,9 +7,11 @@ use crate::search::search_films::{Conflicts, SearchFilms};
 use documents::layouts::film_extent::FilmExtent;
 use documents::layouts::film_rings::Ring;
 use documents::layouts::film_room::FilmRoom;
+use documents::layouts::gluing_limits::GluingLimits;
 use documents::layouts::layout_settings::{
     FreeLayout, Layouts, SearchSettings, direction_name, farthest_section_deg, section_name,
 };
+use documents::layouts::ring_turns::GluedRing;
 use documents::parts::directions::Directions;
 use documents::parts::film_place::FilmPlace;
 use results::RankedLayout;
@@ -68,6 +70,12 @@ impl Kinds {
         self.number(kind)
     }
 
+    /// The number of the layouts' kind of film there, where a layout has one.
+    pub fn known(&self, phi_deg: f64, angle_deg: f64) -> Option<usize> {
+        let kind = self.of_size(self.size_mm, phi_deg, angle_deg);
+        self.all.iter().position(|known| *known == kind)
+    }
+
     /// Whether a kind is one of the layouts' own films: of their size.
     pub fn is_laid(&self, kind: usize) -> bool {
         let FilmKind {
@@ -95,16 +103,21 @@ impl Kinds {
     }
 
     /// Whether a ring's films fit in the section and beside each other.
-    fn have_room(&self, ring: &Ring) -> bool {
-        let Some(size_mm) = self.size_mm else {
-            return true;
-        };
+    fn have_room(&self, ring: &Ring, room: &FilmRoom) -> bool {
         let farthest = farthest_section_deg(&self.geometry);
-        let extent = |angle| FilmExtent::on(&self.geometry, size_mm, ring.section_deg, angle);
-        let room = FilmRoom::on(&self.geometry, self.size_mm, 0.0);
-        let mut directions = ring.directions.iter();
-        directions.all(|angle| extent(*angle).fits(farthest))
-            && room.crowded(&ring.places(2)).is_none()
+        let fits = |size, angle| {
+            FilmExtent::on(&self.geometry, size, ring.section_deg, angle).fits(farthest)
+        };
+        let fit = |angle: &f64| self.size_mm.is_none_or(|size| fits(size, *angle));
+        ring.directions.iter().all(fit) && room.crowded(&ring.places(2)).is_none()
+    }
+
+    /// The film at a place, whose kind is added where it is new.
+    fn film(&mut self, place: &FilmPlace) -> LaidFilm {
+        LaidFilm {
+            theta_deg: place.theta_deg,
+            kind: self.laid(place.phi_deg, place.angle_deg),
+        }
     }
 
     /// Returns the place of a film.
@@ -151,18 +164,27 @@ pub fn asked_layouts(
 ) -> (Vec<AskedLayout>, usize) {
     let mut layouts = Vec::new();
     let mut without_room = 0;
+    let room = FilmRoom::on(
+        &kinds.geometry,
+        kinds.size_mm,
+        settings.limits.least_distance_mm,
+    );
     for ring in settings.rings(directions) {
-        if ring.of_menu && !kinds.have_room(&ring) {
+        let glued = ring.glued(&room, &settings.limits);
+        let is_laid = !ring.of_menu || kinds.have_room(&ring, &room);
+        if !is_laid || glued.films.is_empty() && glued.met == 0 {
             without_room += 1;
+        } else if glued.films.len() == ring.films() && settings.limits.taken.is_empty() {
+            layouts.push(regular(&ring, glued.turn_deg, kinds));
         } else {
-            layouts.push(regular(&ring, kinds));
+            layouts.push(beside(&ring, &glued, &settings.limits.taken, kinds));
         }
     }
     layouts.extend(settings.free.iter().map(|layout| free(layout, kinds)));
     (layouts, without_room)
 }
 
-fn regular(ring: &Ring, kinds: &mut Kinds) -> AskedLayout {
+fn regular(ring: &Ring, turn_deg: f64, kinds: &mut Kinds) -> AskedLayout {
     let of_unit: Vec<usize> = ring
         .directions
         .iter()
@@ -170,9 +192,10 @@ fn regular(ring: &Ring, kinds: &mut Kinds) -> AskedLayout {
         .collect();
     let directions = ring.directions.iter();
     AskedLayout {
-        arrangement: Arrangement::regular(ring.units, &of_unit, ring.staggered),
+        arrangement: Arrangement::regular(ring.units, &of_unit, ring.staggered).turned(turn_deg),
         label: RankedLayout {
             spacing_deg: Some(360.0 / ring.units as f64),
+            turn_deg: (turn_deg > 0.0).then_some(turn_deg),
             units: ring.units,
             position: section_name(ring.section_deg),
             films: directions.map(|angle| direction_name(*angle)).collect(),
@@ -184,13 +207,28 @@ fn regular(ring: &Ring, kinds: &mut Kinds) -> AskedLayout {
     }
 }
 
+/// A ring beside films that are glued on already, or without those of its films that have no place.
+fn beside(ring: &Ring, glued: &GluedRing, taken: &[FilmPlace], kinds: &mut Kinds) -> AskedLayout {
+    let mut name = format!("{} of a ring of {}", glued.films.len(), ring.films());
+    if ring.staggered {
+        name.push_str(" in turn");
+    }
+    if !taken.is_empty() {
+        name.push_str(&format!(", and {} glued on already", taken.len()));
+    }
+    let films = taken.iter().chain(&glued.films);
+    let films = films.map(|place| kinds.film(place)).collect();
+    let mut layout = listed(name, films, kinds);
+    // In the order of the ring's, whichever film is left out.
+    layout.label.films.sort();
+    layout.of_menu = ring.of_menu;
+    layout
+}
+
 /// A layout film by film, whose kinds are added where they are new.
 pub fn free(layout: &FreeLayout, kinds: &mut Kinds) -> AskedLayout {
-    let film = |place: &FilmPlace| LaidFilm {
-        theta_deg: place.theta_deg,
-        kind: kinds.laid(place.phi_deg, place.angle_deg),
-    };
-    let films = layout.films.iter().map(film).collect();
+    let films = layout.films.iter().map(|place| kinds.film(place));
+    let films = films.collect();
     listed(layout.name.clone(), films, kinds)
 }
 
@@ -224,14 +262,19 @@ pub fn listed(name: String, films: Vec<LaidFilm>, kinds: &Kinds) -> AskedLayout 
     }
 }
 
-/// The films that a search chooses from: those that are fixed, then every direction at every section angle at every slot where a film may lie beside those.
-pub fn search_films(search: &SearchSettings, kinds: &mut Kinds) -> SearchFilms {
-    let room = FilmRoom::on(&kinds.geometry, kinds.size_mm, search.least_distance_mm);
+/// The films that a search chooses from: those that are glued on, then every direction at every section angle at every slot where a film may lie beside those.
+pub fn search_films(
+    search: &SearchSettings,
+    limits: &GluingLimits,
+    kinds: &mut Kinds,
+) -> SearchFilms {
+    let room = FilmRoom::on(&kinds.geometry, kinds.size_mm, limits.least_distance_mm);
     let is_free = |place: &FilmPlace| {
-        room.keeps_out(place, &search.forbidden_deg)
-            && search.fixed.iter().all(|fixed| room.has_both(fixed, place))
+        room.keeps_out(place, &limits.forbidden_deg)
+            && limits.taken.iter().all(|taken| room.has_both(taken, place))
+            && !limits.taken.iter().any(|taken| taken.is_same(place))
     };
-    let mut places = search.fixed.clone();
+    let mut places = limits.taken.clone();
     for slot in 0..search.slots {
         let theta_deg = slot as f64 * 360.0 / search.slots as f64;
         for &phi_deg in &search.section_deg {
@@ -245,13 +288,9 @@ pub fn search_films(search: &SearchSettings, kinds: &mut Kinds) -> SearchFilms {
             }
         }
     }
-    let laid = |place: &FilmPlace| LaidFilm {
-        theta_deg: place.theta_deg,
-        kind: kinds.laid(place.phi_deg, place.angle_deg),
-    };
     SearchFilms {
-        films: places.iter().map(laid).collect(),
-        fixed: search.fixed.len(),
+        films: places.iter().map(|place| kinds.film(place)).collect(),
+        fixed: limits.taken.len(),
         conflicts: Conflicts::of(places.len(), |one, other| {
             !room.has_both(&places[one], &places[other])
         }),
@@ -291,6 +330,57 @@ mod tests {
             (Some(10), Some(24))
         );
         assert_eq!(layouts.len() + without_room, 150);
+    }
+
+    /// Every pair of films of every layout, and each film with every sector.
+    #[test]
+    fn nothing_on_the_menu_lies_where_it_may_not() {
+        let taken = [(0.0, 90.0), (100.0, 0.0)].map(|(theta_deg, angle_deg)| FilmPlace {
+            theta_deg,
+            phi_deg: 0.0,
+            angle_deg,
+        });
+        let limits = GluingLimits {
+            taken: taken.to_vec(),
+            forbidden_deg: vec![[170.0, 190.0]],
+            least_distance_mm: 6.0,
+        };
+        let settings = Layouts {
+            limits: limits.clone(),
+            ..Layouts::default()
+        };
+        let size = Some([10.0, 5.0]);
+        let mut kinds = Kinds::of_crown(&Geometry::default(), size, FilmReads::Strain);
+        let (layouts, without_room) = asked_layouts(&settings, Directions::Both, &mut kinds);
+        // 14 rings of each direction at three sections and the 11 in turn, but for those that are too dense; pairs in one place are nearer than 6 mm.
+        assert_eq!(layouts.len() + without_room, 150);
+        // 33 pairs in one place have no room, and at most half of the rest.
+        assert!(layouts.len() > 117 / 2, "{}", layouts.len());
+        let room = FilmRoom::on(&Geometry::default(), size, 6.0);
+        for layout in &layouts {
+            let places: Vec<FilmPlace> = layout
+                .arrangement
+                .films
+                .iter()
+                .map(|film| kinds.place(film))
+                .collect();
+            assert_eq!(places, layout.label.places);
+            assert!(layout.of_menu && places.starts_with(&taken));
+            assert_eq!(room.crowded(&places), None, "{:?}", layout.label.name);
+            let mut new = places[2..].iter();
+            assert!(new.all(|film| room.keeps_out(film, &limits.forbidden_deg)));
+        }
+        // A ring along y meets the one that is there: 12 films are 11 new ones and two, less the one at the valve and the one at 100 degrees.
+        let twelve = layouts.iter().find(|layout| {
+            layout.label.name.as_deref().is_some_and(|name| {
+                name.contains("ring of 12,") && layout.label.position == "crown"
+            })
+        });
+        let name = twelve.and_then(|layout| layout.label.name.clone());
+        assert_eq!(
+            name.as_deref(),
+            Some("10 of a ring of 12, and 2 glued on already")
+        );
     }
 
     #[test]

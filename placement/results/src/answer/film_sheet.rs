@@ -11,10 +11,14 @@ pub struct SheetFilm {
     pub theta_deg: f64,
     /// Arc on the inner surface from the mark to the film's middle, around the wheel at its section angle, mm.
     pub arc_mm: f64,
+    /// Arc once around the wheel there, mm.
+    pub circle_mm: f64,
     /// Section angle from the crown, degrees.
     pub phi_deg: f64,
     /// Arc on the inner surface from the nearer bead, where the wall ends, to the film's middle, mm.
     pub from_bead_mm: f64,
+    /// Arc from the crown to the film's middle, negative on the side of negative section angles, mm.
+    pub from_crown_mm: f64,
     /// Direction of its length: `x`, `y`, or an angle such as `45`.
     pub direction: String,
     /// Length of the film, mm; null of a point.

@@ -39,6 +39,7 @@ pub fn films() -> Table {
         Column::float("arc_mm", "/film/arc_mm").titled("arc from the mark", 1),
         Column::float("phi_deg", "/film/phi_deg").titled("section", 1),
         Column::float("from_bead_mm", "/film/from_bead_mm").titled("from the bead", 1),
+        Column::float("from_crown_mm", "/film/from_crown_mm"),
         Column::text("direction", "/film/direction"),
         Column::float("length_mm", "/film/length_mm").titled("length", 1),
         Column::float("width_mm", "/film/width_mm").titled("width", 1),
@@ -150,6 +151,7 @@ pub fn layouts() -> Table {
         .titled("angle, 95 %, one dead", 2)
         .in_view("dead")
         .unexported(),
+        Column::float("turn_deg", "/layout/turn_deg"),
     ];
     Table {
         name: "layouts",

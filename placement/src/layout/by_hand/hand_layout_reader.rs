@@ -14,6 +14,7 @@ use document::typed::lists::distinct_list as list;
 use documents::layouts::film_place_reader::film;
 use documents::layouts::layout_bounds::LONGEST_LAYOUT;
 use documents::layouts::layout_settings::{FreeLayout, direction_name};
+use documents::layouts::overlap_check::check_films;
 use documents::parts::film_place::FilmPlace;
 use documents::study::Study;
 
@@ -97,6 +98,8 @@ fn layout(
         Fault::add(faults, &at, "must list a film; it is empty");
         return None;
     }
+    let room = study.layouts.room(&study.scene.geometry);
+    check_films(&films, &room, &study.layouts.limits, &at, faults);
     Some(FreeLayout { name: name?, films })
 }
 

@@ -62,7 +62,7 @@ impl Answer<'_> {
             .coarse
             .as_ref()
             .map(|(fields, coarser)| (self.scorer(fields, &asked, study), coarser.factor));
-        let load_rows = self.loads(settings, study, &mut asked.kinds, &noise);
+        let load_rows = self.loads(settings, study, &asked.kinds, &noise);
         let scored = in_parallel(asked.layouts.len(), context.threads, context.stop, |i| {
             let AskedLayout {
                 arrangement, label, ..
@@ -178,7 +178,7 @@ impl Answer<'_> {
         &self,
         settings: &Layouts,
         study: &Study,
-        kinds: &mut Kinds,
+        kinds: &Kinds,
         noise: &Noise,
     ) -> Vec<LayoutLoad> {
         let row =
@@ -307,17 +307,20 @@ pub(crate) fn noise(settings: &Layouts, fields: &MeshFields) -> Noise {
 fn knees(
     settings: &Layouts,
     study: &Study,
-    kinds: &mut Kinds,
+    kinds: &Kinds,
     field: &LoadField,
     noise: &Noise,
 ) -> Vec<Knee> {
     let mut knees = Vec::new();
     for section_deg in settings.sections_deg() {
         for set in settings.sets(study.directions) {
-            let of_set: Vec<usize> = set
+            let of_set = set
                 .iter()
-                .map(|&angle_deg| kinds.laid(section_deg, angle_deg))
-                .collect();
+                .map(|&angle_deg| kinds.known(section_deg, angle_deg));
+            // A film that has no room there is none of the layouts'.
+            let Some(of_set) = of_set.collect::<Option<Vec<usize>>>() else {
+                continue;
+            };
             knees.extend(knee(field, &of_set, noise).map(|found| Knee {
                 section_deg,
                 films: set.iter().map(|angle| direction_name(*angle)).collect(),

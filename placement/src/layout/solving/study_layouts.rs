@@ -27,8 +27,9 @@ impl Asked {
         );
         let (layouts, without_room) = asked_layouts(&study.layouts, study.directions, &mut kinds);
         let search = study.layouts.search.as_ref();
-        let places =
-            search.map_or_else(SearchFilms::none, |search| search_films(search, &mut kinds));
+        let places = search.map_or_else(SearchFilms::none, |search| {
+            search_films(search, &study.layouts.search_limits(), &mut kinds)
+        });
         let farthest = farthest_section_deg(geometry);
         Self {
             candidates: kinds.candidates(farthest, &study.layouts.candidate_sizes_mm),

@@ -121,9 +121,15 @@ const FAULTY: &str = r##"
 * {"/layouts": {"size_mm": [25, 10], "free": [{"name": "a", "films": [{}, {"angle_deg": 90}, {"theta_deg": 30}, {"theta_deg": 61}, {"theta_deg": -20, "angle_deg": 90}]}]}}
     -> /layouts/free/0/films/2 | /layouts/free/0/films/4
 * {"/layouts": {"search": {"films": [1, 3], "fixed": [{}, {"theta_deg": 90}], "forbidden_deg": [[165, 195], [1]], "least_distance_mm": -1}}}
-    -> /layouts/search/least_distance_mm
-* {"/layouts": {"search": {"films": [1, 3], "fixed": [{}, {"theta_deg": 90}], "forbidden_deg": [[165, 195], [1]]}}}
-    -> /layouts/search/forbidden_deg/1 | /layouts/search/films/0
+    -> /layouts/search/forbidden_deg/1 | /layouts/search/least_distance_mm | /layouts/search/films/0
+# Films that are taken are counted by a search, too.
+* {"/layouts": {"taken": [{}, {"theta_deg": 90}], "forbidden_deg": [[10]], "search": {"films": [1, 3], "fixed": [{}]}}}
+    -> /layouts/forbidden_deg/0 | /layouts/search/films/0
+# At 47 mm a film along y reaches 6.1 degrees, one along x 15.2: the second lies on a taken film, the third at the valve, the fourth is the taken one, but the second lies on it.
+* {"/layouts": {"size_mm": [25, 10], "taken": [{"theta_deg": 90, "angle_deg": 90}], "forbidden_deg": [[175, 185]],
+    "free": [{"name": "a", "films": [{}, {"theta_deg": 110}, {"theta_deg": 180}, {"theta_deg": 90, "angle_deg": -90}]}]}}
+    -> /layouts/free/0/films/1 | /layouts/free/0/films/2 | /layouts/free/0/films/3
+* {"/layouts": {"units": [14, 15], "positions": ["crown"], "directions": [["y"]], "least_distance_mm": 20}} -> /layouts/units/1
 "##;
 
 /// The shipped study with these changes.

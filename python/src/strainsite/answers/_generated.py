@@ -925,6 +925,8 @@ class Layout:
     """Name of a layout that was listed film by film, or found by the search; absent of a regular one."""
     spacing_deg: float | None = None
     """Angle between neighbouring units, degrees; None of a layout without units."""
+    turn_deg: float | None = None
+    """Angle of the first unit from the mark, degrees, where no film may lie there; absent of 0."""
     units: int
     """Number of units; of a layout without units its number of films."""
     position: str
@@ -1663,10 +1665,14 @@ class SheetFilm:
     """Wheel angle from the mark in the rolling direction, degrees."""
     arc_mm: float
     """Arc on the inner surface from the mark to the film's middle, around the wheel at its section angle, mm."""
+    circle_mm: float
+    """Arc once around the wheel there, mm."""
     phi_deg: float
     """Section angle from the crown, degrees."""
     from_bead_mm: float
     """Arc on the inner surface from the nearer bead, where the wall ends, to the film's middle, mm."""
+    from_crown_mm: float
+    """Arc from the crown to the film's middle, negative on the side of negative section angles, mm."""
     direction: str
     """Direction of its length: `x`, `y`, or an angle such as `45`."""
     length_mm: float | None = None
@@ -2207,6 +2213,7 @@ COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {
         ("shear_force_y_error_n", "/layout/score/shear/worst_force_error_n/1", None),
         ("shear_force_z_error_n", "/layout/score/shear/worst_force_error_n/2", None),
         ("shear_reason", "/layout/score/shear/reason", None),
+        ("turn_deg", "/layout/turn_deg", None),
     ],
     "trade": [
         ("film_count", "/trade/film_count", None),
@@ -2225,6 +2232,7 @@ COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {
         ("arc_mm", "/film/arc_mm", None),
         ("phi_deg", "/film/phi_deg", None),
         ("from_bead_mm", "/film/from_bead_mm", None),
+        ("from_crown_mm", "/film/from_crown_mm", None),
         ("direction", "/film/direction", None),
         ("length_mm", "/film/length_mm", None),
         ("width_mm", "/film/width_mm", None),

@@ -75,10 +75,19 @@ pub enum FileFormat {
     Vtu,
     /// Both skins of the whole wheel as glTF 2.0, for any viewer.
     Glb,
+    /// Films of the answer on the unrolled inner surface, at 1:1 when printed: a template to glue by.
+    Svg,
 }
 
 impl FileFormat {
-    const ALL: [Self; 5] = [Self::Csv, Self::Json, Self::Parquet, Self::Vtu, Self::Glb];
+    const ALL: [Self; 6] = [
+        Self::Csv,
+        Self::Json,
+        Self::Parquet,
+        Self::Vtu,
+        Self::Glb,
+        Self::Svg,
+    ];
 
     /// The name in addresses, and the ending of file names.
     pub fn as_str(self) -> &'static str {
@@ -88,6 +97,7 @@ impl FileFormat {
             Self::Parquet => "parquet",
             Self::Vtu => "vtu",
             Self::Glb => "glb",
+            Self::Svg => "svg",
         }
     }
 
@@ -104,6 +114,7 @@ impl FileFormat {
             Self::Parquet => "application/vnd.apache.parquet",
             Self::Vtu => "application/xml",
             Self::Glb => "model/gltf-binary",
+            Self::Svg => "image/svg+xml",
         }
     }
 
@@ -124,6 +135,9 @@ pub enum ExportError {
     /// The study has no map.
     #[error("this study has no map: its document asks for no candidates.grid")]
     NoMap,
+    /// The answer has no layout.
+    #[error("this study's answer has no films: its document asks for no layouts")]
+    NoFilms,
     /// A result with nothing to draw the wheel from.
     #[error(
         "no state of a mesh is stored for this study's cut point: another solver found it, or another version's mesh"

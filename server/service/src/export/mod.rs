@@ -1,11 +1,12 @@
 //! Answers as files for other programs.
 //!
 //! Tables have a row per thing; CSV and Parquet are both written from [`results::columns`]. JSON is the
-//! result itself, VTU has the map on the surface that it is of, and GLB the whole wheel. Every file says which study it is of, the hash of its document and the version of the program.
+//! result itself, SVG a template of the answer's films, VTU has the map on the surface that it is of, and GLB the whole wheel. Every file says which study it is of, the hash of its document and the version of the program.
 
 mod comparison_tables;
 mod csv;
 mod export_choice;
+mod film_template;
 mod map_grid;
 mod parquet;
 mod study_export;

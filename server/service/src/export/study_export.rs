@@ -7,7 +7,7 @@ use vtu::wheel_glb::glb;
 use vtu::wheel_skins::WheelSkins;
 
 use crate::export::export_choice::{ExportError, FileFormat, Table};
-use crate::export::{csv, map_grid, parquet, tables};
+use crate::export::{csv, film_template, map_grid, parquet, tables};
 use crate::views::point_views;
 use crate::views::solved_wheel;
 use crate::wire::study_wire::EvaluationView;
@@ -95,6 +95,7 @@ impl Export {
             FileFormat::Csv => Ok(csv::csv(&table()).into_bytes()),
             FileFormat::Json => Ok(serde_json::to_string_pretty(result)?.into_bytes()),
             FileFormat::Vtu => Ok(map_grid::vtu(result)?.into_bytes()),
+            FileFormat::Svg => Ok(film_template::svg(result)?.into_bytes()),
             FileFormat::Glb => {
                 let skins = skins.as_ref().ok_or(ExportError::NoMesh)?;
                 let study = &result.study;

@@ -86,7 +86,9 @@ pub(crate) fn deliver(
 
 fn failure(error: ExportError) -> Failure {
     match error {
-        ExportError::NoMap | ExportError::NoMesh => Failure::input(error.to_string()),
+        ExportError::NoMap | ExportError::NoMesh | ExportError::NoFilms => {
+            Failure::input(error.to_string())
+        }
         error => Failure::other(error),
     }
 }

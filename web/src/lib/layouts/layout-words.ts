@@ -25,7 +25,12 @@ export function layoutWords(layout: RankedLayout): string {
   const spacing = short(layout.spacing_deg / (isApart ? layout.films.length : 1));
   const ways = `${listed(layout.films.map(filmWord))}${isApart ? " in turn" : ""}`;
   const count = layout.film_count === 1 ? "1 film" : `${layout.film_count} films`;
-  return `${count} along ${ways} ${positionWords(layout.position)}, ${TOGETHER[together] ?? `${together} in one place`} every ${spacing}°`;
+  return `${count} along ${ways} ${positionWords(layout.position)}, ${TOGETHER[together] ?? `${together} in one place`} every ${spacing}°${first(layout)}`;
+}
+
+/** `, the first at 8.75°`, of a layout that is turned from the mark. */
+function first({ turn_deg }: RankedLayout): string {
+  return turn_deg == null ? "" : `, the first at ${short(turn_deg)}°`;
 }
 
 const TOGETHER: Record<number, string> = { 1: "one", 2: "a pair" };

@@ -17,13 +17,13 @@ const DIRECTIONS: Record<string, number> = { x: 0, y: 90 };
 
 /** Every film of a layout, unit after unit; a staggered unit's films are spread evenly to the next unit. */
 export function filmsOf(layout: RankedLayout): WheelFilm[] {
-  const { places, spacing_deg, units, films, staggered, position } = layout;
+  const { places, spacing_deg, turn_deg, units, films, staggered, position } = layout;
   if (spacing_deg == null) return (places ?? []).map(({ theta_deg, phi_deg, angle_deg }) => ({ theta_deg, section_deg: phi_deg, angle_deg }));
   const section_deg = POSITIONS[position] ?? Number.parseFloat(position);
   if (!Number.isFinite(section_deg)) return [];
   const apart = staggered === true ? spacing_deg / films.length : 0;
   return Array.from({ length: units }, (_, unit) =>
-    films.map((film, k) => ({ theta_deg: unit * spacing_deg + k * apart, section_deg, angle_deg: DIRECTIONS[film] ?? Number(film) })),
+    films.map((film, k) => ({ theta_deg: (turn_deg ?? 0) + unit * spacing_deg + k * apart, section_deg, angle_deg: DIRECTIONS[film] ?? Number(film) })),
   ).flat();
 }
 

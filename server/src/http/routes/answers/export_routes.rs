@@ -83,9 +83,8 @@ fn wanted(query: &ExportQuery) -> Result<Export, Problem> {
     Ok(Export { format, table })
 }
 
-const FORMATS: &str = "format is one of csv, json, parquet, vtu, glb";
-const TABLES: &str =
-    "table is one of indices, locations, layouts, points, signals, candidates, forces";
+const FORMATS: &str = "format is one of csv, json, parquet, vtu, glb, svg";
+const TABLES: &str = "table is one of indices, locations, layouts, trade, films, points, signals, candidates, forces";
 
 /// The format and the table that a query names, or what each that names nothing could be.
 pub fn both<F, T>(format: (Option<F>, &str), table: (Option<T>, &str)) -> Result<(F, T), Problem> {
@@ -101,7 +100,9 @@ pub fn both<F, T>(format: (Option<F>, &str), table: (Option<T>, &str)) -> Result
 impl From<ExportError> for Problem {
     fn from(error: ExportError) -> Self {
         let status = match error {
-            ExportError::NoMap | ExportError::NoMesh => StatusCode::NOT_FOUND,
+            ExportError::NoMap | ExportError::NoMesh | ExportError::NoFilms => {
+                StatusCode::NOT_FOUND
+            }
             _ => StatusCode::INTERNAL_SERVER_ERROR,
         };
         Self::new(status, error.to_string())

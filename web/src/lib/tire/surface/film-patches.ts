@@ -29,7 +29,11 @@ export function filmsOf(layout: RankedLayout): FilmPlace[] {
   // Films of staggered units are spread evenly between two units.
   const offset = (film: number): number => (layout.staggered === true ? (spacing * film) / layout.films.length : 0);
   return Array.from({ length: layout.units }, (_, unitAt) =>
-    layout.films.map((direction, film) => ({ theta_deg: wrapped(unitAt * spacing + offset(film)), phi_deg, angle_deg: angleOf(direction) })),
+    layout.films.map((direction, film) => ({
+      theta_deg: wrapped((layout.turn_deg ?? 0) + unitAt * spacing + offset(film)),
+      phi_deg,
+      angle_deg: angleOf(direction),
+    })),
   ).flat();
 }
 

@@ -30,6 +30,12 @@ export function FilesPanel({ result, hasMap }: { result: StudyResult; hasMap: bo
             ))}
           </>
         ))}
+        {(result.answer?.films ?? []).length > 0 && (
+          <>
+            {" "}
+            · to print at 1:1 and glue by: <a href={address(id, "export?format=svg")}>the films</a>
+          </>
+        )}
         {hasMap && (
           <>
             {" "}

@@ -1,0 +1,1 @@
+export{Yt as readToml}from"../views-DO-hcsqM.js";

@@ -1,1 +1,0 @@
-export{Yt as readToml}from"../views-DuQgKRFw.js";
