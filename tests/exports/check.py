@@ -160,7 +160,7 @@ def rows_of(table, result, evaluations):
                 "worst_angle_mesh_error_deg": error.get("worst_angle_error_deg"), "doubt": layout.get("doubt"),
                 "shear_angle_error_deg": shear.get("worst_angle_error_deg"),
                 **{f"shear_force_{axis}_error_n": force for axis, force in zip("xyz", forces, strict=True)},
-                "shear_reason": shear.get("reason"),
+                "shear_reason": shear.get("reason"), "turn_deg": layout.get("turn_deg"),
             }
     elif table == "candidates":
         for film in result["layout_findings"]["candidates"]:
