@@ -1,6 +1,6 @@
 //! Estimates from readings: the [`posterior`] of angle and depth, errors by [`simulation`] with noise of [`normal_pairs`], and the contacts that look most [`alike`].
 //!
-//! The posterior is that of a [`reading_likelihood`], with products that are turned to each angle in `turned_products`, on a `posterior_grid`.
+//! The posterior is that of a `reading_likelihood`, with products that are turned to each angle in `turned_products`, on a `posterior_grid`.
 
 pub mod alike;
 pub mod normal_pairs;
