@@ -17,6 +17,9 @@ mod limits;
 mod program;
 mod result_file;
 pub mod rigid_ground;
+#[cfg(all(test, unix))]
+#[path = "../tests/quick/stand_in.rs"]
+mod stand_in;
 
 use std::path::Path;
 use std::time::{Duration, Instant};

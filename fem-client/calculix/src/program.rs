@@ -220,25 +220,18 @@ mod tests {
     use std::sync::atomic::AtomicBool;
 
     use super::*;
-    use std::os::unix::fs::PermissionsExt;
-    use std::sync::{Mutex, PoisonError};
-
-    /// A program being started by one test inherits the script that another one is writing, which then can't be started.
-    static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+    use crate::stand_in;
 
     /// More than a shell needs on the busiest machine: only the run without end is ended by the clock.
     const AMPLE: Duration = Duration::from_secs(60);
 
     /// Uses a program that answers `-v` as CalculiX does and otherwise runs these shell commands.
     fn with_stand_in<T>(commands: &str, test: impl FnOnce(&Program, &Path) -> T) -> T {
-        let _guard = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
         let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("ccx");
         let text = format!(
             "#!/bin/sh\nif [ \"$1\" = -v ]; then echo; echo 'This is Version 9.9'; exit 0; fi\n{commands}\n"
         );
-        std::fs::write(&path, text).expect("writes");
-        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o755)).expect("permits");
+        let path = stand_in::install(folder.path(), &text);
         let program = Program::new(&path, AMPLE).expect("answers");
         test(&program, folder.path())
     }

@@ -1,12 +1,12 @@
 //! Version of a CalculiX point: it stands for the sources of deck, tire and kernel, and for nothing beside them.
 
-use std::fs;
-use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 use std::time::Duration;
 
 use calculix::CalculixSolver;
 use fem_client::solver::Solver;
+
+use crate::stand_in;
 
 #[path = "../../../sources.rs"]
 #[expect(dead_code, reason = "build scripts hash below their own package")]
@@ -18,9 +18,8 @@ const SOURCES: [&str; 3] = ["src", "../tire/src", "../../fem/src"];
 #[test]
 fn the_version_has_the_hash_of_deck_tire_and_kernel() {
     let folder = tempfile::tempdir().expect("a folder");
-    let program = folder.path().join("ccx");
-    fs::write(&program, "#!/bin/sh\necho 'This is Version 9.9'\n").expect("writes");
-    fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).expect("permits");
+    let script = "#!/bin/sh\necho 'This is Version 9.9'\n";
+    let program = stand_in::install(folder.path(), script);
     let solver = CalculixSolver::new(&program, Duration::ZERO).expect("says its version");
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     let hash = sources::hash_below(package, &SOURCES).expect("reads");

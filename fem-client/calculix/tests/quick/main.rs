@@ -2,3 +2,4 @@
 
 #[cfg(unix)]
 mod calculix_sources;
+mod stand_in;
