@@ -2,4 +2,5 @@
 
 #[cfg(unix)]
 mod calculix_sources;
+#[cfg(unix)]
 mod stand_in;
