@@ -262,10 +262,10 @@ export function comparisonAddress(sweep: string, baseline: string | null): strin
   return `${ROOT}${comparisonPath(sweep, baseline)}`;
 }
 
-/** The address of its comparison as a table to download. */
-export function comparisonExport(sweep: string, baseline: string | null, query: string): string {
+/** The address of a comparison of these studies, or of a sweep's designs, as a table to download. */
+export function comparisonExport(of: { sweep: string } | { studies: string }, baseline: string | null, query: string): string {
   const rest = baseline === null ? query : `${query}&baseline=${encodeURIComponent(baseline)}`;
-  return `${ROOT}/comparison/export?sweep=${encodeURIComponent(sweep)}&${rest}`;
+  return `${ROOT}/comparison/export?${new URLSearchParams({ ...of }).toString()}&${rest}`;
 }
 
 /** Listens to a study until the returned function is called. */

@@ -194,6 +194,50 @@ export interface components {
              */
             factor: number;
         };
+        /** @description Layout by which a study is compared. */
+        ComparedAnswer: {
+            /** @description Place among the studies, 1 is best. */
+            rank: number;
+            /** @description Rank of the layout in its study's `layouts`. */
+            layout_rank: number;
+            /** @description Description of the layout, as in `12 films along y at the crown, one every 30 degrees`. */
+            words: string;
+            /** @description All its films. */
+            film_count: number;
+            /** @description Whether it keeps to the limits that the document asks for; null where it asks for none. */
+            meets?: boolean | null;
+            /** @description Certainty of the layout within its study. */
+            verdict: components["schemas"]["Certainty"];
+            /** @description Error of the contact angle in 95 of 100 contacts at the worst load, degrees. */
+            angle_deg: components["schemas"]["ComparedFigure"];
+            force_n?: components["schemas"]["ComparedFigure"] | null;
+            /** @description Best layout of each number of films. */
+            trade: components["schemas"]["TradeRow"][];
+        };
+        /** @description Figure of a layout beside the baseline's. */
+        ComparedFigure: {
+            /**
+             * Format: double
+             * @description The figure.
+             */
+            value: number;
+            /**
+             * Format: double
+             * @description Claimed error of the figure; null where there is no coarser mesh.
+             */
+            error?: number | null;
+            /**
+             * Format: double
+             * @description The figure minus the baseline's; null in the baseline.
+             */
+            difference?: number | null;
+            /**
+             * Format: double
+             * @description Error of the difference; null where one of both isn't known.
+             */
+            difference_error?: number | null;
+            verdict?: components["schemas"]["Verdict"] | null;
+        };
         /** @description An index beside the baseline's. */
         ComparedIndex: {
             /**
@@ -277,17 +321,19 @@ export interface components {
             best?: string | null;
             /** @description Whether its errors leave no doubt about that. */
             best_certain?: boolean | null;
+            answer?: components["schemas"]["ComparedAnswer"] | null;
             /**
              * Format: double
-             * @description Angle between the units of the best layout, degrees.
+             * @description Angle between the units of that layout, degrees.
              */
             layout_spacing_deg?: number | null;
-            /** @description Position of the best layout's units. */
+            /** @description Position of that layout's units. */
             layout_position?: string | null;
             cost?: components["schemas"]["StudyCost"] | null;
         };
         /** @description The table. */
         Comparison: {
+            answer?: components["schemas"]["ComparisonAnswer"] | null;
             /** @description The study that differences are taken from; null when none of them has a result. */
             baseline?: string | null;
             /** @description The studies in the order asked for. */
@@ -296,6 +342,13 @@ export interface components {
             rows: components["schemas"]["ComparedLocation"][];
             /** @description Notes that the reader must know before believing the differences, whole sentences. */
             notes: string[];
+        };
+        /** @description The study that answers best. */
+        ComparisonAnswer: {
+            /** @description The study that answers best with its layout, and the next, in a sentence. */
+            sentence: string;
+            /** @description Certainty that no other study answers better. */
+            verdict: components["schemas"]["Certainty"];
         };
         /**
          * @description Format of a comparison's file.
@@ -4699,10 +4752,13 @@ export type ClaimRow = components['schemas']['ClaimRow'];
 export type Climb = components['schemas']['Climb'];
 export type ClimbRung = components['schemas']['ClimbRung'];
 export type CoarserIndices = components['schemas']['CoarserIndices'];
+export type ComparedAnswer = components['schemas']['ComparedAnswer'];
+export type ComparedFigure = components['schemas']['ComparedFigure'];
 export type ComparedIndex = components['schemas']['ComparedIndex'];
 export type ComparedLocation = components['schemas']['ComparedLocation'];
 export type ComparedStudy = components['schemas']['ComparedStudy'];
 export type Comparison = components['schemas']['Comparison'];
+export type ComparisonAnswer = components['schemas']['ComparisonAnswer'];
 export type ComparisonFormat = components['schemas']['ComparisonFormat'];
 export type ComparisonTable = components['schemas']['ComparisonTable'];
 export type CountForecast = components['schemas']['CountForecast'];
@@ -5192,14 +5248,29 @@ export const COMPARED_LOCATIONS_COLUMNS = {
 export const DESIGNS_COLUMNS = {
   state: {"at":"/study/state","kind":"text","title":"state","digits":2,"description":"`queued`, `running`, `done`, `failed` or `cancelled`."},
   reason: {"at":"/study/reason","kind":"text","title":"reason","digits":2,"description":"Reason why there is no result."},
+  answer_rank: {"at":"/study/answer/rank","kind":"integer","title":"answer rank","digits":2,"description":"Place among the studies, 1 is best."},
+  layout: {"at":"/study/answer/words","kind":"text","title":"layout","digits":2,"description":"Description of the layout, as in `12 films along y at the crown, one every 30 degrees`."},
+  film_count: {"at":"/study/answer/film_count","kind":"integer","title":"film count","digits":2,"description":"All its films."},
+  meets: {"at":"/study/answer/meets","kind":"bool","title":"meets","digits":2,"description":"Whether it keeps to the limits that the document asks for; null where it asks for none."},
+  angle_error_deg: {"at":"/study/answer/angle_deg/value","kind":"float","unit":"deg","title":"angle","digits":2,"error_at":"/study/answer/angle_deg/error","view":"answers","description":"The figure."},
+  angle_claim_deg: {"at":"/study/answer/angle_deg/error","kind":"float","unit":"deg","title":"angle claim deg","digits":2,"description":"Claimed error of the figure; null where there is no coarser mesh."},
+  angle_difference_deg: {"at":"/study/answer/angle_deg/difference","kind":"float","unit":"deg","title":"angle, difference","digits":2,"error_at":"/study/answer/angle_deg/difference_error","view":"answers","description":"The figure minus the baseline's; null in the baseline."},
+  angle_difference_error_deg: {"at":"/study/answer/angle_deg/difference_error","kind":"float","unit":"deg","title":"angle difference error deg","digits":2,"description":"Error of the difference; null where one of both isn't known."},
+  angle_verdict: {"at":"/study/answer/angle_deg/verdict","kind":"text","title":"angle verdict","digits":2,"description":"Error of the contact angle in 95 of 100 contacts at the worst load, degrees."},
+  force_error_n: {"at":"/study/answer/force_n/value","kind":"float","unit":"N","title":"force","digits":2,"error_at":"/study/answer/force_n/error","view":"answers","description":"The figure."},
+  force_claim_n: {"at":"/study/answer/force_n/error","kind":"float","unit":"N","title":"force claim n","digits":2,"description":"Claimed error of the figure; null where there is no coarser mesh."},
+  force_difference_n: {"at":"/study/answer/force_n/difference","kind":"float","unit":"N","title":"force, difference","digits":2,"error_at":"/study/answer/force_n/difference_error","view":"answers","description":"The figure minus the baseline's; null in the baseline."},
+  force_difference_error_n: {"at":"/study/answer/force_n/difference_error","kind":"float","unit":"N","title":"force difference error n","digits":2,"description":"Error of the difference; null where one of both isn't known."},
+  force_verdict: {"at":"/study/answer/force_n/verdict","kind":"text","title":"force verdict","digits":2,"description":"A study of those compared."},
+  layout_verdict: {"at":"/study/answer/verdict","kind":"text","title":"certainty","digits":0,"view":"answers","description":"Certainty of the layout within its study."},
   level: {"at":"/study/level","kind":"text","title":"level","digits":2,"description":"Mesh level."},
   reaction_n: {"at":"/study/reaction_n","kind":"float","unit":"N","title":"reaction n","digits":2,"description":"Vertical force at the means, N."},
   std_strain_x: {"at":"/study/std_strain_x","kind":"float","unit":"1","title":"std strain x","digits":2,"description":"Standard deviation of the x strain at the contact centre: the signal of a film there."},
   std_strain_y: {"at":"/study/std_strain_y","kind":"float","unit":"1","title":"std strain y","digits":2,"description":"Standard deviation of the y strain there."},
   best: {"at":"/study/best","kind":"text","title":"best","digits":2,"description":"First of the ranking."},
   best_certain: {"at":"/study/best_certain","kind":"bool","title":"best certain","digits":2,"description":"Whether its errors leave no doubt about that."},
-  layout_spacing_deg: {"at":"/study/layout_spacing_deg","kind":"float","unit":"deg","title":"layout spacing deg","digits":2,"description":"Angle between the units of the best layout, degrees."},
-  layout_position: {"at":"/study/layout_position","kind":"text","title":"layout position","digits":2,"description":"Position of the best layout's units."},
+  layout_spacing_deg: {"at":"/study/layout_spacing_deg","kind":"float","unit":"deg","title":"layout spacing deg","digits":2,"description":"Angle between the units of that layout, degrees."},
+  layout_position: {"at":"/study/layout_position","kind":"text","title":"layout position","digits":2,"description":"Position of that layout's units."},
   solves: {"at":"/study/cost/solves","kind":"integer","title":"solves","digits":2,"description":"Points of the plan."},
   coarser_solves: {"at":"/study/cost/coarser_solves","kind":"integer","title":"coarser solves","digits":2,"description":"Points of the plan solved once more on a coarser mesh, for the error of the mesh."},
   effect_solves: {"at":"/study/cost/effect_solves","kind":"integer","title":"effect solves","digits":2,"description":"Solves that show what the model leaves out."},

@@ -5,7 +5,7 @@ const DECIMALS: usize = 1;
 const MOST_DECIMALS: usize = 4;
 
 /// `9.2 +- 1.5`: two digits of the error, and the figure to the same place. `9.2` where no error is known.
-pub(super) fn with_error(value: f64, error: Option<f64>) -> String {
+pub(crate) fn with_error(value: f64, error: Option<f64>) -> String {
     match error {
         Some(error) => {
             let decimals = decimals(error);

@@ -15,7 +15,7 @@ use results::Certainty;
 
 /// Figure that an order goes by; the greatest is first.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Standing {
+pub(crate) struct Standing {
     pub value: f64,
     /// Distances down and up by which it may be off; `None` where they aren't known.
     pub off: Option<[f64; 2]>,
@@ -23,7 +23,7 @@ pub(super) struct Standing {
 
 /// Judgement of a first rank against the others.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Judged {
+pub(crate) struct Judged {
     /// The weakest of all comparisons.
     pub verdict: Certainty,
     /// Numbers of the others that can't be told from the first.
@@ -33,7 +33,7 @@ pub(super) struct Judged {
 }
 
 /// Judges the first by the others, which are in their order, best first.
-pub(super) fn judge(first: &Standing, others: &[Standing]) -> Judged {
+pub(crate) fn judge(first: &Standing, others: &[Standing]) -> Judged {
     let verdicts: Vec<Certainty> = others.iter().map(|other| told(first, other)).collect();
     let known = match first.off {
         Some(_) => Certainty::Certain,

@@ -26,5 +26,7 @@ mod rivals;
 mod trade_words;
 mod whole_answer;
 
+pub(crate) use figure_words::with_error;
+pub(crate) use first_rank::{Standing, judge};
 pub(crate) use left_out_words::effect_notes;
 pub(crate) use whole_answer::answer_of;

@@ -11,11 +11,17 @@
 //! of what they miss, point by point ([`gsa::judge::misses`]). Whatever two errors have not in common is independent, so that it adds up as e^2 = e_I^2 + e_J^2: all
 //! of the mesh's where a study has no coarser one. A difference beyond its error is real, any other noise.
 
+mod compared_answers;
+mod difference_verdict;
+
 use fem_client::solver::direction::{Direction, PerDirection};
 use gsa::judge::misses::{Claim, Misses, error_of_difference};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+pub use difference_verdict::Verdict;
+
+use compared_answers::{Answers, ComparedAnswer, ComparisonAnswer, answers};
 use results::location_scores::GSI;
 use results::{FormMisses, Output, RankedLocation, StudyCost, StudyResult};
 
@@ -37,6 +43,9 @@ pub struct Entry {
 /// The table.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Comparison {
+    /// The study that answers best, with its layout; null unless two have a layout.
+    #[serde(default)]
+    pub answer: Option<ComparisonAnswer>,
     /// The study that differences are taken from; null when none of them has a result.
     pub baseline: Option<String>,
     /// The studies in the order asked for.
@@ -77,9 +86,12 @@ pub struct ComparedStudy {
     pub best: Option<String>,
     /// Whether its errors leave no doubt about that.
     pub best_certain: Option<bool>,
-    /// Angle between the units of the best layout, degrees.
+    /// Layout by which it is compared; null where no layout has a score.
+    #[serde(default)]
+    pub answer: Option<ComparedAnswer>,
+    /// Angle between the units of that layout, degrees.
     pub layout_spacing_deg: Option<f64>,
-    /// Position of the best layout's units.
+    /// Position of that layout's units.
     pub layout_position: Option<String>,
     /// Cost of the study.
     pub cost: Option<StudyCost>,
@@ -132,29 +144,6 @@ pub struct ComparedIndex {
     pub verdict: Option<Verdict>,
 }
 
-/// Verdict on a difference.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Verdict {
-    /// Difference beyond its error.
-    Real,
-    /// Difference within its error.
-    Noise,
-    /// Difference whose error isn't known.
-    Unknown,
-}
-
-impl Verdict {
-    /// The word in documents.
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Self::Real => "real",
-            Self::Noise => "noise",
-            Self::Unknown => "unknown",
-        }
-    }
-}
-
 /// Compares studies with the one of this identifier, or with the first that has a result.
 pub fn compare(entries: &[Entry], baseline: Option<&str>) -> Comparison {
     let answered = |entry: &&Entry| entry.result.is_ok();
@@ -170,18 +159,41 @@ pub fn compare(entries: &[Entry], baseline: Option<&str>) -> Comparison {
         let locations = result.locations.iter();
         rows.extend(locations.map(|location| row(&entry.id, result, location, other)));
     }
+    let found: Vec<Option<&StudyResult>> = entries
+        .iter()
+        .map(|entry| entry.result.as_ref().ok())
+        .collect();
+    let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
+    let number = base.and_then(|base| entries.iter().position(|entry| entry.id == base.id));
+    let answers = answers(&found, &names, number);
+    let mut notes = notes(entries, base_result);
+    notes.extend(note_on_questions(&answers));
+    let of_studies = answers.of_studies.into_iter();
+    let studies = entries.iter().zip(of_studies);
     Comparison {
+        answer: answers.best,
         baseline: base.map(|base| base.id.clone()),
-        studies: entries.iter().map(column).collect(),
-        notes: notes(entries, base_result),
+        studies: studies
+            .map(|(entry, answer)| column(entry, answer))
+            .collect(),
+        notes,
         rows,
     }
 }
 
-fn column(entry: &Entry) -> ComparedStudy {
+fn note_on_questions(answers: &Answers) -> Option<String> {
+    answers.questions_differ.then(|| {
+        "the studies ask different questions: they are compared by the error of the angle with as many films as the baseline's answer has".to_owned()
+    })
+}
+
+fn column(entry: &Entry, answer: Option<ComparedAnswer>) -> ComparedStudy {
     let result = entry.result.as_ref().ok();
     let best = result.and_then(|result| result.locations.first());
-    let layout = result.and_then(|result| result.layouts.first());
+    let layout = result.zip(answer.as_ref()).and_then(|(result, answer)| {
+        let mut layouts = result.layouts.iter();
+        layouts.find(|layout| layout.rank == answer.layout_rank)
+    });
     let signal = PerDirection::of(|direction| centre(result?, direction)?.std);
     ComparedStudy {
         id: entry.id.clone(),
@@ -197,6 +209,7 @@ fn column(entry: &Entry) -> ComparedStudy {
         std_strain_y: signal.y,
         best: best.map(|best| best.name.clone()),
         best_certain: best.map(|best| best.rank_certain),
+        answer,
         layout_spacing_deg: layout.and_then(|layout| layout.spacing_deg),
         layout_position: layout.map(|layout| layout.position.clone()),
         cost: result.map(|result| result.cost.clone()),
@@ -286,11 +299,7 @@ impl<'r> Index<'r> {
         ComparedIndex {
             difference_percent: Some(difference),
             difference_error_percent: error,
-            verdict: Some(match error {
-                Some(error) if difference.abs() > error => Verdict::Real,
-                Some(_) => Verdict::Noise,
-                None => Verdict::Unknown,
-            }),
+            verdict: Some(Verdict::of(difference, error)),
             ..alone
         }
     }

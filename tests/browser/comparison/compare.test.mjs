@@ -116,6 +116,20 @@ test("the baseline is in the address and survives a reload", async () => {
   await page.context().close();
 });
 
+test("what answers best comes first, with films against error of each", async () => {
+  const { page, complaints } = await openCompared();
+  const { answer, studies: found } = await json(`/v1/comparison?studies=${studies.join(",")}`);
+  assert.equal(await page.locator("main h2").first().innerText(), "Which answers best");
+  const lead = answer.sentence.slice(0, answer.sentence.indexOf(":"));
+  assert.ok((await page.locator("main .headline").first().innerText()).startsWith(lead));
+  const best = [...found].sort((a, b) => a.answer.rank - b.answer.rank).map(({ name }) => name);
+  const rows = await page.locator("table.answers tbody th a").allInnerTexts();
+  assert.deepEqual(rows, best);
+  assert.equal(await page.locator(".compared-trades .layout-curve > path").count(), 2 * found.length);
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
 test("a difference is that of the two maps, its error the root of both errors' squares", async () => {
   const { page, complaints } = await openCompared("&input=P3");
   const [base, other] = await Promise.all([0, 1].map((k) => json(`/v1/studies/${studies[k]}/map?direction=x&input=P3`)));

@@ -7,8 +7,8 @@ import type { Browsing, Moved } from "./app-state.ts";
 import { answerTo } from "./loadable.ts";
 import { partOf, type Store } from "./store.ts";
 
-/** As many as can be read side by side. */
-const MOST_COMPARED = 4;
+/** As many as one table and one plot still tell apart. */
+const MOST_COMPARED = 50;
 /** Documents that are asked for at a time; the list comes again in seconds. */
 const MOST_ASKED = 8;
 /** Long enough that a word is typed in one go. */

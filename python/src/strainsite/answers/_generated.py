@@ -17,9 +17,12 @@ __all__ = [
     "Choice",
     "Claim",
     "CoarserIndices",
+    "ComparedAnswer",
+    "ComparedFigure",
     "ComparedIndex",
     "ComparedLocation",
     "ComparedStudy",
+    "ComparisonAnswer",
     "Cost",
     "CountForecast",
     "CutPoint",
@@ -250,6 +253,46 @@ class CoarserIndices:
 
 
 @dataclass(frozen=True, kw_only=True)
+class ComparedAnswer:
+    """Layout by which a study is compared."""
+
+    rank: int
+    """Place among the studies, 1 is best."""
+    layout_rank: int
+    """Rank of the layout in its study's `layouts`."""
+    words: str
+    """Description of the layout, as in `12 films along y at the crown, one every 30 degrees`."""
+    film_count: int
+    """All its films."""
+    meets: bool | None = None
+    """Whether it keeps to the limits that the document asks for; None where it asks for none."""
+    verdict: str
+    """Certainty of the layout within its study. One of `certain`, `likely`, `tied`, `unknown`."""
+    angle_deg: ComparedFigure
+    """Error of the contact angle in 95 of 100 contacts at the worst load, degrees."""
+    force_n: ComparedFigure | None = None
+    """Root mean square error of the vertical force at the worst load, N; None where the study doesn't estimate it."""
+    trade: tuple[TradeRow, ...]
+    """Best layout of each number of films."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ComparedFigure:
+    """Figure of a layout beside the baseline's."""
+
+    value: float
+    """The figure."""
+    error: float | None = None
+    """Claimed error of the figure; None where there is no coarser mesh."""
+    difference: float | None = None
+    """The figure minus the baseline's; None in the baseline."""
+    difference_error: float | None = None
+    """Error of the difference; None where one of both isn't known."""
+    verdict: str | None = None
+    """Whether the difference is beyond its error. One of `real`, `noise`, `unknown`."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class ComparedIndex:
     """An index beside the baseline's."""
 
@@ -318,18 +361,32 @@ class ComparedStudy:
     """First of the ranking."""
     best_certain: bool | None = None
     """Whether its errors leave no doubt about that."""
+    answer: ComparedAnswer | None = None
+    """Layout by which it is compared; None where no layout has a score."""
     layout_spacing_deg: float | None = None
-    """Angle between the units of the best layout, degrees."""
+    """Angle between the units of that layout, degrees."""
     layout_position: str | None = None
-    """Position of the best layout's units."""
+    """Position of that layout's units."""
     cost: Cost | None = None
     """Cost of the study."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ComparisonAnswer:
+    """The study that answers best."""
+
+    sentence: str
+    """The study that answers best with its layout, and the next, in a sentence."""
+    verdict: str
+    """Certainty that no other study answers better. One of `certain`, `likely`, `tied`, `unknown`."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class ComparisonFields:
     """The table."""
 
+    answer: ComparisonAnswer | None = None
+    """The study that answers best, with its layout; None unless two have a layout."""
     baseline: str | None = None
     """The study that differences are taken from; None when none of them has a result."""
     studies: tuple[ComparedStudy, ...]
@@ -2344,6 +2401,21 @@ COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {
     "designs": [
         ("state", "/study/state", None),
         ("reason", "/study/reason", None),
+        ("answer_rank", "/study/answer/rank", None),
+        ("layout", "/study/answer/words", None),
+        ("film_count", "/study/answer/film_count", None),
+        ("meets", "/study/answer/meets", None),
+        ("angle_error_deg", "/study/answer/angle_deg/value", None),
+        ("angle_claim_deg", "/study/answer/angle_deg/error", None),
+        ("angle_difference_deg", "/study/answer/angle_deg/difference", None),
+        ("angle_difference_error_deg", "/study/answer/angle_deg/difference_error", None),
+        ("angle_verdict", "/study/answer/angle_deg/verdict", None),
+        ("force_error_n", "/study/answer/force_n/value", None),
+        ("force_claim_n", "/study/answer/force_n/error", None),
+        ("force_difference_n", "/study/answer/force_n/difference", None),
+        ("force_difference_error_n", "/study/answer/force_n/difference_error", None),
+        ("force_verdict", "/study/answer/force_n/verdict", None),
+        ("layout_verdict", "/study/answer/verdict", None),
         ("level", "/study/level", None),
         ("reaction_n", "/study/reaction_n", None),
         ("std_strain_x", "/study/std_strain_x", None),

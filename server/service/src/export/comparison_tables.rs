@@ -18,7 +18,7 @@ use super::{csv, parquet};
 pub enum ComparisonTable {
     /// Index and rank of each location of each study, and differences with their errors.
     Locations,
-    /// Settings of each study, force, signals, best location and layout, cost, or why it has no result.
+    /// Settings of each study, its layout with errors and differences, force, signals, best location, cost, or why it has no result.
     Designs,
 }
 
@@ -183,6 +183,7 @@ mod tests {
             std_strain_y: None,
             best: None,
             best_certain: None,
+            answer: None,
             layout_spacing_deg: None,
             layout_position: None,
             cost: None,
@@ -192,6 +193,7 @@ mod tests {
     #[test]
     fn what_designs_set_are_columns_with_units() {
         let comparison = Comparison {
+            answer: None,
             baseline: None,
             studies: vec![
                 study(

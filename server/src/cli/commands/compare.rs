@@ -5,19 +5,23 @@ use std::path::PathBuf;
 
 use anstyle::Style;
 use clap::Args;
+use document::visible::visible;
 use fem_client::solver::direction::Direction;
 use placement::compare::{
     ComparedIndex, ComparedLocation, ComparedStudy, Comparison, Entry, Verdict, compare,
 };
+use results::columns;
+use serde_json::{Value, json};
 use sqlx::SqliteConnection;
 
 use crate::cli::commands::export::{deliver, readable};
 use crate::cli::commands::library::{Database, study, the_only};
 use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::figures::Figures;
 use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::paint::{FAINT, HEADER, STRONG, header, left, of_state, painted};
-use crate::cli::terminal::wrapping::{COLUMNS, told_apart, wrapped};
+use crate::cli::terminal::wrapping::{COLUMNS, cut, labelled, told_apart, wrapped};
 use service::comparison::{of_designs, of_studies};
 use service::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
 use store::queue::sweep_rows;
@@ -116,7 +120,8 @@ pub fn table(comparison: &Comparison) -> String {
     let names = told_apart(&names, NAME);
     let width = names.iter().map(|name| name.chars().count()).max();
     let width = width.unwrap_or(0).max(6);
-    let mut text = overview(comparison, &names, width);
+    let mut text = answers(comparison, &names, width);
+    text.push_str(&overview(comparison, &names, width));
     for (direction, strain) in [
         (Direction::X, "circumferential (x)"),
         (Direction::Y, "meridional (y)"),
@@ -135,17 +140,48 @@ pub fn table(comparison: &Comparison) -> String {
     text
 }
 
+/// The study that answers best, and the layout of each, best first.
+fn answers(comparison: &Comparison, names: &[String], width: usize) -> String {
+    let answered = comparison.studies.iter().zip(names);
+    let mut answered: Vec<_> = answered
+        .filter(|(study, _)| study.answer.is_some())
+        .collect();
+    if answered.is_empty() {
+        return String::new();
+    }
+    answered.sort_by_key(|(study, _)| study.answer.as_ref().map(|answer| answer.rank));
+    let mut text = String::new();
+    if let Some(best) = &comparison.answer {
+        let sentence = visible(&best.sentence);
+        text.push_str(&labelled(STRONG, best.verdict.as_str(), &sentence));
+    }
+    let rows: Vec<Value> = answered
+        .iter()
+        .map(|(study, _)| json!({ "study": study }))
+        .collect();
+    let figures = Figures::of(&columns::designs().view("answers"), &rows);
+    text += &figures.head("design", width, "");
+    for (row, (study, name)) in answered.iter().enumerate() {
+        let words = study.answer.as_ref().map_or("", |answer| &*answer.words);
+        let line = format!("{name:width$}{}", figures.row(row));
+        let _ = writeln!(text, "{}", line.trim_end());
+        let words = cut(visible(words), COLUMNS - 2);
+        let _ = writeln!(text, "  {}", painted(FAINT, &words));
+    }
+    text.push('\n');
+    text
+}
+
 /// A line for each study: force, signals, who wins, what it took.
 fn overview(comparison: &Comparison, names: &[String], width: usize) -> String {
     let mut text = header(&format!(
-        "{:width$} {:<9} {:>8} {:>6} {:>6} {:<12} {:<12} {:>6} {:>6} {:>7}\n{:width$} {:<9} {:>8} {}\n",
+        "{:width$} {:<9} {:>8} {:>6} {:>6} {:<12} {:>6} {:>6} {:>7}\n{:width$} {:<9} {:>8} {}\n",
         "design",
         "state",
         "force, N",
         "std x",
         "std y",
         "best",
-        "layout, deg",
         "solves",
         "reused",
         "time, s",
@@ -171,21 +207,16 @@ fn line(study: &ComparedStudy, name: &str, width: usize) -> String {
         (Some(best), _) => (FAINT, format!("{best} uncertain")),
         (None, _) => (FAINT, "-".to_owned()),
     };
-    let layout = match (study.layout_spacing_deg, &study.layout_position) {
-        (Some(spacing), Some(position)) => format!("{spacing} {position}"),
-        _ => "-".to_owned(),
-    };
     let cost = study.cost.as_ref();
     let count = |part: Option<usize>| part.map_or_else(|| "-".to_owned(), |part| part.to_string());
     format!(
-        "{:width$} {} {:>8} {:>6} {:>6} {} {:<12} {:>6} {:>6} {:>7}\n",
+        "{:width$} {} {:>8} {:>6} {:>6} {} {:>6} {:>6} {:>7}\n",
         name,
         left(of_state(&study.state), &study.state, 9),
         number(study.reaction_n, 2),
         micro(study.std_strain_x),
         micro(study.std_strain_y),
         left(style, &best, 12),
-        layout,
         count(cost.map(|cost| cost.solves
             + cost.coarser_solves
             + cost.effect_solves
@@ -352,8 +383,7 @@ mod tests {
         };
         let rows: Vec<_> = ids.into_iter().flat_map(of).collect();
         let notes = ["A note of many words. ".repeat(9)];
-        let comparison =
-            json!({"baseline": "one", "studies": studies, "rows": rows, "notes": notes});
+        let comparison = json!({"answer": {"sentence": "With up to 24 films they are alike. ".repeat(5), "verdict": "tied"}, "baseline": "one", "studies": studies, "rows": rows, "notes": notes});
         let text = table(&serde_json::from_value(comparison)?);
         let plain = plain(&text);
         for line in plain.lines() {
@@ -363,7 +393,9 @@ mod tests {
             "... one",
             "... two",
             "P5",
-            "180 shoulder",
+            "1.92 +-0.13",
+            "-1.50 +-0.25",
+            "tied: ",
             "(-13.55+-11.82*)",
         ] {
             assert!(plain.contains(seen), "{seen}: {plain}");
@@ -371,9 +403,12 @@ mod tests {
         Ok(())
     }
 
-    fn study(id: &str) -> serde_json::Value {
+    fn study(id: &str) -> Value {
         let name = format!("a study with a name that many others of the database begin with, {id}");
         json!({"id": id, "name": name, "state": "cancelled", "reaction_n": 123.456, "std_strain_x": 0.0125, "std_strain_y": 0.0069,
-            "best": "P3", "best_certain": false, "layout_spacing_deg": 180.0, "layout_position": "shoulder"})
+            "best": "P3", "best_certain": false, "layout_spacing_deg": 180.0, "layout_position": "shoulder",
+            "answer": {"rank": 1, "layout_rank": 4, "words": "24 films along x and y in turn at the shoulder, one every 15 degrees, the first at 13.8 degrees",
+                       "film_count": 24, "meets": null, "verdict": "certain", "force_n": null, "trade": [],
+                       "angle_deg": {"value": 1.92, "error": 0.13, "difference": -1.5, "difference_error": 0.25, "verdict": "real"}}})
     }
 }

@@ -24,7 +24,7 @@ export interface FilmTrade {
 }
 
 /** The error that is asked for over the number of films: the angle's, or the force's where that alone has a limit. */
-export function filmTrade({ question, rows, picked }: TradeAnswer): FilmTrade {
+export function filmTrade({ question, rows, picked }: Pick<TradeAnswer, "question" | "rows" | "picked">): FilmTrade {
   const isForce = question.force_n != null && question.angle_deg == null;
   const unit = isForce ? " N" : "°";
   const pointOf = (row: TradeRow, k: number): TradePoint[] => {

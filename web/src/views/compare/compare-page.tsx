@@ -1,4 +1,5 @@
 import { useMemo } from "preact/hooks";
+import { comparisonExport } from "../../api.ts";
 import { comparedFields } from "../../lib/document/document-differences.ts";
 import type { CompareRoute } from "../../lib/route.ts";
 import type { Actions } from "../../state/actions.ts";
@@ -6,8 +7,8 @@ import type { AppState, OpenComparison } from "../../state/app-state.ts";
 import type { StudyDetail } from "../../wire.ts";
 import { Loaded } from "../shared/loaded.tsx";
 import { ScrollTable, words } from "../shared/scroll-table.tsx";
+import { AnswersPanel } from "../sweep/answers-panel.tsx";
 import { ComparisonPanel } from "../sweep/comparison-panel.tsx";
-import { AnswersTable } from "./answers-table.tsx";
 import { ComparedTires } from "./tires/compared-tires.tsx";
 
 interface Props {
@@ -16,14 +17,14 @@ interface Props {
   actions: Actions;
 }
 
-/** Studies side by side: what differs in their documents first, then their answers, then every index. */
+/** Studies side by side: which answers best first, then what differs in their documents, then every index. */
 export function ComparePage({ state, route, actions }: Props) {
   const open = state.openComparison;
   if (route.studies.length < 2) {
     return (
       <article>
         <h1>Compare studies</h1>
-        <p>Tick two to four finished studies in the list, then follow the link below it.</p>
+        <p>Tick two or more finished studies in the list, then follow the link below it.</p>
       </article>
     );
   }
@@ -33,11 +34,13 @@ export function ComparePage({ state, route, actions }: Props) {
     <article>
       <h1>Compare {route.studies.length} studies</h1>
       <BaselineChoice route={route} baseline={baseline} names={namesOf(open)} onChoose={(to) => actions.adjust({ ...route, baseline: to })} />
+      <Loaded of={open.comparison} what="the comparison" onRetry={actions.openComparison.reopen}>
+        {(comparison) => (
+          <AnswersPanel comparison={comparison} csv={comparisonExport({ studies: route.studies.join(",") }, baseline, "format=csv&table=designs")} />
+        )}
+      </Loaded>
       <Loaded of={open.details} what="the studies" onRetry={actions.openComparison.reopen}>
         {(details) => <Documents details={details} />}
-      </Loaded>
-      <Loaded of={open.comparison} what="the comparison" onRetry={actions.openComparison.reopen}>
-        {(comparison) => <AnswersTable studies={comparison.studies} />}
       </Loaded>
       <ComparedTires key={route.studies.join()} route={route} baseline={baseline} onAdjust={actions.adjust} />
       {open.comparison.status === "ready" && (

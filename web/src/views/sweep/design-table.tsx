@@ -6,7 +6,7 @@ import { ScrollTable, words } from "../shared/scroll-table.tsx";
 import { StateBadge } from "../shared/state-badge.tsx";
 
 /** Columns that only a design with a result fills. */
-const FIGURES = ["Force N", "Signal x µε", "Signal y µε", "Best", "Best layout", "Solves", "Reused", "Time s"];
+const FIGURES = ["Force N", "Signal x µε", "Signal y µε", "Best", "Solves", "Reused", "Time s"];
 
 /** Studies that are ticked to be compared. */
 export interface Ticking {
@@ -74,7 +74,6 @@ function Figures({ study }: { study: ComparedStudy | undefined }) {
       <td>{signal(study?.std_strain_x)}</td>
       <td>{signal(study?.std_strain_y)}</td>
       <td>{best(study)}</td>
-      <td>{layout(study)}</td>
       <td>{integer(cost && cost.solves + (cost.coarser_solves ?? 0) + (cost.effect_solves ?? 0) + (cost.signal_solves ?? 0))}</td>
       <td>{integer(cost?.reused)}</td>
       <td>{fixed(cost?.wall_s, 2)}</td>
@@ -93,10 +92,4 @@ function best(study: ComparedStudy | undefined) {
       <strong>{study.best}</strong> <span class="error">{study.best_certain === true ? "certain" : "uncertain"}</span>
     </>
   );
-}
-
-function layout(study: ComparedStudy | undefined): string {
-  if (study?.layout_spacing_deg == null || study.layout_position == null) return MISSING;
-  const spacing = study.layout_spacing_deg;
-  return `${fixed(spacing, Number.isInteger(spacing) ? 0 : 1)}° ${study.layout_position}`;
 }

@@ -9,6 +9,7 @@ import type { Loadable } from "../../state/loadable.ts";
 import type { Comparison, DesignView, SweepDetail } from "../../wire.ts";
 import { Loaded } from "../shared/loaded.tsx";
 import { StateBadge } from "../shared/state-badge.tsx";
+import { AnswersPanel } from "./answers-panel.tsx";
 import { ComparisonPanel } from "./comparison-panel.tsx";
 import { DesignTable, type Ticking } from "./design-table.tsx";
 import { FigureGridPanel } from "./figure-grid-panel.tsx";
@@ -34,11 +35,16 @@ export function SweepPage({ state, route, actions }: Props) {
           </header>
           <p class="provenance">
             as JSON: <a href={sweepAddress(sweep.id)}>the sweep</a>, <a href={comparisonAddress(sweep.id, route.baseline)}>the comparison</a>; its locations as{" "}
-            <a href={comparisonExport(sweep.id, route.baseline, "format=csv")}>CSV</a> or{" "}
-            <a href={comparisonExport(sweep.id, route.baseline, "format=parquet")}>Parquet</a>, its designs as{" "}
-            <a href={comparisonExport(sweep.id, route.baseline, "format=csv&table=designs")}>CSV</a>
+            <a href={comparisonExport({ sweep: sweep.id }, route.baseline, "format=csv")}>CSV</a> or{" "}
+            <a href={comparisonExport({ sweep: sweep.id }, route.baseline, "format=parquet")}>Parquet</a>, its designs as{" "}
+            <a href={comparisonExport({ sweep: sweep.id }, route.baseline, "format=csv&table=designs")}>CSV</a>
           </p>
           <SweepProgress open={open} sweep={sweep} now_ms={state.now_ms} actions={actions} />
+          {open.comparison !== null && (
+            <Loaded of={open.comparison} what="the comparison" onRetry={actions.openSweep.reopen}>
+              {(comparison) => <AnswersPanel comparison={comparison} csv={comparisonExport({ sweep: sweep.id }, route.baseline, "format=csv&table=designs")} />}
+            </Loaded>
+          )}
           <Grid sweep={sweep} comparison={readyOf(open.comparison)} route={route} actions={actions} />
           <Designs sweep={sweep} comparison={readyOf(open.comparison)} ticked={state.browsing.ticked} onTick={actions.browsing.tick} />
           {open.comparison !== null && (

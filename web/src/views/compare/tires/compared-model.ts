@@ -42,9 +42,25 @@ export function inputOf(route: CompareRoute, results: readonly StudyResult[]): s
   return route.input ?? (first === undefined ? null : centreName(first)) ?? "";
 }
 
+/** Maps that can be read side by side. */
+const MOST_DRAWN = 4;
+
+/** Studies whose maps are drawn: the first ones, the baseline among them. */
+export function drawnOf(studies: readonly string[], baseline: string | null): string[] {
+  const first = studies.slice(0, MOST_DRAWN);
+  if (baseline === null || first.includes(baseline) || !studies.includes(baseline)) return first;
+  return [baseline, ...first.slice(0, MOST_DRAWN - 1)];
+}
+
 /** Every study's layer on one scale, and its difference from the baseline's on another. */
-export function useLayers(route: CompareRoute, answers: readonly Loadable<StudyResult>[], baseline: string | null, scale: Sight["scale"]): ComparedLayer[] {
-  const { studies, direction, quantity } = route;
+export function useLayers(
+  route: CompareRoute,
+  studies: readonly string[],
+  answers: readonly Loadable<StudyResult>[],
+  baseline: string | null,
+  scale: Sight["scale"],
+): ComparedLayer[] {
+  const { direction, quantity } = route;
   return useMemo(() => {
     const ready = answers.flatMap((answer) => (answer.status === "ready" ? [answer.value] : []));
     const input = inputOf(route, ready);
@@ -63,7 +79,7 @@ export function useLayers(route: CompareRoute, answers: readonly Loadable<StudyR
       const result = answer.status === "ready" ? answer.value : null;
       return {
         id: studies[k] ?? "",
-        number: k + 1,
+        number: route.studies.indexOf(studies[k] ?? "") + 1,
         name: result?.study.name ?? "",
         why: whyNot(answer, field),
         map: result === null || field === null ? null : drawn(result, field),

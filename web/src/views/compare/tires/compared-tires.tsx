@@ -10,7 +10,7 @@ import { LayerChoices, QUANTITY_NAMES } from "../../study/tire/layer-choices.tsx
 import { TireLegend } from "../../study/tire/tire-legend.tsx";
 import { LayoutRanks } from "../layout-ranks-table.tsx";
 import { ComparedMaps } from "./compared-maps.tsx";
-import { inputNames, inputOf, useLayers, useResults } from "./compared-model.ts";
+import { drawnOf, inputNames, inputOf, useLayers, useResults } from "./compared-model.ts";
 import { ComparedReading } from "./compared-reading.tsx";
 import { DifferenceLegend } from "./difference-legend.tsx";
 
@@ -34,8 +34,9 @@ interface Props {
 export function ComparedTires({ route, baseline, onAdjust }: Props) {
   const [sight, setSight] = useSight(route.sight, (seen) => onAdjust({ ...route, sight: seen }));
   const [hovered, setHovered] = useState<SurfacePoint | null>(null);
-  const answers = useResults(route.studies);
-  const layers = useLayers(route, answers, baseline, sight.scale);
+  const studies = drawnOf(route.studies, baseline);
+  const answers = useResults(studies);
+  const layers = useLayers(route, studies, answers, baseline, sight.scale);
   const results = answers.flatMap((answer) => (answer.status === "ready" ? [answer.value] : []));
   const set = (change: Partial<CompareRoute>): void => onAdjust({ ...route, sight, ...change });
   const title = titleOf(route, inputOf(route, results));
@@ -55,6 +56,7 @@ export function ComparedTires({ route, baseline, onAdjust }: Props) {
     <>
       <section class="panel compared" aria-labelledby="compared-title">
         <h2 id="compared-title">Their inner surfaces on one scale</h2>
+        {studies.length < route.studies.length && <p class="quiet">Of {studies.length} of them: the first ones, and the baseline.</p>}
         <div class="controls">
           <RadioChoice name="compared-as" legend="Drawn as" options={DRAWN} chosen={route.drawnAs} onChoose={(drawnAs) => set({ drawnAs })} />
           <LayerChoices

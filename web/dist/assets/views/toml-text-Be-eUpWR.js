@@ -1,1 +1,0 @@
-export{Yt as readToml}from"../views-DO-hcsqM.js";

@@ -1,0 +1,1 @@
+export{Qt as readToml}from"../views-DQCdqErb.js";
