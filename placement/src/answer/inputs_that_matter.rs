@@ -3,8 +3,9 @@
 use fem_client::solver::direction::Direction;
 
 use super::figure_words::with_error;
+use super::first_rank::{Standing, judge};
 use crate::score::quantity::QUANTITY;
-use results::{InputReport, InputShare, InputsAnswer, Output, StudyResult};
+use results::{Certainty, InputReport, InputShare, InputsAnswer, Output, StudyResult};
 
 /// Inputs that a sentence names.
 const NAMED: usize = 3;
@@ -31,8 +32,17 @@ pub(super) fn inputs_that_matter(
         // The first of equals: x before y.
         .reduce(|best, next| if next.std > best.std { next } else { best })?;
     let shares = shares(result, output)?;
+    let across = result
+        .outputs
+        .iter()
+        .filter(at_centre)
+        .find(|other| other.direction != output.direction);
+    let across = across.and_then(|output| Some((output, self::shares(result, output)?)));
+    let (verdict, reason) = judged(&shares);
     Some(InputsAnswer {
-        sentence: sentence(&shares, output),
+        sentence: sentence(&shares, output) + &other_direction(&shares, across.as_ref()),
+        verdict,
+        reason,
         location: output.location.clone(),
         direction: output.direction.as_str().to_owned(),
         shares,
@@ -53,10 +63,63 @@ fn shares(result: &StudyResult, output: &Output) -> Option<Vec<InputShare>> {
     Some(shares)
 }
 
-fn sentence(shares: &[InputShare], output: &Output) -> String {
-    let figure = |share: &InputShare| {
-        with_error(100.0 * share.index, share.error.map(|error| 100.0 * error))
+/// Says which input matters most in the other direction, where that is another one.
+fn other_direction(shares: &[InputShare], across: Option<&(&Output, Vec<InputShare>)>) -> String {
+    let both =
+        across.and_then(|(output, others)| Some((*output, shares.first()?, others.first()?)));
+    match both {
+        Some((output, first, other)) if first.input != other.input => format!(
+            " Of the {} {QUANTITY} there {} makes {} %.",
+            output.direction,
+            other.input,
+            figure(other)
+        ),
+        _ => String::new(),
+    }
+}
+
+/// Judges that the first matters most, by the others' shares.
+fn judged(shares: &[InputShare]) -> (Certainty, String) {
+    let standing = |share: &InputShare| Standing {
+        value: share.index,
+        off: share.error.map(|error| [error; 2]),
     };
+    let Some((first, others)) = shares
+        .split_first()
+        .filter(|(_, others)| !others.is_empty())
+    else {
+        return (
+            Certainty::Unknown,
+            "One input varies, and one is no ranking.".to_owned(),
+        );
+    };
+    let standings: Vec<Standing> = others.iter().map(standing).collect();
+    let judged = judge(&standing(first), &standings);
+    let next = &others[judged.closest.unwrap_or(0)];
+    let figures = format!(
+        "{} makes {} %, and {} {} %",
+        first.input,
+        figure(first),
+        next.input,
+        figure(next)
+    );
+    let reason = match judged.verdict {
+        Certainty::Certain => format!("No other input comes near: {figures}."),
+        Certainty::Likely => {
+            format!("The next is farther off than either error, and not than both: {figures}.")
+        }
+        Certainty::Tied => format!("The errors can't tell {} from it: {figures}.", next.input),
+        Certainty::Unknown => format!("How far off the shares are isn't known: {figures}."),
+    };
+    (judged.verdict, reason)
+}
+
+/// The share, percent, with its error.
+fn figure(share: &InputShare) -> String {
+    with_error(100.0 * share.index, share.error.map(|error| 100.0 * error))
+}
+
+fn sentence(shares: &[InputShare], output: &Output) -> String {
     let what = format!(
         "the variance of the {} {QUANTITY} at {}",
         output.direction, output.location
@@ -110,6 +173,47 @@ mod tests {
             index,
             error: Some(0.01),
         }
+    }
+
+    #[test]
+    fn the_first_is_judged_by_the_others_and_one_is_no_ranking() {
+        let [cords, near, far] = [share("cords", 0.5), share("P3", 0.495), share("P2", 0.1)];
+        let verdict = |all: &[&InputShare]| {
+            let all: Vec<InputShare> = all.iter().copied().cloned().collect();
+            judged(&all)
+        };
+        assert_eq!(
+            verdict(&[&cords, &far]),
+            (
+                Certainty::Certain,
+                "No other input comes near: cords makes 50.0 +- 1.0 %, and P2 10.0 +- 1.0 %."
+                    .to_owned()
+            )
+        );
+        let (tied, why) = verdict(&[&cords, &near, &far]);
+        assert_eq!(tied, Certainty::Tied);
+        assert!(why.starts_with("The errors can't tell P3 from it"), "{why}");
+        assert_eq!(verdict(&[&cords]).0, Certainty::Unknown);
+        let unknown = InputShare {
+            error: None,
+            ..cords.clone()
+        };
+        assert_eq!(verdict(&[&unknown, &far]).0, Certainty::Unknown);
+    }
+
+    #[test]
+    fn another_first_in_the_other_direction_is_named() {
+        let (y, x) = ([share("pressure", 0.97)], vec![share("P1", 0.96)]);
+        let across = Output {
+            direction: Direction::X,
+            ..output()
+        };
+        assert_eq!(
+            other_direction(&y, Some(&(&across, x))),
+            " Of the x strain there P1 makes 96.0 +- 1.0 %."
+        );
+        assert_eq!(other_direction(&y, Some(&(&across, y.to_vec()))), "");
+        assert_eq!(other_direction(&y, None), "");
     }
 
     #[test]

@@ -7,9 +7,11 @@ use super::inputs_that_matter::inputs_that_matter;
 use super::left_out_words::largest;
 use super::picked_layout::picked_layout;
 use documents::study::Study;
+use fem_client::solver::direction::Direction;
+use results::location_scores::GSI;
 use results::{
-    Answer, Certainty, InputsAnswer, LayoutAnswer, PlaceAnswer, RankedLayout, SheetFilm,
-    StudyResult,
+    Answer, Certainty, InputsAnswer, LayoutAnswer, PlaceAnswer, RankedLayout, RankedLocation,
+    SheetFilm, StudyResult,
 };
 
 /// The answer of a study's result, which has everything else already; `None` where nothing has a rank. What a surer answer costs depends on the machine: who
@@ -21,39 +23,19 @@ pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
     let layout = trade
         .as_ref()
         .and_then(|trade| picked_layout(trade, &result.layouts));
-    let of_layout = layout
-        .as_ref()
-        .map(|(layout, sentence)| (layout.verdict, &layout.reason, sentence));
     let inputs = inputs_that_matter(result, study.directions.asked());
-    let of_place = place.as_ref().map(|place| {
-        (
-            place.verdict,
-            &place.reason,
-            told_first(place, inputs.as_ref(), result),
-        )
-    });
-    let told = [of_layout, of_place];
-    let sentence = told
-        .iter()
-        .flatten()
-        .map(|(.., sentence)| *sentence)
-        .next()?
-        .clone();
-    let unscored = (study.layouts.is_asked() && of_layout.is_none()).then(|| unscored(result));
+    let told = told(
+        layout.as_ref(),
+        place.as_ref(),
+        inputs.as_ref(),
+        &result.locations,
+    )?;
+    let unscored = (study.layouts.is_asked() && layout.is_none()).then(|| unscored(result));
     let (verdict, reason) = match unscored {
         Some(reason) => (Certainty::Unknown, reason),
-        None => {
-            // The layout's of equals: the sentence is about it.
-            let weaker =
-                told.iter().flatten().reduce(
-                    |layout, place| {
-                        if place.0 > layout.0 { place } else { layout }
-                    },
-                );
-            let (verdict, reason, _) = weaker?;
-            (*verdict, (*reason).clone())
-        }
+        None => (told.verdict, told.reason.to_owned()),
     };
+    let sentence = told.sentence.to_owned();
     Some(Answer {
         sentence,
         verdict,
@@ -77,23 +59,57 @@ fn films(study: &Study, result: &StudyResult, layout: Option<&LayoutAnswer>) -> 
     })
 }
 
-/// Returns what a study without layouts tells first: its best place, or the input that matters more than the depth below it.
-fn told_first<'a>(
-    place: &'a PlaceAnswer,
+/// What an answer tells, how sure that is, and why.
+#[derive(Debug, Clone, Copy)]
+struct Told<'a> {
+    sentence: &'a str,
+    verdict: Certainty,
+    reason: &'a str,
+}
+
+/// Returns what a study tells first: its layout; without one its best place, or the input that matters more than the depth below it. A layout is no surer than the
+/// first of several places.
+fn told<'a>(
+    layout: Option<&'a (LayoutAnswer, String)>,
+    place: Option<&'a PlaceAnswer>,
     inputs: Option<&'a InputsAnswer>,
-    result: &StudyResult,
-) -> &'a String {
-    let own = |input: &String| {
-        result
-            .locations
-            .iter()
-            .any(|location| location.input.as_ref() == Some(input))
-    };
-    let first = inputs.and_then(|inputs| Some((inputs, inputs.shares.first()?)));
-    match first {
-        Some((inputs, share)) if !own(&share.input) => &inputs.sentence,
-        _ => &place.sentence,
+    locations: &[RankedLocation],
+) -> Option<Told<'a>> {
+    let of_place = place.map(|place| Told {
+        sentence: &place.sentence,
+        verdict: place.verdict,
+        reason: &place.reason,
+    });
+    if let Some((layout, sentence)) = layout {
+        let own = Told {
+            sentence,
+            verdict: layout.verdict,
+            reason: &layout.reason,
+        };
+        let ranked = locations.iter().filter(|location| has_index(location));
+        let weaker = of_place.filter(|place| ranked.count() > 1 && place.verdict > own.verdict);
+        return Some(weaker.map_or(own, |place| Told { sentence, ..place }));
     }
+    let is_own = |input: &String| {
+        let mut locations = locations.iter();
+        locations.any(|location| location.input.as_ref() == Some(input))
+    };
+    let others = inputs.filter(|inputs| {
+        let first = inputs.shares.first();
+        first.is_some_and(|share| !is_own(&share.input))
+    });
+    let of_inputs = others.map(|inputs| Told {
+        sentence: &inputs.sentence,
+        verdict: inputs.verdict,
+        reason: &inputs.reason,
+    });
+    of_inputs.or(of_place)
+}
+
+fn has_index(location: &RankedLocation) -> bool {
+    Direction::ALL
+        .iter()
+        .any(|&direction| location.value(GSI, direction).is_some())
 }
 
 /// Says why layouts that were asked for have no scores.

@@ -259,6 +259,10 @@ fn other_orders(locations: &[RankedLocation]) -> Vec<GradedNote> {
 /// Ranks that known errors leave open; where none is known another note says so.
 fn uncertain(locations: &[RankedLocation]) -> Option<GradedNote> {
     let is_unsure = |location: &&RankedLocation| !location.rank_certain && location.knows_error();
+    let known = locations.iter().filter(|location| location.knows_error());
+    if known.count() < 2 {
+        return None;
+    }
     let unsure: Vec<&RankedLocation> = locations.iter().filter(is_unsure).collect();
     let first = unsure.iter().any(|location| location.rank == 1);
     let unsure: Vec<&str> = unsure.iter().map(|l| l.name.as_str()).collect();

@@ -198,8 +198,11 @@ fn places_are_certain(ranked: &[RankedLocation], directions: Directions) -> Vec<
     let estimates: Vec<Option<Estimate>> = ranked.iter().map(known).collect();
     let ranks: Vec<Estimate> = estimates.iter().flatten().copied().collect();
     let mut certain = places_certain(&ranks, EQUAL_PERCENT).into_iter();
-    // A location without an index could belong anywhere: the last place is the only one left for it.
-    let known = |estimate: &Option<Estimate>| estimate.is_some() && certain.next() == Some(true);
+    // A location without an index could belong anywhere: the last place is the only one left for it. One place is no ranking.
+    let is_ranking = ranks.len() > 1;
+    let known = |estimate: &Option<Estimate>| {
+        estimate.is_some() && certain.next() == Some(true) && is_ranking
+    };
     estimates.iter().map(known).collect()
 }
 
@@ -310,6 +313,8 @@ mod tests {
         number_with(&mut ranked[..3], Some(10.0));
         let ranks = ranked.each_ref().map(|l| (l.rank, l.rank_certain));
         assert_eq!(ranks[..3], [(1, true), (2, true), (2, true)]);
+        number_with(&mut ranked[..1], Some(10.0));
+        assert!(!ranked[0].rank_certain, "one place is no ranking");
         rank_by_one(&mut ranked, Direction::X);
         assert_eq!(
             ranked.each_ref().map(|l| l.ranks.x),

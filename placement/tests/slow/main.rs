@@ -3,3 +3,4 @@
 mod effects;
 mod film_points;
 mod layouts;
+mod menu;

@@ -4,7 +4,17 @@ use serde::{Deserialize, Serialize};
 
 /// Certainty of a first rank, by what the order goes by; surest first. Mirror images tie by symmetry: that isn't uncertainty.
 #[derive(
-    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, utoipa::ToSchema,
+    Debug,
+    Default,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    utoipa::ToSchema,
 )]
 #[serde(rename_all = "lowercase")]
 pub enum Certainty {
@@ -15,6 +25,7 @@ pub enum Certainty {
     /// The difference from another, or from nothing at all, is within the larger of both errors.
     Tied,
     /// An error is missing, nothing else is ranked, or layouts lose the contact: one in twenty is off by more than 20 degrees.
+    #[default]
     Unknown,
 }
 

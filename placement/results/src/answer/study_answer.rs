@@ -9,9 +9,9 @@ use super::trade_answer::TradeAnswer;
 /// Answer of a study: where the films go, how sure that is, and what could overturn it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Answer {
-    /// The answer: the best layout and what it knows, or the best place where no layouts are asked for.
+    /// The answer: the best layout and what it knows; where no layouts are asked for the best place, or the input that matters more than the depth below it.
     pub sentence: String,
-    /// The weaker of the verdicts on place and layout.
+    /// The weaker of the verdicts on layout and place, where several places are ranked; without layouts that on what the sentence tells.
     pub verdict: Certainty,
     /// Reason why it isn't surer, or why it is certain, with the figures that decide; whole sentences.
     pub reason: String,
@@ -39,6 +39,12 @@ pub struct Answer {
 pub struct InputsAnswer {
     /// The inputs that matter most, in a sentence.
     pub sentence: String,
+    /// Certainty that the first matters most.
+    #[serde(default)]
+    pub verdict: Certainty,
+    /// Reason for the verdict, with the figures that decide.
+    #[serde(default)]
+    pub reason: String,
     /// Location at the contact centre.
     pub location: String,
     /// Direction of the strain: the one that varies more, of those asked for.
