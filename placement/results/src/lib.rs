@@ -19,7 +19,7 @@ mod study_cost;
 
 pub use answer::{
     Answer, Certainty, Grade, GradedNote, InputShare, InputsAnswer, LayoutAnswer, LeftOut,
-    PlaceAnswer, SheetFilm, Surer, Topic, TradeAnswer, TradeRow,
+    PlaceAnswer, SheetFilm, SignalsAnswer, Surer, Topic, TradeAnswer, TradeRow,
 };
 pub use climb_report::{Climb, ClimbRung, FidelityReport};
 pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast};

@@ -32,6 +32,20 @@ pub(crate) struct Judged {
     pub closest: Option<usize>,
 }
 
+impl Judged {
+    /// Reason for the verdict in a sentence: how the first is told from the next, with the figures of both.
+    pub(super) fn reason(&self, next: &str, figures: &str) -> String {
+        match self.verdict {
+            Certainty::Certain => format!("No other comes near: {figures}."),
+            Certainty::Likely => {
+                format!("The next is farther off than either error, and not than both: {figures}.")
+            }
+            Certainty::Tied => format!("The errors can't tell {next} from it: {figures}."),
+            Certainty::Unknown => format!("How far off the figures are isn't known: {figures}."),
+        }
+    }
+}
+
 /// Judges the first by the others, which are in their order, best first.
 pub(crate) fn judge(first: &Standing, others: &[Standing]) -> Judged {
     let verdicts: Vec<Certainty> = others.iter().map(|other| told(first, other)).collect();

@@ -103,14 +103,7 @@ fn judged(shares: &[InputShare]) -> (Certainty, String) {
         next.input,
         figure(next)
     );
-    let reason = match judged.verdict {
-        Certainty::Certain => format!("No other input comes near: {figures}."),
-        Certainty::Likely => {
-            format!("The next is farther off than either error, and not than both: {figures}.")
-        }
-        Certainty::Tied => format!("The errors can't tell {} from it: {figures}.", next.input),
-        Certainty::Unknown => format!("How far off the shares are isn't known: {figures}."),
-    };
+    let reason = judged.reason(&next.input, &figures);
     (judged.verdict, reason)
 }
 
@@ -186,8 +179,7 @@ mod tests {
             verdict(&[&cords, &far]),
             (
                 Certainty::Certain,
-                "No other input comes near: cords makes 50.0 +- 1.0 %, and P2 10.0 +- 1.0 %."
-                    .to_owned()
+                "No other comes near: cords makes 50.0 +- 1.0 %, and P2 10.0 +- 1.0 %.".to_owned()
             )
         );
         let (tied, why) = verdict(&[&cords, &near, &far]);

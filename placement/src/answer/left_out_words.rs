@@ -6,15 +6,16 @@ use fem_client::solver::Choice;
 use super::figure_words::percent;
 use results::{Grade, GradedNote, LeftOut, Topic};
 
+/// Name of the stiffness of films, where solvers leave it out.
+pub(super) const FILM_STIFFNESS: &str = "film stiffness";
 /// Effects from which on the answer is another one, and a figure.
 const CHANGES: f64 = 0.1;
 const BEARS: f64 = 0.01;
 
 /// The part of what is left out that changes strains most, of those whose effect is known.
-pub(super) fn largest(left_out: &[Choice]) -> Option<LeftOut> {
-    let known = left_out
-        .iter()
-        .filter_map(|choice| Some((choice, choice.effect.filter(|effect| *effect > 0.0)?)));
+pub(super) fn largest<'a>(left_out: impl Iterator<Item = &'a Choice>) -> Option<LeftOut> {
+    let known =
+        left_out.filter_map(|choice| Some((choice, choice.effect.filter(|effect| *effect > 0.0)?)));
     let (choice, effect) = known.max_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(LeftOut {
         what: choice.what.clone(),
@@ -46,7 +47,7 @@ pub(crate) fn effect_notes(left_out: &[Choice]) -> Vec<GradedNote> {
 fn sentence(what: &str, effect: f64) -> String {
     let change = percent(effect);
     match what {
-        "film stiffness" => {
+        FILM_STIFFNESS => {
             let film = Film::default();
             format!(
                 "A glued PVDF film of {} x {} x {} mm would change the strain under it by {change} %: the indices are those of bare rubber.",
@@ -82,7 +83,7 @@ mod tests {
             choice("film folding", None),
             choice("compressibility", Some(0.00038)),
         ];
-        let found = largest(&left_out).expect("an effect");
+        let found = largest(left_out.iter()).expect("an effect");
         assert_eq!(
             found.sentence,
             "A glued PVDF film of 5 x 5 x 0.05 mm would change the strain under it by 100 %: the indices are those of bare rubber."
@@ -99,7 +100,7 @@ mod tests {
                 (Grade::ForTheRecord, Topic::Model)
             ]
         );
-        assert_eq!(largest(&left_out[..1]), None);
+        assert_eq!(largest(left_out[..1].iter()), None);
     }
 
     #[test]

@@ -6,6 +6,7 @@
 //! - `film_trade`: the best layout of each number of films, and which of them answers; `trade_words`: the same in words
 //! - `picked_layout`: the layout that answers; `rivals`: its verdict against the others, and the reason
 //! - `inputs_that_matter`: the shares of all inputs
+//! - `strongest_film`: the film that gives most, in volts
 //! - `gluing_sheet`: its films, one by one
 //! - `layout_figures`: errors of layouts with their claims
 //! - `layout_words`: what a layout is, in words
@@ -23,6 +24,7 @@ mod layout_words;
 mod left_out_words;
 mod picked_layout;
 mod rivals;
+mod strongest_film;
 mod trade_words;
 mod whole_answer;
 

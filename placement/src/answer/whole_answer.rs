@@ -4,14 +4,16 @@ use super::best_place::best_place;
 use super::film_trade::trade;
 use super::gluing_sheet::sheet;
 use super::inputs_that_matter::inputs_that_matter;
-use super::left_out_words::largest;
+use super::left_out_words::{FILM_STIFFNESS, largest};
 use super::picked_layout::picked_layout;
+use super::strongest_film::strongest_film;
+use documents::parts::film_model::FilmModel;
 use documents::study::Study;
 use fem_client::solver::direction::Direction;
 use results::location_scores::GSI;
 use results::{
-    Answer, Certainty, InputsAnswer, LayoutAnswer, PlaceAnswer, RankedLayout, RankedLocation,
-    SheetFilm, StudyResult,
+    Answer, Certainty, InputsAnswer, LayoutAnswer, LeftOut, PlaceAnswer, RankedLayout,
+    RankedLocation, SheetFilm, SignalsAnswer, StudyResult,
 };
 
 /// The answer of a study's result, which has everything else already; `None` where nothing has a rank. What a surer answer costs depends on the machine: who
@@ -24,8 +26,10 @@ pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
         .as_ref()
         .and_then(|trade| picked_layout(trade, &result.layouts));
     let inputs = inputs_that_matter(result, study.directions.asked());
+    let signals = result.signals.as_ref().and_then(strongest_film);
     let told = told(
         layout.as_ref(),
+        signals.as_ref(),
         place.as_ref(),
         inputs.as_ref(),
         &result.locations,
@@ -40,7 +44,8 @@ pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
         sentence,
         verdict,
         reason,
-        left_out: largest(&result.model.left_out),
+        left_out: left_out(result, signals.as_ref()),
+        signals,
         place,
         films: films(study, result, layout.as_ref().map(|(layout, _)| layout)),
         layout: layout.map(|(layout, _)| layout),
@@ -48,6 +53,14 @@ pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
         inputs,
         surer: None,
     })
+}
+
+/// The largest of what is left out; a study that answers by glued films has their stiffness.
+fn left_out(result: &StudyResult, signals: Option<&SignalsAnswer>) -> Option<LeftOut> {
+    let is_glued = signals.is_some_and(|signals| signals.film == FilmModel::Coupled);
+    let parts = result.model.left_out.iter();
+    let parts = parts.filter(|part| !(is_glued && part.what == FILM_STIFFNESS));
+    largest(parts)
 }
 
 /// The films of the layout that answers.
@@ -67,10 +80,11 @@ struct Told<'a> {
     reason: &'a str,
 }
 
-/// Returns what a study tells first: its layout; without one its best place, or the input that matters more than the depth below it. A layout is no surer than the
+/// Returns what a study tells first: its layout; without one the film that gives most, where films are read; else its best place, or the input that matters more than the depth below it. A layout is no surer than the
 /// first of several places.
 fn told<'a>(
     layout: Option<&'a (LayoutAnswer, String)>,
+    signals: Option<&'a SignalsAnswer>,
     place: Option<&'a PlaceAnswer>,
     inputs: Option<&'a InputsAnswer>,
     locations: &[RankedLocation],
@@ -89,6 +103,13 @@ fn told<'a>(
         let ranked = locations.iter().filter(|location| has_index(location));
         let weaker = of_place.filter(|place| ranked.count() > 1 && place.verdict > own.verdict);
         return Some(weaker.map_or(own, |place| Told { sentence, ..place }));
+    }
+    if let Some(signals) = signals {
+        return Some(Told {
+            sentence: &signals.sentence,
+            verdict: signals.verdict,
+            reason: &signals.reason,
+        });
     }
     let is_own = |input: &String| {
         let mut locations = locations.iter();

@@ -1,5 +1,6 @@
 //! The answer of a study in one sentence, how sure it is, and why.
 
+use documents::parts::film_model::FilmModel;
 use serde::{Deserialize, Serialize};
 
 use super::certainty_word::Certainty;
@@ -28,6 +29,9 @@ pub struct Answer {
     /// Inputs that matter, of all there are; null where the strain at the contact centre has no index.
     #[serde(default)]
     pub inputs: Option<InputsAnswer>,
+    /// The film that gives most, where films' signals are read.
+    #[serde(default)]
+    pub signals: Option<SignalsAnswer>,
     /// Part that the model leaves out and that changes strains most; null where no effect is known.
     pub left_out: Option<LeftOut>,
     /// Price of a surer answer; null at the top of the ladder. Not part of the result's hash.
@@ -51,6 +55,29 @@ pub struct InputsAnswer {
     pub direction: String,
     /// Share of each input, the greatest first.
     pub shares: Vec<InputShare>,
+}
+
+/// The film that gives most, at the largest load on the study's own tire.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct SignalsAnswer {
+    /// The film in a sentence, with the next.
+    pub sentence: String,
+    /// Certainty that none of those read gives more.
+    pub verdict: Certainty,
+    /// Reason for the verdict, with the figures that decide.
+    pub reason: String,
+    /// Model of the film: the most detailed of those that are read.
+    pub film: FilmModel,
+    /// Position of the film in the section.
+    pub position: String,
+    /// Direction of its length: `x` or `y`.
+    pub direction: String,
+    /// Vertical force of the ground, N.
+    pub load_n: f64,
+    /// Voltage where nothing draws charge, V.
+    pub open_circuit_v: f64,
+    /// Claimed error of that, V; null without a coarser mesh.
+    pub error_v: Option<f64>,
 }
 
 /// Share of an input.
