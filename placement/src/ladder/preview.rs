@@ -5,16 +5,19 @@ use fem_client::solver::Grid;
 use gsa::method::Kind;
 
 use crate::ladder::fidelity::Fidelity;
-use documents::layouts::layout_settings::Layouts;
+use documents::layouts::layout_settings::{LayoutLoads, Layouts};
 use documents::study::{Accuracy, Study};
 
 /// Points of the map around the wheel and along the section, at most.
 const MOST_MAP: [usize; 2] = [31, 11];
 
+/// Layouts of a preview at most: the default menu with room for some by hand.
+const MOST_LAYOUTS: usize = 200;
+
 /// A study on the draft mesh, and what it leaves out of the one that was asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Preview {
-    /// Study to solve: places alone, on a small map, by a plan that isn't extended.
+    /// Study to solve: places on a small map, by a plan that isn't extended, and layouts at one load.
     pub study: Study,
     /// Parts that aren't solved, and why; whole sentences.
     pub left_out: Vec<String>,
@@ -27,9 +30,7 @@ impl Preview {
             "The error of the mesh: a draft has no coarser mesh to compare with.".to_owned(),
             "What the parts of reality that the model leaves out would change.".to_owned(),
         ];
-        if study.layouts.is_asked() {
-            left_out.push("Layouts: they take solves of their own.".to_owned());
-        }
+        let layouts = lighter(study, &mut left_out);
         if study.signals.is_some() {
             left_out.push("Films' signals: they take solves of their own.".to_owned());
         }
@@ -56,7 +57,7 @@ impl Preview {
         Self {
             study: Study {
                 grid,
-                layouts: Layouts::none(),
+                layouts,
                 signals: None,
                 rig: None,
                 accuracy: Accuracy::Preset,
@@ -65,6 +66,58 @@ impl Preview {
             left_out,
         }
     }
+}
+
+/// The layouts at the load in the middle, of bare films, without what takes further solves or hundreds of simulations.
+fn lighter(study: &Study, left_out: &mut Vec<String>) -> Layouts {
+    let asked = &study.layouts;
+    if !asked.is_asked() {
+        return Layouts::none();
+    }
+    let count = asked.rings(study.directions).len() + asked.free.len();
+    if count == 0 || count > MOST_LAYOUTS {
+        left_out.push(format!(
+            "{count} layouts: a preview has {MOST_LAYOUTS} at most, and none of a search."
+        ));
+        return Layouts::none();
+    }
+    let loads = match &asked.loads {
+        LayoutLoads::Mean => LayoutLoads::Mean,
+        LayoutLoads::Depths(depths) => LayoutLoads::Depths(middle(depths)),
+        LayoutLoads::Forces(forces) => LayoutLoads::Forces(middle(forces)),
+    };
+    let light = Layouts {
+        loads,
+        glued: None,
+        dead: false,
+        shear: false,
+        level: None,
+        search: None,
+        candidate_sizes_mm: Vec::new(),
+        ..asked.clone()
+    };
+    for (differs, what) in [
+        (
+            light.loads != asked.loads,
+            "Layouts at other loads than the one in the middle.",
+        ),
+        (
+            asked.glued.is_some(),
+            "The stiffness of glued films: a preview's are bare.",
+        ),
+        (asked.dead, "Layouts with a dead film."),
+        (asked.shear, "Forces along and across the wheel."),
+        (asked.search.is_some(), "The search for the best layouts."),
+    ] {
+        if differs {
+            left_out.push(what.to_owned());
+        }
+    }
+    light
+}
+
+fn middle(loads: &[f64]) -> Vec<f64> {
+    loads.get(loads.len() / 2).copied().into_iter().collect()
 }
 
 /// A map of the same extent with no more points than a preview has.
@@ -110,11 +163,15 @@ mod tests {
                 .iter()
                 .all(|scene| scene.model.level == Level::Draft)
         );
-        assert!(!preview.study.layouts.is_asked());
+        assert_eq!(preview.study.layouts.loads, LayoutLoads::Depths(vec![1.0]));
         let grid = preview.study.grid.unwrap();
         assert_eq!((grid.circumferential, grid.meridional), (31, 11));
         let said = preview.left_out.join(" ");
-        assert!(said.contains("Layouts") && said.contains("61 x 21") && !said.contains("signals"));
+        assert!(
+            said.contains("Layouts at other loads")
+                && said.contains("61 x 21")
+                && !said.contains("signals")
+        );
     }
 
     #[test]
@@ -123,6 +180,24 @@ mod tests {
         let again = Preview::of(&draft);
         assert_eq!(again.study, draft);
         assert_eq!(again.left_out.len(), 2, "{:?}", again.left_out);
+    }
+
+    #[test]
+    fn what_layouts_take_further_solves_for_is_left_out() {
+        let mut study = shipped();
+        study.layouts.dead = true;
+        study.layouts.shear = true;
+        let preview = Preview::of(&study);
+        assert!(!preview.study.layouts.dead && !preview.study.layouts.shear);
+        let said = preview.left_out.join(" ");
+        assert!(
+            said.contains("dead film") && said.contains("along and across"),
+            "{said}"
+        );
+        study.layouts.section_deg = (1..9).map(f64::from).collect();
+        let many = Preview::of(&study);
+        assert!(!many.study.layouts.is_asked());
+        assert!(many.left_out.join(" ").contains("200 at most"));
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Previews: a study's places on the draft mesh, solved at once and forgotten.
+//! Previews: a study's places and layouts on the draft mesh, solved at once and forgotten.
 //!
 //! One at a time in the whole service, beside the queue and with a solver of its own, so that what a running study shares between its solves stays. A newer preview
 //! stops the one before; so does a client that goes away.
@@ -10,11 +10,11 @@ use std::time::Instant;
 use documents::study::Study;
 use documents::study::plan::{PlanError, PlannedStudy};
 use fem_client::solver::Solver;
+use placement::ladder::climb;
 use placement::ladder::preview;
 use placement::points::RunContext;
 use placement::points::RunError;
 use placement::points::memory::MemoryArchive;
-use placement::run::run;
 use tokio::sync::{Notify, OwnedMutexGuard, oneshot};
 
 use crate::solving::solver_choice::PREVIEW_LIMIT;
@@ -95,7 +95,7 @@ impl Previewer {
         }
     }
 
-    /// Solves a study's places on the draft mesh.
+    /// Solves a study's places and layouts on the draft mesh.
     ///
     /// # Errors
     /// See [`PreviewError`].
@@ -168,7 +168,7 @@ fn solved(
         pause: None,
         observer: &|_| {},
     };
-    let result = run(&study, &plan, context).map_err(|error| match error {
+    let result = climb::answer(&study, &plan, context).map_err(|error| match error {
         RunError::Stopped => PreviewError::Superseded,
         error => PreviewError::Unsolved {
             cause: error.to_string(),
@@ -178,10 +178,11 @@ fn solved(
         claim: "none".to_owned(),
         level: study.level.as_str().to_owned(),
         wall_s: begun.elapsed().as_secs_f64(),
-        solves: result.cost.solves,
+        solves: result.cost.solves + result.cost.layout_solves,
         left_out: preview.left_out.clone(),
         inputs: result.inputs,
         locations: result.locations,
+        answer: result.answer,
         cut_point: result.cut_point,
         map: result.map,
         notes: result.notes,

@@ -1,10 +1,10 @@
 //! Preview of a document: what it would find, roughly and at once.
 
-use results::{CutPoint, IndexMap, InputReport, RankedLocation};
+use results::{Answer, CutPoint, IndexMap, InputReport, RankedLocation};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-/// A study's places on the draft mesh. It claims nothing: no error is known.
+/// A study's places and layouts on the draft mesh. It claims nothing: no error is known.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Preview {
     /// Claim of the preview: `none`.
@@ -19,6 +19,9 @@ pub struct Preview {
     pub left_out: Vec<String>,
     /// Inputs that varied.
     pub inputs: Vec<InputReport>,
+    /// The answer, with the layout and its films; its verdict is unknown. Null where nothing has an index.
+    #[serde(default)]
+    pub answer: Option<Answer>,
     /// Ranked locations.
     pub locations: Vec<RankedLocation>,
     /// The response at the means.

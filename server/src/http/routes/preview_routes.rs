@@ -1,4 +1,4 @@
-//! A document's places at once, while somebody writes it.
+//! A document's places and layouts at once, while somebody writes it.
 
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -25,7 +25,7 @@ pub(crate) fn router() -> OpenApiRouter<AppState> {
 
 /// Preview a study
 ///
-/// Solves the document's points on the draft mesh at once and ranks the places: figures without a claim, for somebody who is still writing. Nothing is queued or stored.
+/// Solves the document's points on the draft mesh at once, ranks the places and answers with a layout at the load in the middle: figures without a claim, for somebody who is still writing. Nothing is queued or stored.
 /// One preview is solved at a time in the whole service: a newer one ends the one before, whose client is told so (409). A client that goes away ends its own.
 #[utoipa::path(post, path = "/v1/studies:preview", tag = "studies",
     request_body(description = "A study, as JSON or TOML", content(
