@@ -247,6 +247,11 @@ export function estimatorAddress(id: string, part: "" | "/report" | "/model" | "
   return `${ROOT}${estimatorPath(id, part)}`;
 }
 
+/** The films of the answer as an SVG to glue by, 1:1 on paper. */
+export async function template(id: string): Promise<string> {
+  return (await answer("GET", address(id, "export?format=svg"), undefined, { Accept: "image/svg+xml, application/problem+json" })).text();
+}
+
 /** The address of a part of a study, for a link. */
 export function address(id: string, part: "result" | "evaluations" | `export?${string}`): string {
   return `${ROOT}${path(id, `/${part}`)}`;

@@ -22,6 +22,7 @@ test("an address and its view are the same thing", () => {
     { view: "own" },
     estimatorRoute("a b/c"),
     { ...estimatorRoute("0197"), force: "fz_n" },
+    { ...studyRoute("0197"), section: "sheet" },
     ...SECTIONS.map((section): Route => ({ ...studyRoute("0197"), section })),
   ];
   for (const view of views) assert.deepEqual(parseRoute(formatRoute(view)), view);

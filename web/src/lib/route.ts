@@ -31,7 +31,8 @@ export type SweepRoute = { view: "sweep"; id: string; baseline: string | null; s
 
 /** A study's pages, in the order of their links. */
 export const SECTIONS = ["answer", "tire", "layouts", "indices", "trade", "run"] as const;
-export type Section = (typeof SECTIONS)[number];
+/** The sheet to glue by has no link among them: the answer and its files lead there. */
+export type Section = (typeof SECTIONS)[number] | "sheet";
 
 export type StudyRoute = { view: "study"; id: string; section: Section; films: string | null; sight: Sight } & LayerChoice;
 /** All estimators of forces, and the form of a new one. */
@@ -76,7 +77,7 @@ function writeLayer({ direction, quantity, input }: LayerChoice, values: URLSear
 
 /** Of links from before the sections: those that choose what the map shows open the map. */
 function sectionOf(name: string | undefined, values: URLSearchParams): Section {
-  const named = SECTIONS.find((section) => section === name);
+  const named = name === "sheet" ? name : SECTIONS.find((section) => section === name);
   if (named !== undefined) return named;
   return values.has("quantity") || values.has("input") ? "tire" : "answer";
 }
