@@ -329,7 +329,8 @@ async function asked<T>(method: string, where: string, body?: unknown, headers: 
 
 /** What the service answers, unless it refuses. */
 async function answer(method: string, where: string, body?: unknown, headers: HeadersInit = {}, signal: AbortSignal | null = null): Promise<Response> {
-  const options: RequestInit = { method, signal, headers: { Accept: "application/json", ...headers } };
+  // What is removed is removed when the page is left, too.
+  const options: RequestInit = { method, signal, keepalive: method === "DELETE", headers: { Accept: "application/json", ...headers } };
   if (body !== undefined) {
     options.body = JSON.stringify(body);
     options.headers = { ...options.headers, "Content-Type": "application/json" };
