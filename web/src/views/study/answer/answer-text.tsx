@@ -16,11 +16,6 @@ export function AnswerText({ answer, notes, places, sheet }: { answer: Answer; n
         </Term>{" "}
         {leadOf(answer.reason)}
       </p>
-      {(answer.films ?? []).length > 0 && (
-        <p>
-          <a href={sheet}>Sheet to glue by</a>
-        </p>
-      )}
       <dl class="answer-facts">
         {place != null && (
           <Fact name="Place">
@@ -37,6 +32,11 @@ export function AnswerText({ answer, notes, places, sheet }: { answer: Answer; n
         {surer != null && <Fact name="Surer">{surerWords(surer)}</Fact>}
       </dl>
       <Why answer={answer} notes={notes} />
+      {(answer.films ?? []).length > 0 && (
+        <a class="answer-sheet" href={sheet}>
+          Sheet to glue by
+        </a>
+      )}
     </div>
   );
 }
