@@ -139,7 +139,10 @@ test("a draft waits while another view is open, and a text that is no document s
   const { page, complaints } = await openForm();
   await page.locator('.preset input[value="layouts"]').check();
   await page.waitForURL(/preset=layouts$/);
-  await page.goBack();
+  await page.getByRole("link", { name: "Forces", exact: true }).click();
+  await page.getByRole("link", { name: "New study", exact: true }).click();
+  await page.waitForURL(/preset=layouts$/);
+  for (const _ of [1, 2, 3]) await page.goBack();
   await page.locator('.preset input[value="foot-tire"]:checked').waitFor();
   await page.getByLabel(WALL).fill("4");
   await page.waitForURL(/wall_mm=4$/);

@@ -49,9 +49,9 @@ export function createDraftAddress(store: Store): DraftAddress {
     const { route, studyDraft } = store.get();
     if (route.view !== "home") return;
     settled = last = routeOf(studyDraft) ?? route;
-    address = formatRoute(route);
     // The form's plain address leads to the draft as it was left.
-    if (isPlain(route) && Object.keys(last.edits).length > 0) put(last, false);
+    if (isPlain(route) && address !== "") put(last, false);
+    else address = formatRoute(route);
   }
 
   function write(): void {
