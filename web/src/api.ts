@@ -247,6 +247,11 @@ export function estimatorAddress(id: string, part: "" | "/report" | "/model" | "
   return `${ROOT}${estimatorPath(id, part)}`;
 }
 
+/** The films of the answer as an SVG to glue by, 1:1 on paper. */
+export async function template(id: string): Promise<string> {
+  return (await answer("GET", address(id, "export?format=svg"), undefined, { Accept: "image/svg+xml, application/problem+json" })).text();
+}
+
 /** The address of a part of a study, for a link. */
 export function address(id: string, part: "result" | "evaluations" | `export?${string}`): string {
   return `${ROOT}${path(id, `/${part}`)}`;
@@ -324,7 +329,8 @@ async function asked<T>(method: string, where: string, body?: unknown, headers: 
 
 /** What the service answers, unless it refuses. */
 async function answer(method: string, where: string, body?: unknown, headers: HeadersInit = {}, signal: AbortSignal | null = null): Promise<Response> {
-  const options: RequestInit = { method, signal, headers: { Accept: "application/json", ...headers } };
+  // What is removed is removed when the page is left, too.
+  const options: RequestInit = { method, signal, keepalive: method === "DELETE", headers: { Accept: "application/json", ...headers } };
   if (body !== undefined) {
     options.body = JSON.stringify(body);
     options.headers = { ...options.headers, "Content-Type": "application/json" };

@@ -2,7 +2,7 @@
 // STRAINSITE_PAGE=URL tries a page that is served elsewhere, by vite with a service behind it.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { openBrowser, openPage, showTab, showText } from "../page.mjs";
+import { openBrowser, openPage, showTab, showText, violations } from "../page.mjs";
 import { startService } from "../service.mjs";
 
 const SIZE = { viewport: { width: 1440, height: 900 } };
@@ -101,6 +101,27 @@ test("a preview appears and follows the wall's slider, many edits by few solves"
   assert.notEqual(last, first, "a thicker wall has another force and other strains");
   assert.ok(asked < 20, `${asked} previews for 20 edits`);
   assert.match(await page.locator("#study-differs").innerText(), /wall_mm 5 instead of 3/);
+  await page.context().close();
+});
+
+test("a phone's first screen has the preset, the preview's bars and the button, in the order of keys", async () => {
+  const { page, complaints } = await openPage(browser, { viewport: { width: 390, height: 844 } });
+  await page.goto(`${url}/#/?preset=foot-tire`);
+  await page.locator(".preview-bars").waitFor();
+  await page.locator(".run-cost dd").first().waitFor();
+  for (const part of [".presets", ".run-box", ".preview-force", ".preview-bars"]) {
+    const { top, bottom } = await page.locator(part).evaluate((element) => element.getBoundingClientRect().toJSON());
+    assert.ok(top >= 0 && bottom <= 844, `${part} lies from ${top} to ${bottom} px`);
+  }
+  assert.deepEqual(await violations(page), []);
+  await page.locator('.preset input[value="foot-tire"]').focus();
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Run study");
+  await page.setViewportSize({ width: 1280, height: 900 });
+  await page.waitForFunction(() => document.querySelector(".new-study > :last-child")?.className === "new-study-live");
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Run study", "a wider window leaves the focus where it is");
+  assert.deepEqual(complaints, []);
   await page.context().close();
 });
 

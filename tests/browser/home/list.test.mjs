@@ -118,6 +118,34 @@ test("a study is archived, taken back by the message, and found among the archiv
   await page.context().close();
 });
 
+test("several studies are removed by keys alone, and each is taken back or gone for good", { timeout: LIMIT_MS }, async () => {
+  const { page, complaints } = await openList();
+  const all = await namesIn(page);
+  const [first, second, third] = all;
+  const stored = async () => (await (await fetch(`${service.url}/v1/studies`)).json()).studies.map(({ name }) => name);
+  const focused = (label) => page.waitForFunction((wanted) => document.activeElement?.getAttribute("aria-label") === wanted, label);
+  for (const name of [first, second]) {
+    await page.getByRole("button", { name: `More for ${name}`, exact: true }).press("Enter");
+    await page.getByRole("button", { name: `Remove ${name}`, exact: true }).press("Enter");
+    await focused(`Undo: ${name}`);
+  }
+  await lists(page, [third]);
+  assert.deepEqual(await stored(), all);
+  assert.deepEqual(await violations(page), []);
+  await page.keyboard.press("Enter");
+  await lists(page, [second, third]);
+  await focused(`Undo: ${first}`);
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.activeElement?.id === "list-search");
+  await page.waitForFunction(() => document.querySelector(".moved") === null);
+  while ((await stored()).length > 2) await page.waitForTimeout(50);
+  assert.deepEqual(await stored(), [second, third]);
+  await lists(page, [second, third]);
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
 test("a document is written as TOML, its faults said by line and by key", { timeout: LIMIT_MS }, async () => {
   const { page, requests, complaints } = await openPage(browser, { viewport: { width: 1280, height: 900 } });
   await page.goto(service.url);

@@ -8,6 +8,7 @@ test("an address and its view are the same thing", () => {
     homeRoute(),
     { ...homeRoute(), preset: "foot-tire" },
     againRoute("a b/c"),
+    { ...homeRoute(), preset: "a&b", edits: { "/name": "50 % + 2 & more? #1 = é", "/layouts/units": "[12,24]", "/a~1b/0": "", "/scene": '{"x":"/"}' } },
     againRoute("0197", "0*0*90_30*-45*0"),
     { ...studyRoute("0197"), section: "layouts", films: "0*0*90_12.5*0*0" },
     compareRoute(["0197", "0198"]),
@@ -22,6 +23,7 @@ test("an address and its view are the same thing", () => {
     { view: "own" },
     estimatorRoute("a b/c"),
     { ...estimatorRoute("0197"), force: "fz_n" },
+    { ...studyRoute("0197"), section: "sheet" },
     ...SECTIONS.map((section): Route => ({ ...studyRoute("0197"), section })),
   ];
   for (const view of views) assert.deepEqual(parseRoute(formatRoute(view)), view);
@@ -38,6 +40,11 @@ test("the contract's link opens the map with its direction and input", () => {
     films: null,
     sight: PLAIN_SIGHT,
   });
+});
+
+test("an edit can be read in its address", () => {
+  const route = { ...homeRoute(), preset: "foot-tire", edits: { "/scene/geometry/wall_mm": "4.5", "/method": "" } };
+  assert.equal(formatRoute(route), "#/?preset=foot-tire&/scene/geometry/wall_mm=4.5&/method=");
 });
 
 test("nonsense falls back to defaults instead of failing", () => {

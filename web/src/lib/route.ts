@@ -1,4 +1,5 @@
 import type { Direction } from "./direction.ts";
+import type { Edits } from "./document/draft-edits.ts";
 import { PLAIN_SIGHT, readSight, writeSight, type Sight } from "./tire/view-address.ts";
 
 /** The view in the address bar: what a link shows is what its sender saw. */
@@ -11,8 +12,8 @@ export const QUANTITIES: readonly Quantity[] = ["index", "total", "std", "strain
 /** What the charts of a sweep show: the indices, or how they differ from the baseline's. */
 export type Shown = "index" | "difference";
 
-/** The form of a new study: of a preset, or of a study that is to be run again with changes, such as a layout with these films. */
-export type HomeRoute = { view: "home"; preset: string | null; again: string | null; films: string | null };
+/** The form of a new study: of a preset, or of a study that is to be run again with changes, such as a layout with these films; and what its reader changed. */
+export type HomeRoute = { view: "home"; preset: string | null; again: string | null; films: string | null; edits: Edits };
 /** The layer of the inner surface that is shown. */
 interface LayerChoice {
   direction: Direction;
@@ -31,7 +32,8 @@ export type SweepRoute = { view: "sweep"; id: string; baseline: string | null; s
 
 /** A study's pages, in the order of their links. */
 export const SECTIONS = ["answer", "tire", "layouts", "indices", "trade", "run"] as const;
-export type Section = (typeof SECTIONS)[number];
+/** The sheet to glue by has no link among them: the answer and its files lead there. */
+export type Section = (typeof SECTIONS)[number] | "sheet";
 
 export type StudyRoute = { view: "study"; id: string; section: Section; films: string | null; sight: Sight } & LayerChoice;
 /** All estimators of forces, and the form of a new one. */
@@ -42,7 +44,7 @@ type OwnRoute = { view: "own" };
 export type EstimatorRoute = { view: "estimator"; id: string; force: string | null };
 export type Route = HomeRoute | SweepRoute | StudyRoute | CompareRoute | ForcesRoute | OwnRoute | EstimatorRoute;
 
-/** Reads `#/studies/{id}/tire?direction=x&quantity=index&input=P3`, `#/sweeps/{id}?baseline=STUDY&shown=difference` and `#/forces/{id}?force=fz_n`; anything else is the home view. */
+/** Reads `#/studies/{id}/tire?direction=x&quantity=index&input=P3`, `#/sweeps/{id}?baseline=STUDY&shown=difference` `#/forces/{id}?force=fz_n` and `#/?preset=foot-tire&/scene/geometry/wall_mm=4`; anything else is the home view. */
 export function parseRoute(hash: string): Route {
   const [path = "", query = ""] = hash.replace(/^#/, "").split("?", 2);
   const values = new URLSearchParams(query);
@@ -57,7 +59,10 @@ export function parseRoute(hash: string): Route {
   const estimator = /^\/forces\/([^/]+)$/.exec(path)?.[1];
   if (estimator !== undefined) return { view: "estimator", id: decode(estimator), force: values.get("force") };
   const [, kind, id, section] = /^\/(studies|sweeps)\/([^/]+)(?:\/([^/]*))?$/.exec(path) ?? [];
-  if (id === undefined) return { view: "home", preset: values.get("preset"), again: values.get("again"), films: values.get("films") };
+  if (id === undefined) {
+    const edits = Object.fromEntries([...values].filter(([pointer]) => pointer.startsWith("/")));
+    return { view: "home", preset: values.get("preset"), again: values.get("again"), films: values.get("films"), edits };
+  }
   const figure = CELL_FIGURES.find((name) => name === values.get("figure")) ?? "answer";
   if (kind === "sweeps") return { view: "sweep", id: decode(id), baseline: values.get("baseline"), shown, figure };
   return { view: "study", id: decode(id), section: sectionOf(section, values), films: values.get("films"), sight: readSight(values), ...layerIn(values) };
@@ -76,7 +81,7 @@ function writeLayer({ direction, quantity, input }: LayerChoice, values: URLSear
 
 /** Of links from before the sections: those that choose what the map shows open the map. */
 function sectionOf(name: string | undefined, values: URLSearchParams): Section {
-  const named = SECTIONS.find((section) => section === name);
+  const named = name === "sheet" ? name : SECTIONS.find((section) => section === name);
   if (named !== undefined) return named;
   return values.has("quantity") || values.has("input") ? "tire" : "answer";
 }
@@ -88,7 +93,8 @@ export function formatRoute(route: Route): string {
     if (route.preset !== null) values.set("preset", route.preset);
     if (route.again !== null) values.set("again", route.again);
     if (route.films !== null) values.set("films", route.films);
-    return withQuery("#/", values);
+    for (const [pointer, value] of Object.entries(route.edits)) values.set(pointer, value);
+    return withQuery("#/", values).replaceAll("%2F", "/").replaceAll("%2C", ",");
   }
   if (route.view === "forces") return "#/forces";
   if (route.view === "own") return "#/model";
@@ -118,7 +124,7 @@ const FIRST_LAYER: LayerChoice = { direction: "x", quantity: "index", input: nul
 
 /** The form before its reader chose anything. */
 export function homeRoute(): HomeRoute {
-  return { view: "home", preset: null, again: null, films: null };
+  return { view: "home", preset: null, again: null, films: null, edits: {} };
 }
 
 /** The form with the document of a study, and a layout of these films in it. */

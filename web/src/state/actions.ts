@@ -66,9 +66,10 @@ export function createActions(store: Store): Actions {
   const sweepDraft = createSweepDraft(store, (route) => go(route, sweeps));
   const openStudy = createOpenStudy(store, () => void studies.reload());
   const openComparison = createOpenComparison(store);
-  const browsing = createBrowsing(store, async () => {
+  const renew = async (): Promise<void> => {
     await Promise.all([studies.renew().then(tellApart), sweeps.renew()]);
-  });
+  };
+  const browsing = createBrowsing(store, renew, ({ kind, id }) => void { studies, sweeps }[kind].remove(id));
   const openSweep = createOpenSweep(store, () => void sweeps.reload());
 
   const estimators = createPagedList(partOf(store, "estimators"), api.estimators);

@@ -132,8 +132,8 @@ export interface Moved {
   kind: "studies" | "sweeps";
   id: string;
   name: string;
-  /** Archived, or taken back. */
-  archived: boolean;
+  /** A removed one is gone for good once its message is closed or the page is left. */
+  to: "archive" | "list" | "nowhere";
 }
 
 /** What its reader looks for and has ticked in the lists. */
@@ -142,8 +142,8 @@ export interface Browsing {
   search: string;
   /** What the lists were asked for last. */
   wanted: Wanted;
-  /** Until it is undone, or another one is. */
-  moved: Moved | null;
+  /** Those that can be taken back, the newest last: all that were removed, and the newest of the others. */
+  moved: readonly Moved[];
   /** Studies to compare, in the order in which they were ticked. */
   ticked: string[];
   /** Documents of studies that share their name with others. */
@@ -211,7 +211,7 @@ export function initialState(hash: string, now_ms: number): AppState {
     studies: { status: "loading" },
     sweeps: { status: "loading" },
     presets: { status: "loading" },
-    browsing: { search: "", wanted: { search: "", archived: false }, moved: null, ticked: [], documents: new Map() },
+    browsing: { search: "", wanted: { search: "", archived: false }, moved: [], ticked: [], documents: new Map() },
     studyDraft: emptyDraft(),
     draftCheck: { text: "", asking: false, estimate: null, problem: null },
     preview: { isOffered: null, asking: false, shown: null, start: null, problem: null },

@@ -19,14 +19,18 @@ export interface BrowsingActions {
   search(text: string): void;
   /** Shows archived entries, or the others. */
   showArchived(on: boolean): void;
-  /** An entry has left its list; null when that was undone. */
-  tellMoved(moved: Moved | null): void;
+  /** An entry has left its list. */
+  tellMoved(moved: Moved): void;
+  /** That was undone. */
+  takeBack(moved: Moved): void;
+  /** It stays so: what was removed goes for good. */
+  leave(moved: Moved): void;
   tick(id: string, on: boolean): void;
   /** The list of studies has changed. */
   tellApart(): Promise<void>;
 }
 
-export function createBrowsing(store: Store, renew: () => Promise<void>): BrowsingActions {
+export function createBrowsing(store: Store, renew: () => Promise<void>, remove: (moved: Moved) => void): BrowsingActions {
   const browsing = partOf(store, "browsing");
   const set = (change: Partial<Browsing>): void => browsing.set({ ...browsing.get(), ...change });
   const asked = new Set<string>();
@@ -68,5 +72,20 @@ export function createBrowsing(store: Store, renew: () => Promise<void>): Browsi
     }
   }
 
-  return { search, showArchived: look, tellMoved: (moved) => set({ moved }), tick, tellApart };
+  function tellMoved(moved: Moved): void {
+    const removed = browsing.get().moved.filter(({ to }) => to === "nowhere");
+    set({ moved: [...removed, moved] });
+    if (moved.to === "nowhere") tick(moved.id, false);
+  }
+
+  const takeBack = (moved: Moved): void => set({ moved: browsing.get().moved.filter((other) => other !== moved) });
+
+  function leave(moved: Moved): void {
+    if (moved.to === "nowhere") remove(moved);
+    takeBack(moved);
+  }
+
+  window.addEventListener("pagehide", () => browsing.get().moved.forEach(leave));
+
+  return { search, showArchived: look, tellMoved, takeBack, leave, tick, tellApart };
 }

@@ -13,10 +13,15 @@ export interface Difference {
 
 /** Fields whose values differ, in the order of the newer document; the name is no difference. */
 export function differences(before: unknown, after: unknown): Difference[] {
-  const found: Difference[] = [];
-  walk(before, after, "", (pointer, old, fresh) => {
-    if (pointer !== "/name") found.push({ pointer, label: labelOf(pointer, after), before: old, after: fresh });
-  });
+  return changes(before, after)
+    .filter(({ pointer }) => pointer !== "/name")
+    .map((change) => ({ ...change, label: labelOf(change.pointer, after) }));
+}
+
+/** The same with the name, without labels. */
+export function changes(before: unknown, after: unknown): Omit<Difference, "label">[] {
+  const found: Omit<Difference, "label">[] = [];
+  walk(before, after, "", (pointer, old, fresh) => found.push({ pointer, before: old, after: fresh }));
   return found;
 }
 

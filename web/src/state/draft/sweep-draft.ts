@@ -1,9 +1,9 @@
 /** The sweep being written: its grid, what it would take, its submission. */
 
 import * as api from "../../api.ts";
-import { readGrid } from "../../lib/document/design-grid.ts";
 import { parseDraft } from "../../lib/document/draft-text.ts";
 import { sweepRoute, type Route } from "../../lib/route.ts";
+import { readGrid } from "../../lib/sweep/design-grid.ts";
 import type { Fault } from "../../wire.ts";
 import { newKey, type SweepDraft } from "../app-state.ts";
 import { answerTo } from "../loadable.ts";

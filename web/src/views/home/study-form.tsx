@@ -19,6 +19,7 @@ import { TireDrawing } from "./live/tire-drawing-figure.tsx";
 import { NameField } from "./name-field.tsx";
 import { PresetChoice } from "./preset-choice.tsx";
 import { SweepForm } from "./sweep-form.tsx";
+import { useNarrow } from "./use-narrow.ts";
 
 const TABS: readonly Option<FormTab>[] = [
   { value: "form", label: "Form" },
@@ -28,10 +29,11 @@ const TABS: readonly Option<FormTab>[] = [
 
 const TomlDocument = later("TOML", async () => (await import("./toml-document.tsx")).TomlDocument);
 
-/** Picks a preset, edits its document by fields or as text, shows what it would give, and submits it or a sweep of it. */
+/** Picks a preset, edits its document by fields or as text, shows what it would give, and submits it or a sweep of it. In one column what it would give comes before the fields. */
 export function StudyForm({ state, actions }: { state: AppState; actions: Actions }) {
   const { studyDraft: draft, draftCheck: check, presets } = state;
   const text = useRef<HTMLTextAreaElement>(null);
+  const isNarrow = useNarrow();
   const scenes = presets.status === "ready" ? presets.value.scenes : [];
   const written = useMemo(() => readWritten(draft.text, scenes), [draft.text, scenes]);
   const problem = problemOf(draft, check);
@@ -54,43 +56,49 @@ export function StudyForm({ state, actions }: { state: AppState; actions: Action
     event.preventDefault();
     void actions.studyDraft.submit();
   };
+  const faults = (
+    <div key="faults" id="document-faults" aria-live="polite">
+      {problem !== null && <Faults problem={problem} placeOf={placeOf} idle="" {...(draft.tab === "toml" ? { keyOf: tomlKey } : {})} />}
+    </div>
+  );
+  const drawing = written !== null && (
+    <section key="drawing" class="panel" aria-label="Drawing">
+      <TireDrawing full={written.full} />
+    </section>
+  );
+  const live = (
+    <div key="live" class="new-study-live">
+      <RunBox draft={draft} check={check} onAccuracy={actions.studyDraft.setAccuracy} />
+      {!isNarrow && [faults, drawing]}
+      <PreviewPanel preview={state.preview} text={draft.text} />
+    </div>
+  );
+  const document = (
+    <section key="document" class="panel" aria-label="Document">
+      {written !== null && (
+        <NameField
+          document={written.document}
+          origin={draft.origin}
+          scenes={scenes}
+          onName={(name) => actions.studyDraft.edit(textOf(withValue(written.document, "/name", name)))}
+        />
+      )}
+      <RadioChoice name="tab" legend="Write it as" options={TABS} chosen={draft.tab} onChoose={actions.studyDraft.showTab} />
+      {draft.tab === "text" && <DocumentText language="JSON" value={draft.text} area={text} isWrong={problem !== null} onEdit={actions.studyDraft.edit} />}
+      {draft.tab === "toml" && <TomlDocument draft={draft} area={text} isWrong={problem !== null} onEdit={actions.studyDraft.editToml} />}
+      {draft.tab === "form" && <Fields written={written} faults={problem?.errors ?? NONE} onEdit={actions.studyDraft.edit} />}
+    </section>
+  );
   return (
     <>
       <h1>New study</h1>
       <form class="new-study" onSubmit={submit}>
-        <div>
-          <section class="panel" aria-label="Document">
-            <Loaded of={presets} what="the presets" onRetry={() => void actions.studyDraft.reloadPresets()}>
-              {(value) => <PresetChoice presets={value.studies} chosen={draft.preset} onChoose={actions.studyDraft.choosePreset} />}
-            </Loaded>
-            {written !== null && (
-              <NameField
-                document={written.document}
-                origin={draft.origin}
-                scenes={scenes}
-                onName={(name) => actions.studyDraft.edit(textOf(withValue(written.document, "/name", name)))}
-              />
-            )}
-            <RadioChoice name="tab" legend="Write it as" options={TABS} chosen={draft.tab} onChoose={actions.studyDraft.showTab} />
-            {draft.tab === "text" && (
-              <DocumentText language="JSON" value={draft.text} area={text} isWrong={problem !== null} onEdit={actions.studyDraft.edit} />
-            )}
-            {draft.tab === "toml" && <TomlDocument draft={draft} area={text} isWrong={problem !== null} onEdit={actions.studyDraft.editToml} />}
-            {draft.tab === "form" && <Fields written={written} faults={problem?.errors ?? NONE} onEdit={actions.studyDraft.edit} />}
-          </section>
-        </div>
-        <div class="new-study-live">
-          <RunBox draft={draft} check={check} onAccuracy={actions.studyDraft.setAccuracy} />
-          <div id="document-faults" aria-live="polite">
-            {problem !== null && <Faults problem={problem} placeOf={placeOf} idle="" {...(draft.tab === "toml" ? { keyOf: tomlKey } : {})} />}
-          </div>
-          {written !== null && (
-            <section class="panel" aria-label="Drawing">
-              <TireDrawing full={written.full} />
-            </section>
-          )}
-          <PreviewPanel preview={state.preview} text={draft.text} />
-        </div>
+        <section class="panel" aria-label="Start">
+          <Loaded of={presets} what="the presets" onRetry={() => void actions.studyDraft.reloadPresets()}>
+            {(value) => <PresetChoice presets={value.studies} chosen={draft.preset} onChoose={actions.studyDraft.choosePreset} />}
+          </Loaded>
+        </section>
+        {isNarrow ? [live, document, faults, drawing] : [document, live]}
       </form>
       <SweepForm draft={state.sweepDraft} text={draft.text} placeInStudy={placeOf} actions={actions} />
     </>

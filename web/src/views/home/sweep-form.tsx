@@ -1,5 +1,5 @@
 import { useRef } from "preact/hooks";
-import { designCount, locateInGrid, readGrid } from "../../lib/document/design-grid.ts";
+import { designCount, locateInGrid, readGrid } from "../../lib/sweep/design-grid.ts";
 import { bytes, integer } from "../../lib/format.ts";
 import { expectedTime } from "../../lib/study/expected-cost.ts";
 import type { Actions } from "../../state/actions.ts";

@@ -10,6 +10,7 @@ const TOPICS: Record<Section, readonly GradedNote["about"][]> = {
   indices: ["place", "indices"],
   trade: [],
   run: ["cost", "model"],
+  sheet: [],
 };
 
 /** What bears on the figures of a section; at the end of the run what is for the record alone. */

@@ -13,13 +13,12 @@ export function EntryTools({ of, kind, isOpen, list, onMoved, onRename }: EntryP
     const archived = !isArchived;
     const fault = await list.change(of.id, { archived });
     setProblem(fault);
-    if (fault === null) onMoved({ kind, id: of.id, name: of.name, archived });
+    if (fault === null) onMoved({ kind, id: of.id, name: of.name, to: archived ? "archive" : "list" });
   }
 
   function remove(): void {
-    if (!window.confirm(`Remove “${of.name}” with its results? Nothing brings them back.`)) return;
     if (isOpen) location.hash = "";
-    void list.remove(of.id);
+    onMoved({ kind, id: of.id, name: of.name, to: "nowhere" });
   }
 
   return (

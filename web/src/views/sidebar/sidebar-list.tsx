@@ -21,20 +21,21 @@ interface ListProps<T> {
 }
 
 /** Entries of the database, newest first as the service sends them. */
-export function SidebarList<T>({ title, kind, list, browsing, actions, empty, head, children }: ListProps<T>) {
+export function SidebarList<T extends { id: string }>({ title, kind, list, browsing, actions, empty, head, children }: ListProps<T>) {
   const many = title.toLowerCase();
-  if (empty === null && list.status === "ready" && list.value.entries.length === 0) return null;
+  const isShown = ({ id }: T): boolean => !browsing.moved.some((moved) => moved.to === "nowhere" && moved.id === id);
+  if (empty === null && list.status === "ready" && !list.value.entries.some(isShown)) return null;
   return (
     <section>
       <h2>{title}</h2>
       {head}
       <Loaded of={list} what={`the ${many}`} onRetry={() => void actions.reload()}>
         {({ entries, next_cursor }) =>
-          entries.length === 0 ? (
+          !entries.some(isShown) ? (
             <p class="quiet">{absence(many, browsing) ?? empty}</p>
           ) : (
             <>
-              <EntryRows kind={kind}>{entries.map(children)}</EntryRows>
+              <EntryRows kind={kind}>{entries.filter(isShown).map(children)}</EntryRows>
               {next_cursor !== null && (
                 <button type="button" onClick={() => void actions.loadOlder()}>
                   Show older {many}

@@ -4,7 +4,7 @@ import { differenceNotes } from "../../lib/study/progress/namesakes.ts";
 import type { Actions } from "../../state/actions.ts";
 import type { AppState, Moved } from "../../state/app-state.ts";
 import { ListSearch } from "./list-search.tsx";
-import { MovedMessage } from "./moved-message.tsx";
+import { MovedMessages } from "./moved-messages.tsx";
 import { SidebarEntry } from "./sidebar-entry.tsx";
 import { SidebarList } from "./sidebar-list.tsx";
 
@@ -17,9 +17,10 @@ export function StudyList({ state, actions }: { state: AppState; actions: Action
   );
   const openId = route.view === "study" ? route.id : null;
 
-  async function undo({ kind, id, archived }: Moved): Promise<void> {
-    const problem = await actions[kind].change(id, { archived: !archived });
-    if (problem === null) actions.browsing.tellMoved(null);
+  async function undo(moved: Moved): Promise<void> {
+    const { kind, id, to } = moved;
+    const problem = to === "nowhere" ? null : await actions[kind].change(id, { archived: to === "list" });
+    if (problem === null) actions.browsing.takeBack(moved);
     await actions[kind].reload();
   }
 
@@ -34,7 +35,7 @@ export function StudyList({ state, actions }: { state: AppState; actions: Action
         head={
           <>
             <ListSearch browsing={browsing} actions={actions.browsing} studies={studies} />
-            <MovedMessage moved={browsing.moved} onUndo={undo} onClose={() => actions.browsing.tellMoved(null)} />
+            <MovedMessages moved={browsing.moved} onUndo={undo} onClose={actions.browsing.leave} />
           </>
         }
         empty="No study yet. Pick a preset and run it."

@@ -10,6 +10,7 @@ const WORDS: Record<Section, readonly TermName[]> = {
   indices: ["total index", "x and y", "M-DRM", "decomposition error", "quadrature error", "mesh error", "µε"],
   trade: ["true error", "claimed error", "first-order index", "M-DRM"],
   run: ["cut point", "mesh error", "M-DRM", "crown", "bead"],
+  sheet: [],
 };
 
 export function SectionTerms({ section }: { section: Section }) {

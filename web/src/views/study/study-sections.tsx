@@ -8,7 +8,7 @@ import { RunView } from "./run/run-view.tsx";
 import type { SectionProps } from "./section-props.ts";
 import { SectionTerms } from "./section-terms.tsx";
 
-const SECTION_NAMES: Record<Section, string> = {
+const SECTION_NAMES: Record<(typeof SECTIONS)[number], string> = {
   answer: "Answer",
   tire: "Tire",
   layouts: "Layouts",
@@ -19,6 +19,7 @@ const SECTION_NAMES: Record<Section, string> = {
 
 const IndicesView = later("the indices", async () => (await import("./indices/indices-view.tsx")).IndicesView);
 const LayoutsView = later("the layouts", async () => (await import("./layouts/layouts-view.tsx")).LayoutsView);
+const SheetView = later("the sheet", async () => (await import("./sheet/sheet-view.tsx")).SheetView);
 const TireView = later("the tire", async () => (await import("./tire/tire-view.tsx")).TireView);
 const TradeView = later("the trade", async () => (await import("./trade/trade-view.tsx")).TradeView);
 
@@ -29,6 +30,7 @@ const VIEWS: Record<Section, (props: SectionProps) => JSX.Element> = {
   indices: IndicesView,
   trade: TradeView,
   run: RunView,
+  sheet: SheetView,
 };
 
 /** Links to the sections of a study, one Tab stop. */

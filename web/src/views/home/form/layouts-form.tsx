@@ -1,9 +1,9 @@
-import { useState } from "preact/hooks";
 import { isTable, valueAt } from "../../../lib/document/document-values.ts";
 import { directionSets, layoutSize, listIn, setsNamed, type DirectionSets } from "../../../lib/document/form/layout-fields.ts";
 import { FormGroup } from "./form-group.tsx";
 import { faultsAt, type FormProps } from "./form-props.ts";
 import { FieldFaults, NumberBox } from "./number-control.tsx";
+import { useTyped } from "./use-typed.ts";
 
 const POSITIONS = ["crown", "shoulder", "sidewall"] as const;
 /** The common menu. */
@@ -139,7 +139,7 @@ function Layouts({ full, faults, write }: FormProps) {
 
 /** Numbers with commas between them; an empty box takes the list away. */
 function ListBox({ label, pointer, value, faults, write }: Pick<FormProps, "faults" | "write"> & { label: string; pointer: string; value: unknown }) {
-  const [typed, setTyped] = useState<string | null>(null);
+  const [typed, setTyped] = useTyped();
   const mine = faultsAt(faults, pointer);
   const id = `field${pointer.replaceAll("/", "-")}`;
   return (

@@ -1,6 +1,6 @@
-import { useState } from "preact/hooks";
 import { numberIn, rangeWords, sliderRange, type NumberField } from "../../../lib/document/form/scene-fields.ts";
 import type { Fault } from "../../../wire.ts";
+import { useTyped } from "./use-typed.ts";
 
 interface Props {
   field: NumberField;
@@ -50,7 +50,7 @@ interface BoxProps {
 
 /** A box that keeps what is typed until it is left, so that 0. can become 0.5. */
 export function NumberBox({ id, name, value, faults, onChange }: BoxProps) {
-  const [typed, setTyped] = useState<string | null>(null);
+  const [typed, setTyped] = useTyped();
   const isWrong = faults.length > 0 || (typed !== null && numberIn(typed) === null);
   return (
     <input

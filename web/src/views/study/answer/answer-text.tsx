@@ -5,7 +5,7 @@ import { VerdictBadge } from "./verdict-badge.tsx";
 import type { Answer } from "../../../wire.ts";
 
 /** The answer first, then how sure it is, then what it leaves out and what more would cost; the figures behind it folded. The layout has a line of its own where the verdict is the place's, and inputs where there are more than the depths below the places. */
-export function AnswerText({ answer, notes, places }: { answer: Answer; notes: string[]; places: number }) {
+export function AnswerText({ answer, notes, places, sheet }: { answer: Answer; notes: string[]; places: number; sheet: string }) {
   const { place, layout, inputs, left_out, surer } = answer;
   return (
     <div class="answer-text">
@@ -32,6 +32,11 @@ export function AnswerText({ answer, notes, places }: { answer: Answer; notes: s
         {surer != null && <Fact name="Surer">{surerWords(surer)}</Fact>}
       </dl>
       <Why answer={answer} notes={notes} />
+      {(answer.films ?? []).length > 0 && (
+        <a class="answer-sheet" href={sheet}>
+          Sheet to glue by
+        </a>
+      )}
     </div>
   );
 }

@@ -21,7 +21,12 @@ export function AnswerView({ result, study, route }: SectionProps) {
           </p>
         </div>
       ) : (
-        <AnswerText answer={answer} notes={notesOf(result, answer.left_out?.sentence)} places={result.locations.length} />
+        <AnswerText
+          answer={answer}
+          notes={notesOf(result, answer.left_out?.sentence)}
+          places={result.locations.length}
+          sheet={formatRoute({ ...route, section: "sheet" })}
+        />
       )}
       <AnswerPicture result={result} study={study} answer={answer} />
       {answer?.trade != null && <TradePlot trade={answer.trade} />}

@@ -11,7 +11,7 @@ const FILES = [
 ] as const;
 
 /** The result and its tables as files, and which program and document they are from. */
-export function FilesPanel({ result, hasMap }: { result: StudyResult; hasMap: boolean }) {
+export function FilesPanel({ result, hasMap, sheet }: { result: StudyResult; hasMap: boolean; sheet: string }) {
   const { id, version, spec_sha256 } = result.study;
   return (
     <section class="panel" aria-labelledby="files-title">
@@ -33,7 +33,7 @@ export function FilesPanel({ result, hasMap }: { result: StudyResult; hasMap: bo
         {(result.answer?.films ?? []).length > 0 && (
           <>
             {" "}
-            · to print at 1:1 and glue by: <a href={address(id, "export?format=svg")}>the films</a>
+            · to print at 1:1 and glue by: <a href={sheet}>the sheet</a>, <a href={address(id, "export?format=svg")}>its template</a>
           </>
         )}
         {hasMap && (

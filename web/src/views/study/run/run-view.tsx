@@ -1,3 +1,4 @@
+import { formatRoute } from "../../../lib/route.ts";
 import type { StudyDetail } from "../../../wire.ts";
 import type { SectionProps } from "../section-props.ts";
 import { CostPanel } from "./cost-panel.tsx";
@@ -7,13 +8,13 @@ import { FilesPanel } from "./files-panel.tsx";
 import { ModelPanel } from "./model-panel.tsx";
 
 /** What was modelled, what it took, and all of it as files. */
-export function RunView({ result, study }: SectionProps) {
+export function RunView({ result, study, route }: SectionProps) {
   return (
     <>
       <FailedPoints result={result} />
       <ModelPanel result={result} />
       <CostPanel cost={result.cost} estimate={result.estimate ?? null} />
-      <FilesPanel result={result} hasMap={hasMap(study)} />
+      <FilesPanel result={result} hasMap={hasMap(study)} sheet={formatRoute({ ...route, section: "sheet" })} />
       <DocumentPanel study={study} />
     </>
   );

@@ -1,7 +1,7 @@
 /** The grid of a sweep as it is written: `path = value, value`, one path a line. */
 
 import type { Fault } from "../../wire.ts";
-import { pointerKeys, type Span } from "./json-pointer.ts";
+import { pointerKeys, type Span } from "../document/json-pointer.ts";
 
 interface Value {
   value: unknown;
