@@ -38,9 +38,9 @@ export interface components {
         };
         /** @description Answer of a study: where the films go, how sure that is, and what could overturn it. */
         Answer: {
-            /** @description The answer: the best layout and what it knows, or the best place where no layouts are asked for. */
+            /** @description The answer: the best layout and what it knows; where no layouts are asked for the best place, or the input that matters more than the depth below it. */
             sentence: string;
-            /** @description The weaker of the verdicts on place and layout. */
+            /** @description The weaker of the verdicts on layout and place, where several places are ranked; without layouts that on what the sentence tells. */
             verdict: components["schemas"]["Certainty"];
             /** @description Reason why it isn't surer, or why it is certain, with the figures that decide; whole sentences. */
             reason: string;
@@ -50,6 +50,7 @@ export interface components {
             /** @description Films of the answer's layout, one by one, as they are glued. */
             films?: components["schemas"]["SheetFilm"][];
             inputs?: components["schemas"]["InputsAnswer"] | null;
+            signals?: components["schemas"]["SignalsAnswer"] | null;
             left_out?: components["schemas"]["LeftOut"] | null;
             surer?: components["schemas"]["Surer"] | null;
         };
@@ -1067,6 +1068,10 @@ export interface components {
         InputsAnswer: {
             /** @description The inputs that matter most, in a sentence. */
             sentence: string;
+            /** @description Certainty that the first matters most. */
+            verdict?: components["schemas"]["Certainty"];
+            /** @description Reason for the verdict, with the figures that decide. */
+            reason?: string;
             /** @description Location at the contact centre. */
             location: string;
             /** @description Direction of the strain: the one that varies more, of those asked for. */
@@ -1714,7 +1719,7 @@ export interface components {
             /** @description Scenes alone. */
             scenes: components["schemas"]["Preset"][];
         };
-        /** @description A study's places on the draft mesh. It claims nothing: no error is known. */
+        /** @description A study's places and layouts on the draft mesh. It claims nothing: no error is known. */
         Preview: {
             /** @description Claim of the preview: `none`. */
             claim: string;
@@ -1731,6 +1736,7 @@ export interface components {
             left_out: string[];
             /** @description Inputs that varied. */
             inputs: components["schemas"]["InputReport"][];
+            answer?: components["schemas"]["Answer"] | null;
             /** @description Ranked locations. */
             locations: components["schemas"]["RankedLocation"][];
             /** @description The response at the means. */
@@ -2316,6 +2322,36 @@ export interface components {
             widths: components["schemas"]["StressWidth"][];
             /** @description Claims about such films, and what holds of them. */
             claims: components["schemas"]["ClaimRow"][];
+        };
+        /** @description The film that gives most, at the largest load on the study's own tire. */
+        SignalsAnswer: {
+            /** @description The film in a sentence, with the next. */
+            sentence: string;
+            /** @description Certainty that none of those read gives more. */
+            verdict: components["schemas"]["Certainty"];
+            /** @description Reason for the verdict, with the figures that decide. */
+            reason: string;
+            /** @description Model of the film: the most detailed of those that are read. */
+            film: components["schemas"]["FilmModel"];
+            /** @description Position of the film in the section. */
+            position: string;
+            /** @description Direction of its length: `x` or `y`. */
+            direction: string;
+            /**
+             * Format: double
+             * @description Vertical force of the ground, N.
+             */
+            load_n: number;
+            /**
+             * Format: double
+             * @description Voltage where nothing draws charge, V.
+             */
+            open_circuit_v: number;
+            /**
+             * Format: double
+             * @description Claimed error of that, V; null without a coarser mesh.
+             */
+            error_v?: number | null;
         };
         /** @description Equilibria that are expected to be solved. */
         SolveForecast: {
@@ -4876,6 +4912,7 @@ export type SignalCurve = components['schemas']['SignalCurve'];
 export type SignalError = components['schemas']['SignalError'];
 export type SignalRow = components['schemas']['SignalRow'];
 export type Signals = components['schemas']['Signals'];
+export type SignalsAnswer = components['schemas']['SignalsAnswer'];
 export type SolveForecast = components['schemas']['SolveForecast'];
 export type SolveProgress = components['schemas']['SolveProgress'];
 export type SplitError = components['schemas']['SplitError'];

@@ -72,7 +72,7 @@ fn films(study: &Study, result: &StudyResult, layout: Option<&LayoutAnswer>) -> 
     })
 }
 
-/// What an answer tells, how sure that is, and why.
+/// Sentence of an answer, how sure it is, and why.
 #[derive(Debug, Clone, Copy)]
 struct Told<'a> {
     sentence: &'a str,

@@ -95,6 +95,7 @@ __all__ = [
     "SignalError",
     "SignalRow",
     "Signals",
+    "SignalsAnswer",
     "SolveForecast",
     "SplitError",
     "SplitReport",
@@ -144,9 +145,11 @@ class Answer:
     """Answer of a study: where the films go, how sure that is, and what could overturn it."""
 
     sentence: str
-    """The answer: the best layout and what it knows, or the best place where no layouts are asked for."""
+    """The answer: the best layout and what it knows; where no layouts are asked for the best place, or the input
+    that matters more than the depth below it."""
     verdict: str
-    """The weaker of the verdicts on place and layout. One of `certain`, `likely`, `tied`, `unknown`."""
+    """The weaker of the verdicts on layout and place, where several places are ranked; without layouts that on what
+    the sentence tells. One of `certain`, `likely`, `tied`, `unknown`."""
     reason: str
     """Reason why it isn't surer, or why it is certain, with the figures that decide; whole sentences."""
     place: PlaceAnswer | None = None
@@ -160,6 +163,8 @@ class Answer:
     """Films of the answer's layout, one by one, as they are glued."""
     inputs: InputsAnswer | None = None
     """Inputs that matter, of all there are; None where the strain at the contact centre has no index."""
+    signals: SignalsAnswer | None = None
+    """The film that gives most, where films' signals are read."""
     left_out: LeftOut | None = None
     """Part that the model leaves out and that changes strains most; None where no effect is known."""
     surer: Surer | None = None
@@ -945,6 +950,10 @@ class InputsAnswer:
 
     sentence: str
     """The inputs that matter most, in a sentence."""
+    verdict: str | None = None
+    """Certainty that the first matters most. One of `certain`, `likely`, `tied`, `unknown`."""
+    reason: str | None = None
+    """Reason for the verdict, with the figures that decide."""
     location: str
     """Location at the contact centre."""
     direction: str
@@ -1496,7 +1505,7 @@ class Presets:
 
 @dataclass(frozen=True, kw_only=True)
 class Preview:
-    """A study's places on the draft mesh. It claims nothing: no error is known."""
+    """A study's places and layouts on the draft mesh. It claims nothing: no error is known."""
 
     claim: str
     """Claim of the preview: `none`."""
@@ -1510,6 +1519,8 @@ class Preview:
     """Parts that the study would have beside, whole sentences."""
     inputs: tuple[Input, ...]
     """Inputs that varied."""
+    answer: Answer | None = None
+    """The answer, with the layout and its films; its verdict is unknown. Null where nothing has an index."""
     locations: tuple[Location, ...]
     """Ranked locations."""
     cut_point: CutPoint
@@ -1834,6 +1845,30 @@ class Signals:
     """Widths around the wheel over which the contact is felt."""
     claims: tuple[Claim, ...]
     """Claims about such films, and what holds of them."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SignalsAnswer:
+    """The film that gives most, at the largest load on the study's own tire."""
+
+    sentence: str
+    """The film in a sentence, with the next."""
+    verdict: str
+    """Certainty that none of those read gives more. One of `certain`, `likely`, `tied`, `unknown`."""
+    reason: str
+    """Reason for the verdict, with the figures that decide."""
+    film: str
+    """Model of the film: the most detailed of those that are read. One of `bare`, `transfer`, `coupled`."""
+    position: str
+    """Position of the film in the section."""
+    direction: str
+    """Direction of its length: `x` or `y`."""
+    load_n: float
+    """Vertical force of the ground, N."""
+    open_circuit_v: float
+    """Voltage where nothing draws charge, V."""
+    error_v: float | None = None
+    """Claimed error of that, V; None without a coarser mesh."""
 
 
 @dataclass(frozen=True, kw_only=True)

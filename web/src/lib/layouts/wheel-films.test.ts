@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { RankedLayout } from "../../wire.ts";
-import { apartOf, filmsOf, innerRadius, onWheel, shapeOf } from "./wheel-films.ts";
+import { apartOf, filmsOf, filmsOnSheet, innerRadius, onWheel, shapeOf } from "./wheel-films.ts";
 
 function layout(change: Partial<RankedLayout> = {}): RankedLayout {
   return { rank: 1, spacing_deg: 180, units: 2, position: "crown", films: ["x", "y"], film_count: 4, loads: [], score: { noise_strain: 1e-3 }, ...change };
@@ -14,6 +14,18 @@ test("a film of each direction in every unit", () => {
     [0, 45, 90],
     [180, 45, 0],
     [180, 45, 90],
+  ]);
+});
+
+test("films of a sheet keep their places, with directions as angles", () => {
+  const film = { number: 1, arc_mm: 10, circle_mm: 238, from_bead_mm: 19, from_crown_mm: 0 };
+  const placed = filmsOnSheet([
+    { ...film, theta_deg: 15, phi_deg: 0, direction: "y" },
+    { ...film, theta_deg: 30, phi_deg: 45, direction: "30" },
+  ]);
+  assert.deepEqual(placed, [
+    { theta_deg: 15, section_deg: 0, angle_deg: 90 },
+    { theta_deg: 30, section_deg: 45, angle_deg: 30 },
   ]);
 });
 

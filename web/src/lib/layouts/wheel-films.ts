@@ -1,6 +1,6 @@
 /** Where a layout's films are on the wheel, and where that is in a drawing. */
 
-import type { RankedLayout } from "../../wire.ts";
+import type { RankedLayout, SheetFilm } from "../../wire.ts";
 
 /** A film by its place in the wheel's own angles, which turn with it. */
 export interface WheelFilm {
@@ -25,6 +25,11 @@ export function filmsOf(layout: RankedLayout): WheelFilm[] {
   return Array.from({ length: units }, (_, unit) =>
     films.map((film, k) => ({ theta_deg: (turn_deg ?? 0) + unit * spacing_deg + k * apart, section_deg, angle_deg: DIRECTIONS[film] ?? Number(film) })),
   ).flat();
+}
+
+/** The films of a gluing sheet. */
+export function filmsOnSheet(films: readonly SheetFilm[]): WheelFilm[] {
+  return films.map(({ theta_deg, phi_deg, direction }) => ({ theta_deg, section_deg: phi_deg, angle_deg: DIRECTIONS[direction] ?? Number(direction) }));
 }
 
 /** Angle from the contact to a film, -180 to 180 degrees, with the wheel turned so that its own angle `contact_deg` touches down. */

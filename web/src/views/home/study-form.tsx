@@ -70,7 +70,7 @@ export function StudyForm({ state, actions }: { state: AppState; actions: Action
     <div key="live" class="new-study-live">
       <RunBox draft={draft} check={check} onAccuracy={actions.studyDraft.setAccuracy} />
       {!isNarrow && [faults, drawing]}
-      <PreviewPanel preview={state.preview} text={draft.text} />
+      <PreviewPanel preview={state.preview} text={draft.text} scene={written === null ? null : valueAt(written.full, "/scene")} />
     </div>
   );
   const document = (

@@ -3,12 +3,13 @@ import { duration, microstrain, signed, significant } from "../../../lib/format.
 import { previewRows } from "../../../lib/document/preview/preview-rows.ts";
 import type { StudyPreview } from "../../../state/app-state.ts";
 import { ProblemText } from "../../shared/problem-box.tsx";
+import { PreviewAnswer } from "./preview-answer.tsx";
 import { PreviewBars } from "./preview-bars.tsx";
 import { PreviewMaps } from "./preview-maps.tsx";
 import type { Preview } from "../../../wire.ts";
 
 /** What the draft would give, as far as the coarsest mesh tells; nothing where the service has no previews. */
-export function PreviewPanel({ preview, text }: { preview: StudyPreview; text: string }) {
+export function PreviewPanel({ preview, text, scene }: { preview: StudyPreview; text: string; scene: unknown }) {
   if (preview.isOffered === false) return null;
   const { shown, start } = preview;
   const isStale = shown !== null && shown.text !== text;
@@ -19,6 +20,7 @@ export function PreviewPanel({ preview, text }: { preview: StudyPreview; text: s
       <Standing preview={preview} isStale={isStale} />
       {shown !== null && (
         <div class={isStale ? "preview-figures stale" : "preview-figures"}>
+          <PreviewAnswer preview={shown.preview} scene={scene} />
           <Figures preview={shown.preview} start={start?.preview ?? null} />
         </div>
       )}

@@ -1,0 +1,1 @@
+export{Qt as readToml}from"../views-D27cagii.js";
