@@ -15,12 +15,13 @@ use crate::http::mount::{self, Mounting};
 use crate::http::routes::assets;
 use crate::http::routes::openapi::description;
 use crate::http::routes::upkeep::metric_routes;
+use crate::http::short_ids;
 
 /// All routes, guarded: the innermost layer stands first.
 pub fn app(state: AppState, hosts: guard::HostList, mounting: Mounting) -> Router {
     let (router, _) = description::routes().split_for_parts();
     let (access, counted) = (state.access.clone(), state.metrics.clone());
-    let answers = state.answers.clone();
+    let (answers, store) = (state.answers.clone(), state.store.clone());
     let router = router
         // The dashboard's files, which no route answers, lie in the program and cost nothing.
         .route_layer(from_fn_with_state(answers, answer_limits::count))
@@ -36,6 +37,7 @@ pub fn app(state: AppState, hosts: guard::HostList, mounting: Mounting) -> Route
     // A layer of the router itself would come after it has looked at the path.
     Router::new()
         .fallback_service(router)
+        .layer(from_fn_with_state(store, short_ids::lengthen))
         .layer(from_fn_with_state(mounting, mount::unmount))
         .layer(from_fn(guard::harden))
         .layer(from_fn(request_id::assign))

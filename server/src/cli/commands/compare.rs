@@ -24,12 +24,13 @@ use crate::cli::terminal::paint::{FAINT, HEADER, STRONG, header, left, of_state,
 use crate::cli::terminal::wrapping::{COLUMNS, cut, labelled, told_apart, wrapped};
 use service::comparison::{of_designs, of_studies};
 use service::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
+use store::queue::short_ids::{Listing, meant};
 use store::queue::sweep_rows;
 
 /// Compare studies, or the designs of a sweep: what differs, and which differences are real
 #[derive(Debug, Args)]
 pub(crate) struct Compare {
-    /// Identifiers of studies or of one sweep, or their beginnings
+    /// Identifiers of studies or of one sweep, or their beginnings; latest is the last sweep alone, the last study beside others
     #[arg(required = true, value_name = "ID")]
     ids: Vec<String>,
     /// Study to take differences from; the first that has a result when absent
@@ -93,10 +94,10 @@ impl Compare {
 
     async fn entries(&self, connection: &mut SqliteConnection) -> Result<Vec<Entry>, Failure> {
         if let [id] = &self.ids[..] {
-            let found = sweep_rows::beginning_with(connection, id, 2).await;
-            let mut found = found.map_err(Failure::other)?;
-            if let (Some(sweep), true) = (found.pop(), found.is_empty()) {
-                let designs = sweep_rows::designs(connection, &sweep.id).await;
+            let found = meant(connection, Listing::Sweeps, id).await;
+            let found = found.map_err(Failure::other)?;
+            if let [sweep] = &found[..] {
+                let designs = sweep_rows::designs(connection, sweep).await;
                 let designs = designs.map_err(Failure::other)?;
                 let entries = of_designs(connection, &designs).await;
                 return entries.map_err(Failure::other);

@@ -19,7 +19,7 @@ use store::queue::study_rows::StudyRow;
 /// Write a study's answer as a file: a table, the map, the wheel, or the whole result
 #[derive(Debug, Args)]
 pub struct Export {
-    /// Identifier of the study, or its beginning
+    /// Identifier of the study, its beginning, or latest
     id: String,
     #[command(flatten)]
     database: Database,

@@ -22,11 +22,13 @@ use crate::http::edge::problem_document::Problem;
 use crate::http::routes::answers::export_routes::{both, file};
 use crate::http::routes::study_routes;
 use crate::http::routes::sweep_routes;
+use crate::http::short_ids::whole_id;
 use service::comparison::{of_designs, of_studies};
 use service::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
 use service::wire::examples::{self, absent};
 use service::wire::study_wire::ProblemDocument;
 use service::wire::sweep_examples;
+use store::queue::short_ids::Listing;
 
 /// `/v1/comparison` and its export.
 pub(crate) fn router() -> OpenApiRouter<AppState> {
@@ -147,7 +149,8 @@ async fn entries_of(state: &AppState, list: &str) -> Result<Vec<Entry>, Problem>
     }
     let mut rows = Vec::new();
     for id in ids {
-        rows.push(study_routes::known(&state.store, id).await?);
+        let whole = whole_id(&state.store, Listing::Studies, id).await?;
+        rows.push(study_routes::known(&state.store, whole.as_deref().unwrap_or(id)).await?);
     }
     let mut entries = Vec::new();
     for row in &rows {

@@ -208,26 +208,6 @@ pub async fn page(
         .await?)
 }
 
-/// Lists up to `limit` studies whose identifiers begin so; one that is it exactly is the only one.
-///
-/// # Errors
-/// When the database can't be read.
-pub async fn beginning_with(
-    connection: &mut SqliteConnection,
-    beginning: &str,
-    limit: u32,
-) -> Result<Vec<StudyRow>, StoreError> {
-    if let Some(study) = find(connection, beginning).await? {
-        return Ok(vec![study]);
-    }
-    let query = "select * from studies where substr(id, 1, length(?1)) = ?1 order by id limit ?2";
-    Ok(sqlx::query_as(query)
-        .bind(beginning)
-        .bind(limit)
-        .fetch_all(connection)
-        .await?)
-}
-
 /// Counts the studies in each state.
 ///
 /// # Errors

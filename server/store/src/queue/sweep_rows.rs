@@ -147,24 +147,6 @@ pub async fn find(
         .await?)
 }
 
-/// Lists up to `limit` sweeps whose identifiers begin so.
-///
-/// # Errors
-/// When the database can't be read.
-pub async fn beginning_with(
-    connection: &mut SqliteConnection,
-    beginning: &str,
-    limit: u32,
-) -> Result<Vec<SweepRow>, StoreError> {
-    let query = "select * from sweeps
-                 where substr(id, 1, length(?1)) = ?1 order by id limit ?2";
-    Ok(sqlx::query_as(query)
-        .bind(beginning)
-        .bind(limit)
-        .fetch_all(connection)
-        .await?)
-}
-
 /// Lists up to `limit` of the sweeps that are looked for, newest first, older than the sweep `before`.
 ///
 /// # Errors

@@ -24,8 +24,9 @@ use service::wire::sweep_wire::SweepSummary;
 use store::answers::result_rows::{self, Extent};
 use store::file::opening;
 use store::queue::listed::{Archived, Listed};
+use store::queue::short_ids::{Listing, meant};
 use store::queue::study_rows::{self, Filter, State, StudyRow};
-use store::queue::sweep_rows;
+use store::queue::sweep_rows::{self, SweepRow};
 
 /// The database to read.
 #[derive(Debug, Args)]
@@ -62,10 +63,25 @@ impl Database {
     }
 }
 
-/// The study of this identifier, or of the only one that begins so.
+/// The study of this identifier, of the only one that begins so, or the latest.
 pub async fn study(connection: &mut SqliteConnection, id: &str) -> Result<StudyRow, Failure> {
-    let found = study_rows::beginning_with(connection, id, 2).await;
-    the_only(found.map_err(Failure::other)?, "study", id)
+    let found = meant(connection, Listing::Studies, id).await;
+    let id = the_only(found.map_err(Failure::other)?, "study", id)?;
+    let study = study_rows::find(connection, &id).await;
+    let study = study.map_err(Failure::other)?;
+    study.ok_or_else(|| Failure::input(format!("study {id} was removed meanwhile")))
+}
+
+/// The sweep of this identifier, of the only one that begins so, or the latest.
+pub(crate) async fn sweep(
+    connection: &mut SqliteConnection,
+    id: &str,
+) -> Result<SweepRow, Failure> {
+    let found = meant(connection, Listing::Sweeps, id).await;
+    let id = the_only(found.map_err(Failure::other)?, "sweep", id)?;
+    let sweep = sweep_rows::find(connection, &id).await;
+    let sweep = sweep.map_err(Failure::other)?;
+    sweep.ok_or_else(|| Failure::input(format!("sweep {id} was removed meanwhile")))
 }
 
 /// Returns what was found under the beginning of an identifier, where that is one.
@@ -238,7 +254,7 @@ fn headed(kind: &str, counted: &str, lines: &[Line], json: Option<&JsonTarget>) 
 /// Show a study: its ranked table, or how far it is
 #[derive(Debug, Args)]
 pub(crate) struct Show {
-    /// Identifier of the study, or its beginning
+    /// Identifier of the study, its beginning, or latest
     id: String,
     #[command(flatten)]
     database: Database,

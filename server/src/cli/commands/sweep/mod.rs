@@ -13,7 +13,7 @@ use serde_json::json;
 use tokio::runtime::Runtime;
 
 use crate::cli::commands::compare::table;
-use crate::cli::commands::library::the_only;
+use crate::cli::commands::library;
 use crate::cli::commands::sweep::designs::Crew;
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::estimate_text::{dry_sweep, estimated};
@@ -233,8 +233,7 @@ impl Sweep {
 
 async fn sweep_named(from: &Store, beginning: &str) -> Result<SweepRow, Failure> {
     let mut connection = from.read().await.map_err(Failure::other)?;
-    let found = sweep_rows::beginning_with(&mut connection, beginning, 2).await;
-    the_only(found.map_err(Failure::other)?, "sweep", beginning)
+    library::sweep(&mut connection, beginning).await
 }
 
 async fn new(to: &Store, plan: &Plan) -> Result<SweepRow, StoreError> {
