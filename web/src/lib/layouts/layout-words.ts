@@ -23,9 +23,13 @@ export function layoutWords(layout: RankedLayout): string {
   const isApart = layout.staggered === true;
   const together = isApart ? 1 : layout.films.length;
   const spacing = short(layout.spacing_deg / (isApart ? layout.films.length : 1));
-  const ways = `${listed(layout.films.map(filmWord))}${isApart ? " in turn" : ""}`;
-  const count = layout.film_count === 1 ? "1 film" : `${layout.film_count} films`;
-  return `${count} along ${ways} ${positionWords(layout.position)}, ${TOGETHER[together] ?? `${together} in one place`} every ${spacing}°${first(layout)}`;
+  return `${countWords(layout)} ${positionWords(layout.position)}, ${TOGETHER[together] ?? `${together} in one place`} every ${spacing}°${first(layout)}`;
+}
+
+/** `24 films along x and y`; of films one by one their number alone. */
+export function countWords({ film_count, films, spacing_deg, staggered }: RankedLayout): string {
+  const count = film_count === 1 ? "1 film" : `${film_count} films`;
+  return spacing_deg == null ? count : `${count} along ${listed(films.map(filmWord))}${staggered === true ? " in turn" : ""}`;
 }
 
 /** `, the first at 8.75°`, of a layout that is turned from the mark. */
