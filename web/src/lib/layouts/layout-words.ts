@@ -28,8 +28,19 @@ export function layoutWords(layout: RankedLayout): string {
 
 /** `24 films along x and y`; of films one by one their number alone. */
 export function countWords({ film_count, films, spacing_deg, staggered }: RankedLayout): string {
-  const count = film_count === 1 ? "1 film" : `${film_count} films`;
+  const count = filmCount(film_count);
   return spacing_deg == null ? count : `${count} along ${listed(films.map(filmWord))}${staggered === true ? " in turn" : ""}`;
+}
+
+/** `30 films`. */
+export function filmCount(films: number): string {
+  return films === 1 ? "1 film" : `${films} films`;
+}
+
+/** `30 films`, or `24 films` and `in 12 units` where a unit has more than one. */
+export function unitLines({ film_count, units, spacing_deg }: RankedLayout): string[] {
+  const isOne = spacing_deg == null || units === film_count;
+  return [filmCount(film_count), ...(isOne ? [] : [`in ${units} ${units === 1 ? "unit" : "units"}`])];
 }
 
 /** `, the first at 8.75°`, of a layout that is turned from the mark. */

@@ -1,6 +1,7 @@
 import { useEffect } from "preact/hooks";
 import { countWords } from "../../lib/layouts/layout-words.ts";
 import { pageTitle, type Titled } from "../../lib/shell/page/page-title.ts";
+import { answersLayout } from "../../lib/study/result-picks.ts";
 import type { AppState, OpenStudy } from "../../state/app-state.ts";
 import { isMissing } from "../../state/loadable.ts";
 
@@ -19,7 +20,6 @@ function titledIn({ openStudy, openSweep, openEstimator }: AppState): Titled {
 
 function answerOf(study: OpenStudy | null): string | null {
   if (study?.result?.status !== "ready") return null;
-  const { answer, layouts } = study.result.value;
-  const layout = layouts.find(({ rank }) => rank === answer?.layout?.rank);
-  return layout === undefined ? null : countWords(layout);
+  const layout = answersLayout(study.result.value);
+  return layout === null ? null : countWords(layout);
 }

@@ -17,10 +17,10 @@ test("places and layouts in a few words", () => {
   const place: PlaceAnswer = { names: ["P2", "P4"], direction: "y", index: 0.3, error: null, verdict: "unknown", reason: "", sentence: "" };
   assert.equal(placeWords(place), "P2, P4 in y, 30.0 error unknown");
   assert.equal(placeWords({ ...place, error: 0.02 }), "P2, P4 in y, 30.0 ± 2.0 %");
-  const layout = { units: 12, tied_with: [] as number[] } as LayoutAnswer;
-  assert.equal(layoutStanding(layout), "12 units");
-  assert.equal(layoutStanding({ ...layout, tied_with: [2, 5] }), "12 units, level with rank 2, 5");
-  assert.equal(layoutStanding({ ...layout, units: 1, tied_with: [2, 3, 4, 5] }), "1 unit, level with rank 2, 3, 4 and 1 more");
+  const layout = { film_count: 12, tied_with: [] as number[] } as LayoutAnswer;
+  assert.equal(layoutStanding(layout), "12 films");
+  assert.equal(layoutStanding({ ...layout, tied_with: [2, 5] }), "12 films, level with rank 2, 5");
+  assert.equal(layoutStanding({ ...layout, film_count: 1, tied_with: [2, 3, 4, 5] }), "1 film, level with rank 2, 3, 4 and 1 more");
 });
 
 test("a study that ranks nothing says what it tells", () => {

@@ -2,7 +2,7 @@
 
 import type { Answer, InputsAnswer, LayoutAnswer, PlaceAnswer, StudyResult } from "../../../wire.ts";
 import { duration, fixed } from "../../format.ts";
-import { short } from "../../layouts/layout-words.ts";
+import { filmCount, short } from "../../layouts/layout-words.ts";
 
 /** With the signs of print for those of a terminal. */
 export function typeset(sentence: string): string {
@@ -50,9 +50,9 @@ export function surerWords({ level, times, expected_s }: NonNullable<Answer["sur
 /** Ranks named before the rest is counted. */
 const NAMED = 3;
 
-/** `12 units, tied with ranks 2, 5`: how the first layout stands. */
-export function layoutStanding({ units, tied_with }: LayoutAnswer): string {
-  const count = `${units} ${units === 1 ? "unit" : "units"}`;
+/** `12 films, level with rank 2, 5`: how the answer's layout stands. */
+export function layoutStanding({ film_count, tied_with }: LayoutAnswer): string {
+  const count = filmCount(film_count);
   if (tied_with.length === 0) return count;
   const more = tied_with.length > NAMED ? ` and ${tied_with.length - NAMED} more` : "";
   return `${count}, level with rank ${tied_with.slice(0, NAMED).join(", ")}${more}`;
