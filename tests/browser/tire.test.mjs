@@ -226,6 +226,12 @@ function share(axis, at, value) {
 test("a layout's films lie at its angles, in their true size, and arrows lead to the others", async () => {
   const { page, complaints } = await openTire();
   const { layouts } = await json(`/v1/studies/${study}/layouts`);
+  const { answer } = await json(`/v1/studies/${study}/result?map=false`);
+  const chosen = () => page.locator(".layout-choice select").evaluate(({ value }) => value);
+  assert.equal(await chosen(), String(layouts.findIndex(({ rank }) => rank === answer.layout.rank)), "the answer's films are there at first");
+  await page.locator(".layout-choice select").selectOption({ label: "none" });
+  await page.waitForURL(/layout=none/);
+  assert.equal(await page.locator(".film-marks polygon").count(), 0);
   const at = layouts.findIndex(({ spacing_deg, films }) => spacing_deg === 60 && films.length === 2);
   await page.locator(".layout-choice select").selectOption(String(at));
   await page.locator(".film-marks polygon").first().waitFor();

@@ -45,7 +45,6 @@ function Tire({ result, study, route, onAdjust }: SectionProps) {
         result={result}
         route={route}
         model={model}
-        layout={sight.layout}
         onAdjust={(next) => onAdjust({ ...next, sight: sightOf(sight, next.quantity !== route.quantity) })}
         onLayout={(layout) => setSight({ layout })}
       />

@@ -85,6 +85,11 @@ export function WheelCanvas({ model, surface, title, radius_mm, sight, eye, acti
         aria-label={`Tire in three dimensions: ${title}. Arrow keys turn, plus and minus zoom, 1 to 4 are views, c cuts, r resets.`}
       >
         <canvas ref={canvas} aria-hidden="true" data-drawn={state === "ready" ? "yes" : "no"} />
+        {state === "loading" && (
+          <p class="quiet wheel-drawing" role="status">
+            Drawing the tire …
+          </p>
+        )}
         {labels.map((label) => (
           <Label key={label.name} {...label} />
         ))}
