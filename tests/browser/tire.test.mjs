@@ -67,13 +67,13 @@ async function openTire(query = "", options = {}) {
   return opened;
 }
 
-/** Colours of the picture that the page offers as a file. */
+/** Name, colours and height of the picture that the page offers as a file. */
 async function coloursOfPicture(page, button = "PNG") {
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: button, exact: true }).click()]);
   const chunks = [];
   for await (const chunk of await download.createReadStream()) chunks.push(chunk);
   const bytes = Buffer.concat(chunks).toString("base64");
-  const colours = await page.evaluate(async (text) => {
+  const found = await page.evaluate(async (text) => {
     const binary = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0));
     const picture = await createImageBitmap(new Blob([binary], { type: "image/png" }));
     const context = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
@@ -81,9 +81,9 @@ async function coloursOfPicture(page, button = "PNG") {
     const { data } = context.getImageData(0, 0, picture.width, picture.height);
     const found = new Set();
     for (let at = 0; at < data.length; at += 4) found.add((data[at] << 16) | (data[at + 1] << 8) | data[at + 2]);
-    return found.size;
+    return { colours: found.size, height: picture.height };
   }, bytes);
-  return { name: download.suggestedFilename(), colours };
+  return { name: download.suggestedFilename(), ...found };
 }
 
 test("the tire is drawn, in few bytes, and saved as a picture by name", async (t) => {
@@ -91,6 +91,9 @@ test("the tire is drawn, in few bytes, and saved as a picture by name", async (t
   const saved = await coloursOfPicture(page);
   assert.equal(saved.name, "the-tire-s-test-start.png");
   assert.ok(saved.colours > 200, `the picture has ${saved.colours} colours`);
+  // Three pixels for one of the page.
+  const heights = await page.evaluate(() => [".wheel", ".legend"].map((part) => 3 * document.querySelector(part).getBoundingClientRect().height));
+  assert.ok(saved.height > heights[0] + 0.8 * heights[1], `${saved.height} px have no room for the tire and its legend, ${heights} px`);
   const sizes = await page.evaluate(() =>
     performance
       .getEntriesByType("resource")

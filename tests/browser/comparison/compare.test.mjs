@@ -2,7 +2,7 @@
 // STRAINSITE_PAGE is the address of a page in front of a service of its own, for those who work on the page.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { openBrowser, openPage, setting, SOFTWARE_WEBGL, violations } from "../page.mjs";
+import { openBrowser, openPage, savedTexts, setting, SOFTWARE_WEBGL, violations } from "../page.mjs";
 import { startService } from "../service.mjs";
 
 const STUDY_MS = Number(process.env.STRAINSITE_STUDY_MS ?? 600_000);
@@ -113,6 +113,13 @@ test("the baseline is in the address and survives a reload", async () => {
   await page.locator("tr.baseline th").first().filter({ hasText: "wall 2.5" }).waitFor();
   assert.equal(await page.locator("table.layout-ranks thead th:nth-child(3)").innerText(), "2 baseline");
   assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test("pictures of maps have the legend of their section", async () => {
+  const { page } = await openCompared();
+  assert.match(await savedTexts(page, "values 1"), /values 1 .*one scale for all .*nothing was computed/);
+  assert.match(await savedTexts(page, "difference 2"), /minus the baseline ?; one scale for all .*White is no difference/);
   await page.context().close();
 });
 

@@ -8,7 +8,7 @@ import type { Actions } from "../../state/actions.ts";
 import type { AppState, OpenEstimator } from "../../state/app-state.ts";
 import { isMissing, type Loadable } from "../../state/loadable.ts";
 import { Loaded } from "../shared/loaded.tsx";
-import { save } from "../shared/picture-file.ts";
+import { save } from "../shared/picture/picture-file.ts";
 import { ProblemBox } from "../shared/problem-box.tsx";
 import { RadioChoice } from "../shared/radio-choice.tsx";
 import { StateBadge } from "../shared/state-badge.tsx";

@@ -2,7 +2,7 @@ import { unitLines } from "../../../lib/layouts/layout-words.ts";
 import { filmsOf, shapeOf } from "../../../lib/layouts/wheel-films.ts";
 import { answersLayout } from "../../../lib/study/result-picks.ts";
 import type { Answer, RankedLayout, StudyDetail, StudyResult } from "../../../wire.ts";
-import { Figure } from "../../shared/figure.tsx";
+import { Figure } from "../../shared/picture/figure.tsx";
 import { FilmKey } from "../wheel/film-key.tsx";
 import { SectionDrawing } from "../wheel/section-drawing.tsx";
 import { WheelDrawing } from "../wheel/wheel-drawing.tsx";
