@@ -7,11 +7,13 @@ import { FilmKey } from "../wheel/film-key.tsx";
 import { SectionDrawing } from "../wheel/section-drawing.tsx";
 import { WheelDrawing } from "../wheel/wheel-drawing.tsx";
 
-/** The tire with the films of the answer in place. */
+/** The tire with the films of the answer in place, and the best place or all of them. */
 export function AnswerPicture({ result, study, answer }: { result: StudyResult; study: StudyDetail; answer: Answer | null }) {
   const layout = answersLayout(result);
   const films = layout === null ? [] : filmsOf(layout);
   const shape = shapeOf(study.document);
+  const { locations } = result.cut_point;
+  const best = answer?.place?.names ?? [];
   return (
     <Figure class="answer-picture" study={study.name} name="answer">
       <WheelDrawing
@@ -20,8 +22,8 @@ export function AnswerPicture({ result, study, answer }: { result: StudyResult; 
         films={films}
         size_mm={result.layout_findings?.size_mm ?? null}
         contact_deg={0}
-        places={result.cut_point.locations}
-        best={answer?.place?.names ?? []}
+        places={best.length === 0 ? locations : locations.filter(({ name }) => best.includes(name))}
+        best={best}
         lines={layout === null ? [] : unitLines(layout)}
         label={labelOf(answer, layout)}
       />

@@ -23,8 +23,8 @@ export function AnswerView({ result, study, route }: SectionProps) {
       ) : (
         <AnswerText answer={answer} notes={notesOf(result, answer.left_out?.sentence)} places={result.locations.length} />
       )}
-      <AnswerPicture result={result} study={study} answer={answer} />
       {answer?.trade != null && <TradePlot trade={answer.trade} />}
+      <AnswerPicture result={result} study={study} answer={answer} />
     </section>
   );
 }

@@ -3,10 +3,10 @@ import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { openBrowser, openPage, savedTexts } from "./page.mjs";
-import { startService } from "./service.mjs";
+import { openBrowser, openPage, savedTexts } from "../page.mjs";
+import { startService } from "../service.mjs";
 
-const SCREENSHOTS = fileURLToPath(new URL("screenshots/", import.meta.url));
+const SCREENSHOTS = fileURLToPath(new URL("../screenshots/", import.meta.url));
 const STUDY = {
   name: "films",
   scene: { preset: "foot-tire" },
