@@ -117,6 +117,39 @@ test("the tire is drawn, in few bytes, and saved as a picture by name", async (t
   await page.context().close();
 });
 
+test("the whole tire is within its frame at first, on a phone too", async (t) => {
+  for (const viewport of [
+    { width: 1440, height: 900 },
+    { width: 390, height: 844 },
+  ]) {
+    const { page } = await openTire("", { viewport });
+    await page.waitForTimeout(500);
+    const picture = (await page.locator(".wheel canvas").screenshot()).toString("base64");
+    const drawn = await page.evaluate(async (text) => {
+      const image = await createImageBitmap(new Blob([Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0))], { type: "image/png" }));
+      const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+      context.drawImage(image, 0, 0);
+      const { data, width, height } = context.getImageData(0, 0, image.width, image.height);
+      const colourAt = (x, y) => [...data.subarray(4 * (y * width + x), 4 * (y * width + x) + 3)].join();
+      // Beyond the frame's own line and its round corners.
+      const [ground, inset] = [colourAt(8, 8), 4];
+      let [tire, atEdge] = [0, 0];
+      for (let y = inset; y < height - inset; y += 1) {
+        for (let x = inset; x < width - inset; x += 1) {
+          if (colourAt(x, y) === ground) continue;
+          tire += 1;
+          if (x === inset || y === inset || x === width - inset - 1 || y === height - inset - 1) atEdge += 1;
+        }
+      }
+      return { share: tire / (width * height), atEdge };
+    }, picture);
+    t.diagnostic(`${viewport.width} px: the tire takes ${(100 * drawn.share).toFixed(0)} % of its frame`);
+    assert.equal(drawn.atEdge, 0, "nothing is cut off");
+    assert.ok(drawn.share > 0.25, `${drawn.share}`);
+    await page.context().close();
+  }
+});
+
 test("the map is saved with the colours of its canvas below its lines", async () => {
   const { page, complaints } = await openTire("?quantity=strain");
   const png = await coloursOfPicture(page, "Save map of strain x as PNG");
