@@ -70,6 +70,17 @@ export function readCanvas(page) {
   });
 }
 
+/** The texts of the picture that a figure is saved as, in one line: its title, its own and those of its legend. It must be a drawing that a reader of SVG takes. */
+export async function savedTexts(page, name) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: `Save ${name} as SVG`, exact: true }).click()]);
+  const text = readFileSync(await download.path(), "utf8");
+  return page.evaluate((svg) => {
+    const drawing = new DOMParser().parseFromString(svg, "image/svg+xml");
+    if (drawing.querySelector("parsererror") !== null) throw new Error("the picture can't be read");
+    return [...drawing.querySelectorAll("text")].map((each) => each.textContent).join(" ");
+  }, text);
+}
+
 /** What axe-core finds wrong with the page by all its rules, a line for each rule with the first elements. It is run by the debugger, which the page's policy doesn't bind. */
 export async function violations(page) {
   await page.evaluate(AXE);

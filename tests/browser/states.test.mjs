@@ -72,6 +72,26 @@ test("an empty database says so beside the form", async () => {
   await hold();
 });
 
+test("what isn't there is told by the page and its title, with ways on", async () => {
+  for (const [address, title, words] of [
+    ["nowhere", "Page not found", "#/nowhere names no page"],
+    ["studies/none", "Study not found", 'There is no study "none"'],
+    ["sweeps/none", "Sweep not found", 'There is no sweep "none"'],
+    ["forces/none", "Estimator not found", 'There is no estimator "none"'],
+    ["compare?studies=none,neither", "Comparison of 2 studies", "There is no study"],
+  ]) {
+    await page.goto(`${service.url}/#/${address}`);
+    await page.getByRole("alert").filter({ hasText: words }).waitFor();
+    assert.equal(await page.title(), `${title} - strainsite`);
+  }
+  complaints.splice(0, complaints.length, ...complaints.filter((text) => !/status of 404 /.test(text)));
+  await page.getByRole("button", { name: "studies and sweeps that are here" }).click();
+  assert.equal(await page.evaluate(() => document.activeElement?.id), "lists");
+  await hold();
+  await page.locator("main").getByRole("link", { name: "New study" }).click();
+  await page.waitForFunction(() => document.title === "New study - strainsite");
+});
+
 test("a sweep with a design that failed, its designs side by side, and the failure itself", { timeout: STUDY_MS }, async () => {
   // With next to no textile the tire has its limit point below its pressure.
   const sweep = await sent("/sweeps", { study: STUDY, grid: { "carcass.stiffness_n_per_mm": [1, 50, 100] } });

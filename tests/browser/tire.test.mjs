@@ -67,13 +67,13 @@ async function openTire(query = "", options = {}) {
   return opened;
 }
 
-/** Colours of the picture that the page offers as a file. */
+/** Name, colours and height of the picture that the page offers as a file. */
 async function coloursOfPicture(page, button = "PNG") {
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: button, exact: true }).click()]);
   const chunks = [];
   for await (const chunk of await download.createReadStream()) chunks.push(chunk);
   const bytes = Buffer.concat(chunks).toString("base64");
-  const colours = await page.evaluate(async (text) => {
+  const found = await page.evaluate(async (text) => {
     const binary = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0));
     const picture = await createImageBitmap(new Blob([binary], { type: "image/png" }));
     const context = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
@@ -81,9 +81,9 @@ async function coloursOfPicture(page, button = "PNG") {
     const { data } = context.getImageData(0, 0, picture.width, picture.height);
     const found = new Set();
     for (let at = 0; at < data.length; at += 4) found.add((data[at] << 16) | (data[at + 1] << 8) | data[at + 2]);
-    return found.size;
+    return { colours: found.size, height: picture.height };
   }, bytes);
-  return { name: download.suggestedFilename(), colours };
+  return { name: download.suggestedFilename(), ...found };
 }
 
 test("the tire is drawn, in few bytes, and saved as a picture by name", async (t) => {
@@ -91,6 +91,9 @@ test("the tire is drawn, in few bytes, and saved as a picture by name", async (t
   const saved = await coloursOfPicture(page);
   assert.equal(saved.name, "the-tire-s-test-start.png");
   assert.ok(saved.colours > 200, `the picture has ${saved.colours} colours`);
+  // Three pixels for one of the page.
+  const heights = await page.evaluate(() => [".wheel", ".legend"].map((part) => 3 * document.querySelector(part).getBoundingClientRect().height));
+  assert.ok(saved.height > heights[0] + 0.8 * heights[1], `${saved.height} px have no room for the tire and its legend, ${heights} px`);
   const sizes = await page.evaluate(() =>
     performance
       .getEntriesByType("resource")
@@ -112,6 +115,39 @@ test("the tire is drawn, in few bytes, and saved as a picture by name", async (t
     [],
   );
   await page.context().close();
+});
+
+test("the whole tire is within its frame at first, on a phone too", async (t) => {
+  for (const viewport of [
+    { width: 1440, height: 900 },
+    { width: 390, height: 844 },
+  ]) {
+    const { page } = await openTire("", { viewport });
+    await page.waitForTimeout(500);
+    const picture = (await page.locator(".wheel canvas").screenshot()).toString("base64");
+    const drawn = await page.evaluate(async (text) => {
+      const image = await createImageBitmap(new Blob([Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0))], { type: "image/png" }));
+      const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+      context.drawImage(image, 0, 0);
+      const { data, width, height } = context.getImageData(0, 0, image.width, image.height);
+      const colourAt = (x, y) => [...data.subarray(4 * (y * width + x), 4 * (y * width + x) + 3)].join();
+      // Beyond the frame's own line and its round corners.
+      const [ground, inset] = [colourAt(8, 8), 4];
+      let [tire, atEdge] = [0, 0];
+      for (let y = inset; y < height - inset; y += 1) {
+        for (let x = inset; x < width - inset; x += 1) {
+          if (colourAt(x, y) === ground) continue;
+          tire += 1;
+          if (x === inset || y === inset || x === width - inset - 1 || y === height - inset - 1) atEdge += 1;
+        }
+      }
+      return { share: tire / (width * height), atEdge };
+    }, picture);
+    t.diagnostic(`${viewport.width} px: the tire takes ${(100 * drawn.share).toFixed(0)} % of its frame`);
+    assert.equal(drawn.atEdge, 0, "nothing is cut off");
+    assert.ok(drawn.share > 0.25, `${drawn.share}`);
+    await page.context().close();
+  }
 });
 
 test("the map is saved with the colours of its canvas below its lines", async () => {
@@ -226,6 +262,12 @@ function share(axis, at, value) {
 test("a layout's films lie at its angles, in their true size, and arrows lead to the others", async () => {
   const { page, complaints } = await openTire();
   const { layouts } = await json(`/v1/studies/${study}/layouts`);
+  const { answer } = await json(`/v1/studies/${study}/result?map=false`);
+  const chosen = () => page.locator(".layout-choice select").evaluate(({ value }) => value);
+  assert.equal(await chosen(), String(layouts.findIndex(({ rank }) => rank === answer.layout.rank)), "the answer's films are there at first");
+  await page.locator(".layout-choice select").selectOption({ label: "none" });
+  await page.waitForURL(/layout=none/);
+  assert.equal(await page.locator(".film-marks polygon").count(), 0);
   const at = layouts.findIndex(({ spacing_deg, films }) => spacing_deg === 60 && films.length === 2);
   await page.locator(".layout-choice select").selectOption(String(at));
   await page.locator(".film-marks polygon").first().waitFor();

@@ -4,7 +4,7 @@ import { readFile } from "node:fs/promises";
 import { mkdirSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { openBrowser, openPage, overlaps, setting, violations } from "./page.mjs";
+import { openBrowser, openPage, overlaps, savedTexts, setting, violations } from "./page.mjs";
 import { startService } from "./service.mjs";
 
 const SCREENSHOTS = fileURLToPath(new URL("screenshots/", import.meta.url));
@@ -69,6 +69,8 @@ for (const viewport of WINDOWS) {
     test(`${section}, ${viewport.width} px wide, light and dark`, { timeout: 60_000 }, async () => {
       const { page, complaints } = await openSection(section, { viewport, colorScheme: "light" });
       assert.equal(await page.locator(".sections [aria-current]").innerText(), section[0].toUpperCase() + section.slice(1));
+      const open = section === "answer" ? /^\d+ films along / : new RegExp(`^${section}$`);
+      assert.match(/^five depths on the draft mesh: (.+) - strainsite$/.exec(await page.title())?.[1] ?? "", open);
       for (const colorScheme of ["light", "dark"]) {
         await page.emulateMedia({ colorScheme });
         await page.screenshot({ path: `${SCREENSHOTS}${section}-${viewport.width}-${colorScheme}.png`, fullPage: true });
@@ -281,6 +283,32 @@ test("figures are saved as SVG and PNG, tables as CSV", { timeout: 60_000 }, asy
   assert.ok(png.bytes.length > 3000, `${png.bytes.length} bytes`);
   const csv = await page.getByRole("link", { name: "Ranked locations as CSV" }).getAttribute("href");
   assert.match(await (await fetch(new URL(csv, page.url()))).text(), /P3/);
+  await page.context().close();
+});
+
+test("each picture has its study's name, its figure's and its legend", { timeout: 60_000 }, async () => {
+  const { page } = await openSection("answer", { viewport: WINDOWS[0] });
+  const { paths } = JSON.parse(await readFile(fileURLToPath(new URL("../../web/openapi.json", import.meta.url))));
+  const trade = paths["/v1/studies/{id}/trade"].get.responses[200].content["application/json"].example;
+  await page.route("**/trade", (route) => route.fulfill({ json: trade }));
+  await page.route(`**/studies/${id}`, async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, json: { ...(await response.json()), trade_measured: true } });
+  });
+  for (const [section, figure, legend] of [
+    ["answer", "answer", /x, around y, across/],
+    ["tire", "map of index x", /First-order index of P3, .* 0 .*100 .* nothing was computed/],
+    ["layouts", "layouts", /crown .*shoulder .*x\+y .*the paper's layout/],
+    ["layouts", "wheel", /x, around y, across/],
+    ["indices", "indices-x", /percent .*valid index and its error/],
+    ["trade", "trade", /true error; the line is the Pareto front .*that the rung claims/],
+  ]) {
+    await page.goto("about:blank");
+    await page.goto(`${origin()}/#/studies/${id}/${section}`);
+    const texts = await savedTexts(page, figure);
+    assert.ok(texts.startsWith(`five depths on the draft mesh: ${figure} `), texts);
+    assert.match(texts, legend);
+  }
   await page.context().close();
 });
 

@@ -11,7 +11,7 @@ use axum::http::{StatusCode, Uri};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use store::Store;
-use store::queue::short_ids::{LATEST, Listing, meant};
+use store::queue::short_names::{LATEST, Listing, meant};
 
 use crate::http::edge::problem_document::Problem;
 

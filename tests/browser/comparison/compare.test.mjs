@@ -2,7 +2,7 @@
 // STRAINSITE_PAGE is the address of a page in front of a service of its own, for those who work on the page.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { openBrowser, openPage, setting, SOFTWARE_WEBGL, violations } from "../page.mjs";
+import { openBrowser, openPage, savedTexts, setting, SOFTWARE_WEBGL, violations } from "../page.mjs";
 import { startService } from "../service.mjs";
 
 const STUDY_MS = Number(process.env.STRAINSITE_STUDY_MS ?? 600_000);
@@ -127,6 +127,13 @@ test("what answers best comes first, with films against error of each", async ()
   assert.deepEqual(rows, best);
   assert.equal(await page.locator(".compared-trades .layout-curve > path").count(), 2 * found.length);
   assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test("pictures of maps have the legend of their section", async () => {
+  const { page } = await openCompared();
+  assert.match(await savedTexts(page, "values 1"), /values 1 .*one scale for all .*nothing was computed/);
+  assert.match(await savedTexts(page, "difference 2"), /minus the baseline ?; one scale for all .*White is no difference/);
   await page.context().close();
 });
 

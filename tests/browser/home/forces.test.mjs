@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
-import { openBrowser, openPage, overlaps, setting, violations } from "../page.mjs";
+import { openBrowser, openPage, overlaps, savedTexts, setting, violations } from "../page.mjs";
 import { startService } from "../service.mjs";
 
 const WINDOWS = [
@@ -129,6 +129,8 @@ test("two runs are learnt from: answer, splits, rows left out, and another recor
   assert.equal(await plots.count(), 2);
   for (const line of ["band", "truth-line", "estimate-line"])
     assert.ok((await plots.first().locator(`.${line}`).getAttribute("d")).split("L").length > 149, line);
+  const drawn = await plots.first().evaluate((plot) => /^Save (.*) as SVG$/.exec(plot.closest("figure").querySelector("button").ariaLabel)[1]);
+  assert.match(await savedTexts(page, drawn), /^rig: fz_n .*measured estimated 95 % interval$/);
   const left = await saved(() => page.getByRole("button", { name: "Save rows that were left out as CSV" }).click());
   assert.equal(left.text.trim().split("\n").length, 1 + 2 * 300);
 

@@ -70,6 +70,8 @@ test("the service searches, one question for a word, its letters taken literally
 
 test("a study is renamed in its place by keys alone, and the focus returns", { timeout: LIMIT_MS }, async () => {
   const { page, complaints } = await openList();
+  await page.getByRole("link", { name: /^bead/ }).click();
+  await page.waitForFunction(() => document.title === "bead - strainsite");
   await page.getByRole("button", { name: "More for bead", exact: true }).press("Enter");
   await page.getByRole("button", { name: "Rename bead", exact: true }).press("Enter");
   await page.keyboard.type("rim");
@@ -82,6 +84,7 @@ test("a study is renamed in its place by keys alone, and the focus returns", { t
   await page.keyboard.press("Enter");
   await lists(page, ["bead, first try", "wall 500", "wall 50%"]);
   await page.waitForFunction(() => document.activeElement?.getAttribute("aria-label") === "More for bead, first try");
+  await page.waitForFunction(() => document.title === "bead, first try - strainsite");
   const [{ id }] = (await (await fetch(`${service.url}/v1/studies?search=first+try`)).json()).studies;
   const detail = await (await fetch(`${service.url}/v1/studies/${id}`)).json();
   assert.deepEqual([detail.name, detail.document.name], ["bead, first try", "bead"]);

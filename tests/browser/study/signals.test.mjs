@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { openBrowser, openPage } from "../page.mjs";
+import { openBrowser, openPage, savedTexts } from "../page.mjs";
 import { startService } from "../service.mjs";
 
 const SCREENSHOTS = fileURLToPath(new URL("../screenshots/", import.meta.url));
@@ -34,6 +34,8 @@ test("signals are drawn as curves and told in a table, on a narrow page too", { 
   assert.equal(await panel.locator("figure").count(), 6);
   assert.equal(await panel.locator("figure .film").count(), 36);
   assert.equal(await panel.getByRole("table", { name: "Claims about the own tire" }).locator("tbody tr").count(), 6);
+  const [name] = await panel.locator("figure button").evaluateAll((all) => all.map((each) => /^Save (.*) as SVG$/.exec(each.ariaLabel)?.[1]));
+  assert.match(await savedTexts(page, name), /crown .*glued, with its stiffness: left scale .*bare, following the wall: right scale/);
   await panel.screenshot({ path: `${SCREENSHOTS}signals.png` });
   await page.setViewportSize({ width: 390, height: 800 });
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);

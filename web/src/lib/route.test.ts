@@ -21,6 +21,7 @@ test("an address and its view are the same thing", () => {
     { ...compareRoute(["0197", "0198"]), direction: "y", quantity: "std", drawnAs: "tires", sight: { ...PLAIN_SIGHT, scale: [0, 0.002] } },
     { view: "forces" },
     { view: "own" },
+    { view: "nowhere", address: "#/nowhere/else?films=1" },
     estimatorRoute("a b/c"),
     { ...estimatorRoute("0197"), force: "fz_n" },
     { ...studyRoute("0197"), section: "sheet" },
@@ -48,8 +49,7 @@ test("an edit can be read in its address", () => {
 });
 
 test("nonsense falls back to defaults instead of failing", () => {
-  assert.deepEqual(parseRoute(""), homeRoute());
-  assert.deepEqual(parseRoute("#/nowhere/else"), homeRoute());
+  for (const address of ["", "#", "#/", "#/?mood=good", "#?mood=good"]) assert.deepEqual(parseRoute(address), homeRoute());
   assert.deepEqual(parseRoute("#/studies/%zz?direction=up&quantity=mood"), {
     view: "study",
     id: "%zz",
@@ -60,8 +60,12 @@ test("nonsense falls back to defaults instead of failing", () => {
     films: null,
     sight: PLAIN_SIGHT,
   });
-  assert.deepEqual(parseRoute("#/forces/42/nowhere"), homeRoute());
   assert.deepEqual(parseRoute("#/compare"), compareRoute([]));
   assert.deepEqual(parseRoute("#/studies/42/nowhere"), studyRoute("42"));
   assert.deepEqual(parseRoute("#/sweeps/42?shown=mood"), sweepRoute("42"));
+});
+
+test("an address that names no page is told, not taken for the form", () => {
+  for (const address of ["#/nowhere", "#/studies", "#/studies/", "#/forces/42/nowhere", "#/studies/42/tire/more"])
+    assert.deepEqual(parseRoute(address), { view: "nowhere", address });
 });

@@ -42,9 +42,11 @@ type ForcesRoute = { view: "forces" };
 type OwnRoute = { view: "own" };
 /** One estimator, with the force that its table and plot are of; its first when none is named. */
 export type EstimatorRoute = { view: "estimator"; id: string; force: string | null };
-export type Route = HomeRoute | SweepRoute | StudyRoute | CompareRoute | ForcesRoute | OwnRoute | EstimatorRoute;
+/** An address that names no page. */
+type NowhereRoute = { view: "nowhere"; address: string };
+export type Route = HomeRoute | SweepRoute | StudyRoute | CompareRoute | ForcesRoute | OwnRoute | EstimatorRoute | NowhereRoute;
 
-/** Reads `#/studies/{id}/tire?direction=x&quantity=index&input=P3`, `#/sweeps/{id}?baseline=STUDY&shown=difference` `#/forces/{id}?force=fz_n` and `#/?preset=foot-tire&/scene/geometry/wall_mm=4`; anything else is the home view. */
+/** Reads `#/studies/{id}/tire?direction=x&quantity=index&input=P3`, `#/sweeps/{id}?baseline=STUDY&shown=difference`, `#/forces/{id}?force=fz_n` and `#/?preset=foot-tire&/scene/geometry/wall_mm=4`; without a path it is the home view. */
 export function parseRoute(hash: string): Route {
   const [path = "", query = ""] = hash.replace(/^#/, "").split("?", 2);
   const values = new URLSearchParams(query);
@@ -58,11 +60,12 @@ export function parseRoute(hash: string): Route {
   if (path === "/model") return { view: "own" };
   const estimator = /^\/forces\/([^/]+)$/.exec(path)?.[1];
   if (estimator !== undefined) return { view: "estimator", id: decode(estimator), force: values.get("force") };
-  const [, kind, id, section] = /^\/(studies|sweeps)\/([^/]+)(?:\/([^/]*))?$/.exec(path) ?? [];
-  if (id === undefined) {
+  if (path === "" || path === "/") {
     const edits = Object.fromEntries([...values].filter(([pointer]) => pointer.startsWith("/")));
     return { view: "home", preset: values.get("preset"), again: values.get("again"), films: values.get("films"), edits };
   }
+  const [, kind, id, section] = /^\/(studies|sweeps)\/([^/]+)(?:\/([^/]*))?$/.exec(path) ?? [];
+  if (id === undefined) return { view: "nowhere", address: hash };
   const figure = CELL_FIGURES.find((name) => name === values.get("figure")) ?? "answer";
   if (kind === "sweeps") return { view: "sweep", id: decode(id), baseline: values.get("baseline"), shown, figure };
   return { view: "study", id: decode(id), section: sectionOf(section, values), films: values.get("films"), sight: readSight(values), ...layerIn(values) };
@@ -98,6 +101,7 @@ export function formatRoute(route: Route): string {
   }
   if (route.view === "forces") return "#/forces";
   if (route.view === "own") return "#/model";
+  if (route.view === "nowhere") return route.address;
   if (route.view === "estimator") {
     if (route.force !== null) values.set("force", route.force);
     return withQuery(`#/forces/${encodeURIComponent(route.id)}`, values);

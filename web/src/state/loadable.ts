@@ -11,3 +11,8 @@ export async function answerTo<T>(question: Promise<T>): Promise<Exclude<Loadabl
     return { status: "failed", problem: problemOf(error) };
   }
 }
+
+/** Whether the service says that there is no such thing. */
+export function isMissing(asked: Loadable<unknown>): asked is { status: "failed"; problem: Problem } {
+  return asked.status === "failed" && asked.problem.status === 404;
+}

@@ -1,12 +1,14 @@
 import { useEffect, useState } from "preact/hooks";
 import { formatRoute, type Route } from "../lib/route.ts";
-import { actionOf } from "../lib/shell/page-keys.ts";
+import { actionOf } from "../lib/shell/page/page-keys.ts";
 import type { Actions } from "../state/actions.ts";
 import type { AppState } from "../state/app-state.ts";
 import { hasSingleKeys } from "../state/preferences.ts";
 import { later } from "./shared/later.tsx";
 import { KeyDialog } from "./shell/key-dialog.tsx";
 import { Masthead } from "./shell/masthead.tsx";
+import { Missing } from "./shell/missing.tsx";
+import { useTitle } from "./shell/use-title.ts";
 import { StudyList } from "./sidebar/study-list.tsx";
 import { SweepList } from "./sidebar/sweep-list.tsx";
 import { StudyPage } from "./study/study-page.tsx";
@@ -22,6 +24,7 @@ const SweepPage = later("the sweep", async () => (await import("./sweep/sweep-pa
 export function App({ state, actions }: { state: AppState; actions: Actions }) {
   const { route } = state;
   const [isHelp, setHelp] = useState(false);
+  useTitle(state);
   useEffect(() => listenForKeys(route, () => setHelp(true)), [route]);
   return (
     <div class={route.view === "home" ? "page page-home" : "page page-study"}>
@@ -33,11 +36,12 @@ export function App({ state, actions }: { state: AppState; actions: Actions }) {
         {route.view === "compare" && <ComparePage state={state} route={route} actions={actions} />}
         {route.view === "estimator" && <EstimatorPage state={state} route={route} actions={actions} />}
         {route.view === "forces" && <ForcesPage state={state} actions={actions} />}
+        {route.view === "nowhere" && <Missing what="Page" why={`The address ${route.address} names no page.`} />}
         {route.view === "own" && <OwnPage />}
         {route.view === "study" && <StudyPage state={state} route={route} actions={actions} />}
         {route.view === "sweep" && <SweepPage state={state} route={route} actions={actions} />}
       </main>
-      <aside class="sidebar" aria-label="Sweeps and studies">
+      <aside id="lists" class="sidebar" aria-label="Sweeps and studies" tabIndex={-1}>
         <SweepList state={state} actions={actions} />
         <StudyList state={state} actions={actions} />
       </aside>

@@ -24,7 +24,7 @@ use crate::cli::terminal::paint::{FAINT, HEADER, STRONG, header, left, of_state,
 use crate::cli::terminal::wrapping::{COLUMNS, cut, labelled, told_apart, wrapped};
 use service::comparison::{of_designs, of_studies};
 use service::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
-use store::queue::short_ids::{Listing, meant};
+use store::queue::short_names::{Listing, meant};
 use store::queue::sweep_rows;
 
 /// Compare studies, or the designs of a sweep: what differs, and which differences are real

@@ -28,7 +28,7 @@ use service::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
 use service::wire::examples::{self, absent};
 use service::wire::study_wire::ProblemDocument;
 use service::wire::sweep_examples;
-use store::queue::short_ids::Listing;
+use store::queue::short_names::Listing;
 
 /// `/v1/comparison` and its export.
 pub(crate) fn router() -> OpenApiRouter<AppState> {

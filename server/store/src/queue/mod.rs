@@ -6,7 +6,7 @@
 //! - [`listed`]: which of them a list shows
 //! - [`estimator_rows`]: estimators of forces; [`estimator_parts`]: their recordings and what was learnt
 //! - [`event_rows`]: what happened, in order
-//! - [`short_ids`]: the newest of them, and those whose identifiers begin so
+//! - [`short_names`]: the newest of them, and those whose identifiers begin so
 //! - [`idempotency`]: keys of repeated requests
 
 pub mod estimator_parts;
@@ -14,7 +14,7 @@ pub mod estimator_rows;
 pub mod event_rows;
 pub mod idempotency;
 pub mod listed;
-pub mod short_ids;
+pub mod short_names;
 pub mod study_rows;
 pub mod sweep_rows;
 pub mod turns;

@@ -57,18 +57,18 @@ test("the scale goes by 1, 2 and 5 up to half a turn", () => {
   assert.deepEqual(errorRange([]), [50, 180]);
 });
 
-test("units are written where there is room, six before others", () => {
+test("units are written where there is room, one before the others", () => {
   const dense = [24, 4, 5, 6, 7, 6];
   assert.deepEqual(
-    unitTicks(dense, (units) => units, 1),
+    unitTicks(dense, 6, (units) => units, 1),
     [4, 5, 6, 7, 24],
   );
   assert.deepEqual(
-    unitTicks(dense, (units) => units, 2),
+    unitTicks(dense, 6, (units) => units, 2),
     [4, 6, 24],
   );
   assert.deepEqual(
-    unitTicks([], (units) => units, 1),
+    unitTicks([], 6, (units) => units, 1),
     [],
   );
 });

@@ -77,11 +77,11 @@ export function errorRange(all: LayoutCurve[]): [number, number] {
   return [low, HALF_TURN_DEG];
 }
 
-/** Numbers of units that are written at the axis: those that stand so far apart there, six units before others. */
-export function unitTicks(all: readonly number[], at: (units: number) => number, apart: number): number[] {
+/** Numbers of units that are written at the axis: those that stand so far apart there, one number before the others. */
+export function unitTicks(all: readonly number[], first: number, at: (units: number) => number, apart: number): number[] {
   const units = [...new Set(all)].sort((a, b) => a - b);
   const kept: number[] = [];
-  for (const unit of [...units.filter((count) => count === 6), ...units]) {
+  for (const unit of [...units.filter((count) => count === first), ...units]) {
     if (kept.every((other) => Math.abs(at(unit) - at(other)) >= apart)) kept.push(unit);
   }
   return kept.sort((a, b) => a - b);

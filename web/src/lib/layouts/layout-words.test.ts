@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { LayoutScore, RankedLayout } from "../../wire.ts";
-import { bestOfFew, isPapers, layoutWords, loadWords, placesWords, short, withPlaces, worstLoad } from "./layout-words.ts";
+import { bestOfFew, countWords, isPapers, layoutWords, loadWords, placesWords, short, unitLines, withPlaces, worstLoad } from "./layout-words.ts";
 
 function layout(change: Partial<RankedLayout>): RankedLayout {
   return { rank: 1, spacing_deg: 60, units: 6, position: "crown", films: ["x", "y"], film_count: 12, loads: [], score: { noise_strain: 1e-3 }, ...change };
@@ -18,7 +18,15 @@ test("a layout is told in words", () => {
   const spread = layout({ units: 18, spacing_deg: 20, position: "30 deg", films: ["x", "45", "y"], film_count: 54, staggered: true });
   assert.equal(layoutWords(spread), "54 films along x, 45° and y in turn 30° from the crown, one every 6.67°");
   const free = layout({ name: "best 3 films, 1", spacing_deg: null, position: "mixed", places: PLACES });
+  assert.deepEqual([countWords(spread), countWords({ ...free, film_count: 3 })], ["54 films along x, 45° and y in turn", "3 films"]);
   assert.equal(layoutWords(free), "best 3 films, 1: 0° x at 0, 120°; 45° y at 22.5°");
+});
+
+test("films are counted, and units where a unit has several", () => {
+  assert.deepEqual(unitLines(layout({})), ["12 films", "in 6 units"]);
+  assert.deepEqual(unitLines(layout({ units: 30, film_count: 30, films: ["x"] })), ["30 films"]);
+  assert.deepEqual(unitLines(layout({ units: 1, film_count: 2 })), ["2 films", "in 1 unit"]);
+  assert.deepEqual(unitLines(layout({ units: 1, film_count: 1, spacing_deg: null })), ["1 film"]);
 });
 
 test("a load is told by depth and force, as far as they are known", () => {

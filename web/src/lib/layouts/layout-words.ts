@@ -23,9 +23,24 @@ export function layoutWords(layout: RankedLayout): string {
   const isApart = layout.staggered === true;
   const together = isApart ? 1 : layout.films.length;
   const spacing = short(layout.spacing_deg / (isApart ? layout.films.length : 1));
-  const ways = `${listed(layout.films.map(filmWord))}${isApart ? " in turn" : ""}`;
-  const count = layout.film_count === 1 ? "1 film" : `${layout.film_count} films`;
-  return `${count} along ${ways} ${positionWords(layout.position)}, ${TOGETHER[together] ?? `${together} in one place`} every ${spacing}°${first(layout)}`;
+  return `${countWords(layout)} ${positionWords(layout.position)}, ${TOGETHER[together] ?? `${together} in one place`} every ${spacing}°${first(layout)}`;
+}
+
+/** `24 films along x and y`; of films one by one their number alone. */
+export function countWords({ film_count, films, spacing_deg, staggered }: RankedLayout): string {
+  const count = filmCount(film_count);
+  return spacing_deg == null ? count : `${count} along ${listed(films.map(filmWord))}${staggered === true ? " in turn" : ""}`;
+}
+
+/** `30 films`. */
+export function filmCount(films: number): string {
+  return films === 1 ? "1 film" : `${films} films`;
+}
+
+/** `30 films`, or `24 films` and `in 12 units` where a unit has more than one. */
+export function unitLines({ film_count, units, spacing_deg }: RankedLayout): string[] {
+  const isOne = spacing_deg == null || units === film_count;
+  return [filmCount(film_count), ...(isOne ? [] : [`in ${units} ${units === 1 ? "unit" : "units"}`])];
 }
 
 /** `, the first at 8.75°`, of a layout that is turned from the mark. */

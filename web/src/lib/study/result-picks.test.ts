@@ -2,7 +2,20 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Output, RankedLocation, StudyResult } from "../../wire.ts";
 import { paperPercent } from "./paper/paper-table.ts";
-import { bars, byRank, centreName, centreOutput, isRanked, largest, locationNames, mdrmGap, paperGap, productFormBroken, scoreOf } from "./result-picks.ts";
+import {
+  answersLayout,
+  bars,
+  byRank,
+  centreName,
+  centreOutput,
+  isRanked,
+  largest,
+  locationNames,
+  mdrmGap,
+  paperGap,
+  productFormBroken,
+  scoreOf,
+} from "./result-picks.ts";
 
 const output = (location: string, direction: "x" | "y"): Output => ({
   location,
@@ -95,4 +108,12 @@ test("M-DRM's distance from the valid column is held against the error", () => {
   const close = { ...result, locations: result.locations.map((row) => ({ ...row, mdrm_gsi_x_percent: row.gsi_x_percent ?? null })) };
   assert.deepEqual(mdrmGap(close, "x"), { points: 0, covered: true });
   assert.equal(mdrmGap(result, "y"), null);
+});
+
+test("the answer's layout is found by its rank", () => {
+  const layouts = [{ rank: 2 }, { rank: 1 }];
+  const withRank = (answer: unknown): StudyResult => ({ ...result, layouts, answer }) as unknown as StudyResult;
+  assert.equal(answersLayout(withRank({ layout: { rank: 1 } })), layouts[1]);
+  assert.equal(answersLayout(withRank({ layout: null })), null);
+  assert.equal(answersLayout(withRank(undefined)), null);
 });

@@ -1,6 +1,6 @@
 /** Picks from a result what a view shows. The service computes and ranks; nothing here does. */
 
-import type { Output, RankedLocation, StudyResult } from "../../wire.ts";
+import type { Output, RankedLayout, RankedLocation, StudyResult } from "../../wire.ts";
 import type { Direction } from "../direction.ts";
 import { paperPercent } from "./paper/paper-table.ts";
 
@@ -38,6 +38,11 @@ export function centreOutput(result: StudyResult, direction: Direction): Output 
 /** Locations in the order of the service's ranks. */
 export function byRank(result: StudyResult): RankedLocation[] {
   return [...result.locations].sort((a, b) => a.rank - b.rank);
+}
+
+/** The layout that the answer names; null where it names none. */
+export function answersLayout({ answer, layouts }: StudyResult): RankedLayout | null {
+  return layouts.find(({ rank }) => rank === answer?.layout?.rank) ?? null;
 }
 
 /** Scores of a location, in percent, each with a figure for either direction. */

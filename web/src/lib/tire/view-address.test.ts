@@ -9,6 +9,7 @@ test("what is seen and its address are the same thing", () => {
   const sights: Sight[] = [
     PLAIN_SIGHT,
     ...VIEW_NAMES.map((eye): Sight => ({ ...PLAIN_SIGHT, eye })),
+    { ...PLAIN_SIGHT, layout: null },
     {
       layout: 2,
       value: 0.8125,

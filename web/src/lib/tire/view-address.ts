@@ -7,8 +7,8 @@ import type { SurfacePoint } from "./map/map-grid.ts";
 export type Eye = ViewName | Orbit;
 
 export interface Sight {
-  /** Place in the list of layouts of the one whose films are shown; null for none. */
-  layout: number | null;
+  /** Place in the list of layouts of the one whose films are shown, or the one that the answer names; null for none. */
+  layout: number | "answer" | null;
   /** Of the input; null at the means. */
   value: number | null;
   /** Ends of a scale that is kept, in the layer's own unit; null where the layer says them. */
@@ -26,19 +26,15 @@ const [ANGLE_DECIMALS, PIN_DECIMALS, RADII_DECIMALS] = [1, 3, 3];
 const DIGITS = 6;
 
 /** What is seen before the reader chose anything. */
-export const PLAIN_SIGHT: Sight = { layout: null, value: null, scale: null, pin: null, factor: 1, isCut: true, eye: "start" };
+export const PLAIN_SIGHT: Sight = { layout: "answer", value: null, scale: null, pin: null, factor: 1, isCut: true, eye: "start" };
 
 /** Reads it from an address' query; what makes no sense there is at its default. */
 export function readSight(values: URLSearchParams): Sight {
-  const [layout, value, factor] = ["layout", "at", "factor"].map((name) => numbersIn(values, name, 1)?.[0] ?? null) as [
-    number | null,
-    number | null,
-    number | null,
-  ];
+  const [value, factor] = [numberIn(values, "at"), numberIn(values, "factor")];
   const [low, high] = numbersIn(values, "scale", 2) ?? [];
   const [theta_deg, phi_deg] = numbersIn(values, "pin", 2) ?? [];
   return {
-    layout: layout !== null && Number.isInteger(layout) && layout > 0 ? layout - 1 : null,
+    layout: layoutIn(values),
     value,
     scale: low !== undefined && high !== undefined && low < high ? [low, high] : null,
     pin: theta_deg !== undefined && phi_deg !== undefined ? { theta_deg, phi_deg } : null,
@@ -50,7 +46,7 @@ export function readSight(values: URLSearchParams): Sight {
 
 /** Writes what isn't at its default. */
 export function writeSight({ layout, value, scale, pin, factor, isCut, eye }: Sight, values: URLSearchParams): void {
-  if (layout !== null) values.set("layout", String(layout + 1));
+  if (layout !== "answer") values.set("layout", layout === null ? "none" : String(layout + 1));
   if (value !== null) values.set("at", digits(value));
   if (scale !== null) values.set("scale", scale.map(digits).join());
   if (pin !== null) values.set("pin", [pin.theta_deg, pin.phi_deg].map((angle) => rounded(angle, PIN_DECIMALS)).join());
@@ -83,6 +79,12 @@ export function orbitOf(eye: Eye): Orbit {
   return typeof eye === "string" ? viewOf(eye, 1) : eye;
 }
 
+function layoutIn(values: URLSearchParams): Sight["layout"] {
+  if (values.get("layout") === "none") return null;
+  const place = numberIn(values, "layout");
+  return place !== null && Number.isInteger(place) && place > 0 ? place - 1 : "answer";
+}
+
 function eyeIn(values: URLSearchParams): Eye {
   const name = VIEW_NAMES.find((view) => view === values.get("eye"));
   if (name !== undefined) return name;
@@ -90,6 +92,10 @@ function eyeIn(values: URLSearchParams): Eye {
   if (azimuth_deg === undefined || elevation_deg === undefined || distance_mm === undefined || height === undefined) return "start";
   if (Math.abs(elevation_deg) > MOST_ELEVATION || distance_mm <= 0) return "start";
   return { azimuth_deg, elevation_deg, distance_mm, target: [0, 0, height] };
+}
+
+function numberIn(values: URLSearchParams, name: string): number | null {
+  return numbersIn(values, name, 1)?.[0] ?? null;
 }
 
 /** So many finite numbers with commas between them; null for anything else. */

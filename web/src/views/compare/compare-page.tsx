@@ -4,9 +4,11 @@ import { comparedFields } from "../../lib/document/document-differences.ts";
 import type { CompareRoute } from "../../lib/route.ts";
 import type { Actions } from "../../state/actions.ts";
 import type { AppState, OpenComparison } from "../../state/app-state.ts";
+import { isMissing } from "../../state/loadable.ts";
 import type { StudyDetail } from "../../wire.ts";
 import { Loaded } from "../shared/loaded.tsx";
 import { ScrollTable, words } from "../shared/scroll-table.tsx";
+import { Removed } from "../shell/missing.tsx";
 import { AnswersPanel } from "../sweep/answers-panel.tsx";
 import { ComparisonPanel } from "../sweep/comparison-panel.tsx";
 import { ComparedTires } from "./tires/compared-tires.tsx";
@@ -29,6 +31,7 @@ export function ComparePage({ state, route, actions }: Props) {
     );
   }
   if (open === null) return <p class="quiet">Loading the studies …</p>;
+  if (isMissing(open.details)) return <Removed what="Study" problem={open.details.problem} />;
   const baseline = route.baseline ?? (open.comparison.status === "ready" ? (open.comparison.value.baseline ?? null) : (route.studies[0] ?? null));
   return (
     <article>

@@ -7,7 +7,7 @@ import { fileName } from "../../lib/shell/file-names.ts";
 import { answerTo, type Loadable } from "../../state/loadable.ts";
 import { Facts } from "../shared/facts.tsx";
 import { Faults } from "../home/fault-list.tsx";
-import { save } from "../shared/picture-file.ts";
+import { save } from "../shared/picture/picture-file.ts";
 import { BandKey, BandPlot } from "./band-plot.tsx";
 import { FileDrop } from "./file-drop.tsx";
 

@@ -5,7 +5,7 @@ import { bandPaths, thinned, timeRange, type BandRun } from "../../lib/forces/ba
 import { Axis } from "../shared/chart/axis.tsx";
 import { Chart } from "../shared/chart/chart.tsx";
 import { KeyEntry, KeyLine } from "../shared/chart/key.tsx";
-import { Figure } from "../shared/figure.tsx";
+import { Figure } from "../shared/picture/figure.tsx";
 import { useWidth } from "../shared/chart/use-width.ts";
 
 const [LEAST_WIDTH, GUESSED_WIDTH, HEIGHT] = [240, 640, 190];

@@ -6,12 +6,13 @@ import { formatRoute, type EstimatorRoute } from "../../lib/route.ts";
 import { fileName } from "../../lib/shell/file-names.ts";
 import type { Actions } from "../../state/actions.ts";
 import type { AppState, OpenEstimator } from "../../state/app-state.ts";
-import type { Loadable } from "../../state/loadable.ts";
+import { isMissing, type Loadable } from "../../state/loadable.ts";
 import { Loaded } from "../shared/loaded.tsx";
-import { save } from "../shared/picture-file.ts";
+import { save } from "../shared/picture/picture-file.ts";
 import { ProblemBox } from "../shared/problem-box.tsx";
 import { RadioChoice } from "../shared/radio-choice.tsx";
 import { StateBadge } from "../shared/state-badge.tsx";
+import { Removed } from "../shell/missing.tsx";
 import { ApplyPanel } from "./apply-panel.tsx";
 import { FitStanding } from "./fit-standing.tsx";
 import { ForceAnswers } from "./force-answers.tsx";
@@ -28,6 +29,13 @@ interface Props {
 /** One estimator: how far its fit is, or what was found, and forces by it. */
 export function EstimatorPage({ state, route, actions }: Props) {
   const open = state.openEstimator;
+  if (open !== null && isMissing(open.detail)) {
+    return (
+      <Removed what="Estimator" problem={open.detail.problem}>
+        <a href={formatRoute({ view: "forces" })}>All estimators</a>,{" "}
+      </Removed>
+    );
+  }
   if (open === null || open.detail.status !== "ready") {
     return (
       <>

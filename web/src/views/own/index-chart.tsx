@@ -7,7 +7,7 @@ import { Axis } from "../shared/chart/axis.tsx";
 import { Chart } from "../shared/chart/chart.tsx";
 import { ErrorBar } from "../shared/chart/marks.tsx";
 import { useWidth } from "../shared/chart/use-width.ts";
-import { Figure } from "../shared/figure.tsx";
+import { Figure } from "../shared/picture/figure.tsx";
 
 /** A narrower place scrolls. */
 const [LEAST_WIDTH, MOST_WIDTH, ROW] = [300, 620, 30];

@@ -7,7 +7,7 @@ import { answerTo, type Loadable } from "../../state/loadable.ts";
 import type { ModelAnalysis, ModelOutput } from "../../wire.ts";
 import { FileDrop } from "../forces/file-drop.tsx";
 import { Faults } from "../home/fault-list.tsx";
-import { save } from "../shared/picture-file.ts";
+import { save } from "../shared/picture/picture-file.ts";
 import { IndexChart } from "./index-chart.tsx";
 
 type Kind = "inputs" | "values";

@@ -13,6 +13,10 @@ export function ProblemBox({ problem, children }: { problem: Problem; children?:
 
 /** A problem in a sentence: the detail when there is one, for the title of most is only their status in words. */
 export function ProblemText({ problem }: { problem: Problem }) {
-  const text = problem.detail == null || problem.detail === "" ? problem.title : problem.detail;
-  return <p>{text.charAt(0).toUpperCase() + text.slice(1)}</p>;
+  return <p>{problemWords(problem)}</p>;
+}
+
+export function problemWords({ title, detail }: Problem): string {
+  const text = detail == null || detail === "" ? title : detail;
+  return text.charAt(0).toUpperCase() + text.slice(1);
 }

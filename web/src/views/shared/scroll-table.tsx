@@ -1,7 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useRef } from "preact/hooks";
 import { csvOf, fileName } from "../../lib/shell/file-names.ts";
-import { save } from "./picture-file.ts";
+import { save } from "./picture/picture-file.ts";
 
 /** What stands above a column of figures, or of something else. */
 export type Column = string | { text: ComponentChildren; class?: string; title?: string };

@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { KEYS } from "../../lib/shell/page-keys.ts";
+import { KEYS } from "../../lib/shell/page/page-keys.ts";
 import { TERMS } from "../../lib/shell/terms.ts";
 import { hasSingleKeys, setSingleKeys } from "../../state/preferences.ts";
 

@@ -2,9 +2,10 @@ import { againRoute, formatRoute, sweepRoute, type StudyRoute } from "../../lib/
 import { isOver } from "../../lib/study/point-progress.ts";
 import type { Actions } from "../../state/actions.ts";
 import type { AppState, OpenStudy } from "../../state/app-state.ts";
-import type { Loadable } from "../../state/loadable.ts";
+import { isMissing, type Loadable } from "../../state/loadable.ts";
 import type { StudyDetail, StudyResult } from "../../wire.ts";
 import { Loaded } from "../shared/loaded.tsx";
+import { Removed } from "../shell/missing.tsx";
 import { StateBadge } from "../shared/state-badge.tsx";
 import { DocumentPanel } from "./run/document-panel.tsx";
 import { StudyProgress } from "./run/study-progress.tsx";
@@ -29,6 +30,7 @@ export function StudyPage({ state, route, actions }: Props) {
       </>
     );
   }
+  if (isMissing(open.detail)) return <Removed what="Study" problem={open.detail.problem} />;
   return (
     <Loaded of={open.detail} what="the study" onRetry={actions.openStudy.reopen}>
       {(study) => (

@@ -10,7 +10,7 @@ import { Chart } from "../shared/chart/chart.tsx";
 import { KeyLine } from "../shared/chart/key.tsx";
 import { Curve } from "../shared/chart/marks.tsx";
 import { useWidth } from "../shared/chart/use-width.ts";
-import { Figure } from "../shared/figure.tsx";
+import { Figure } from "../shared/picture/figure.tsx";
 
 const [LEAST_WIDTH, MOST_WIDTH, HEIGHT] = [300, 1000, 280];
 const MARGIN = { left: 52, right: 14, top: 10, bottom: 40 };
@@ -34,6 +34,7 @@ function drawnOn(frame: Frame, studies: readonly ComparedStudy[]) {
   const ranges = drawn.map(({ trade }) => errorsOf(trade));
   const x = log([Math.min(...counts), Math.max(...counts)], [frame.left + INDENT, frame.right - INDENT]);
   const y = log([Math.min(...ranges.map(([low]) => low)), Math.max(...ranges.map(([, high]) => high))], upwards(frame)).clamp(true);
+  const picked = points.filter(({ is_picked }) => is_picked);
   const others = drawn.filter(({ isColoured }) => !isColoured).length;
   return (
     <Figure class="compared-trades" study="comparison" name="films against error">
@@ -43,7 +44,7 @@ function drawnOn(frame: Frame, studies: readonly ComparedStudy[]) {
         label={`Films against the error of the angle for ${drawn.length} studies, best first: ${drawn.map(({ name }) => name).join(", ")}`}
       >
         <Axis side="left" frame={frame} {...logTicks(y, [1, 2, 5])} title="angle error, °" />
-        <Axis side="bottom" frame={frame} values={unitTicks(counts, x, NUMBER)} at={x} text={String} title="films" />
+        <Axis side="bottom" frame={frame} values={unitTicks(counts, picked[0]?.row.film_count ?? 0, x, NUMBER)} at={x} text={String} title="films" />
         {[...drawn].reverse().map(({ id, name, kind, trade }) => (
           <Curve
             key={id}
@@ -56,11 +57,9 @@ function drawnOn(frame: Frame, studies: readonly ComparedStudy[]) {
             }))}
           />
         ))}
-        {points
-          .filter(({ is_picked }) => is_picked)
-          .map(({ row, error }) => (
-            <circle key={`${row.film_count} ${error}`} class="picked-mark" cx={x(row.film_count)} cy={y(error)} r={8} />
-          ))}
+        {picked.map(({ row, error }) => (
+          <circle key={`${row.film_count} ${error}`} class="picked-mark" cx={x(row.film_count)} cy={y(error)} r={8} />
+        ))}
       </Chart>
       <p class="key">
         {drawn

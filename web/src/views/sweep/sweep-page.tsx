@@ -5,10 +5,11 @@ import { variedPaths } from "../../lib/sweep/design-progress.ts";
 import { designGrid } from "../../lib/sweep/figure-grid.ts";
 import type { Actions } from "../../state/actions.ts";
 import type { AppState } from "../../state/app-state.ts";
-import type { Loadable } from "../../state/loadable.ts";
+import { isMissing, type Loadable } from "../../state/loadable.ts";
 import type { Comparison, DesignView, SweepDetail } from "../../wire.ts";
 import { Loaded } from "../shared/loaded.tsx";
 import { StateBadge } from "../shared/state-badge.tsx";
+import { Removed } from "../shell/missing.tsx";
 import { AnswersPanel } from "./answers-panel.tsx";
 import { ComparisonPanel } from "./comparison-panel.tsx";
 import { DesignTable, type Ticking } from "./design-table.tsx";
@@ -25,6 +26,7 @@ interface Props {
 export function SweepPage({ state, route, actions }: Props) {
   const open = state.openSweep;
   if (open === null) return <p class="quiet">Loading the sweep …</p>;
+  if (isMissing(open.detail)) return <Removed what="Sweep" problem={open.detail.problem} />;
   return (
     <Loaded of={open.detail} what="the sweep" onRetry={actions.openSweep.reopen}>
       {(sweep) => (

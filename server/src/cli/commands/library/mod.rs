@@ -24,7 +24,7 @@ use service::wire::sweep_wire::SweepSummary;
 use store::answers::result_rows::{self, Extent};
 use store::file::opening;
 use store::queue::listed::{Archived, Listed};
-use store::queue::short_ids::{Listing, meant};
+use store::queue::short_names::{Listing, meant};
 use store::queue::study_rows::{self, Filter, State, StudyRow};
 use store::queue::sweep_rows::{self, SweepRow};
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { LayoutAnswer, PlaceAnswer, StudyResult } from "../../../wire.ts";
-import { inputWords, layoutStanding, leadOf, placeWords, surerWords, typeset, unrankedWords } from "./answer-words.ts";
+import { inputWords, layoutStanding, leadOf, leftOutWords, placeWords, surerWords, typeset, unrankedWords } from "./answer-words.ts";
 
 test("terminal signs become those of print", () => {
   assert.equal(typeset("the angle to 9.2 +- 1.5 degrees, every 30 degrees, 2 mm deep"), "the angle to 9.2 ± 1.5°, every 30°, 2\u00a0mm deep");
@@ -10,17 +10,24 @@ test("terminal signs become those of print", () => {
 test("a reason's lead ends before its figures", () => {
   assert.equal(leadOf("Rank 2 can't be told from it: by the error, it has 8 +- 1."), "Rank 2 can't be told from it.");
   assert.equal(leadOf("It is the only layout that was asked for."), "It is the only layout that was asked for.");
+  assert.equal(leadOf("Of the layouts tried with up to 30 films no other comes near: it has 0.9 degrees."), "No other comes near.");
+  assert.equal(leadOf("It has 4 degrees; of fewer films 12 come closest with 97: how far off these are isn't known."), "How far off these are isn't known.");
+  assert.equal(leadOf("It has 4 degrees; of fewer films 12 come closest with 97 degrees."), "Of fewer films 12 come closest with 97°.");
   assert.equal(leadOf("Two sentences. The second: longer."), "Two sentences.");
 });
 
 test("places and layouts in a few words", () => {
   const place: PlaceAnswer = { names: ["P2", "P4"], direction: "y", index: 0.3, error: null, verdict: "unknown", reason: "", sentence: "" };
-  assert.equal(placeWords(place), "P2, P4 in y, 30.0 error unknown");
+  assert.equal(placeWords(place), "P2, P4 in y, 30.0 %, error unknown");
   assert.equal(placeWords({ ...place, error: 0.02 }), "P2, P4 in y, 30.0 ± 2.0 %");
-  const layout = { units: 12, tied_with: [] as number[] } as LayoutAnswer;
-  assert.equal(layoutStanding(layout), "12 units");
-  assert.equal(layoutStanding({ ...layout, tied_with: [2, 5] }), "12 units, level with rank 2, 5");
-  assert.equal(layoutStanding({ ...layout, units: 1, tied_with: [2, 3, 4, 5] }), "1 unit, level with rank 2, 3, 4 and 1 more");
+  const layout = { film_count: 12, tied_with: [] as number[] } as LayoutAnswer;
+  assert.equal(layoutStanding(layout), "12 films");
+  assert.equal(layoutStanding({ ...layout, tied_with: [2, 5] }), "12 films, level with rank 2, 5");
+  assert.equal(layoutStanding({ ...layout, film_count: 1, tied_with: [2, 3, 4, 5] }), "1 film, level with rank 2, 3, 4 and 1 more");
+});
+
+test("what is left out is told with its effect", () => {
+  assert.equal(leftOutWords({ what: "friction", why: "", effect: 0.0631, sentence: "" }), "friction, 6.3 % of the strain");
 });
 
 test("a study that ranks nothing says what it tells", () => {
@@ -31,7 +38,8 @@ test("a study that ranks nothing says what it tells", () => {
 
 test("what a surer answer costs, as far as it is known", () => {
   const surer = { sentence: "", level: "reference", times: 1.7013, expected_s: 32 };
-  assert.equal(surerWords(surer), "reference mesh: 1.7 times the work, about 32 s");
+  assert.equal(surerWords(surer), "reference mesh, about 32 s");
+  assert.equal(surerWords({ ...surer, expected_s: null }), "reference mesh, 1.7 times the work");
   assert.equal(surerWords({ ...surer, times: null, expected_s: null }), "reference mesh");
 });
 

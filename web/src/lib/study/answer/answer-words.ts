@@ -1,8 +1,8 @@
 /** The answer's sentences as the page shows them. */
 
-import type { Answer, InputsAnswer, LayoutAnswer, PlaceAnswer, StudyResult } from "../../../wire.ts";
+import type { Answer, InputsAnswer, LayoutAnswer, LeftOut, PlaceAnswer, StudyResult } from "../../../wire.ts";
 import { duration, fixed } from "../../format.ts";
-import { short } from "../../layouts/layout-words.ts";
+import { filmCount, short } from "../../layouts/layout-words.ts";
 
 /** With the signs of print for those of a terminal. */
 export function typeset(sentence: string): string {
@@ -17,15 +17,26 @@ export function firstOf(sentences: string): string {
   return typeset(sentences).split(/(?<=\.) (?=[A-Z0-9])/, 1)[0] ?? "";
 }
 
-/** What a reason comes to, without the figures behind its colon. */
+/** What a reason comes to, without its figures, which stand in the sentence above and in the plot: they follow a colon, or come first where the layout's own do. */
 export function leadOf(reason: string): string {
   const [lead = "", rest] = typeset(reason).split(/: |(?<=\.) /, 2);
-  return rest === undefined || lead.endsWith(".") ? lead : `${lead}.`;
+  const [own, fewer] = lead.split("; ", 2);
+  if (own?.startsWith("It has ") === true && fewer !== undefined) return sentence(rest ?? fewer);
+  return sentence(lead.replace(/^Of the layouts tried with up to \d+ films /, ""));
+}
+
+function sentence(words: string): string {
+  return `${words.charAt(0).toUpperCase()}${words.slice(1)}${words.endsWith(".") ? "" : "."}`;
+}
+
+/** `film stiffness, 100 % of the strain`: what the model leaves out, and how much that would change. */
+export function leftOutWords({ what, effect }: LeftOut): string {
+  return `${what}, ${short(100 * effect, 2)} % of the strain`;
 }
 
 /** `P2, P4 in x, 72.9 ± 2.9 %`: the places with their index. */
 export function placeWords({ names, direction, index, error }: PlaceAnswer): string {
-  const unsure = error == null ? "error unknown" : `± ${fixed(100 * error, 1)} %`;
+  const unsure = error == null ? "%, error unknown" : `± ${fixed(100 * error, 1)} %`;
   return `${names.join(", ")} in ${direction}, ${fixed(100 * index, 1)} ${unsure}`;
 }
 
@@ -40,19 +51,18 @@ export function inputWords({ shares, direction, location }: InputsAnswer): strin
   return `${words.join(", ")} of ${direction} at ${location}`;
 }
 
-/** `reference mesh: 1.7 times the work, 32 s`: what a surer answer costs. */
+/** `reference mesh, about 32 s`: what a surer answer costs. */
 export function surerWords({ level, times, expected_s }: NonNullable<Answer["surer"]>): string {
-  const cost = [times == null ? null : `${short(times, 2)} times the work`, expected_s == null ? null : `about ${duration(expected_s)}`];
-  const words = cost.filter((part) => part !== null).join(", ");
-  return words === "" ? `${level} mesh` : `${level} mesh: ${words}`;
+  const work = times == null ? "" : `, ${short(times, 2)} times the work`;
+  return `${level} mesh${expected_s == null ? work : `, about ${duration(expected_s)}`}`;
 }
 
 /** Ranks named before the rest is counted. */
 const NAMED = 3;
 
-/** `12 units, tied with ranks 2, 5`: how the first layout stands. */
-export function layoutStanding({ units, tied_with }: LayoutAnswer): string {
-  const count = `${units} ${units === 1 ? "unit" : "units"}`;
+/** `12 films, level with rank 2, 5`: how the answer's layout stands. */
+export function layoutStanding({ film_count, tied_with }: LayoutAnswer): string {
+  const count = filmCount(film_count);
   if (tied_with.length === 0) return count;
   const more = tied_with.length > NAMED ? ` and ${tied_with.length - NAMED} more` : "";
   return `${count}, level with rank ${tied_with.slice(0, NAMED).join(", ")}${more}`;

@@ -32,7 +32,7 @@ export function viewOf(name: ViewName, radius_mm: number): Orbit {
     case "section":
       return { azimuth_deg: 0, elevation_deg: 16, distance_mm: 1.5 * radius_mm, target: [0, 0, -0.8 * radius_mm] };
     case "start":
-      return { azimuth_deg: -24, elevation_deg: 34, distance_mm: 2.9 * radius_mm, target: [0, 0, -0.38 * radius_mm] };
+      return { azimuth_deg: -24, elevation_deg: 30, distance_mm: 3.6 * radius_mm, target: [0, 0, -0.11 * radius_mm] };
   }
 }
 

@@ -29,3 +29,22 @@ test("from the side the rolling direction is on the right and up is up, and noth
   assert.ok((pixelOf(side, [10, 0, 0])?.x ?? 0) > 300 && (pixelOf(side, [0, 0, 10])?.y ?? 999) < 200);
   assert.equal(pixelOf(side, [0, -300, 0]), null);
 });
+
+test("the whole wheel is in the picture at first, wide or narrow", () => {
+  const orbit = viewOf("start", 1);
+  const section: [number, number][] = [
+    [1, 0],
+    [0.75, 0.25],
+    [0.75, -0.25],
+  ];
+  const rim = Array.from({ length: 120 }, (_, k) => (k * Math.PI) / 60).flatMap((angle) =>
+    section.map(([radius, across]): Vec3 => [radius * Math.sin(angle), across, -radius * Math.cos(angle)]),
+  );
+  for (const [width, height] of [
+    [533, 440],
+    [344, 343],
+  ] as const) {
+    const pixels = rim.map((place) => pixelOf({ orbit, width, height }, place) ?? { x: -1, y: -1 });
+    assert.ok(pixels.every(({ x, y }) => x > 0 && x < width && y > 0 && y < height));
+  }
+});

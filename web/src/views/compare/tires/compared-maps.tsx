@@ -1,5 +1,5 @@
 import type { SurfacePoint } from "../../../lib/tire/map/map-grid.ts";
-import { Figure } from "../../shared/figure.tsx";
+import { Figure } from "../../shared/picture/figure.tsx";
 import { MapFigure } from "../../study/tire/map/map-figure.tsx";
 import type { ComparedLayer } from "./compared-model.ts";
 

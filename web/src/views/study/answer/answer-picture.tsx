@@ -1,15 +1,19 @@
+import { unitLines } from "../../../lib/layouts/layout-words.ts";
 import { filmsOf, shapeOf } from "../../../lib/layouts/wheel-films.ts";
+import { answersLayout } from "../../../lib/study/result-picks.ts";
 import type { Answer, RankedLayout, StudyDetail, StudyResult } from "../../../wire.ts";
-import { Figure } from "../../shared/figure.tsx";
+import { Figure } from "../../shared/picture/figure.tsx";
 import { FilmKey } from "../wheel/film-key.tsx";
 import { SectionDrawing } from "../wheel/section-drawing.tsx";
 import { WheelDrawing } from "../wheel/wheel-drawing.tsx";
 
-/** The tire with the films of the answer in place. */
+/** The tire with the films of the answer in place, and the best place or all of them. */
 export function AnswerPicture({ result, study, answer }: { result: StudyResult; study: StudyDetail; answer: Answer | null }) {
-  const layout = result.layouts.find(({ rank }) => rank === answer?.layout?.rank) ?? null;
+  const layout = answersLayout(result);
   const films = layout === null ? [] : filmsOf(layout);
   const shape = shapeOf(study.document);
+  const { locations } = result.cut_point;
+  const best = answer?.place?.names ?? [];
   return (
     <Figure class="answer-picture" study={study.name} name="answer">
       <WheelDrawing
@@ -18,20 +22,15 @@ export function AnswerPicture({ result, study, answer }: { result: StudyResult; 
         films={films}
         size_mm={result.layout_findings?.size_mm ?? null}
         contact_deg={0}
-        places={result.cut_point.locations}
-        best={answer?.place?.names ?? []}
-        lines={layout === null ? [] : linesOf(layout)}
+        places={best.length === 0 ? locations : locations.filter(({ name }) => best.includes(name))}
+        best={best}
+        lines={layout === null ? [] : unitLines(layout)}
         label={labelOf(answer, layout)}
       />
       {films.length > 0 && <SectionDrawing shape={shape} films={films} />}
       {films.length > 0 && <FilmKey films={films} />}
     </Figure>
   );
-}
-
-/** `12 units`, or `7 films` of a layout without units. */
-function linesOf({ units, spacing_deg, film_count }: RankedLayout): string[] {
-  return [spacing_deg == null ? `${film_count} films` : `${units} units`];
 }
 
 function labelOf(answer: Answer | null, layout: RankedLayout | null): string {

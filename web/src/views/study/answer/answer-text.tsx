@@ -1,18 +1,18 @@
 import type { ComponentChildren } from "preact";
-import { firstOf, inputWords, layoutStanding, leadOf, placeWords, surerWords, typeset } from "../../../lib/study/answer/answer-words.ts";
+import { firstOf, inputWords, layoutStanding, leadOf, leftOutWords, placeWords, surerWords, typeset } from "../../../lib/study/answer/answer-words.ts";
 import { Term } from "../../shared/term/term.tsx";
 import { VerdictBadge } from "./verdict-badge.tsx";
 import type { Answer } from "../../../wire.ts";
 
-/** The answer first, then how sure it is, then what it leaves out and what more would cost; the figures behind it folded. The layout has a line of its own where the verdict is the place's, and inputs where there are more than the depths below the places. */
+/** The answer first, then how sure it is, then what it leaves out and, of one that isn't certain, what a surer one costs; the figures behind it folded. The layout has a line of its own where the verdict is the place's, and inputs where there are more than the depths below the places. */
 export function AnswerText({ answer, notes, places, sheet }: { answer: Answer; notes: string[]; places: number; sheet: string }) {
-  const { place, layout, inputs, left_out, surer } = answer;
+  const { verdict, place, layout, inputs, left_out, surer } = answer;
   return (
     <div class="answer-text">
       <p class="answer-sentence">{firstOf(answer.sentence)}</p>
       <p class="answer-sure">
-        <Term of={answer.verdict}>
-          <VerdictBadge verdict={answer.verdict} />
+        <Term of={verdict}>
+          <VerdictBadge verdict={verdict} />
         </Term>{" "}
         {leadOf(answer.reason)}
       </p>
@@ -28,8 +28,8 @@ export function AnswerText({ answer, notes, places, sheet }: { answer: Answer; n
           </Fact>
         )}
         {inputs != null && inputs.sentence !== answer.sentence && inputs.shares.length > places && <Fact name="Inputs">{inputWords(inputs)}</Fact>}
-        {left_out != null && <Fact name="Left out">{leadOf(left_out.sentence)}</Fact>}
-        {surer != null && <Fact name="Surer">{surerWords(surer)}</Fact>}
+        {left_out != null && <Fact name="Left out">{leftOutWords(left_out)}</Fact>}
+        {surer != null && verdict !== "certain" && <Fact name="Surer">{surerWords(surer)}</Fact>}
       </dl>
       <Why answer={answer} notes={notes} />
       {(answer.films ?? []).length > 0 && (
@@ -55,7 +55,7 @@ function Why({ answer: { sentence, place, layout, trade, left_out, surer }, note
   const whole = [sentence, trade?.menu, place?.reason, layout?.reason, left_out?.sentence, surer?.sentence].filter((sentence) => sentence !== undefined);
   return (
     <details>
-      <summary>Why{notes.length > 0 && `, and ${notes.length} notes`}</summary>
+      <summary>Why{notes.length > 0 && `, ${notes.length} ${notes.length === 1 ? "note" : "notes"}`}</summary>
       {whole.map((sentence) => (
         <p key={sentence}>{typeset(sentence)}</p>
       ))}

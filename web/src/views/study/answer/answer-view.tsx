@@ -28,8 +28,8 @@ export function AnswerView({ result, study, route }: SectionProps) {
           sheet={formatRoute({ ...route, section: "sheet" })}
         />
       )}
-      <AnswerPicture result={result} study={study} answer={answer} />
       {answer?.trade != null && <TradePlot trade={answer.trade} />}
+      <AnswerPicture result={result} study={study} answer={answer} />
     </section>
   );
 }

@@ -11,8 +11,8 @@ import type { TradeAnswer } from "../../../wire.ts";
 const FRAME = frameOf(350, 160, { left: 44, right: 10, top: 8, bottom: 36 });
 /** Outermost points stand so far from the axes. */
 const INDENT = 14;
-/** Width that a number takes. */
-const NUMBER = 22;
+/** From one number below the axis to the next, at least. */
+const APART = 44;
 
 /** The error of the best layout of each number of films, both logarithmic; what is asked and the layout that answers are marked. */
 export function TradePlot({ trade }: { trade: TradeAnswer }) {
@@ -26,7 +26,7 @@ export function TradePlot({ trade }: { trade: TradeAnswer }) {
   return (
     <Chart class="trade-plot" frame={FRAME} label={labelOf(drawn)}>
       <Axis side="left" frame={FRAME} {...logTicks(y, [1])} title={title} />
-      <Axis side="bottom" frame={FRAME} values={unitTicks([...new Set(counts)], x, NUMBER)} at={x} text={String} title="films" />
+      <Axis side="bottom" frame={FRAME} values={unitTicks(counts, picked?.row.film_count ?? 0, x, APART)} at={x} text={String} title="films" />
       {limit !== null && <path class="asked-line" d={`M${FRAME.left} ${y(limit)}H${FRAME.right}`} />}
       {films !== null && <path class="asked-line" d={`M${x(films)} ${FRAME.top}V${FRAME.bottom}`} />}
       <Curve

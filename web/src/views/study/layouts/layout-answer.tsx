@@ -2,18 +2,24 @@ import { percent } from "../../../lib/format.ts";
 import { bestOfFew, isPapers, layoutWords, loadWords, LOST_DEG, short, worstLoad } from "../../../lib/layouts/layout-words.ts";
 import type { LayoutScore, RankedLayout } from "../../../wire.ts";
 
-/** What the reader came for: the best layout, what it knows, and what the paper's knows beside it. */
-export function LayoutAnswer({ layouts }: { layouts: RankedLayout[] }) {
-  const best = layouts[0];
+/** What the reader came for: the layout that answers, or else the first, and what it knows; then the one with the smallest error, and the paper's. */
+export function LayoutAnswer({ layouts, answers }: { layouts: RankedLayout[]; answers: RankedLayout | null }) {
+  const best = answers ?? layouts[0];
   if (best?.score.simulated_p95_angle_error_deg == null) return null;
   const papers = layouts.find(isPapers);
+  const surest = bestOfFew(layouts, Infinity);
   return (
     <div class="layout-answer">
       <p class="headline">
-        {isFound(best.score) ? "Best: " : "No layout here finds the contact. The least bad: "}
+        {!isFound(best.score) ? "No layout here finds the contact. The least bad: " : best === answers ? "The answer: " : "Best: "}
         <strong>{layoutWords(best)}</strong>. In 95 % of contacts it knows <Knowledge layout={best} />
-        <Dead score={best.score} />. <Certainty best={best} next={layouts[1]} />
+        <Dead score={best.score} />. {best === layouts[0] && <Certainty best={best} next={layouts[1]} />}
       </p>
+      {surest !== null && surest !== best && (
+        <p class="headline">
+          Smallest error: <strong>{layoutWords(surest)}</strong>, {angleWords(surest.score)}.
+        </p>
+      )}
       {papers !== undefined && papers !== best && <Papers papers={papers} layouts={layouts} />}
     </div>
   );

@@ -2,7 +2,7 @@ import { useState } from "preact/hooks";
 import { curves, type ShownLoad } from "../../../lib/layouts/layout-curves.ts";
 import { loadWords } from "../../../lib/layouts/layout-words.ts";
 import type { LayoutLoad, RankedLayout } from "../../../wire.ts";
-import { Figure } from "../../shared/figure.tsx";
+import { Figure } from "../../shared/picture/figure.tsx";
 import { RadioChoice } from "../../shared/radio-choice.tsx";
 import { WideDrawing } from "../../shared/wide-drawing.tsx";
 import { CurveKey, LayoutPlot } from "./layout-plot.tsx";

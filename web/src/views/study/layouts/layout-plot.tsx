@@ -25,7 +25,12 @@ export function LayoutPlot({ curves, at }: { curves: LayoutCurve[]; at: string }
   const x = log([Math.min(...units), Math.max(...units)], [FRAME.left + INDENT, FRAME.right - INDENT]);
   const y = log(errorRange(curves), upwards(FRAME)).clamp(true);
   const name = `Simulated 95th percentile of the angle error over the number of units, ${at}, both logarithmic; 60° spacing is marked`;
-  const counts = { frame: FRAME, values: unitTicks(units, x, NUMBER), at: x, tone: (count: number) => (count === PAPERS_UNITS ? "papers" : undefined) };
+  const counts = {
+    frame: FRAME,
+    values: unitTicks(units, PAPERS_UNITS, x, NUMBER),
+    at: x,
+    tone: (count: number) => (count === PAPERS_UNITS ? "papers" : undefined),
+  };
   return (
     <Chart class="layout-plot" frame={FRAME} label={name}>
       <Axis side="left" frame={FRAME} {...logTicks(y, [1, 2, 5])} title="angle error, 95 %, degrees" />

@@ -1,4 +1,5 @@
 import { address } from "../../../api.ts";
+import { answersLayout } from "../../../lib/study/result-picks.ts";
 import type { LayoutFindings, StudyResult } from "../../../wire.ts";
 import { LayoutAnswer } from "./layout-answer.tsx";
 import { LayoutErrors } from "./layout-errors.tsx";
@@ -13,7 +14,7 @@ export function LayoutsPanel({ result, findings }: { result: StudyResult; findin
   return (
     <section class="panel layouts" aria-labelledby="layouts-title">
       <h2 id="layouts-title">Layouts around the wheel</h2>
-      <LayoutAnswer layouts={rows} />
+      <LayoutAnswer layouts={rows} answers={answersLayout(result)} />
       {(findings.reasons ?? []).map((reason) => (
         <p key={reason} class="flag">
           {reason}

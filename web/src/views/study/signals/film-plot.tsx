@@ -6,7 +6,7 @@ import { Axis } from "../../shared/chart/axis.tsx";
 import { Chart } from "../../shared/chart/chart.tsx";
 import { KeyLine } from "../../shared/chart/key.tsx";
 import { Curve, type CurveValue } from "../../shared/chart/marks.tsx";
-import { Figure } from "../../shared/figure.tsx";
+import { Figure } from "../../shared/picture/figure.tsx";
 
 const FRAME = frameOf(460, 230, { left: 46, right: 52, top: 10, bottom: 36 });
 

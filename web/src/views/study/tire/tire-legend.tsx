@@ -6,7 +6,7 @@ import { SHOWN_FACTOR, type Field, type Scale } from "../../../lib/tire/map/surf
 import { GREY } from "../../../lib/tire/map/trust.ts";
 import { Axis } from "../../shared/chart/axis.tsx";
 import { Chart } from "../../shared/chart/chart.tsx";
-import { BARE } from "./wheel/skin-colours.ts";
+import { BARE, FILM } from "./wheel/skin-colours.ts";
 
 const STRIP = frameOf(320, 34, { left: 22, right: 22, top: 0, bottom: 20 });
 const STRIPES = 120;
@@ -14,6 +14,8 @@ const STRIPES = 120;
 interface Props {
   field: Field;
   title: string;
+  /** The layout whose films are shown, in words. */
+  films?: string | null;
   /** Where the map ends. */
   beyond_deg: number;
   isKept: boolean;
@@ -21,7 +23,7 @@ interface Props {
 }
 
 /** The colours of a scale with their values, and what grey means. */
-export function TireLegend({ field, title, beyond_deg, isKept, onKeep }: Props) {
+export function TireLegend({ field, title, films = null, beyond_deg, isKept, onKeep }: Props) {
   // Indices have one scale anyway.
   const hasFixedScale = field.quantity === "index" || field.quantity === "total";
   return (
@@ -37,6 +39,11 @@ export function TireLegend({ field, title, beyond_deg, isKept, onKeep }: Props) 
         <li>
           <Swatch colour={GREY} /> {greyWords(field)}
         </li>
+        {films !== null && (
+          <li>
+            <Swatch colour={FILM} /> {films}.
+          </li>
+        )}
         <li>
           <Swatch colour={BARE} /> On the tire: beyond {fixed(beyond_deg, 0)}° from the contact nothing was computed.
         </li>

@@ -1,6 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
 import * as api from "../../../api.ts";
-import { centreName } from "../../../lib/study/result-picks.ts";
+import { answersLayout, centreName } from "../../../lib/study/result-picks.ts";
 import { rulersOf, type Rulers } from "../../../lib/tire/map/arc-length.ts";
 import { contourLines, type ContourLine } from "../../../lib/tire/map/contour-lines.ts";
 import { rasterOf, type Raster } from "../../../lib/tire/map/field-raster.ts";
@@ -14,7 +14,7 @@ import { signalFilms, signalPatches, voltScale, type SignalFilms } from "../../.
 import type { Sight } from "../../../lib/tire/view-address.ts";
 import type { Loadable } from "../../../state/loadable.ts";
 import { useAsked } from "../../../state/use-asked.ts";
-import type { Sections, StudyDetail, StudyResult } from "../../../wire.ts";
+import type { RankedLayout, Sections, StudyDetail, StudyResult } from "../../../wire.ts";
 
 /** What a map and a tire draw. */
 export interface MapModel {
@@ -30,6 +30,8 @@ export interface MapModel {
 /** What tire and map show, chosen once for both. */
 export interface TireModel extends MapModel {
   noise: number | null;
+  /** The layout whose films are shown; null for none. */
+  layout: RankedLayout | null;
   inputIndex: number;
   inputName: string;
   surface: Loadable<Surface>;
@@ -66,11 +68,11 @@ export function useTireModel(result: StudyResult, study: StudyDetail, route: Stu
     return { field: there, raster, contours: contourLines(raster, there.scale) };
   }, [map, route.direction, route.quantity, inputIndex, noise, between, signals, sight.scale?.join()]);
   const surface = useMemo(() => movedBy(skins.surface, solved, between), [skins.surface, solved, between]);
-  const layout = sight.layout === null ? undefined : result.layouts[sight.layout];
+  const layout = shownLayout(result, sight.layout);
   const coloured = route.quantity === "signal" ? signals : null;
   const films = useMemo(() => {
     if (coloured !== null) return signalPatches(coloured, route.direction, shown?.field.scale ?? voltScale(coloured.films));
-    return layout === undefined ? [] : filmsOf(layout);
+    return layout === null ? [] : filmsOf(layout);
   }, [coloured, route.direction, shown, layout]);
   // Films that stand for themselves aren't mixed with the places of the ranking.
   const places = useMemo(() => (coloured === null ? locationMarks(result.cut_point.locations) : []), [result, coloured]);
@@ -82,6 +84,7 @@ export function useTireModel(result: StudyResult, study: StudyDetail, route: Stu
     films,
     filmSize,
     noise,
+    layout,
     inputIndex,
     inputName,
     surface,
@@ -91,6 +94,11 @@ export function useTireModel(result: StudyResult, study: StudyDetail, route: Stu
     signals,
     askForLine: () => setAsked(true),
   };
+}
+
+function shownLayout(result: StudyResult, chosen: Sight["layout"]): RankedLayout | null {
+  if (chosen === "answer") return answersLayout(result);
+  return chosen === null ? null : (result.layouts[chosen] ?? null);
 }
 
 /** The wheel as it is drawn; the map's sector where the service sends no wheel. */

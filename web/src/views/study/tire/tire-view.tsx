@@ -2,6 +2,7 @@ import { useState } from "preact/hooks";
 import { useSight } from "../../../state/use-sight.ts";
 import { directionName, type Direction } from "../../../lib/direction.ts";
 import { fixed, significant } from "../../../lib/format.ts";
+import { layoutWords } from "../../../lib/layouts/layout-words.ts";
 import type { StudyRoute } from "../../../lib/route.ts";
 import { isSamePlace, type SurfacePoint } from "../../../lib/tire/map/map-grid.ts";
 import { readingAt } from "../../../lib/tire/map/point-reading.ts";
@@ -9,7 +10,7 @@ import { countStatus, type Field } from "../../../lib/tire/map/surface-field.ts"
 import { strainAt, unitOf, valueAt } from "../../../lib/tire/surface/section-lines.ts";
 import { asWritten, type Sight } from "../../../lib/tire/view-address.ts";
 import type { FilmModel, FilmPlace } from "../../../wire.ts";
-import { Figure } from "../../shared/figure.tsx";
+import { Figure } from "../../shared/picture/figure.tsx";
 import type { SectionProps } from "../section-props.ts";
 import { MapFigure } from "./map/map-figure.tsx";
 import { FilmVolts } from "./reading/film-volts.tsx";
@@ -45,7 +46,6 @@ function Tire({ result, study, route, onAdjust }: SectionProps) {
         result={result}
         route={route}
         model={model}
-        layout={sight.layout}
         onAdjust={(next) => onAdjust({ ...next, sight: sightOf(sight, next.quantity !== route.quantity) })}
         onLayout={(layout) => setSight({ layout })}
       />
@@ -59,7 +59,16 @@ function Tire({ result, study, route, onAdjust }: SectionProps) {
             </Figure>
           )}
           {route.quantity !== "signal" && <FilmsBeyond films={model.films} edge_deg={edge_deg} />}
-          {model.shown !== null && <TireLegend field={model.shown.field} title={title} beyond_deg={edge_deg} isKept={sight.scale !== null} onKeep={keep} />}
+          {model.shown !== null && (
+            <TireLegend
+              field={model.shown.field}
+              title={title}
+              films={filmsIn(route, model)}
+              beyond_deg={edge_deg}
+              isKept={sight.scale !== null}
+              onKeep={keep}
+            />
+          )}
           {route.quantity === "signal" && model.signals !== null && <FilmVolts films={model.signals.films} direction={route.direction} />}
         </div>
         <WheelFigure {...figures} sight={sight} onSight={setSight} study={result.study.name} />
@@ -130,6 +139,11 @@ function titleOf({ quantity, direction }: StudyRoute, model: TireModel): string 
     case "signal":
       return signalTitle(model, direction);
   }
+}
+
+/** Films whose signals are drawn have colours of the scale instead. */
+function filmsIn({ quantity }: StudyRoute, { layout }: TireModel): string | null {
+  return layout === null || quantity === "signal" ? null : layoutWords(layout);
 }
 
 const FILM_MODELS: Record<FilmModel, string> = {

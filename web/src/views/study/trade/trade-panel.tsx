@@ -10,7 +10,7 @@ import { type Rung, RUNGS_COLUMNS, type StudyDetail, type Trade } from "../../..
 import { Axis } from "../../shared/chart/axis.tsx";
 import { Chart } from "../../shared/chart/chart.tsx";
 import { KeyEntry } from "../../shared/chart/key.tsx";
-import { Figure } from "../../shared/figure.tsx";
+import { Figure } from "../../shared/picture/figure.tsx";
 import { ScrollTable } from "../../shared/scroll-table.tsx";
 import { FigureCells } from "../figure-cells.tsx";
 import { WideDrawing } from "../../shared/wide-drawing.tsx";

@@ -12,7 +12,7 @@ export function SectionDrawing({ shape, films }: { shape: WheelShape; films: rea
     <svg class="wheel-section" viewBox="0 0 120 96" role="img" aria-label={`Section of the tire: ${words}`}>
       <path class="wheel-wall" d={wall(shape.bead_deg, inner)} />
       {angles.map((angle) => (
-        <rect key={angle} class="wheel-film film-y" x={-8} y={-2} width={16} height={5} rx={1.5} transform={transformAt(angle, inner - 1.5)} />
+        <rect key={angle} class="wheel-film wheel-seat" x={-8} y={-2} width={16} height={5} rx={1.5} transform={transformAt(angle, inner - 1.5)} />
       ))}
     </svg>
   );

@@ -9,7 +9,7 @@ import { Axis } from "../../../shared/chart/axis.tsx";
 import { Chart } from "../../../shared/chart/chart.tsx";
 import { ErrorBar } from "../../../shared/chart/marks.tsx";
 import { KeyEntry } from "../../../shared/chart/key.tsx";
-import { Figure } from "../../../shared/figure.tsx";
+import { Figure } from "../../../shared/picture/figure.tsx";
 
 const [WIDTH, ROW] = [460, 30];
 const BESIDE = { left: 34, right: 96, top: 8, bottom: 36 };

@@ -5,7 +5,7 @@ import { added, dropped, MOST_FILMS, movedTo, nearestTo, turnedInto } from "../.
 import { kindOf } from "../../../../lib/layouts/moving/layout-bounds.ts";
 import { shapeOf } from "../../../../lib/layouts/wheel-films.ts";
 import type { FilmFields, FilmKindPlace, FilmPlace, StudyDetail, StudyResult } from "../../../../wire.ts";
-import { Figure } from "../../../shared/figure.tsx";
+import { Figure } from "../../../shared/picture/figure.tsx";
 import { FilmKey } from "../../wheel/film-key.tsx";
 import { pointerAngle } from "../../wheel/pointer-angle.ts";
 import { WheelDrawing } from "../../wheel/wheel-drawing.tsx";

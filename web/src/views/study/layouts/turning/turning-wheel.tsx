@@ -4,7 +4,7 @@ import { layoutWords, short } from "../../../../lib/layouts/layout-words.ts";
 import { filmsOf, shapeOf } from "../../../../lib/layouts/wheel-films.ts";
 import { angleBound, readings, turnedBy, worstAngle } from "../../../../lib/layouts/wheel-readings.ts";
 import type { CutPoint, LayoutFindings, RankedLayout, StudyDetail } from "../../../../wire.ts";
-import { Figure } from "../../../shared/figure.tsx";
+import { Figure } from "../../../shared/picture/figure.tsx";
 import { FilmKey } from "../../wheel/film-key.tsx";
 import { pointerAngle } from "../../wheel/pointer-angle.ts";
 import { WheelDrawing } from "../../wheel/wheel-drawing.tsx";

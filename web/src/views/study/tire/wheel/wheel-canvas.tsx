@@ -8,13 +8,18 @@ import type { PlaceMark } from "../../../../lib/tire/map/surface-field.ts";
 import { deformed, placeOn, trianglesOf } from "../../../../lib/tire/surface/skin-geometry.ts";
 import type { Surface } from "../../../../lib/tire/surface/surface-reader.ts";
 import type { Sight } from "../../../../lib/tire/view-address.ts";
-import { save } from "../../../shared/picture-file.ts";
+import { pngOf, save } from "../../../shared/picture/picture-file.ts";
+import { sheetOf, withLegend } from "../../../shared/picture/picture-sheet.ts";
 import type { MapModel } from "../tire-model.ts";
 import { useDrag } from "./use-drag.ts";
 import type { MovedEye } from "./use-eye.ts";
 import { useScene, type DrawnScene, type SceneState } from "./use-scene.ts";
 import type { WheelActions } from "./wheel-buttons.tsx";
-import { pictureOf } from "./wheel-picture.ts";
+
+interface Saved {
+  title: string;
+  file: string;
+}
 
 interface Props {
   model: MapModel;
@@ -28,8 +33,8 @@ interface Props {
   point: SurfacePoint | null;
   onPoint: (point: SurfacePoint | null) => void;
   onPin: (point: SurfacePoint | null) => void;
-  /** Name of the file that the picture is saved in. */
-  file?: string;
+  /** Title of the saved picture, and the name of its file. */
+  saved?: Saved;
   /** What stands below the picture, for which the scene can be saved; beside a missing one it stands not. */
   children?: (save: () => void) => ComponentChildren;
   /** In place of the picture where there can't be one. */
@@ -43,7 +48,7 @@ const ZOOM = 1.2;
 const VIEW_KEYS: Record<string, ViewName> = { "1": "front", "2": "side", "3": "top", "4": "section", r: "start" };
 
 /** One wheel, turned by the pointer and the keys. */
-export function WheelCanvas({ model, surface, title, radius_mm, sight, eye, actions, point, onPoint, onPin, file, children, missing }: Props) {
+export function WheelCanvas({ model, surface, title, radius_mm, sight, eye, actions, point, onPoint, onPin, saved, children, missing }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const { factor, isCut, pin } = sight;
   const points = useMemo(() => deformed(surface.inner, factor), [surface, factor]);
@@ -85,11 +90,16 @@ export function WheelCanvas({ model, surface, title, radius_mm, sight, eye, acti
         aria-label={`Tire in three dimensions: ${title}. Arrow keys turn, plus and minus zoom, 1 to 4 are views, c cuts, r resets.`}
       >
         <canvas ref={canvas} aria-hidden="true" data-drawn={state === "ready" ? "yes" : "no"} />
+        {state === "loading" && (
+          <p class="quiet wheel-drawing" role="status">
+            Drawing the tire …
+          </p>
+        )}
         {labels.map((label) => (
           <Label key={label.name} {...label} />
         ))}
       </div>
-      {children?.(() => void savePicture(canvas, draw, file ?? "tire.png"))}
+      {children?.(() => void (saved !== undefined && savePicture(canvas.current, draw, saved)))}
     </div>
   );
 }
@@ -108,10 +118,10 @@ export function wheelActions(eye: MovedEye, isCut: boolean, onSight: (change: Pa
   };
 }
 
-async function savePicture(canvas: { current: HTMLCanvasElement | null }, draw: DrawnScene["draw"], file: string): Promise<void> {
+/** With the names of places that stand on it. */
+async function savePicture(canvas: HTMLCanvasElement | null, draw: DrawnScene["draw"], { title, file }: Saved): Promise<void> {
   draw();
-  const picture = await pictureOf(canvas.current);
-  if (picture !== null) save(picture, file);
+  save(await pngOf(sheetOf(title, withLegend(canvas?.parentElement ?? null))), file);
 }
 
 /** Whether the key meant something. */

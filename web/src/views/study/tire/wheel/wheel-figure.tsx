@@ -44,9 +44,9 @@ function Wheel({ model, surface, title, study, sight, onSight, point, onPoint, o
   const radius_mm = useMemo(() => radiusOf(surface), [surface.theta_deg]);
   const eye = useEye(sight.eye, (to) => onSight({ eye: to }));
   const actions = wheelActions(eye, sight.isCut, onSight);
-  const file = fileName(study, typeof sight.eye === "string" ? sight.eye : "turned", "png");
+  const saved = { title: `${study}: tire`, file: fileName(study, typeof sight.eye === "string" ? sight.eye : "turned", "png") };
   return (
-    <WheelCanvas {...{ model, surface, title, radius_mm, sight, eye, actions, point, onPoint, onPin, file }}>
+    <WheelCanvas {...{ model, surface, title, radius_mm, sight, eye, actions, point, onPoint, onPin, saved }}>
       {(save) => (
         <>
           <WheelButtons

@@ -1,7 +1,8 @@
 import type { ComponentChildren } from "preact";
 import { useRef } from "preact/hooks";
-import { fileName } from "../../lib/shell/file-names.ts";
+import { fileName } from "../../../lib/shell/file-names.ts";
 import { pngOf, save, svgText } from "./picture-file.ts";
+import { sheetOf, withLegend } from "./picture-sheet.ts";
 
 interface Props {
   class?: string;
@@ -12,20 +13,17 @@ interface Props {
   children: ComponentChildren;
 }
 
-/** A figure whose first drawing, over its canvas if it has one, can be saved as SVG and PNG. */
+/** A figure that can be saved with its legend, under the name of its study, as SVG and PNG. */
 export function Figure({ class: kind, study, name, children }: Props) {
   const figure = useRef<HTMLElement>(null);
-  const drawing = (): SVGSVGElement | null => figure.current?.querySelector("svg") ?? null;
-  const below = (): HTMLCanvasElement | null => figure.current?.querySelector("canvas") ?? null;
+  const sheet = (): SVGSVGElement => sheetOf(`${study}: ${name}`, withLegend(figure.current));
 
   function saveSvg(): void {
-    const svg = drawing();
-    if (svg !== null) save(new Blob([svgText(svg, below())], { type: "image/svg+xml" }), fileName(study, name, "svg"));
+    save(new Blob([svgText(sheet())], { type: "image/svg+xml" }), fileName(study, name, "svg"));
   }
 
   async function savePng(): Promise<void> {
-    const svg = drawing();
-    if (svg !== null) save(await pngOf(svg, below()), fileName(study, name, "png"));
+    save(await pngOf(sheet()), fileName(study, name, "png"));
   }
 
   return (

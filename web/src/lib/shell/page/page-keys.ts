@@ -1,6 +1,6 @@
 /** Keys that work anywhere on the page. */
 
-import { SECTIONS, type Route, type Section } from "../route.ts";
+import { SECTIONS, type Route, type Section } from "../../route.ts";
 
 /** What a key does. */
 type KeyAction = { does: "help" } | { does: "open"; section: Section };

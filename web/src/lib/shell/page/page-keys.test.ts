@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { parseRoute } from "../route.ts";
+import { parseRoute } from "../../route.ts";
 import { actionOf } from "./page-keys.ts";
-import { readChoice, themeOf } from "./theme.ts";
+import { readChoice, themeOf } from "../theme.ts";
 
 const pressed = (key: string, change = {}) => ({ key, isModified: false, isTyping: false, ...change });
 const STUDY = parseRoute("#/studies/1");

@@ -1,1 +1,0 @@
-export{Qt as readToml}from"../views-D27cagii.js";
