@@ -104,12 +104,12 @@ test("a preview appears and follows the wall's slider, many edits by few solves"
   await page.context().close();
 });
 
-test("a phone's first screen has the preset, the preview's bars and the button, in the order of keys", async () => {
+test("a phone's first screen has the preset, the preview's answer and the button, in the order of keys", async () => {
   const { page, complaints } = await openPage(browser, { viewport: { width: 390, height: 844 } });
   await page.goto(`${url}/#/?preset=foot-tire`);
-  await page.locator(".preview-bars").waitFor();
+  await page.locator(".preview-answer").waitFor();
   await page.locator(".run-cost dd").first().waitFor();
-  for (const part of [".presets", ".run-box", ".preview-force", ".preview-bars"]) {
+  for (const part of [".presets", ".run-box", ".preview-force", ".preview-answer"]) {
     const { top, bottom } = await page.locator(part).evaluate((element) => element.getBoundingClientRect().toJSON());
     assert.ok(top >= 0 && bottom <= 844, `${part} lies from ${top} to ${bottom} px`);
   }

@@ -64,10 +64,16 @@ async fn a_preview_is_the_draft_of_its_study_to_the_bit() {
     for part in ["inputs", "locations", "cut_point", "map"] {
         assert_eq!(preview[part], result[part], "{part}");
     }
-    assert_eq!(preview["solves"], result["cost"]["solves"]);
+    for part in ["sentence", "verdict", "layout", "trade", "films"] {
+        assert_eq!(preview["answer"][part], result["answer"][part], "{part}");
+    }
+    assert_eq!(preview["answer"]["verdict"], "unknown");
+    let solves = |part: &str| result["cost"][part].as_u64().expect("a count");
+    let all = solves("solves") + solves("layout_solves");
+    assert_eq!(preview["solves"].as_u64(), Some(all));
     assert!(preview["map"]["shape"]["inflated_mm"].is_array());
     let left_out = preview["left_out"].to_string();
-    assert!(left_out.contains("Layouts"), "{left_out}");
+    assert!(left_out.contains("coarser mesh"), "{left_out}");
 }
 
 #[tokio::test(flavor = "multi_thread")]
