@@ -1777,6 +1777,21 @@ export interface components {
              * @description Largest error of the vertical force that is allowed, N: root mean square at the worst load.
              */
             force_n?: number | null;
+            /**
+             * Format: double
+             * @description Most that a layout may cost, in the currency of `film_cost` and `channel_cost`.
+             */
+            cost?: number | null;
+            /**
+             * Format: double
+             * @description Cost of a film that isn't glued on already.
+             */
+            film_cost?: number | null;
+            /**
+             * Format: double
+             * @description Cost of a channel of the amplifier: every film has one.
+             */
+            channel_cost?: number | null;
         };
         /** @description A layout in the ranking. */
         RankedLayout: {
@@ -2927,6 +2942,8 @@ export interface components {
             screened: number;
             /** @description Layouts of the menu whose films have no room. */
             without_room: number;
+            /** @description Most films that the question allows, by their number and their cost; null where it has no limit. */
+            most_films?: number | null;
             /** @description Sentence that says what was tried. */
             menu: string;
         };
@@ -2960,6 +2977,11 @@ export interface components {
              * @description Claimed error of that, N; null where there is no coarser mesh.
              */
             force_claim_n?: number | null;
+            /**
+             * Format: double
+             * @description Cost of the films that aren't glued on already, and of a channel for each; null where the question tells no costs.
+             */
+            cost?: number | null;
             /** @description Whether it meets every limit that is asked for; null where none is. */
             meets?: boolean | null;
             /** @description Whether fewer films do worse. */
@@ -3853,6 +3875,12 @@ export interface components {
             angle_deg?: number;
             /** @description Largest error of the vertical force that is allowed, N: root mean square at the worst load. */
             force_n?: number;
+            /** @description Most that a layout may cost, in the currency of `film_cost` and `channel_cost`. */
+            cost?: number;
+            /** @description Cost of a film that isn't glued on already. */
+            film_cost?: number;
+            /** @description Cost of a channel of the amplifier: every film has one. */
+            channel_cost?: number;
         };
         /** @description Method that computes the indices. */
         MethodDocument: {
@@ -5141,6 +5169,7 @@ export const TRADE_COLUMNS = {
   angle_claim_deg: {"at":"/trade/angle_claim_deg","kind":"float","unit":"deg","title":"angle claim deg","digits":2,"description":"Claimed error of that, degrees; null where there is no coarser mesh."},
   force_error_n: {"at":"/trade/force_error_n","kind":"float","unit":"N","title":"force, rms","digits":2,"error_at":"/trade/force_claim_n","view":"trade","description":"Root mean square error of the vertical force at the load where that is largest, N."},
   force_claim_n: {"at":"/trade/force_claim_n","kind":"float","unit":"N","title":"force claim n","digits":2,"description":"Claimed error of that, N; null where there is no coarser mesh."},
+  cost: {"at":"/trade/cost","kind":"float","unit":"1","title":"cost","digits":2,"description":"Cost of the films that aren't glued on already, and of a channel for each; null where the question tells no costs."},
   meets: {"at":"/trade/meets","kind":"bool","title":"meets","digits":2,"description":"Whether it meets every limit that is asked for; null where none is."},
   is_front: {"at":"/trade/is_front","kind":"bool","title":"is front","digits":2,"description":"Whether fewer films do worse."},
   rank: {"at":"/trade/rank","kind":"integer","title":"rank","digits":2,"description":"Rank of the layout in `layouts`."},

@@ -8,21 +8,25 @@ use documents::study::question::Question;
 use layouts::simulate::simulation::LOST_DEG;
 use results::{LayoutFindings, RankedLayout, TradeAnswer, TradeRow};
 
-/// The trade of these layouts, which are in their order; `None` where none has a score.
+/// The trade of these layouts, which are in their order, with the question and the number of films that are glued on already; `None` where none has a score.
 pub(super) fn trade(
     layouts: &[RankedLayout],
     findings: Option<&LayoutFindings>,
-    question: Question,
+    (question, taken): (Question, usize),
 ) -> Option<TradeAnswer> {
     let mut rows = best_of_each_count(layouts, &question);
+    let most_films = question.most_films(taken);
     if rows.is_empty() {
         return None;
     }
+    for row in &mut rows {
+        row.cost = question.cost_of(row.film_count, taken);
+    }
     mark_front(&mut rows, layouts, &question);
     let knee = knee(&rows);
-    let picked = match question.is_empty() {
+    let picked = match question.asks_nothing() {
         true => knee.or_else(|| least(&rows, layouts, &question)),
-        false => answering(&rows, layouts, &question),
+        false => answering(&rows, layouts, &question, most_films),
     };
     let menu = findings.map(|findings| findings.menu.clone());
     let menu = menu.unwrap_or_default();
@@ -33,6 +37,7 @@ pub(super) fn trade(
         tried: layouts.len() + menu.screened,
         screened: menu.screened,
         without_room: menu.without_room,
+        most_films,
         menu: menu.sentence,
         rows,
     })
@@ -69,6 +74,7 @@ fn row(index: usize, layout: &RankedLayout, question: &Question) -> Option<Trade
         angle_claim_deg: angle.claim,
         force_error_n: force.map(|force| force.value),
         force_claim_n: force.and_then(|force| force.claim),
+        cost: None,
         meets: question.has_limits().then_some(compared.value <= 1.0),
         is_front: false,
     })
@@ -110,8 +116,13 @@ fn least(rows: &[TradeRow], layouts: &[RankedLayout], question: &Question) -> Op
 }
 
 /// Returns the row that answers a question: the fewest films within the limits; without limits the least error. Neither has more films than there are.
-fn answering(rows: &[TradeRow], layouts: &[RankedLayout], question: &Question) -> Option<usize> {
-    let few = rows.partition_point(|row| question.films.is_none_or(|most| row.film_count <= most));
+fn answering(
+    rows: &[TradeRow],
+    layouts: &[RankedLayout],
+    question: &Question,
+    most_films: Option<usize>,
+) -> Option<usize> {
+    let few = rows.partition_point(|row| most_films.is_none_or(|most| row.film_count <= most));
     if question.has_limits() {
         return rows[..few].iter().position(|row| row.meets == Some(true));
     }

@@ -14,7 +14,11 @@ pub(super) fn picked_layout(
 ) -> Option<(LayoutAnswer, String)> {
     let question = &trade.question;
     let value = |layout: &RankedLayout| compared(layout, question).map(|figure| figure.value);
-    let few = |layout: &&RankedLayout| question.films.is_none_or(|most| layout.film_count <= most);
+    let few = |layout: &&RankedLayout| {
+        trade
+            .most_films
+            .is_none_or(|most| layout.film_count <= most)
+    };
     let closest = || {
         let scored = layouts
             .iter()
@@ -137,7 +141,7 @@ mod tests {
 
     fn asked(question: Question, mut layouts: Vec<RankedLayout>) -> (LayoutAnswer, String) {
         rank(&mut layouts);
-        let trade = trade(&layouts, None, question).expect("a trade");
+        let trade = trade(&layouts, None, (question, 0)).expect("a trade");
         picked_layout(&trade, &layouts).expect("a layout")
     }
 
@@ -155,6 +159,48 @@ mod tests {
             ..Question::default()
         };
         asked(question, layouts)
+    }
+
+    #[test]
+    fn a_cost_is_answered_by_the_best_of_all_that_it_pays_for() {
+        // More films aren't always better, and two layouts have as many.
+        let errors = [
+            (3, 80.0),
+            (6, 30.0),
+            (8, 33.0),
+            (12, 9.0),
+            (12, 7.0),
+            (15, 8.0),
+            (24, 2.0),
+        ];
+        let layouts = || {
+            errors
+                .map(|(films, p95)| layout(films, p95, Some(0.1)))
+                .to_vec()
+        };
+        for tenths in (45..500).step_by(7) {
+            let question = Question {
+                cost: Some(f64::from(tenths) / 10.0),
+                film_cost: Some(0.5),
+                channel_cost: Some(1.0),
+                ..Question::default()
+            };
+            let pays = |films: usize| 1.5 * films as f64 <= f64::from(tenths) / 10.0;
+            let all = errors.into_iter().filter(|(films, _)| pays(*films));
+            let best = all.min_by(|a, b| a.1.total_cmp(&b.1)).expect("three films");
+            let (answer, sentence) = asked(question, layouts());
+            assert_eq!(
+                (answer.film_count, answer.angle_error_deg),
+                best,
+                "{tenths}"
+            );
+            let told = format!(
+                "Up to a cost of {} {} films at",
+                f64::from(tenths) / 10.0,
+                best.0
+            );
+            assert!(best.1 > 20.0 || sentence.starts_with(&told), "{sentence}");
+        }
     }
 
     #[test]
@@ -297,7 +343,7 @@ mod tests {
             (answer.verdict, answer.tied_with),
             (Certainty::Certain, vec![])
         );
-        assert!(trade(&[RankedLayout::default()], None, Question::default()).is_none());
+        assert!(trade(&[RankedLayout::default()], None, (Question::default(), 0)).is_none());
     }
 
     #[test]

@@ -36,8 +36,8 @@ impl<'a> Rivals<'a> {
                 true => layout.film_count < picked.film_count,
                 false => {
                     let most = match trade.picked {
-                        Some(_) => picked.film_count.max(question.films.unwrap_or(0)),
-                        None => question.films.unwrap_or(usize::MAX),
+                        Some(_) => picked.film_count.max(trade.most_films.unwrap_or(0)),
+                        None => trade.most_films.unwrap_or(usize::MAX),
                     };
                     let is_image = (figure.value - own).abs() <= EQUAL * own;
                     layout.film_count <= most && !is_image
@@ -126,7 +126,7 @@ impl<'a> Rivals<'a> {
         let most = self
             .picked
             .film_count
-            .max(self.trade.question.films.unwrap_or(0));
+            .max(self.trade.most_films.unwrap_or(0));
         let among = format!("Of the layouts tried with up to {most} films");
         let Some(closest) = judged.closest.map(|k| self.others[k]) else {
             return match judged.verdict {

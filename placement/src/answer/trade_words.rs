@@ -39,14 +39,14 @@ pub(super) fn sentence(trade: &TradeAnswer, picked: &RankedLayout) -> String {
     let lead = match trade.picked {
         None => format!("No layout that was tried {}", refused(question)),
         Some(_) if is_lost => "No layout that answers keeps the contact".to_owned(),
-        Some(_) => lead(question, picked.film_count),
+        Some(row) => lead(question, &trade.rows[row]),
     };
     let beside = trade
         .picked
         .map(|row| beside(trade, row))
         .unwrap_or_default();
     let why = match (
-        question.is_empty() && trade.picked == trade.knee,
+        question.asks_nothing() && trade.picked == trade.knee,
         beside.is_empty(),
     ) {
         (true, false) => " From there on twice the films don't halve the error:",
@@ -57,12 +57,19 @@ pub(super) fn sentence(trade: &TradeAnswer, picked: &RankedLayout) -> String {
 }
 
 /// `12 films`, `5 degrees need 18 films`, `The knee is at 24 films`.
-fn lead(question: &Question, films: usize) -> String {
-    match (question.has_limits(), question.films) {
-        (true, _) => format!("{} need {}", limits(question), counted(films)),
-        (false, Some(most)) if most != films => format!("Of up to {most} films {films} do best"),
-        (false, Some(_)) => counted(films),
-        (false, None) => format!("The knee is at {films} films"),
+fn lead(question: &Question, row: &TradeRow) -> String {
+    let films = row.film_count;
+    match (question.has_limits(), question.cost, question.films) {
+        (true, ..) => format!("{} need {}", limits(question), counted(films)),
+        (false, Some(most), _) => {
+            let own = row.cost.unwrap_or(most);
+            format!("Up to a cost of {most} {films} films at {own} do best")
+        }
+        (false, None, Some(most)) if most != films => {
+            format!("Of up to {most} films {films} do best")
+        }
+        (false, None, Some(_)) => counted(films),
+        (false, None, None) => format!("The knee is at {films} films"),
     }
 }
 
@@ -76,7 +83,10 @@ fn limits(question: &Question) -> String {
 
 /// Says what no layout does.
 fn refused(question: &Question) -> String {
-    let most = question.films.map(|most| format!("up to {most} films"));
+    let films = question.films.map(|most| format!("up to {most} films"));
+    let cost = question.cost.map(|most| format!("a cost of {most}"));
+    let both: Vec<String> = [films, cost].into_iter().flatten().collect();
+    let most = (!both.is_empty()).then(|| both.join(" and "));
     match (question.has_limits(), most) {
         (true, Some(most)) => format!("with {most} keeps to {}", limits(question)),
         (true, None) => format!("keeps to {}", limits(question)),

@@ -21,7 +21,11 @@ use results::{
 pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
     let place = best_place(&result.locations, study.directions);
     let findings = result.layout_findings.as_ref();
-    let trade = trade(&result.layouts, findings, study.question);
+    let trade = trade(
+        &result.layouts,
+        findings,
+        (study.question, study.layouts.limits.taken.len()),
+    );
     let layout = trade
         .as_ref()
         .and_then(|trade| picked_layout(trade, &result.layouts));

@@ -223,6 +223,10 @@ fn question(
     if asked.is_empty() {
         return Some(asked);
     }
+    if asked.cost.is_some() && asked.cost_of(1, 0).is_none() {
+        let detail = "needs film_cost or channel_cost, by which layouts are dear";
+        Fault::add(faults, &format!("{}/cost", fields.at("question")), detail);
+    }
     if let Some(layouts) = layouts {
         if fields.get("layouts").is_none() {
             *layouts = Layouts::default();
@@ -231,7 +235,12 @@ fn question(
             let detail = "is answered by layouts, and the study asks for none: leave [layouts] out for the common menu, or name some";
             Fault::add(faults, &fields.at("question"), detail);
         }
-        let wanted = asked.films.filter(|_| !layouts.films.is_empty());
+        let most = asked.most_films(layouts.limits.taken.len());
+        if most == Some(0) {
+            let detail = "is less than one film costs";
+            Fault::add(faults, &format!("{}/cost", fields.at("question")), detail);
+        }
+        let wanted = most.filter(|films| *films > 0 && !layouts.films.is_empty());
         if let Some(films) = wanted.filter(|films| !layouts.films.contains(films)) {
             layouts.films.push(films);
             layouts.films.sort_unstable();

@@ -20,6 +20,9 @@ pub struct TradeAnswer {
     pub screened: usize,
     /// Layouts of the menu whose films have no room.
     pub without_room: usize,
+    /// Most films that the question allows, by their number and their cost; null where it has no limit.
+    #[serde(default)]
+    pub most_films: Option<usize>,
     /// Sentence that says what was tried.
     pub menu: String,
 }
@@ -43,6 +46,9 @@ pub struct TradeRow {
     pub force_error_n: Option<f64>,
     /// Claimed error of that, N; null where there is no coarser mesh.
     pub force_claim_n: Option<f64>,
+    /// Cost of the films that aren't glued on already, and of a channel for each; null where the question tells no costs.
+    #[serde(default)]
+    pub cost: Option<f64>,
     /// Whether it meets every limit that is asked for; null where none is.
     pub meets: Option<bool>,
     /// Whether fewer films do worse.

@@ -20,6 +20,7 @@ pub fn trade() -> Table {
             .in_view("trade")
             .with_error("/trade/force_claim_n"),
         Column::float("force_claim_n", "/trade/force_claim_n"),
+        Column::float("cost", "/trade/cost"),
         Column::bool("meets", "/trade/meets"),
         Column::bool("is_front", "/trade/is_front"),
         Column::integer("rank", "/trade/rank"),

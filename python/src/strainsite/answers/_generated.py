@@ -1542,6 +1542,12 @@ class Question:
     """Largest error of the contact angle that is allowed, degrees: of 95 in 100 contacts at the worst load."""
     force_n: float | None = None
     """Largest error of the vertical force that is allowed, N: root mean square at the worst load."""
+    cost: float | None = None
+    """Most that a layout may cost, in the currency of `film_cost` and `channel_cost`."""
+    film_cost: float | None = None
+    """Cost of a film that isn't glued on already."""
+    channel_cost: float | None = None
+    """Cost of a channel of the amplifier: every film has one."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -2161,6 +2167,8 @@ class TradeAnswer:
     """Layouts of the menu that weren't simulated, as their bounds show that others with as few films are better."""
     without_room: int
     """Layouts of the menu whose films have no room."""
+    most_films: int | None = None
+    """Most films that the question allows, by their number and their cost; None where it has no limit."""
     menu: str
     """Sentence that says what was tried."""
 
@@ -2185,6 +2193,9 @@ class TradeRow:
     """Root mean square error of the vertical force at the load where that is largest, N."""
     force_claim_n: float | None = None
     """Claimed error of that, N; None where there is no coarser mesh."""
+    cost: float | None = None
+    """Cost of the films that aren't glued on already, and of a channel for each; None where the question tells no
+    costs."""
     meets: bool | None = None
     """Whether it meets every limit that is asked for; None where none is."""
     is_front: bool
@@ -2314,6 +2325,7 @@ COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {
         ("angle_claim_deg", "/trade/angle_claim_deg", None),
         ("force_error_n", "/trade/force_error_n", None),
         ("force_claim_n", "/trade/force_claim_n", None),
+        ("cost", "/trade/cost", None),
         ("meets", "/trade/meets", None),
         ("is_front", "/trade/is_front", None),
         ("rank", "/trade/rank", None),

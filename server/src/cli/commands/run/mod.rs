@@ -18,6 +18,7 @@ use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::output_place::write;
+use crate::cli::terminal::report::next_steps::after_study;
 use crate::cli::terminal::report::report;
 use crate::config::Config;
 use service::export::{Export, ExportSources, FileFormat, Table};
@@ -92,7 +93,8 @@ impl Run {
         if let Some(target) = &self.json {
             target.write(result)?;
         }
-        tell(&report(result), self.json.as_ref())
+        let next = after_study(result, &self.config.db);
+        tell(&(report(result) + &next), self.json.as_ref())
     }
 }
 

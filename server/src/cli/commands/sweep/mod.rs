@@ -21,6 +21,7 @@ use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::progress::progress_bar;
+use crate::cli::terminal::report::next_steps::after_sweep;
 use crate::cli::terminal::signals::stop_flag;
 use crate::config::Config;
 use service::comparison::of_designs;
@@ -104,7 +105,8 @@ impl Sweep {
         if let Some(target) = &self.json {
             target.write(&json!({"sweep": detail, "comparison": comparison}))?;
         }
-        tell(&table(&comparison), self.json.as_ref())?;
+        let next = after_sweep(&detail.summary.id, &self.config.db);
+        tell(&(table(&comparison) + &next), self.json.as_ref())?;
         let without = detail.designs.len() - detail.summary.counts.done;
         if without > 0 {
             return Err(Failure::Partial(format!(

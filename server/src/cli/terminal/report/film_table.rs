@@ -64,6 +64,7 @@ mod tests {
             angle_claim_deg: Some(1.8),
             force_error_n: None,
             force_claim_n: None,
+            cost: None,
             meets: None,
             is_front: true,
         };

@@ -7,12 +7,14 @@
 //! - `forces_known`: what a virtual rig shows of layouts
 //! - `study_notes`: what to know, by what it does to the answer
 //! - `study_figures`: the way to the accuracy asked for, and what it all took
+//! - `next_steps`: commands that may come next
 //! - `shared_rank`: `2=`
 
 mod answer_text;
 mod film_table;
 mod forces_known;
 mod layout_table;
+pub(crate) mod next_steps;
 mod ranked_table;
 mod shared_rank;
 mod signal_table;
