@@ -285,6 +285,18 @@ def settings_of(comparison):
     return settings
 
 
+def answer_columns(answer):
+    """A study's layout with its errors, and their differences from the baseline's."""
+    line = {"answer_rank": answer.get("rank"), "layout": answer.get("words"), "layout_verdict": answer.get("verdict")}
+    line |= {name: answer.get(name) for name in ["film_count", "meets"]}
+    parts = {"error": "value", "claim": "error", "difference": "difference", "difference_error": "difference_error"}
+    for name, unit in [("angle", "deg"), ("force", "n")]:
+        figure = answer.get(f"{name}_{unit}") or {}
+        line |= {f"{name}_{part}_{unit}": figure.get(field) for part, field in parts.items()}
+        line[f"{name}_verdict"] = figure.get("verdict")
+    return line
+
+
 def rows_of_comparison(table, comparison):
     """The rows of a comparison's table as its document has them."""
     settings = settings_of(comparison)
@@ -298,7 +310,8 @@ def rows_of_comparison(table, comparison):
             line |= {name: row[name] for name in names}
             line |= {f"{name}_{d}": value for d in "xy" for name, value in row[d].items()}
         else:
-            line |= {name: value for name, value in study.items() if name not in ("id", "name", "set", "cost")}
+            line |= {name: value for name, value in study.items() if name not in ("id", "name", "set", "cost", "answer")}
+            line |= answer_columns(study["answer"] or {})
             line |= {name: cost.get(name) for name in ["solves", "coarser_solves", "effect_solves", "reused", "wall_s", "cpu_s"]}
         origin = {name: study[name] for name in ["spec_sha256", "version"]}
         yield {**line, **origin, "baseline": comparison["baseline"]}

@@ -113,8 +113,14 @@ impl Redaction {
             .map_or(Vec::new(), |head| head.split(',').collect());
         let mut table = String::new();
         for line in text.lines().take(1 + SHOWN[1]) {
+            // A comma between quotes ends no cell.
+            let mut is_quoted = false;
+            let is_end = |letter: char| {
+                is_quoted ^= letter == '"';
+                letter == ',' && !is_quoted
+            };
             let cells =
-                line.split(',')
+                line.split(is_end)
                     .enumerate()
                     .map(|(place, cell)| match cell.parse::<f64>() {
                         Ok(_) if names.get(place).is_some_and(|name| is_measured(name)) => {
