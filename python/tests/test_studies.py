@@ -72,7 +72,7 @@ def test_an_estimate_solves_nothing(client: Client) -> None:
 def test_a_preview_ranks_places_and_stores_nothing(client: Client, study: Study) -> None:
     before = [known.id for known in client.studies()]
     preview = client.preview(STUDY, set=DRAFT)
-    assert (preview.claim, preview.level, preview.solves) == ("none", "draft", 26)
+    assert (preview.claim, preview.level, preview.solves) == ("none", "draft", 31)
     assert preview.locations == study.locations()
     assert preview.map == study.result().raw["map"]
     assert [known.id for known in client.studies()] == before

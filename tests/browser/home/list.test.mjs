@@ -10,7 +10,8 @@ let browser;
 let example;
 
 before(async () => {
-  [service, browser] = await Promise.all([startService(), openBrowser()]);
+  service = await startService();
+  browser = await openBrowser();
   example = (await (await fetch(`${service.url}/v1/presets`)).json()).studies[0].document;
   for (const name of ["wall 50%", "wall 500", "bead"]) await submit(name);
 });

@@ -17,7 +17,8 @@ let page;
 let complaints;
 
 before(async () => {
-  [service, browser] = await Promise.all([startService(), openBrowser()]);
+  service = await startService();
+  browser = await openBrowser();
   ({ page, complaints } = await openPage(browser, { viewport: WINDOWS[0], acceptDownloads: true }));
 });
 

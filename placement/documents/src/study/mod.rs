@@ -31,6 +31,7 @@ use crate::rig::rig_settings::RigSettings;
 use crate::signals::signal_settings::SignalSettings;
 use crate::study::candidate_reader::{Candidates, Points};
 use crate::study::question::Question;
+pub use crate::study::study_reader::FIELDS;
 
 /// A checked study. Build it with [`Study::from_document`].
 #[derive(Debug, Clone, PartialEq)]

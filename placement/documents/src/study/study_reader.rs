@@ -128,20 +128,22 @@ fn unplanned(value: &Value, resolve: Resolve<'_>) -> Result<Study, Vec<Fault>> {
     study.ok_or(faults)
 }
 
+/// Fields of a study's document.
+pub const FIELDS: [&str; 10] = [
+    "name",
+    "scene",
+    "inputs",
+    "candidates",
+    "layouts",
+    "question",
+    "method",
+    "accuracy",
+    "signals",
+    "rig",
+];
+
 fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<Study> {
-    let known = [
-        "name",
-        "scene",
-        "inputs",
-        "candidates",
-        "layouts",
-        "question",
-        "method",
-        "accuracy",
-        "signals",
-        "rig",
-    ];
-    let fields = Fields::open(value, "", &known, faults)?;
+    let fields = Fields::open(value, "", &FIELDS, faults)?;
     let name = read_name(&fields, "name", LONGEST_NAME, faults);
     let scene = scene(&fields, resolve, faults);
     let usual = Candidates::default;

@@ -25,21 +25,16 @@ pub use typed::{typed_grid, typed_settings};
 use crate::parts::scene_reader::Resolve;
 use crate::study::Study;
 use crate::study::plan::PlannedStudy;
-use crate::study::study_reader::LONGEST_NAME;
+use crate::study::study_reader::{FIELDS, LONGEST_NAME};
 use document::typed::field_value::read_name;
 
 /// Most solves that all designs of a document ask for at first: each is planned before anything is stored.
 const MOST_SOLVES: usize = 100_000;
-/// Parts of a study's document that aren't its scene.
-const OF_STUDY: [&str; 7] = [
-    "inputs",
-    "candidates",
-    "layouts",
-    "method",
-    "accuracy",
-    "signals",
-    "rig",
-];
+/// Whether a path leads into the study's document, and not into its scene. A design has a name of its own.
+fn is_of_study(path: &str) -> bool {
+    let step = first_step(path);
+    FIELDS.contains(&step) && !["name", "scene"].contains(&step)
+}
 
 /// A design of the sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -183,7 +178,7 @@ pub fn changed(
 fn name_of_changed(name: &str, set: &Map<String, Value>) -> String {
     let change = |(path, value): (&String, &Value)| {
         let field = field_of(path);
-        let of_scene = match OF_STUDY.contains(&first_step(field)) {
+        let of_scene = match is_of_study(field) {
             true => "",
             false => "scene.",
         };
@@ -268,7 +263,7 @@ fn study_of(
         .set
         .iter()
         .map(|(path, value)| (field_of(path), value))
-        .partition(|(path, _)| OF_STUDY.contains(&first_step(path)));
+        .partition(|(path, _)| is_of_study(path));
     let mut found = Vec::new();
     let mut scene = base.scene.clone();
     if let Err(refused) = scene.set_all(&of_scene) {

@@ -69,6 +69,16 @@ fn designs_may_set_fields_of_the_study_too() {
 }
 
 #[test]
+fn every_table_of_a_study_can_be_set() {
+    let sweep = read(json!({"grid": {"question.films": [12, 24]}})).unwrap();
+    let asked = sweep
+        .designs
+        .iter()
+        .map(|design| design.study.question.films);
+    assert_eq!(asked.collect::<Vec<_>>(), [Some(12), Some(24)]);
+}
+
+#[test]
 fn further_designs_are_read_alone() {
     let sweep = read(json!({"grid": {"geometry.wall_mm": [3]}})).unwrap();
     let further = json!({"grid": {"geometry.wall_mm": [2.5]}});

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use document::parse;
 use documents::own_model::inputs_document::Inputs;
+use documents::study::FIELDS as STUDY_FIELDS;
 use documents::study::plan::PlannedStudy;
 use fem_client::scene::Scene;
 use serde_json::Value;
@@ -71,23 +72,20 @@ impl Validate {
 fn is_own_model(document: &Value) -> bool {
     let inputs = document.get("inputs").and_then(Value::as_array);
     let varies = |input: &Value| input.get("vary").is_some();
-    let of_study = ["scene", "candidates", "layouts", "accuracy", "signals"];
+    let of_study = [
+        "scene",
+        "candidates",
+        "layouts",
+        "question",
+        "accuracy",
+        "signals",
+        "rig",
+    ];
     let is_study = of_study.iter().any(|field| document.get(field).is_some());
     inputs.is_some_and(|inputs| !inputs.iter().any(varies)) && !is_study
 }
 
 /// A study says what varies; a scene has none of a study's fields.
 fn is_study(document: &Value) -> bool {
-    [
-        "name",
-        "scene",
-        "inputs",
-        "candidates",
-        "layouts",
-        "method",
-        "accuracy",
-        "signals",
-    ]
-    .iter()
-    .any(|f| document.get(f).is_some())
+    STUDY_FIELDS.iter().any(|f| document.get(f).is_some())
 }
