@@ -3,6 +3,7 @@
 //! - `study_reader` and, for its parts, `candidate_reader`, `distribution_reader`, `input_reader` and `method_reader`: read a study, with every fault at once
 //! - `study_schema`: its JSON Schema
 //! - [`question`]: what is asked of layouts
+//! - [`study_fields`]: names of its fields
 //! - `reading_bounds`: rules of a rig beside layouts
 //! - [`plan`]: the design points of a study, a pure function of the document
 
@@ -13,6 +14,7 @@ pub(crate) mod method_reader;
 pub mod plan;
 pub mod question;
 mod reading_bounds;
+pub mod study_fields;
 pub(crate) mod study_reader;
 pub(crate) mod study_schema;
 
@@ -31,7 +33,6 @@ use crate::rig::rig_settings::RigSettings;
 use crate::signals::signal_settings::SignalSettings;
 use crate::study::candidate_reader::{Candidates, Points};
 use crate::study::question::Question;
-pub use crate::study::study_reader::FIELDS;
 
 /// A checked study. Build it with [`Study::from_document`].
 #[derive(Debug, Clone, PartialEq)]

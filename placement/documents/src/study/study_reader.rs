@@ -26,6 +26,7 @@ use crate::study::method_reader::{Limits, read_method};
 use crate::study::plan::{Estimable, PlanError, PlannedStudy};
 use crate::study::question::Question;
 use crate::study::reading_bounds::check_readings;
+use crate::study::study_fields::FIELDS;
 use crate::study::{Accuracy, Study};
 use document::typed::field_value::read_name;
 
@@ -127,20 +128,6 @@ fn unplanned(value: &Value, resolve: Resolve<'_>) -> Result<Study, Vec<Fault>> {
         .filter(|study| faults.is_empty() && are_few_enough(study, &mut faults));
     study.ok_or(faults)
 }
-
-/// Fields of a study's document.
-pub const FIELDS: [&str; 10] = [
-    "name",
-    "scene",
-    "inputs",
-    "candidates",
-    "layouts",
-    "question",
-    "method",
-    "accuracy",
-    "signals",
-    "rig",
-];
 
 fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<Study> {
     let fields = Fields::open(value, "", &FIELDS, faults)?;

@@ -25,7 +25,8 @@ pub use typed::{typed_grid, typed_settings};
 use crate::parts::scene_reader::Resolve;
 use crate::study::Study;
 use crate::study::plan::PlannedStudy;
-use crate::study::study_reader::{FIELDS, LONGEST_NAME};
+use crate::study::study_fields::FIELDS;
+use crate::study::study_reader::LONGEST_NAME;
 use document::typed::field_value::read_name;
 
 /// Most solves that all designs of a document ask for at first: each is planned before anything is stored.

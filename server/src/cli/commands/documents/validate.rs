@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use document::parse;
 use documents::own_model::inputs_document::Inputs;
-use documents::study::FIELDS as STUDY_FIELDS;
 use documents::study::plan::PlannedStudy;
+use documents::study::study_fields::FIELDS;
 use fem_client::scene::Scene;
 use serde_json::Value;
 
@@ -87,5 +87,5 @@ fn is_own_model(document: &Value) -> bool {
 
 /// A study says what varies; a scene has none of a study's fields.
 fn is_study(document: &Value) -> bool {
-    STUDY_FIELDS.iter().any(|f| document.get(f).is_some())
+    FIELDS.iter().any(|f| document.get(f).is_some())
 }
