@@ -2202,6 +2202,21 @@ export interface components {
              * @description Width of the film, mm; null of a point.
              */
             width_mm?: number | null;
+            /**
+             * Format: double
+             * @description Strain that it reads with the contact at it, at the depth below; null of glued films, and where it isn't known.
+             */
+            expected_strain?: number | null;
+            /**
+             * Format: double
+             * @description Open circuit's voltage that a glued film reads so, V; null of bare films.
+             */
+            expected_v?: number | null;
+            /**
+             * Format: double
+             * @description Depth of that contact: the load in the middle, mm.
+             */
+            expected_depth_mm?: number | null;
         };
         /**
          * @description Quantity that changes along a curve.
@@ -5186,6 +5201,9 @@ export const FILMS_COLUMNS = {
   direction: {"at":"/film/direction","kind":"text","title":"direction","digits":2,"description":"Direction of its length: `x`, `y`, or an angle such as `45`."},
   length_mm: {"at":"/film/length_mm","kind":"float","unit":"mm","title":"length","digits":1,"description":"Length of the film, mm; null of a point."},
   width_mm: {"at":"/film/width_mm","kind":"float","unit":"mm","title":"width","digits":1,"description":"Width of the film, mm; null of a point."},
+  expected_strain: {"at":"/film/expected_strain","kind":"float","unit":"1","title":"expected strain","digits":2,"description":"Strain that it reads with the contact at it, at the depth below; null of glued films, and where it isn't known."},
+  expected_v: {"at":"/film/expected_v","kind":"float","unit":"V","title":"expected v","digits":2,"description":"Open circuit's voltage that a glued film reads so, V; null of bare films."},
+  expected_depth_mm: {"at":"/film/expected_depth_mm","kind":"float","unit":"mm","title":"expected depth mm","digits":2,"description":"Depth of that contact: the load in the middle, mm."},
 } as const;
 
 /** Columns of candidates. */

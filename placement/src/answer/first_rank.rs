@@ -36,7 +36,7 @@ impl Judged {
     /// Reason for the verdict in a sentence: how the first is told from the next, with the figures of both.
     pub(super) fn reason(&self, next: &str, figures: &str) -> String {
         match self.verdict {
-            Certainty::Certain => format!("No other comes near: {figures}."),
+            Certainty::Certain => format!("No other does as much: {figures}."),
             Certainty::Likely => {
                 format!("The next is farther off than either error, and not than both: {figures}.")
             }

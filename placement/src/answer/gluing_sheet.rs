@@ -2,16 +2,22 @@
 
 use documents::layouts::film_rings::Ring;
 use documents::layouts::film_room::FilmRoom;
-use documents::layouts::layout_settings::{direction_name, direction_of, section_of};
+use documents::layouts::layout_settings::{
+    STRAIN_UNIT, VOLT_UNIT, direction_name, direction_of, section_of,
+};
 use documents::parts::film_place::FilmPlace;
 use fem_client::scene::Geometry;
-use results::{RankedLayout, SheetFilm};
+use results::{LayoutFindings, RankedLayout, SheetFilm};
+
+/// Place of the contact among the samples of a ring, which begin half a turn before it.
+const AT_CONTACT: usize = 180;
 
 /// Films of a layout in the order of their angles; empty where the layout doesn't say where they lie.
 pub(super) fn sheet(
     layout: &RankedLayout,
     geometry: &Geometry,
     size_mm: Option<[f64; 2]>,
+    findings: Option<&LayoutFindings>,
 ) -> Vec<SheetFilm> {
     let room = FilmRoom::on(geometry, size_mm, 0.0);
     let mut places = places(layout).unwrap_or_default();
@@ -21,6 +27,8 @@ pub(super) fn sheet(
     places.sort_by(|a, b| a.theta_deg.total_cmp(&b.theta_deg));
     let film = |(k, place): (usize, &FilmPlace)| {
         let marks = room.marks(place);
+        let expected = findings.and_then(|findings| expected(place, findings));
+        let in_unit = |unit: &str| expected.filter(|_| findings.is_some_and(|f| f.unit == unit));
         SheetFilm {
             number: k + 1,
             theta_deg: place.theta_deg,
@@ -32,9 +40,23 @@ pub(super) fn sheet(
             direction: direction_name(place.angle_deg),
             length_mm: size_mm.map(|size| size[0]),
             width_mm: size_mm.map(|size| size[1]),
+            expected_strain: in_unit(STRAIN_UNIT).map(|(signal, _)| signal),
+            expected_v: in_unit(VOLT_UNIT).map(|(signal, _)| signal),
+            expected_depth_mm: expected.map(|(_, depth_mm)| depth_mm),
         }
     };
     places.iter().enumerate().map(film).collect()
+}
+
+/// The signal of a film with the contact at it, and the contact's depth, mm.
+fn expected(place: &FilmPlace, findings: &LayoutFindings) -> Option<(f64, f64)> {
+    let direction = direction_name(place.angle_deg);
+    let mut rings = findings.rings.iter();
+    let ring = rings.find(|ring| {
+        // The tire is its own mirror image.
+        ring.section_deg.abs() == place.phi_deg.abs() && ring.direction == direction
+    })?;
+    Some((*ring.strain.get(AT_CONTACT)?, ring.depth_mm))
 }
 
 /// Returns where a layout's films lie: those of its units, or its own list.
@@ -59,6 +81,8 @@ fn places(layout: &RankedLayout) -> Option<Vec<FilmPlace>> {
 
 #[cfg(test)]
 mod tests {
+    use results::StrainRing;
+
     use super::*;
 
     fn ring(position: &str, staggered: bool) -> RankedLayout {
@@ -81,6 +105,7 @@ mod tests {
                 &ring(position, true),
                 &Geometry::default(),
                 Some([10.0, 5.0]),
+                None,
             );
             assert_eq!(films.len(), 12);
             let radius = 37.5 + 9.5 * phi.to_radians().cos();
@@ -100,12 +125,52 @@ mod tests {
     }
 
     #[test]
+    fn a_film_expects_what_its_ring_reads_at_the_contact() {
+        let ring_of = |section_deg: f64, direction: &str, strain: f64| StrainRing {
+            section_deg,
+            direction: direction.to_owned(),
+            depth_mm: 1.0,
+            strain: (-180..180)
+                .map(|theta| strain / f64::from(1 + i32::abs(theta)))
+                .collect(),
+            by_depth: Vec::new(),
+            strain_error: None,
+            by_depth_error: None,
+        };
+        let found = |unit: &str| LayoutFindings {
+            unit: unit.to_owned(),
+            rings: vec![ring_of(0.0, "x", 0.02), ring_of(0.0, "y", 0.08)],
+            ..LayoutFindings::default()
+        };
+        let films = |findings: &LayoutFindings| {
+            sheet(
+                &ring("crown", true),
+                &Geometry::default(),
+                None,
+                Some(findings),
+            )
+        };
+        let expected = |film: &SheetFilm| {
+            (
+                film.expected_strain,
+                film.expected_v,
+                film.expected_depth_mm,
+            )
+        };
+        let bare = films(&found(STRAIN_UNIT));
+        assert_eq!(expected(&bare[0]), (Some(0.02), None, Some(1.0)));
+        assert_eq!(expected(&bare[1]), (Some(0.08), None, Some(1.0)));
+        let glued = films(&found(VOLT_UNIT));
+        assert_eq!(expected(&glued[1]), (None, Some(0.08), Some(1.0)));
+    }
+
+    #[test]
     fn a_ring_that_is_turned_starts_off_the_mark() {
         let turned = RankedLayout {
             turn_deg: Some(8.75),
             ..ring("crown", true)
         };
-        let films = sheet(&turned, &Geometry::default(), None);
+        let films = sheet(&turned, &Geometry::default(), None, None);
         assert_eq!((films[0].theta_deg, films[11].theta_deg), (8.75, 338.75));
     }
 
@@ -119,7 +184,7 @@ mod tests {
             }],
             ..RankedLayout::default()
         };
-        let films = sheet(&layout, &Geometry::default(), None);
+        let films = sheet(&layout, &Geometry::default(), None, None);
         assert!((films[0].from_bead_mm - 9.5 * 75f64.to_radians()).abs() < 1e-9);
         assert!(
             (films[0].arc_mm - 350f64.to_radians() * (37.5 + 9.5 * 0.5f64.sqrt())).abs() < 1e-9

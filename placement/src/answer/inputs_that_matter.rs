@@ -179,7 +179,8 @@ mod tests {
             verdict(&[&cords, &far]),
             (
                 Certainty::Certain,
-                "No other comes near: cords makes 50.0 +- 1.0 %, and P2 10.0 +- 1.0 %.".to_owned()
+                "No other does as much: cords makes 50.0 +- 1.0 %, and P2 10.0 +- 1.0 %."
+                    .to_owned()
             )
         );
         let (tied, why) = verdict(&[&cords, &near, &far]);

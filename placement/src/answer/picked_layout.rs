@@ -220,7 +220,7 @@ mod tests {
         );
         assert_eq!(
             certain.reason,
-            "Of the layouts tried with up to 8 films no other comes near: it has 2.00 +- 0.10 degrees, and 8 films along x and y at the \
+            "Of the layouts tried with up to 8 films no other is as good: it has 2.00 +- 0.10 degrees, and 8 films along x and y at the \
              crown, a pair every 90 degrees 4.00 +- 0.20 degrees."
         );
         assert_eq!(

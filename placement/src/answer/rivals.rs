@@ -143,7 +143,7 @@ impl<'a> Rivals<'a> {
             self.figures(closest)
         );
         match judged.verdict {
-            Certainty::Certain => format!("{among} no other comes near: {figures}."),
+            Certainty::Certain => format!("{among} no other is as good: {figures}."),
             Certainty::Likely => format!(
                 "{among} the next is farther off than either error, and not than both: {figures}."
             ),

@@ -72,7 +72,12 @@ fn films(study: &Study, result: &StudyResult, layout: Option<&LayoutAnswer>) -> 
     let of_rank = |ranked: &&RankedLayout| layout.is_some_and(|layout| layout.rank == ranked.rank);
     let found = result.layouts.iter().find(of_rank);
     found.map_or_else(Vec::new, |layout| {
-        sheet(layout, &study.scene.geometry, study.layouts.size_mm)
+        sheet(
+            layout,
+            &study.scene.geometry,
+            study.layouts.size_mm,
+            result.layout_findings.as_ref(),
+        )
     })
 }
 

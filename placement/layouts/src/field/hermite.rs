@@ -47,8 +47,9 @@ impl Turn {
     }
 
     fn cubic(&self, angle_deg: f64) -> (Cubic, f64) {
-        let place = (angle_deg + 180.0).rem_euclid(360.0);
-        let i = place.floor() as usize % DEGREES;
+        let place = within_turn(angle_deg + 180.0);
+        let whole = place as usize;
+        let i = whole % DEGREES;
         let j = (i + 1) % DEGREES;
         let ends = |list: &[f64]| [list[i], list[j]];
         let cubic = Cubic {
@@ -56,7 +57,15 @@ impl Turn {
             slopes: ends(&self.slopes),
             width: 1.0,
         };
-        (cubic, place.fract())
+        (cubic, place - whole as f64)
+    }
+}
+
+/// An angle from 0 to 360 degrees: the same remainder, without a division for those that are there already.
+fn within_turn(angle_deg: f64) -> f64 {
+    match angle_deg {
+        0.0..360.0 => angle_deg,
+        _ => angle_deg.rem_euclid(360.0),
     }
 }
 

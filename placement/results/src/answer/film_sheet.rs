@@ -25,4 +25,13 @@ pub struct SheetFilm {
     pub length_mm: Option<f64>,
     /// Width of the film, mm; null of a point.
     pub width_mm: Option<f64>,
+    /// Strain that it reads with the contact at it, at the depth below; null of glued films, and where it isn't known.
+    #[serde(default)]
+    pub expected_strain: Option<f64>,
+    /// Open circuit's voltage that a glued film reads so, V; null of bare films.
+    #[serde(default)]
+    pub expected_v: Option<f64>,
+    /// Depth of that contact: the load in the middle, mm.
+    #[serde(default)]
+    pub expected_depth_mm: Option<f64>,
 }

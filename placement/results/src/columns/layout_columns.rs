@@ -44,6 +44,9 @@ pub fn films() -> Table {
         Column::text("direction", "/film/direction"),
         Column::float("length_mm", "/film/length_mm").titled("length", 1),
         Column::float("width_mm", "/film/width_mm").titled("width", 1),
+        Column::float("expected_strain", "/film/expected_strain"),
+        Column::float("expected_v", "/film/expected_v"),
+        Column::float("expected_depth_mm", "/film/expected_depth_mm"),
     ];
     Table {
         name: "films",

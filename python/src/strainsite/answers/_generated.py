@@ -1753,6 +1753,13 @@ class SheetFilm:
     """Length of the film, mm; None of a point."""
     width_mm: float | None = None
     """Width of the film, mm; None of a point."""
+    expected_strain: float | None = None
+    """Strain that it reads with the contact at it, at the depth below; None of glued films, and where it isn't
+    known."""
+    expected_v: float | None = None
+    """Open circuit's voltage that a glued film reads so, V; None of bare films."""
+    expected_depth_mm: float | None = None
+    """Depth of that contact: the load in the middle, mm."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -2340,6 +2347,9 @@ COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {
         ("direction", "/film/direction", None),
         ("length_mm", "/film/length_mm", None),
         ("width_mm", "/film/width_mm", None),
+        ("expected_strain", "/film/expected_strain", None),
+        ("expected_v", "/film/expected_v", None),
+        ("expected_depth_mm", "/film/expected_depth_mm", None),
     ],
     "candidates": [
         ("section_deg", "/film/section_deg", None),

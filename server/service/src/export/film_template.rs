@@ -22,6 +22,8 @@ const GAP_MM: f64 = 12.0;
 const SCALE_MM: f64 = 100.0;
 /// Half of a point's cross, mm.
 const CROSS_MM: f64 = 2.0;
+/// Height of a line of numbers, mm.
+const LINE_MM: f64 = 3.2;
 
 /// Draws the films of the answer.
 ///
@@ -68,6 +70,16 @@ fn drawn(title: &str, films: &[SheetFilm]) -> String {
                 draw_film(&mut svg, film, from, top + half);
             }
         }
+        svg.push_str("</g>\n<g fill=\"black\" stroke=\"none\">\n");
+        // A film's number stands on the strip where its middle is, and isn't cut off there.
+        let has_middle = |film: &&SheetFilm| (from..from + long).contains(&film.arc_mm);
+        for (k, film) in films
+            .iter()
+            .enumerate()
+            .filter(|(_, film)| has_middle(film))
+        {
+            write_number(&mut svg, film, beside(films, k), from, top + half);
+        }
         svg.push_str("</g>\n");
     }
     svg.push_str("</svg>\n");
@@ -94,7 +106,7 @@ fn draw_strip(svg: &mut String, (strip, long, half, top): (usize, f64, f64, f64)
     );
 }
 
-/// Draws a film: a rectangle, or a cross where it has no size, with its number.
+/// Draws a film: a rectangle, or a cross where it has no size.
 fn draw_film(svg: &mut String, film: &SheetFilm, from: f64, crown: f64) {
     let (x, y) = (LEFT_MM + film.arc_mm - from, crown - film.from_crown_mm);
     // The picture's y points down.
@@ -113,9 +125,30 @@ fn draw_film(svg: &mut String, film: &SheetFilm, from: f64, crown: f64) {
     };
     let _ = writeln!(
         svg,
-        "<g transform=\"translate({x:.3} {y:.3})\"><g class=\"film\" transform=\"rotate({turn})\">{shape}</g>\
-         <text fill=\"black\" stroke=\"white\" stroke-width=\"0.8\" paint-order=\"stroke\" text-anchor=\"middle\" y=\"1\">{}</text></g>",
-        film.number
+        "<g transform=\"translate({x:.3} {y:.3})\"><g class=\"film\" transform=\"rotate({turn})\">{shape}</g></g>"
+    );
+}
+
+/// Films before this one that lie in its place.
+fn beside(films: &[SheetFilm], film: usize) -> usize {
+    let own = &films[film];
+    let is_here = |other: &&SheetFilm| {
+        (other.arc_mm - own.arc_mm).hypot(other.from_crown_mm - own.from_crown_mm) < CROSS_MM
+    };
+    films[..film].iter().filter(is_here).count()
+}
+
+/// Writes a film's number in its middle, or beside its cross; below those of others in its place.
+fn write_number(svg: &mut String, film: &SheetFilm, below: usize, from: f64, crown: f64) {
+    let y = crown - film.from_crown_mm + 1.0 + LINE_MM * below as f64;
+    let (x, anchor) = match film.length_mm {
+        Some(_) => (LEFT_MM + film.arc_mm - from, "middle"),
+        None => (LEFT_MM + film.arc_mm - from + 1.3 * CROSS_MM, "start"),
+    };
+    let number = film.number;
+    let _ = writeln!(
+        svg,
+        "<text x=\"{x:.3}\" y=\"{y:.3}\" text-anchor=\"{anchor}\">{number}</text>"
     );
 }
 
@@ -144,6 +177,9 @@ mod tests {
             direction: "y".to_owned(),
             length_mm: Some(10.0),
             width_mm: Some(5.0),
+            expected_strain: None,
+            expected_v: None,
+            expected_depth_mm: None,
         }
     }
 
@@ -168,5 +204,23 @@ mod tests {
             assert!(svg.contains(&place), "{place}: {svg}");
         }
         assert!(svg.contains("width=\"115.310\""));
+        // Each number once, that of the film at the cut where the second strip begins.
+        assert_eq!(count("text-anchor"), 3);
+        assert!(svg.contains("<text x=\"5.000\""));
+    }
+
+    #[test]
+    fn numbers_of_points_in_one_place_stand_below_each_other() {
+        let point = |number| SheetFilm {
+            length_mm: None,
+            width_mm: None,
+            ..film(number, 0.0)
+        };
+        let svg = drawn("two", &[point(1), point(2)]);
+        let half = 9.5 * 120f64.to_radians();
+        for (number, y) in [(1, 23.0 + half), (2, 26.2 + half)] {
+            let written = format!("<text x=\"7.600\" y=\"{y:.3}\" text-anchor=\"start\">{number}<");
+            assert!(svg.contains(&written), "{written}: {svg}");
+        }
     }
 }

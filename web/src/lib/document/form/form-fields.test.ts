@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { commonDepths, furtherInput, inputsOf, meanAt, PARAMETERS, spreadOf, withCommonDepths, withKind, withSpread } from "./input-laws.ts";
-import { depthFields, GEOMETRY, numberFields, numberIn, rangeWords, sliderRange } from "./scene-fields.ts";
+import { depthFields, GEOMETRY, numberFields, numberIn, rangeWords, sliderRange, usualWords } from "./scene-fields.ts";
 
 const DOCUMENT = {
   scene: {
@@ -28,6 +28,7 @@ test("a slider reaches a value beyond the usual ones, and a box holds numbers al
   assert.deepEqual(sliderRange(wall, 3), { from: 1, to: 6, step: 0.1 });
   assert.equal(sliderRange(wall, 9).to, 9);
   assert.equal(rangeWords({ low: 0.001, high: 10_000 }), "0.001 to 10\u202f000");
+  assert.equal(usualWords({ usual: [1, 8, 0.1] }), "1 to 8");
   assert.equal(rangeWords({ low: 1e-6, high: 1e9 }), "1e−6 to 1e9");
   assert.equal(rangeWords({ low: -1e6, high: 1e6 }), "−1\u202f000\u202f000 to 1\u202f000\u202f000");
   assert.deepEqual([" 2,5 ", "1e-3", "", "3 mm", "Infinity"].map(numberIn), [2.5, 0.001, null, null, null]);

@@ -95,7 +95,12 @@ export function sliderRange({ usual: [from, to, step] }: NumberField, value: num
   return { from: Math.min(from, value), to: Math.max(to, value), step };
 }
 
-/** The range as the label shows it. */
+/** The usual range, as the label shows it. */
+export function usualWords({ usual: [low, high] }: Pick<NumberField, "usual">): string {
+  return rangeWords({ low, high });
+}
+
+/** The range that the service takes. */
 export function rangeWords({ low, high }: Pick<NumberField, "low" | "high">): string {
   return `${plain(low)} to ${plain(high)}`;
 }

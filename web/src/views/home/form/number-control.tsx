@@ -1,4 +1,4 @@
-import { numberIn, rangeWords, sliderRange, type NumberField } from "../../../lib/document/form/scene-fields.ts";
+import { numberIn, rangeWords, sliderRange, usualWords, type NumberField } from "../../../lib/document/form/scene-fields.ts";
 import type { Fault } from "../../../wire.ts";
 import { useTyped } from "./use-typed.ts";
 
@@ -19,7 +19,10 @@ export function NumberControl({ field, value, faults, onChange }: Props) {
     <div class="field" data-pointer={field.pointer}>
       <label class="field-label" for={id}>
         {field.label}
-        {field.unit !== "" && `, ${field.unit}`} <span class="quiet">{rangeWords(field)}</span>
+        {field.unit !== "" && `, ${field.unit}`}{" "}
+        <span class="quiet" title={`${rangeWords(field)} is taken`}>
+          usually {usualWords(field)}
+        </span>
       </label>
       {slider !== null && (
         <input
