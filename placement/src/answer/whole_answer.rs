@@ -41,7 +41,7 @@ pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
     let unscored = (study.layouts.is_asked() && layout.is_none()).then(|| unscored(result));
     let (verdict, reason) = match unscored {
         Some(reason) => (Certainty::Unknown, reason),
-        None => (told.verdict, told.reason.to_owned()),
+        None => (told.verdict, told.reason),
     };
     let sentence = told.sentence.to_owned();
     Some(Answer {
@@ -82,15 +82,15 @@ fn films(study: &Study, result: &StudyResult, layout: Option<&LayoutAnswer>) -> 
 }
 
 /// Sentence of an answer, how sure it is, and why.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Told<'a> {
     sentence: &'a str,
     verdict: Certainty,
-    reason: &'a str,
+    reason: String,
 }
 
 /// Returns what a study tells first: its layout; without one the film that gives most, where films are read; else its best place, or the input that matters more than the depth below it. A layout is no surer than the
-/// first of several places.
+/// first of several places, and an input than the place that a study looks for.
 fn told<'a>(
     layout: Option<&'a (LayoutAnswer, String)>,
     signals: Option<&'a SignalsAnswer>,
@@ -101,13 +101,13 @@ fn told<'a>(
     let of_place = place.map(|place| Told {
         sentence: &place.sentence,
         verdict: place.verdict,
-        reason: &place.reason,
+        reason: place.reason.clone(),
     });
     if let Some((layout, sentence)) = layout {
         let own = Told {
             sentence,
             verdict: layout.verdict,
-            reason: &layout.reason,
+            reason: layout.reason.clone(),
         };
         let ranked = locations.iter().filter(|location| has_index(location));
         let weaker = of_place.filter(|place| ranked.count() > 1 && place.verdict > own.verdict);
@@ -117,7 +117,7 @@ fn told<'a>(
         return Some(Told {
             sentence: &signals.sentence,
             verdict: signals.verdict,
-            reason: &signals.reason,
+            reason: signals.reason.clone(),
         });
     }
     let is_own = |input: &String| {
@@ -128,10 +128,18 @@ fn told<'a>(
         let first = inputs.shares.first();
         first.is_some_and(|share| !is_own(&share.input))
     });
-    let of_inputs = others.map(|inputs| Told {
-        sentence: &inputs.sentence,
-        verdict: inputs.verdict,
-        reason: &inputs.reason,
+    let of_inputs = others.map(|inputs| {
+        // Whoever lets a depth vary looks for a place, too.
+        let weaker = of_place
+            .as_ref()
+            .filter(|place| place.verdict > inputs.verdict);
+        Told {
+            sentence: &inputs.sentence,
+            verdict: weaker.map_or(inputs.verdict, |place| place.verdict),
+            reason: weaker.map_or(inputs.reason.clone(), |place| {
+                format!("{} {}", place.reason, inputs.reason)
+            }),
+        }
     });
     of_inputs.or(of_place)
 }
@@ -165,7 +173,7 @@ mod tests {
 
     use super::*;
     use documents::study::presets;
-    use results::{LayoutError, LayoutScore, RankedLayout, RankedLocation};
+    use results::{InputShare, LayoutError, LayoutScore, RankedLayout, RankedLocation};
 
     /// P3 before P2 with this error of their x indices, and layouts that know the angle to these, degrees, with their errors.
     fn answered(index_error: Option<f64>, layouts: &[(f64, f64)], reason: Option<&str>) -> Answer {
@@ -243,6 +251,48 @@ mod tests {
                     .starts_with("The knee is at 12 films: glue them along x at the crown")
             );
             assert_eq!(answer.left_out.expect("friction").effect, 0.2);
+        }
+    }
+
+    #[test]
+    fn an_input_that_matters_more_is_no_surer_than_the_place_that_is_looked_for() {
+        let place = |verdict: Certainty| PlaceAnswer {
+            names: vec!["P1".to_owned()],
+            direction: "x".to_owned(),
+            index: 0.001,
+            error: Some(0.002),
+            verdict,
+            reason: "One place is no ranking.".to_owned(),
+            sentence: "P1 tells most.".to_owned(),
+        };
+        let share = |input: &str, index: f64| InputShare {
+            input: input.to_owned(),
+            index,
+            error: Some(0.01),
+        };
+        let inputs = InputsAnswer {
+            sentence: "Pressure matters most.".to_owned(),
+            verdict: Certainty::Certain,
+            reason: "No other does as much.".to_owned(),
+            location: "P3".to_owned(),
+            direction: "y".to_owned(),
+            shares: vec![share("pressure", 0.99), share("P1", 0.01)],
+        };
+        let alone = place(Certainty::Unknown);
+        let unsure = told(None, None, Some(&alone), Some(&inputs), &[]).expect("inputs");
+        assert_eq!(
+            (unsure.sentence, unsure.verdict, unsure.reason.as_str()),
+            (
+                "Pressure matters most.",
+                Certainty::Unknown,
+                "One place is no ranking. No other does as much."
+            )
+        );
+        let clear = place(Certainty::Certain);
+        for sure in [Some(&clear), None] {
+            let told = told(None, None, sure, Some(&inputs), &[]).expect("inputs");
+            assert_eq!(told.verdict, Certainty::Certain);
+            assert_eq!(told.reason, "No other does as much.");
         }
     }
 
