@@ -82,7 +82,8 @@ test("what isn't there is told by the page and its title, with ways on", async (
   ]) {
     await page.goto(`${service.url}/#/${address}`);
     await page.getByRole("alert").filter({ hasText: words }).waitFor();
-    assert.equal(await page.title(), `${title} - strainsite`);
+    // The title follows once the page is painted.
+    await page.waitForFunction((expected) => document.title === expected, `${title} - strainsite`);
   }
   complaints.splice(0, complaints.length, ...complaints.filter((text) => !/status of 404 /.test(text)));
   await page.getByRole("button", { name: "studies and sweeps that are here" }).click();
