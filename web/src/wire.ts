@@ -40,6 +40,8 @@ export interface components {
         Answer: {
             /** @description The answer: the best layout and what it knows; where no layouts are asked for the best place, or the input that matters more than the depth below it. */
             sentence: string;
+            /** @description The answer in few characters, as lists of studies show it: `12 y films, 10.7 degrees`; null in results of earlier versions. */
+            brief?: string | null;
             /** @description The weaker of the verdicts on layout and place, where several places are ranked; without layouts that on what the sentence tells. */
             verdict: components["schemas"]["Certainty"];
             /** @description Reason why it isn't surer, or why it is certain, with the figures that decide; whole sentences. */
@@ -465,6 +467,16 @@ export interface components {
             name?: string;
             /** @description Whether lists leave it out. */
             archived?: boolean;
+        };
+        /** @description Sources of a layout's error of the contact angle at the study's own load: root mean squares over all contact angles, to first order, degrees. */
+        ErrorSources: {
+            /**
+             * Format: double
+             * @description Error by the noise of the readings.
+             */
+            noise_deg: number;
+            /** @description Error by each input of the study, which the estimate takes at its mean. */
+            inputs_deg: number[];
         };
         /** @description Estimate of what a study will cost, and be worth. */
         Estimate: {
@@ -1077,6 +1089,24 @@ export interface components {
             /** @description Direction of the strain: the one that varies more, of those asked for. */
             direction: string;
             /** @description Share of each input, the greatest first. */
+            shares: components["schemas"]["InputShare"][];
+            /** @description Inputs that matter for what else the study is about: a film's volts, the layout's error of the angle. */
+            beside?: components["schemas"]["InputsBeside"][];
+        };
+        /** @description Inputs in the order in which they matter for another quantity than a strain, to first order in all of them. */
+        InputsBeside: {
+            /** @description Name of the quantity. */
+            quantity: string;
+            /** @description The inputs that matter most, in a sentence. */
+            sentence: string;
+            /**
+             * Format: double
+             * @description Standard deviation of the quantity by all of them together, in its unit.
+             */
+            std: number;
+            /** @description Unit of the quantity: `V`, `degrees`. */
+            unit: string;
+            /** @description Share of each input, the greatest first; of a layout's error also that of `noise`. */
             shares: components["schemas"]["InputShare"][];
         };
         /**
@@ -1829,6 +1859,7 @@ export interface components {
             score: components["schemas"]["LayoutScore"];
             /** @description Scores at every load. */
             loads: components["schemas"]["LoadScore"][];
+            error_sources?: components["schemas"]["ErrorSources"] | null;
             /** @description Errors of the forces along, across and vertical on a virtual rig; absent where the study has none, and of layouts that a search found. */
             force_error?: components["schemas"]["ForceError"][] | null;
         };
@@ -2202,6 +2233,21 @@ export interface components {
              * @description Width of the film, mm; null of a point.
              */
             width_mm?: number | null;
+            /**
+             * Format: double
+             * @description Arc from the mark to its connector, which is at the end nearer to a bead, and of a film along the wheel at the end ahead, mm.
+             */
+            connector_arc_mm?: number | null;
+            /**
+             * Format: double
+             * @description Arc from the nearer bead to its connector, mm.
+             */
+            connector_from_bead_mm?: number | null;
+            /**
+             * Format: double
+             * @description Length of a lead from its connector straight to the bead, and along that to the mark on the shorter way, mm.
+             */
+            lead_mm?: number | null;
             /**
              * Format: double
              * @description Strain that it reads with the contact at it, at the depth below; null of glued films, and where it isn't known.
@@ -2771,6 +2817,8 @@ export interface components {
             finished?: string | null;
             /** @description Time at which it was archived; null unless it is. */
             archived?: string | null;
+            /** @description The answer in few characters, as in `12 y films, 10.7 degrees`; null before there is one. */
+            brief?: string | null;
         };
         /** @description Price of a surer answer. */
         Surer: {
@@ -4849,6 +4897,7 @@ export type DesignEstimate = components['schemas']['DesignEstimate'];
 export type DesignView = components['schemas']['DesignView'];
 export type ElsewhereError = components['schemas']['ElsewhereError'];
 export type EntryChange = components['schemas']['EntryChange'];
+export type ErrorSources = components['schemas']['ErrorSources'];
 export type Estimate = components['schemas']['Estimate'];
 export type EstimatorDetail = components['schemas']['EstimatorDetail'];
 export type EstimatorDocument = components['schemas']['EstimatorDocument'];
@@ -4896,6 +4945,7 @@ export type IndexMap = components['schemas']['IndexMap'];
 export type InputReport = components['schemas']['InputReport'];
 export type InputShare = components['schemas']['InputShare'];
 export type InputsAnswer = components['schemas']['InputsAnswer'];
+export type InputsBeside = components['schemas']['InputsBeside'];
 export type Kind = components['schemas']['Kind'];
 export type Knee = components['schemas']['Knee'];
 export type LayoutAnswer = components['schemas']['LayoutAnswer'];
@@ -5201,6 +5251,9 @@ export const FILMS_COLUMNS = {
   direction: {"at":"/film/direction","kind":"text","title":"direction","digits":2,"description":"Direction of its length: `x`, `y`, or an angle such as `45`."},
   length_mm: {"at":"/film/length_mm","kind":"float","unit":"mm","title":"length","digits":1,"description":"Length of the film, mm; null of a point."},
   width_mm: {"at":"/film/width_mm","kind":"float","unit":"mm","title":"width","digits":1,"description":"Width of the film, mm; null of a point."},
+  connector_arc_mm: {"at":"/film/connector_arc_mm","kind":"float","unit":"mm","title":"connector arc mm","digits":2,"description":"Arc from the mark to its connector, which is at the end nearer to a bead, and of a film along the wheel at the end ahead, mm."},
+  connector_from_bead_mm: {"at":"/film/connector_from_bead_mm","kind":"float","unit":"mm","title":"connector from bead mm","digits":2,"description":"Arc from the nearer bead to its connector, mm."},
+  lead_mm: {"at":"/film/lead_mm","kind":"float","unit":"mm","title":"lead","digits":0,"description":"Length of a lead from its connector straight to the bead, and along that to the mark on the shorter way, mm."},
   expected_strain: {"at":"/film/expected_strain","kind":"float","unit":"1","title":"expected strain","digits":2,"description":"Strain that it reads with the contact at it, at the depth below; null of glued films, and where it isn't known."},
   expected_v: {"at":"/film/expected_v","kind":"float","unit":"V","title":"expected v","digits":2,"description":"Open circuit's voltage that a glued film reads so, V; null of bare films."},
   expected_depth_mm: {"at":"/film/expected_depth_mm","kind":"float","unit":"mm","title":"expected depth mm","digits":2,"description":"Depth of that contact: the load in the middle, mm."},

@@ -18,8 +18,8 @@ mod ranked_location;
 mod study_cost;
 
 pub use answer::{
-    Answer, Certainty, Grade, GradedNote, InputShare, InputsAnswer, LayoutAnswer, LeftOut,
-    PlaceAnswer, SheetFilm, SignalsAnswer, Surer, Topic, TradeAnswer, TradeRow,
+    Answer, Certainty, Grade, GradedNote, InputShare, InputsAnswer, InputsBeside, LayoutAnswer,
+    LeftOut, PlaceAnswer, SheetFilm, SignalsAnswer, Surer, Topic, TradeAnswer, TradeRow,
 };
 pub use climb_report::{Climb, ClimbRung, FidelityReport};
 pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast};
@@ -37,8 +37,8 @@ pub use layout_findings::{
     MenuFindings, StrainRing,
 };
 pub use ranked_layout::{
-    AlikeContacts, DeadFilm, LayoutError, LayoutScore, LoadScore, RankedLayout, ShearError,
-    ShearScore,
+    AlikeContacts, DeadFilm, ErrorSources, LayoutError, LayoutScore, LoadScore, RankedLayout,
+    ShearError, ShearScore,
 };
 pub use ranked_location::RankedLocation;
 use serde::{Deserialize, Serialize};

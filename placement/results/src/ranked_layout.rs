@@ -42,6 +42,9 @@ pub struct RankedLayout {
     pub score: LayoutScore,
     /// Scores at every load.
     pub loads: Vec<LoadScore>,
+    /// Noise and inputs as sources of the angle's error; absent where the study has no map, and of films that the map doesn't show.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub error_sources: Option<ErrorSources>,
     /// Errors of the forces along, across and vertical on a virtual rig; absent where the study has none, and of layouts that a search found.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub force_error: Option<Vec<ForceError>>,
@@ -61,6 +64,15 @@ impl RankedLayout {
         };
         label(self) == label(other)
     }
+}
+
+/// Sources of a layout's error of the contact angle at the study's own load: root mean squares over all contact angles, to first order, degrees.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct ErrorSources {
+    /// Error by the noise of the readings.
+    pub noise_deg: f64,
+    /// Error by each input of the study, which the estimate takes at its mean.
+    pub inputs_deg: Vec<f64>,
 }
 
 /// A layout's scores at one load.

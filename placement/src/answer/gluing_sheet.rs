@@ -26,7 +26,7 @@ pub(super) fn sheet(
     }
     places.sort_by(|a, b| a.theta_deg.total_cmp(&b.theta_deg));
     let film = |(k, place): (usize, &FilmPlace)| {
-        let marks = room.marks(place);
+        let (marks, connector) = (room.marks(place), room.connector(place));
         let expected = findings.and_then(|findings| expected(place, findings));
         let in_unit = |unit: &str| expected.filter(|_| findings.is_some_and(|f| f.unit == unit));
         SheetFilm {
@@ -40,6 +40,9 @@ pub(super) fn sheet(
             direction: direction_name(place.angle_deg),
             length_mm: size_mm.map(|size| size[0]),
             width_mm: size_mm.map(|size| size[1]),
+            connector_arc_mm: Some(connector.arc_mm),
+            connector_from_bead_mm: Some(connector.from_bead_mm),
+            lead_mm: Some(connector.lead_mm),
             expected_strain: in_unit(STRAIN_UNIT).map(|(signal, _)| signal),
             expected_v: in_unit(VOLT_UNIT).map(|(signal, _)| signal),
             expected_depth_mm: expected.map(|(_, depth_mm)| depth_mm),

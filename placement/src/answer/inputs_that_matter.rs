@@ -46,6 +46,7 @@ pub(super) fn inputs_that_matter(
         location: output.location.clone(),
         direction: output.direction.as_str().to_owned(),
         shares,
+        beside: Vec::new(),
     })
 }
 

@@ -1,12 +1,14 @@
 //! The whole answer of a study: its sentence, the weaker verdict, and what could overturn it.
 
 use super::best_place::best_place;
-use super::film_trade::trade;
+use super::brief_words::{of_inputs, of_place, of_signals};
 use super::gluing_sheet::sheet;
+use super::inputs_beside;
 use super::inputs_that_matter::inputs_that_matter;
 use super::left_out_words::{FILM_STIFFNESS, largest};
-use super::picked_layout::picked_layout;
 use super::strongest_film::strongest_film;
+use super::trade::{PickedLayout, picked_layout, trade};
+use crate::score::map_slopes::MapSlopes;
 use documents::parts::film_model::FilmModel;
 use documents::study::Study;
 use fem_client::solver::direction::Direction;
@@ -18,7 +20,11 @@ use results::{
 
 /// The answer of a study's result, which has everything else already; `None` where nothing has a rank. What a surer answer costs depends on the machine: who
 /// knows that adds it.
-pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
+pub(crate) fn answer_of(
+    study: &Study,
+    result: &StudyResult,
+    slopes: Option<&MapSlopes>,
+) -> Option<Answer> {
     let place = best_place(&result.locations, study.directions);
     let findings = result.layout_findings.as_ref();
     let trade = trade(
@@ -29,8 +35,18 @@ pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
     let layout = trade
         .as_ref()
         .and_then(|trade| picked_layout(trade, &result.layouts));
-    let inputs = inputs_that_matter(result, study.directions.asked());
     let signals = result.signals.as_ref().and_then(strongest_film);
+    let mut inputs = inputs_that_matter(result, study.directions.asked());
+    if let Some(inputs) = &mut inputs {
+        let of_layout = layout.as_ref().and_then(|picked| {
+            let layout = of_rank(result, picked.answer.rank)?;
+            inputs_beside::of_layout(study, layout)
+        });
+        let of_volts = signals.as_ref().zip(slopes);
+        let of_volts =
+            of_volts.and_then(|(signals, slopes)| inputs_beside::of_volts(study, signals, slopes));
+        inputs.beside = of_layout.into_iter().chain(of_volts).collect();
+    }
     let told = told(
         layout.as_ref(),
         signals.as_ref(),
@@ -43,16 +59,17 @@ pub(crate) fn answer_of(study: &Study, result: &StudyResult) -> Option<Answer> {
         Some(reason) => (Certainty::Unknown, reason),
         None => (told.verdict, told.reason),
     };
-    let sentence = told.sentence.to_owned();
+    let (sentence, brief) = (told.sentence.to_owned(), told.brief);
     Some(Answer {
         sentence,
+        brief: Some(brief),
         verdict,
         reason,
         left_out: left_out(result, signals.as_ref()),
         signals,
         place,
-        films: films(study, result, layout.as_ref().map(|(layout, _)| layout)),
-        layout: layout.map(|(layout, _)| layout),
+        films: films(study, result, layout.as_ref().map(|picked| &picked.answer)),
+        layout: layout.map(|picked| picked.answer),
         trade,
         inputs,
         surer: None,
@@ -67,10 +84,14 @@ fn left_out(result: &StudyResult, signals: Option<&SignalsAnswer>) -> Option<Lef
     largest(parts)
 }
 
+/// The first layout of a rank.
+fn of_rank(result: &StudyResult, rank: usize) -> Option<&RankedLayout> {
+    result.layouts.iter().find(|layout| layout.rank == rank)
+}
+
 /// The films of the layout that answers.
 fn films(study: &Study, result: &StudyResult, layout: Option<&LayoutAnswer>) -> Vec<SheetFilm> {
-    let of_rank = |ranked: &&RankedLayout| layout.is_some_and(|layout| layout.rank == ranked.rank);
-    let found = result.layouts.iter().find(of_rank);
+    let found = layout.and_then(|layout| of_rank(result, layout.rank));
     found.map_or_else(Vec::new, |layout| {
         sheet(
             layout,
@@ -85,6 +106,8 @@ fn films(study: &Study, result: &StudyResult, layout: Option<&LayoutAnswer>) -> 
 #[derive(Debug, Clone)]
 struct Told<'a> {
     sentence: &'a str,
+    /// The sentence in few characters.
+    brief: String,
     verdict: Certainty,
     reason: String,
 }
@@ -92,7 +115,7 @@ struct Told<'a> {
 /// Returns what a study tells first: its layout; without one the film that gives most, where films are read; else its best place, or the input that matters more than the depth below it. A layout is no surer than the
 /// first of several places, and an input than the place that a study looks for.
 fn told<'a>(
-    layout: Option<&'a (LayoutAnswer, String)>,
+    layout: Option<&'a PickedLayout>,
     signals: Option<&'a SignalsAnswer>,
     place: Option<&'a PlaceAnswer>,
     inputs: Option<&'a InputsAnswer>,
@@ -100,22 +123,32 @@ fn told<'a>(
 ) -> Option<Told<'a>> {
     let of_place = place.map(|place| Told {
         sentence: &place.sentence,
+        brief: of_place(place),
         verdict: place.verdict,
         reason: place.reason.clone(),
     });
-    if let Some((layout, sentence)) = layout {
+    if let Some(layout) = layout {
         let own = Told {
-            sentence,
-            verdict: layout.verdict,
-            reason: layout.reason.clone(),
+            sentence: &layout.sentence,
+            brief: layout.brief.clone(),
+            verdict: layout.answer.verdict,
+            reason: layout.answer.reason.clone(),
         };
         let ranked = locations.iter().filter(|location| has_index(location));
         let weaker = of_place.filter(|place| ranked.count() > 1 && place.verdict > own.verdict);
-        return Some(weaker.map_or(own, |place| Told { sentence, ..place }));
+        return Some(match weaker {
+            Some(place) => Told {
+                verdict: place.verdict,
+                reason: place.reason,
+                ..own
+            },
+            None => own,
+        });
     }
     if let Some(signals) = signals {
         return Some(Told {
             sentence: &signals.sentence,
+            brief: of_signals(signals),
             verdict: signals.verdict,
             reason: signals.reason.clone(),
         });
@@ -135,6 +168,7 @@ fn told<'a>(
             .filter(|place| place.verdict > inputs.verdict);
         Told {
             sentence: &inputs.sentence,
+            brief: of_inputs(inputs),
             verdict: weaker.map_or(inputs.verdict, |place| place.verdict),
             reason: weaker.map_or(inputs.reason.clone(), |place| {
                 format!("{} {}", place.reason, inputs.reason)
@@ -219,7 +253,7 @@ mod tests {
         if layouts.is_empty() {
             study.layouts = documents::layouts::layout_settings::Layouts::none();
         }
-        answer_of(&study, &result).expect("an answer")
+        answer_of(&study, &result, None).expect("an answer")
     }
 
     #[test]
@@ -277,6 +311,7 @@ mod tests {
             location: "P3".to_owned(),
             direction: "y".to_owned(),
             shares: vec![share("pressure", 0.99), share("P1", 0.01)],
+            beside: Vec::new(),
         };
         let alone = place(Certainty::Unknown);
         let unsure = told(None, None, Some(&alone), Some(&inputs), &[]).expect("inputs");

@@ -9,7 +9,7 @@ use documents::study::question::Question;
 use serde::{Deserialize, Serialize};
 
 use super::difference_verdict::Verdict;
-use crate::answer::{Standing, judge, with_error};
+use crate::answer::{Figure, Figures, Standing, judge};
 use results::{Answer, Certainty, StudyResult, TradeRow};
 
 /// The study that answers best.
@@ -102,20 +102,12 @@ impl Yardstick {
     }
 
     /// The largest error over its limit, or the angle's error where errors have no limits.
-    fn figure(&self, row: &TradeRow) -> (f64, Option<f64>) {
-        let angle = (row.angle_error_deg, row.angle_claim_deg);
-        let force = row.force_error_n.map(|force| (force, row.force_claim_n));
-        let over = |figure: Option<(f64, Option<f64>)>, limit: Option<f64>| {
-            let ((value, claim), limit) = (figure?, limit?);
-            Some((value / limit, claim.map(|claim| claim / limit)))
-        };
-        let shares = [
-            over(Some(angle), self.question.angle_deg),
-            over(force, self.question.force_n),
-        ];
-        let largest = shares.into_iter().flatten();
-        let largest = largest.max_by(|a, b| a.0.total_cmp(&b.0));
-        largest.unwrap_or(angle)
+    fn figure(&self, row: &TradeRow) -> Figure {
+        let compared = Figures::of_row(row).compared(&self.question);
+        compared.unwrap_or(Figure {
+            value: row.angle_error_deg,
+            claim: row.angle_claim_deg,
+        })
     }
 
     /// Films that decide before errors do: those within the limits.
@@ -128,20 +120,12 @@ impl Yardstick {
     }
 
     fn order(&self, a: &TradeRow, b: &TradeRow) -> Ordering {
-        let errors = self.figure(a).0.total_cmp(&self.figure(b).0);
+        let errors = self.figure(a).value.total_cmp(&self.figure(b).value);
         self.films(a).cmp(&self.films(b)).then(errors)
     }
 
     fn figures(&self, row: &TradeRow) -> String {
-        let angle = with_error(row.angle_error_deg, row.angle_claim_deg);
-        let force = row
-            .force_error_n
-            .filter(|_| self.question.force_n.is_some());
-        let force = force.map(|force| format!("{} N", with_error(force, row.force_claim_n)));
-        let is_asked = self.question.angle_deg.is_some() || force.is_none();
-        let angle = is_asked.then(|| format!("{angle} degrees"));
-        let both: Vec<String> = [angle, force].into_iter().flatten().collect();
-        both.join(" and ")
+        Figures::of_row(row).words(&self.question)
     }
 }
 
@@ -226,11 +210,11 @@ fn best(ranked: &[Candidate<'_>], names: &[&str], by: &Yardstick) -> Option<Comp
         .split_first()
         .filter(|(_, others)| !others.is_empty())?;
     let standing = |candidate: &Candidate<'_>| {
-        let (value, claim) = by.figure(candidate.row);
+        let figure = by.figure(candidate.row);
         Standing {
             // What is best is greatest.
-            value: -value,
-            off: claim.map(|claim| [claim; 2]),
+            value: -figure.value,
+            off: figure.claim.map(|claim| [claim; 2]),
         }
     };
     let alike = |other: &&Candidate<'_>| by.films(other.row) == by.films(first.row);

@@ -18,7 +18,7 @@ use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::usage::Stopwatch;
 use crate::response_table::measuring_forces;
-use crate::run::run_from;
+use crate::run::{Ran, run_from};
 use crate::signals::measuring;
 use documents::parts::directions::Directions;
 use documents::study::plan::Plan;
@@ -58,17 +58,17 @@ pub fn answer(
     plan: &Plan,
     context: RunContext<'_>,
 ) -> Result<StudyResult, RunError> {
-    let mut result = match study.accuracy {
+    let mut ran = match study.accuracy {
         Accuracy::Preset => {
-            let (mut result, points) = run_from(0, study, plan, context)?;
-            with_further_solves(points, study, plan, &mut result, context)?;
-            result
+            let mut ran = run_from(0, study, plan, context)?;
+            with_further_solves(ran.points, study, plan, &mut ran, context)?;
+            ran
         }
         Accuracy::Tolerance(_) => Climber::new(study, plan, context).climb()?,
         Accuracy::Budget(seconds) => within(seconds, study, plan, context)?,
     };
-    result.answer = answer_of(study, &result);
-    Ok(result)
+    ran.result.answer = answer_of(study, &ran.result, ran.slopes.as_ref());
+    Ok(ran.result)
 }
 
 /// Adds the effects of what is left out, layouts, films' signals and what a rig shows, and the time that they took.
@@ -76,16 +76,17 @@ fn with_further_solves(
     first: usize,
     study: &Study,
     plan: &Plan,
-    result: &mut StudyResult,
+    ran: &mut Ran,
     context: RunContext<'_>,
 ) -> Result<(), RunError> {
     let watch = Stopwatch::start();
+    let Ran { result, slopes, .. } = ran;
     effects::measure(first, study, plan, result, context)?;
     for note in effect_notes(&result.model.left_out) {
         result.note(note);
     }
     let first = first + result.cost.effect_solves;
-    measuring_layouts::measure(first, study, plan, result, context)?;
+    measuring_layouts::measure(first, study, plan, (result, slopes.as_ref()), context)?;
     let first = first + result.cost.layout_solves;
     measuring::measure(first, study, plan, result, context)?;
     let first = first + result.cost.signal_solves;
@@ -100,7 +101,7 @@ fn within(
     study: &Study,
     plan: &Plan,
     context: RunContext<'_>,
-) -> Result<StudyResult, RunError> {
+) -> Result<Ran, RunError> {
     let deadline = Instant::now() + Duration::from_secs_f64(seconds);
     let (stop, ended) = (AtomicBool::new(false), AtomicBool::new(false));
     std::thread::scope(|scope| {
@@ -163,14 +164,14 @@ impl<'c> Climber<'c> {
         }
     }
 
-    fn climb(mut self) -> Result<StudyResult, RunError> {
+    fn climb(mut self) -> Result<Ran, RunError> {
         let begun = Instant::now();
         let mut fidelity = Fidelity::of(self.study);
         let mut best = self.rung(fidelity)?;
-        while let Some(next) = self.next(fidelity, &best) {
+        while let Some(next) = self.next(fidelity, &best.result) {
             fidelity = next;
             match self.rung(fidelity) {
-                Ok(result) => best = result,
+                Ok(ran) => best = ran,
                 // A rung that time ran out on leaves the answer of the one before; the caller knows whose stop it was.
                 Err(RunError::Stopped) if self.is_late() => break,
                 Err(error) => return Err(error),
@@ -179,6 +180,7 @@ impl<'c> Climber<'c> {
         match with_further_solves(self.points, self.study, self.plan, &mut best, self.context) {
             // They are worth knowing, not worth the answer.
             Err(RunError::Stopped) if self.is_late() => {
+                let best = &mut best.result;
                 if self.study.signals.is_some() && best.signals.is_none() {
                     best.note(GradedNote::changing(Topic::Signals, SIGNALS_LEFT_OUT));
                 }
@@ -191,36 +193,38 @@ impl<'c> Climber<'c> {
             }
             other => other?,
         }
-        best.climb = Some(Climb {
+        let result = &mut best.result;
+        result.climb = Some(Climb {
             tolerance: self.tolerance(),
             budget_s: self.budget(),
             met: self.tolerance().is_none_or(|tolerance| {
-                claimed(&best, self.study.directions).is_some_and(|c| c <= tolerance)
+                claimed(result, self.study.directions).is_some_and(|c| c <= tolerance)
             }),
             rungs: self.rungs,
         });
-        best.cost.wall_s = begun.elapsed().as_secs_f64();
-        best.cost.rungs_wall_s = self.walls_s;
+        result.cost.wall_s = begun.elapsed().as_secs_f64();
+        result.cost.rungs_wall_s = self.walls_s;
         Ok(best)
     }
 
-    fn rung(&mut self, fidelity: Fidelity) -> Result<StudyResult, RunError> {
+    fn rung(&mut self, fidelity: Fidelity) -> Result<Ran, RunError> {
         let mut study = fidelity.raise(self.study);
         if fidelity.kind.is_adaptive() {
             study.method.tolerance = study.method.tolerance.min(self.of_method);
         }
         let plan = self.plan.raised(self.study, &study)?;
-        let (result, points) = run_from(self.points, &study, &plan, self.context)?;
-        self.points += points;
+        let ran = run_from(self.points, &study, &plan, self.context)?;
+        let result = &ran.result;
+        self.points += ran.points;
         self.walls_s.push(result.cost.wall_s);
         self.rungs.push(ClimbRung {
             label: fidelity.label(),
             fidelity: fidelity.report(&study),
             solves: result.cost.solves + result.cost.coarser_solves,
-            error_claimed: claimed(&result, self.study.directions),
-            error_of_mesh: of_mesh(&result, self.study.directions),
+            error_claimed: claimed(result, self.study.directions),
+            error_of_mesh: of_mesh(result, self.study.directions),
         });
-        Ok(result)
+        Ok(ran)
     }
 
     /// The rung that mends the larger part of the error; `None` when the answer serves, or nothing better fits.

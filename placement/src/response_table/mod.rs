@@ -11,7 +11,7 @@
 //! - `table_solving`: the solves, as points of a study; [`study_table`]: those of a study with a rig; `measuring_forces`: puts what it shows into the result
 
 pub(crate) mod angle_residual;
-mod bare_film;
+pub(crate) mod bare_film;
 pub(crate) mod drag_basis;
 mod film_angles;
 pub mod laid_films;

@@ -12,6 +12,7 @@ use crate::points::{Answers, Event, Place, RunContext, RunError, answers_of};
 use crate::score::analyst::Stopped;
 use crate::score::assemble::assemble;
 use crate::score::indices::Coarse;
+use crate::score::map_slopes::MapSlopes;
 use crate::score::readings::ranked_values;
 
 /// Runs a study on `threads` threads and gives its result.
@@ -26,16 +27,25 @@ use crate::score::readings::ranked_values;
 /// # Errors
 /// See [`RunError`].
 pub fn run(study: &Study, plan: &Plan, context: RunContext<'_>) -> Result<StudyResult, RunError> {
-    run_from(0, study, plan, context).map(|(result, _)| result)
+    run_from(0, study, plan, context).map(|ran| ran.result)
 }
 
-/// Runs a study whose points have ordinals from `first` on; also says how many there were.
+/// Yield of a study's own points.
+pub(crate) struct Ran {
+    pub result: StudyResult,
+    /// Points that there were, on all meshes.
+    pub points: usize,
+    /// Changes over the map by each input; `None` without a map.
+    pub slopes: Option<MapSlopes>,
+}
+
+/// Runs a study whose points have ordinals from `first` on.
 pub(crate) fn run_from(
     first: usize,
     study: &Study,
     plan: &Plan,
     context: RunContext<'_>,
-) -> Result<(StudyResult, usize), RunError> {
+) -> Result<Ran, RunError> {
     let RunContext {
         solver, observer, ..
     } = context;
@@ -95,7 +105,11 @@ pub(crate) fn run_from(
             failed: result.failed_points,
         });
     }
-    Ok((result, meshes * plan.points.len()))
+    Ok(Ran {
+        result,
+        points: meshes * plan.points.len(),
+        slopes: MapSlopes::of(study, plan.values(), &outcomes),
+    })
 }
 
 /// Returns what the coarser mesh answered; nothing where a point broke or the cut point has no equilibrium there: that costs the mesh error, not the study.

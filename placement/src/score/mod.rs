@@ -3,6 +3,7 @@
 //! - [`indices`]: responses to indices of every output
 //! - `quantity`, `readings`: what of a response is analysed, as numbers
 //! - `analyst`: their analysis; `mirror_images`: what points tell of their mirror images
+//! - `map_slopes`: what each input changes over the map, to first order
 //! - [`rank`]: indices to ranked locations
 //! - `notes`: what the user must know before believing the numbers
 //! - [`assemble`]: all of it into the answer
@@ -10,6 +11,7 @@
 pub(crate) mod analyst;
 pub mod assemble;
 pub mod indices;
+pub(crate) mod map_slopes;
 pub(crate) mod mirror_images;
 pub(crate) mod notes;
 pub(crate) mod quantity;

@@ -61,7 +61,14 @@ fn every_shipped_study_is_answered_first_and_fits_a_hundred_columns() {
         let answer = &result(folder.path())["answer"];
         let word = |field: &str| answer[field].as_str().expect("a text").to_owned();
         let (sentence, reason) = (word("sentence"), word("reason"));
-        let first = format!("{sentence} {}: {reason} left out: ", word("verdict"));
+        let beside = answer["inputs"]["beside"].as_array().into_iter().flatten();
+        let inputs = beside
+            .map(|beside| format!("inputs: {} ", beside["sentence"].as_str().expect("a text")));
+        let inputs: String = inputs.collect();
+        let first = format!(
+            "{sentence} {}: {reason} {inputs}left out: ",
+            word("verdict")
+        );
         assert!(unwrapped(told).starts_with(&first), "{name}: {told}");
         assert!(sentence.starts_with(told.lines().next().expect("a line")));
         let surer = answer["surer"]["sentence"].as_str().expect("a text");

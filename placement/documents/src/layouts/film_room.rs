@@ -24,6 +24,17 @@ pub struct FilmMarks {
     pub from_crown_mm: f64,
 }
 
+/// Place where a film's leads leave it, mm: at one end of its length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FilmConnector {
+    /// Arc around the wheel from the mark, along the film's own circle.
+    pub arc_mm: f64,
+    /// Arc along the section from the nearer bead.
+    pub from_bead_mm: f64,
+    /// Length of a lead straight to that bead, and along it to the mark on the shorter way.
+    pub lead_mm: f64,
+}
+
 /// Room that films need.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilmRoom {
@@ -112,6 +123,27 @@ impl FilmRoom {
         }
     }
 
+    /// Place where a film's leads leave it: at the end nearer to a bead; of a film along the wheel at the end ahead. Of a point in its middle.
+    pub fn connector(&self, film: &FilmPlace) -> FilmConnector {
+        let marks = self.marks(film);
+        let radii = inner_radii_mm(&self.geometry);
+        let (sin, cos) = film.angle_deg.rem_euclid(180.0).to_radians().sin_cos();
+        let is_below = film.phi_deg < 0.0 && sin > TOUCHING_MM;
+        let end = if is_below { -1.0 } else { 1.0 };
+        let reach_mm = end * self.size_mm.map_or(0.0, |[length, _]| 0.5 * length);
+        let from_crown_mm = marks.from_crown_mm + reach_mm * sin;
+        let bead = self.geometry.bead_angle_deg.to_radians();
+        let arc_mm = marks.arc_mm + reach_mm * cos;
+        let turned_deg = 360.0 * arc_mm / marks.circle_mm;
+        let along_mm = wheel_radius_mm(radii, bead) * wrapped_deg(turned_deg).to_radians().abs();
+        let from_bead_mm = radii[1] * bead - from_crown_mm.abs();
+        FilmConnector {
+            arc_mm,
+            from_bead_mm,
+            lead_mm: from_bead_mm + along_mm,
+        }
+    }
+
     /// Distances from one film's middle to another's around the wheel and along the section, mm.
     pub(crate) fn between_mm(&self, one: &FilmPlace, other: &FilmPlace) -> [f64; 2] {
         let radii = inner_radii_mm(&self.geometry);
@@ -178,6 +210,39 @@ mod tests {
                 assert_eq!(room.has_both(&one, &other), has, "{apart} {angle}");
                 assert_eq!(room.has_both(&other, &one), has, "{apart} {angle}");
             }
+        }
+    }
+
+    /// The bead is 120 degrees from the crown, 32.75 mm from the axle.
+    #[test]
+    fn a_connector_is_at_the_end_nearer_to_a_bead_or_ahead() {
+        let room = room(Some([10.0, 5.0]), 0.0);
+        let bead = 9.5 * 120f64.to_radians();
+        let at_bead_mm = |arc_mm: f64, wheel_mm: f64| 32.75 * arc_mm / wheel_mm;
+        let half = 5.0 * 45f64.to_radians().sin();
+        let shoulder = 9.5 * 45f64.to_radians();
+        let quarter = 90f64.to_radians() * 47.0;
+        for (film, arc_mm, from_bead_mm) in [
+            (at(90.0, 0.0, 90.0), quarter, bead - 5.0),
+            (at(90.0, 0.0, 0.0), quarter + 5.0, bead),
+            (at(90.0, 0.0, 45.0), quarter + half, bead - half),
+            (at(90.0, 0.0, -45.0), quarter - half, bead - half),
+        ] {
+            let found = room.connector(&film);
+            assert!((found.arc_mm - arc_mm).abs() < 1e-9, "{film:?}: {found:?}");
+            assert!(
+                (found.from_bead_mm - from_bead_mm).abs() < 1e-9,
+                "{film:?}: {found:?}"
+            );
+            let lead = from_bead_mm + at_bead_mm(arc_mm, 47.0);
+            assert!((found.lead_mm - lead).abs() < 1e-9, "{film:?}: {found:?}");
+        }
+        for phi in [45.0, -45.0] {
+            let found = room.connector(&at(350.0, phi, 90.0));
+            assert!((found.from_bead_mm - (bead - shoulder - 5.0)).abs() < 1e-9);
+            // Ten degrees back to the mark is the shorter way.
+            let lead = found.from_bead_mm + 32.75 * 10f64.to_radians();
+            assert!((found.lead_mm - lead).abs() < 1e-9, "{found:?}");
         }
     }
 

@@ -14,7 +14,7 @@ pub(crate) const PRIOR_ANGLE_DEG: f64 = 103.923_048_454_132_64;
 /// Standard deviation of the depth before anything is measured, mm; of the ground's shifts, too.
 pub(crate) const PRIOR_DEPTH_MM: f64 = 1.0;
 /// An angle known no better than this isn't known: half a turn.
-const BLIND_DEG: f64 = 180.0;
+pub(crate) const BLIND_DEG: f64 = 180.0;
 
 /// Names of the unknowns, in their order.
 const UNKNOWNS: [&str; 4] = [

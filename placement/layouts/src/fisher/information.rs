@@ -77,6 +77,24 @@ impl Information {
         Ok(self.length(&self.factor()?, slopes))
     }
 
+    /// Solution of the normal equations with this right side: what the unknowns are estimated to be.
+    ///
+    /// # Errors
+    /// See [`deviations`](Self::deviations).
+    pub fn estimate(&self, right: &[f64; MOST]) -> Result<[f64; MOST], Blind> {
+        let factor = self.factor()?;
+        let mut solved = [0.0; MOST];
+        for i in 0..self.count {
+            let before: f64 = (0..i).map(|k| factor[i][k] * solved[k]).sum();
+            solved[i] = (right[i] - before) / factor[i][i];
+        }
+        for i in (0..self.count).rev() {
+            let after: f64 = (i + 1..self.count).map(|k| factor[k][i] * solved[k]).sum();
+            solved[i] = (solved[i] - after) / factor[i][i];
+        }
+        Ok(solved)
+    }
+
     /// Root of a form with the inverse: the length of the half solved vector.
     fn length(&self, factor: &[[f64; MOST]; MOST], vector: &[f64; MOST]) -> f64 {
         let mut half = [0.0; MOST];
@@ -129,6 +147,21 @@ impl Information {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_estimate_solves_the_normal_equations() {
+        let mut information = Information::of(3);
+        information.add(&[2.0, 1.0, 0.0], 0.25);
+        information.add(&[0.0, 3.0, -1.0], 1.0);
+        information.add(&[1.0, 0.0, 5.0], 4.0);
+        // [[16.25, 8, 1.25], [8, 13, -3], [1.25, -3, 7.25]] times (1, -2, 3).
+        let found = information
+            .estimate(&[4.0, -27.0, 29.0, 0.0])
+            .expect("regular");
+        for (found, expected) in found.iter().zip([1.0, -2.0, 3.0, 0.0]) {
+            assert!((found - expected).abs() < 1e-12, "{found}");
+        }
+    }
 
     #[test]
     fn deviations_are_those_of_the_inverse() {

@@ -1,7 +1,8 @@
-//! Bounds of what readings can tell: [`information`], its [`bounds`] over the contact angles, and the [`dense_ring`] they are compared with; and of single
-//! films the [`candidate_films`].
+//! Bounds of what readings can tell: [`information`], its [`bounds`] over the contact angles, and the [`dense_ring`] they are compared with; of single
+//! films the [`candidate_films`]; and what makes a layout's error, [`error_sources`].
 
 pub mod bounds;
 pub mod candidate_films;
 pub mod dense_ring;
+pub mod error_sources;
 pub mod information;

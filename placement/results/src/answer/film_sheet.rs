@@ -25,6 +25,15 @@ pub struct SheetFilm {
     pub length_mm: Option<f64>,
     /// Width of the film, mm; null of a point.
     pub width_mm: Option<f64>,
+    /// Arc from the mark to its connector, which is at the end nearer to a bead, and of a film along the wheel at the end ahead, mm.
+    #[serde(default)]
+    pub connector_arc_mm: Option<f64>,
+    /// Arc from the nearer bead to its connector, mm.
+    #[serde(default)]
+    pub connector_from_bead_mm: Option<f64>,
+    /// Length of a lead from its connector straight to the bead, and along that to the mark on the shorter way, mm.
+    #[serde(default)]
+    pub lead_mm: Option<f64>,
     /// Strain that it reads with the contact at it, at the depth below; null of glued films, and where it isn't known.
     #[serde(default)]
     pub expected_strain: Option<f64>,

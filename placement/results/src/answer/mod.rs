@@ -10,6 +10,7 @@ pub use certainty_word::Certainty;
 pub use film_sheet::SheetFilm;
 pub use graded_note::{Grade, GradedNote, Topic};
 pub use study_answer::{
-    Answer, InputShare, InputsAnswer, LayoutAnswer, LeftOut, PlaceAnswer, SignalsAnswer, Surer,
+    Answer, InputShare, InputsAnswer, InputsBeside, LayoutAnswer, LeftOut, PlaceAnswer,
+    SignalsAnswer, Surer,
 };
 pub use trade_answer::{TradeAnswer, TradeRow};

@@ -12,6 +12,9 @@ use super::trade_answer::TradeAnswer;
 pub struct Answer {
     /// The answer: the best layout and what it knows; where no layouts are asked for the best place, or the input that matters more than the depth below it.
     pub sentence: String,
+    /// The answer in few characters, as lists of studies show it: `12 y films, 10.7 degrees`; null in results of earlier versions.
+    #[serde(default)]
+    pub brief: Option<String>,
     /// The weaker of the verdicts on layout and place, where several places are ranked; without layouts that on what the sentence tells.
     pub verdict: Certainty,
     /// Reason why it isn't surer, or why it is certain, with the figures that decide; whole sentences.
@@ -54,6 +57,24 @@ pub struct InputsAnswer {
     /// Direction of the strain: the one that varies more, of those asked for.
     pub direction: String,
     /// Share of each input, the greatest first.
+    pub shares: Vec<InputShare>,
+    /// Inputs that matter for what else the study is about: a film's volts, the layout's error of the angle.
+    #[serde(default)]
+    pub beside: Vec<InputsBeside>,
+}
+
+/// Inputs in the order in which they matter for another quantity than a strain, to first order in all of them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct InputsBeside {
+    /// Name of the quantity.
+    pub quantity: String,
+    /// The inputs that matter most, in a sentence.
+    pub sentence: String,
+    /// Standard deviation of the quantity by all of them together, in its unit.
+    pub std: f64,
+    /// Unit of the quantity: `V`, `degrees`.
+    pub unit: String,
+    /// Share of each input, the greatest first; of a layout's error also that of `noise`.
     pub shares: Vec<InputShare>,
 }
 

@@ -3,6 +3,7 @@
 use fem_client::scene::Level;
 use fem_client::solver::Coarser;
 
+use crate::layout::solving::input_shifts::InputShifts;
 use crate::layout::solving::layout_fields::MeshFields;
 use crate::layout::solving::layout_scenes::{LayoutScenes, Pressed};
 use crate::layout::solving::menu_words::menu;
@@ -11,6 +12,7 @@ use crate::layout::solving::study_layouts::Asked;
 use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::worker_threads::in_parallel;
+use crate::score::map_slopes::MapSlopes;
 use documents::layouts::layout_settings::{Layouts, NoiseFloor, direction_name};
 use documents::study::Study;
 use layouts::arrangement::FilmKind;
@@ -38,10 +40,12 @@ pub(crate) struct Answer<'s> {
 }
 
 impl Answer<'_> {
+    /// Ranks the layouts, and says what they show; sources of errors are those at a depth, mm, the study's own.
     pub fn filled(
         &self,
         study: &Study,
         mut asked: Asked,
+        (depth_mm, slopes): (f64, Option<&MapSlopes>),
         context: RunContext<'_>,
     ) -> Result<(Vec<RankedLayout>, LayoutFindings), RunError> {
         let settings = &study.layouts;
@@ -63,6 +67,8 @@ impl Answer<'_> {
             .as_ref()
             .map(|(fields, coarser)| (self.scorer(fields, &asked, study), coarser.factor));
         let load_rows = self.loads(settings, study, &asked.kinds, &noise);
+        let own_load = self.fine.fields.at(depth_mm);
+        let shifts = InputShifts::of(study, slopes, asked.kinds.all(), own_load);
         let scored = in_parallel(asked.layouts.len(), context.threads, context.stop, |i| {
             let AskedLayout {
                 arrangement, label, ..
@@ -73,7 +79,12 @@ impl Answer<'_> {
             let coarse = coarse
                 .as_ref()
                 .map(|(scores, factor)| (&scores[..], *factor));
-            with_scores(label.clone(), &load_rows, fine.scores(arrangement), coarse)
+            let scores = fine.scores(arrangement);
+            let sources = shifts.as_ref();
+            RankedLayout {
+                error_sources: sources.and_then(|shifts| shifts.sources(arrangement, &noise)),
+                ..with_scores(label.clone(), &load_rows, scores, coarse)
+            }
         });
         let mut layouts = scored.ok_or(RunError::Stopped)?;
         rank(&mut layouts);

@@ -16,6 +16,7 @@ use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::archive::Outcome;
 use crate::points::outcomes_of;
+use crate::score::map_slopes::MapSlopes;
 use documents::study::Study;
 use documents::study::plan::Plan;
 use layouts::ranking::asked_layouts::AskedLayout;
@@ -24,7 +25,7 @@ use results::{GradedNote, LayoutFindings, LayoutScore, RankedLayout, StudyResult
 const ORDER_NOTE: &str = "Layouts are in the order of their simulated error (95th percentile at the worst load) times the root of the number of films; their \
      Cramer-Rao bounds are lower, and far lower where two places look alike.";
 
-/// Fills in a result's layouts. The points have ordinals from `first` on.
+/// Fills in a result's layouts, with what the inputs do to them by the map's slopes. The points have ordinals from `first` on.
 ///
 /// # Errors
 /// See [`RunError`]; the result is unchanged then.
@@ -32,7 +33,7 @@ pub(crate) fn measure(
     first: usize,
     study: &Study,
     plan: &Plan,
-    result: &mut StudyResult,
+    (result, slopes): (&mut StudyResult, Option<&MapSlopes>),
     context: RunContext<'_>,
 ) -> Result<(), RunError> {
     if !study.layouts.is_asked() {
@@ -46,7 +47,8 @@ pub(crate) fn measure(
         Ok(scenes) => {
             let (answer, points) = both_meshes(first, study, plan, &asked, &scenes, context)?;
             solves = points;
-            answer.map(|answer| answer.filled(study, asked.clone(), context))
+            let depth_mm = result.cut_point.depth_mm;
+            answer.map(|answer| answer.filled(study, asked.clone(), (depth_mm, slopes), context))
         }
     };
     result.cost.layout_solves = solves;

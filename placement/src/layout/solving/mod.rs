@@ -6,11 +6,13 @@
 //! - [`shear_fields`]: what a shift of the ground changes; [`mirror_parts`]: a field's parts that are even or odd in it
 //! - `searched_layouts`: the best layouts of so many films
 //! - `judged_layouts`: fields of two meshes to ranked layouts, on all threads
+//! - `input_shifts`: what the study's inputs do to the signals, and so to the angle
 //! - `menu_words`: what was tried, in words
 //! - `measuring_layouts`: solves and fills in a study's result
 //! - `layout_workload`: what all that takes
 
 pub(crate) mod glued_films;
+mod input_shifts;
 pub(crate) mod judged_layouts;
 pub mod layout_fields;
 pub mod layout_scenes;

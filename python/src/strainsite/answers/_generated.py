@@ -33,6 +33,7 @@ __all__ = [
     "DesignEstimate",
     "ElsewhereError",
     "ErrorParts",
+    "ErrorSources",
     "Estimate",
     "EstimatorSummary",
     "Evaluation",
@@ -55,6 +56,7 @@ __all__ = [
     "Input",
     "InputShare",
     "InputsAnswer",
+    "InputsBeside",
     "Knee",
     "Layout",
     "LayoutAnswer",
@@ -147,6 +149,9 @@ class Answer:
     sentence: str
     """The answer: the best layout and what it knows; where no layouts are asked for the best place, or the input
     that matters more than the depth below it."""
+    brief: str | None = None
+    """The answer in few characters, as lists of studies show it: `12 y films, 10.7 degrees`; None in results of
+    earlier versions."""
     verdict: str
     """The weaker of the verdicts on layout and place, where several places are ranked; without layouts that on what
     the sentence tells. One of `certain`, `likely`, `tied`, `unknown`."""
@@ -563,6 +568,17 @@ class ErrorParts:
 
 
 @dataclass(frozen=True, kw_only=True)
+class ErrorSources:
+    """Sources of a layout's error of the contact angle at the study's own load: root mean squares over all contact
+    angles, to first order, degrees."""
+
+    noise_deg: float
+    """Error by the noise of the readings."""
+    inputs_deg: tuple[float, ...]
+    """Error by each input of the study, which the estimate takes at its mean."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Estimate:
     """Estimate of what a study will cost, and be worth."""
 
@@ -960,6 +976,24 @@ class InputsAnswer:
     """Direction of the strain: the one that varies more, of those asked for."""
     shares: tuple[InputShare, ...]
     """Share of each input, the greatest first."""
+    beside: tuple[InputsBeside, ...] = ()
+    """Inputs that matter for what else the study is about: a film's volts, the layout's error of the angle."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class InputsBeside:
+    """Inputs in the order in which they matter for another quantity than a strain, to first order in all of them."""
+
+    quantity: str
+    """Name of the quantity."""
+    sentence: str
+    """The inputs that matter most, in a sentence."""
+    std: float
+    """Standard deviation of the quantity by all of them together, in its unit."""
+    unit: str
+    """Unit of the quantity: `V`, `degrees`."""
+    shares: tuple[InputShare, ...]
+    """Share of each input, the greatest first; of a layout's error also that of `noise`."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1011,6 +1045,9 @@ class Layout:
     """Scores at the load where the angle's error is largest."""
     loads: tuple[LoadScore, ...]
     """Scores at every load."""
+    error_sources: ErrorSources | None = None
+    """Noise and inputs as sources of the angle's error; absent where the study has no map, and of films that the map
+    doesn't show."""
     force_error: tuple[ForceError, ...] | None = None
     """Errors of the forces along, across and vertical on a virtual rig; absent where the study has none, and of
     layouts that a search found."""
@@ -1753,6 +1790,13 @@ class SheetFilm:
     """Length of the film, mm; None of a point."""
     width_mm: float | None = None
     """Width of the film, mm; None of a point."""
+    connector_arc_mm: float | None = None
+    """Arc from the mark to its connector, which is at the end nearer to a bead, and of a film along the wheel at the
+    end ahead, mm."""
+    connector_from_bead_mm: float | None = None
+    """Arc from the nearer bead to its connector, mm."""
+    lead_mm: float | None = None
+    """Length of a lead from its connector straight to the bead, and along that to the mark on the shorter way, mm."""
     expected_strain: float | None = None
     """Strain that it reads with the contact at it, at the depth below; None of glued films, and where it isn't
     known."""
@@ -2054,6 +2098,8 @@ class StudySummary:
     """Time at which it ended."""
     archived: str | None = None
     """Time at which it was archived; None unless it is."""
+    brief: str | None = None
+    """The answer in few characters, as in `12 y films, 10.7 degrees`; None before there is one."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -2347,6 +2393,9 @@ COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {
         ("direction", "/film/direction", None),
         ("length_mm", "/film/length_mm", None),
         ("width_mm", "/film/width_mm", None),
+        ("connector_arc_mm", "/film/connector_arc_mm", None),
+        ("connector_from_bead_mm", "/film/connector_from_bead_mm", None),
+        ("lead_mm", "/film/lead_mm", None),
         ("expected_strain", "/film/expected_strain", None),
         ("expected_v", "/film/expected_v", None),
         ("expected_depth_mm", "/film/expected_depth_mm", None),

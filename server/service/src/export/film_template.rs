@@ -22,6 +22,8 @@ const GAP_MM: f64 = 12.0;
 const SCALE_MM: f64 = 100.0;
 /// Half of a point's cross, mm.
 const CROSS_MM: f64 = 2.0;
+/// Radius of the dot at a connector, mm.
+const DOT_MM: f64 = 0.7;
 /// Height of a line of numbers, mm.
 const LINE_MM: f64 = 3.2;
 
@@ -47,12 +49,16 @@ fn drawn(title: &str, films: &[SheetFilm]) -> String {
     let strips = (circle / STRIP_MM).ceil().max(1.0) as usize;
     let pitch = 2.0 * half + GAP_MM;
     let height = HEAD_MM + pitch * strips as f64;
+    let dots = match films.iter().any(|film| !connector(film).is_empty()) {
+        true => " Dots are connectors.",
+        false => "",
+    };
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH_MM}mm\" height=\"{height:.3}mm\" viewBox=\"0 0 {WIDTH_MM} {height:.3}\" \
          font-family=\"sans-serif\" font-size=\"3\" fill=\"none\" stroke=\"black\" stroke-width=\"0.2\">\n\
          <title>{title}</title>\n\
          <g fill=\"black\" stroke=\"none\"><text x=\"{LEFT_MM}\" y=\"6\" font-size=\"4\">{title}</text>\n\
-         <text x=\"{LEFT_MM}\" y=\"11\">Inner surface, seen from the axle. Print at 100 %: the bar below is {SCALE_MM} mm long. Glue strips end to end.</text></g>\n\
+         <text x=\"{LEFT_MM}\" y=\"11\">Inner surface, seen from the axle. Print at 100 %: the bar is {SCALE_MM} mm. Glue strips end to end.{dots}</text></g>\n\
          <path id=\"scale\" d=\"M {LEFT_MM} 14 v 3 M {LEFT_MM} 15.5 h {SCALE_MM} m 0 -1.5 v 3\"/>\n",
         title = escaped(title)
     );
@@ -125,8 +131,30 @@ fn draw_film(svg: &mut String, film: &SheetFilm, from: f64, crown: f64) {
     };
     let _ = writeln!(
         svg,
-        "<g transform=\"translate({x:.3} {y:.3})\"><g class=\"film\" transform=\"rotate({turn})\">{shape}</g></g>"
+        "<g transform=\"translate({x:.3} {y:.3})\"><g class=\"film\" transform=\"rotate({turn})\">{shape}</g>{}</g>",
+        connector(film)
     );
+}
+
+/// Dot where a film's leads leave it, from the film's middle; nothing where that isn't known, or is the middle.
+fn connector(film: &SheetFilm) -> String {
+    let known = (
+        film.length_mm,
+        film.connector_arc_mm,
+        film.connector_from_bead_mm,
+    );
+    let (Some(_), Some(arc), Some(from_bead)) = known else {
+        return String::new();
+    };
+    let outwards = film.from_bead_mm - from_bead;
+    // The picture's y points down.
+    let (x, y) = match film.from_crown_mm < 0.0 {
+        true => (arc - film.arc_mm, outwards),
+        false => (arc - film.arc_mm, -outwards),
+    };
+    format!(
+        "<circle class=\"connector\" cx=\"{x:.3}\" cy=\"{y:.3}\" r=\"{DOT_MM}\" fill=\"black\"/>"
+    )
 }
 
 /// Films before this one that lie in its place.
@@ -177,6 +205,9 @@ mod tests {
             direction: "y".to_owned(),
             length_mm: Some(10.0),
             width_mm: Some(5.0),
+            connector_arc_mm: Some(theta_deg.to_radians() * 47.0),
+            connector_from_bead_mm: Some(9.5 * 120f64.to_radians() - 5.0),
+            lead_mm: None,
             expected_strain: None,
             expected_v: None,
             expected_depth_mm: None,
@@ -204,6 +235,11 @@ mod tests {
             assert!(svg.contains(&place), "{place}: {svg}");
         }
         assert!(svg.contains("width=\"115.310\""));
+        // A film along y has its connector where its length ends, turned to the bead above.
+        assert_eq!(
+            count("<circle class=\"connector\" cx=\"0.000\" cy=\"-5.000\" r=\"0.7\""),
+            4
+        );
         // Each number once, that of the film at the cut where the second strip begins.
         assert_eq!(count("text-anchor"), 3);
         assert!(svg.contains("<text x=\"5.000\""));

@@ -36,6 +36,8 @@ pub struct StudySummary {
     pub finished: Option<String>,
     /// Time at which it was archived; null unless it is.
     pub archived: Option<String>,
+    /// The answer in few characters, as in `12 y films, 10.7 degrees`; null before there is one.
+    pub brief: Option<String>,
 }
 
 impl StudySummary {
@@ -54,6 +56,7 @@ impl StudySummary {
             started: study.started.clone(),
             finished: study.finished.clone(),
             archived: study.archived.clone(),
+            brief: study.brief.clone(),
         }
     }
 }

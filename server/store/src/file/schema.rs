@@ -6,7 +6,7 @@ use sqlx::SqlSafeStr;
 use sqlx::migrate::{Migration, MigrationType, Migrator};
 
 /// The files of `migrations`, in order, each by its number and name.
-static CHANGES: [(&str, &str); 3] = [
+static CHANGES: [(&str, &str); 4] = [
     (
         "0001_tables",
         include_str!("../../../../migrations/0001_tables.sql"),
@@ -18,6 +18,10 @@ static CHANGES: [(&str, &str); 3] = [
     (
         "0003_seals",
         include_str!("../../../../migrations/0003_seals.sql"),
+    ),
+    (
+        "0004_briefs",
+        include_str!("../../../../migrations/0004_briefs.sql"),
     ),
 ];
 

@@ -88,6 +88,8 @@ pub struct StudyRow {
     pub priority: i64,
     /// Time at which it was archived, so that lists leave it out.
     pub archived: Option<String>,
+    /// Answer in few characters; `None` before there is one, and of results of earlier versions.
+    pub brief: Option<String>,
 }
 
 from_row!(StudyRow {
@@ -104,7 +106,8 @@ from_row!(StudyRow {
     finished,
     estimate,
     priority,
-    archived
+    archived,
+    brief
 });
 
 impl StudyRow {
@@ -162,7 +165,7 @@ pub async fn find(
     id: &str,
 ) -> Result<Option<StudyRow>, StoreError> {
     seals::intact(connection, "studies", "id = ?", id).await?;
-    Ok(sqlx::query_as("select * from studies where id = ?")
+    Ok(sqlx::query_as("select * from listed_studies where id = ?")
         .bind(id)
         .fetch_optional(connection)
         .await?)
@@ -189,11 +192,11 @@ pub async fn page(
     before: Option<&str>,
     limit: u32,
 ) -> Result<Vec<StudyRow>, StoreError> {
-    let query = "select * from studies
+    let query = "select * from listed_studies
                  where (?1 is null or state = ?1) and (?2 is null or id < ?2)
                  and (?4 is null or case ?4
-                    when 'none' then not exists (select 1 from sweep_designs where study = studies.id)
-                    else exists (select 1 from sweep_designs where study = studies.id and sweep = ?4) end)
+                    when 'none' then not exists (select 1 from sweep_designs where study = listed_studies.id)
+                    else exists (select 1 from sweep_designs where study = listed_studies.id and sweep = ?4) end)
                  and (?5 is null or instr(lower(name), lower(?5)) > 0 or substr(id, 1, length(?5)) = lower(?5))
                  and (?6 is null or (archived is not null) = ?6)
                  order by id desc limit ?3";
@@ -241,8 +244,7 @@ pub async fn queued_twin(
     connection: &mut SqliteConnection,
     spec_sha256: &str,
 ) -> Result<Option<StudyRow>, StoreError> {
-    let query =
-        "select * from studies where spec_sha256 = ? and state = 'queued' order by id desc limit 1";
+    let query = "select * from listed_studies where spec_sha256 = ? and state = 'queued' order by id desc limit 1";
     let twin: Option<StudyRow> = sqlx::query_as(query)
         .bind(spec_sha256)
         .fetch_optional(connection)

@@ -209,7 +209,7 @@ pub async fn designs(
     connection: &mut SqliteConnection,
     sweep: &str,
 ) -> Result<Vec<DesignRow>, StoreError> {
-    let query = "select d.ordinal, d.name as design, d.settings, s.* from sweep_designs d join studies s on s.id = d.study
+    let query = "select d.ordinal, d.name as design, d.settings, s.* from sweep_designs d join listed_studies s on s.id = d.study
                  where d.sweep = ? order by d.ordinal";
     seals::intact(connection, "sweep_designs", "sweep = ?", sweep).await?;
     let rows: Vec<Joined> = sqlx::query_as(query)

@@ -53,7 +53,7 @@ pub async fn claim(
 ) -> Result<Option<StudyRow>, StoreError> {
     let query =
         "update studies set state_seal = null, state = 'running', started = coalesce(started, ?)
-                 where id = ? and state = 'queued' returning *";
+                 where id = ? and state = 'queued' returning *, null as brief";
     Ok(sqlx::query_as(query)
         .bind(now())
         .bind(id)

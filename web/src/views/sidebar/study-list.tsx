@@ -42,7 +42,7 @@ export function StudyList({ state, actions }: { state: AppState; actions: Action
       >
         {(study) => {
           const [done, total] = [study.points_done, study.points_total ?? null];
-          const standing = total === null ? null : `${done}/${total} points`;
+          const standing = study.brief ?? (total === null ? null : `${done}/${total} points`);
           const place = { route: studyRoute(study.id), isOpen: study.id === openId, now_ms, list: actions.studies, kind: "studies" as const };
           const onTick = (on: boolean): void => actions.browsing.tick(study.id, on);
           const compared = study.state === "done" ? { isTicked: ticked.includes(study.id), onTick } : null;

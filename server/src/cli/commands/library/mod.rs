@@ -193,6 +193,8 @@ struct Line<'r> {
     total: String,
     created: &'r str,
     name: &'r str,
+    /// Answer in few characters.
+    brief: Option<&'r str>,
 }
 
 fn line_of_study(row: &StudyRow) -> Line<'_> {
@@ -205,6 +207,7 @@ fn line_of_study(row: &StudyRow) -> Line<'_> {
             .map_or("?".to_owned(), |total| total.to_string()),
         created: &row.created,
         name: &row.name,
+        brief: row.brief.as_deref(),
     }
 }
 
@@ -218,6 +221,7 @@ fn line_of_sweep(sweep: &SweepSummary) -> Line<'_> {
         total: total.to_string(),
         created: &sweep.created,
         name: &sweep.name,
+        brief: None,
     }
 }
 
@@ -247,6 +251,9 @@ fn headed(kind: &str, counted: &str, lines: &[Line], json: Option<&JsonTarget>) 
             line.created,
             line.name.escape_debug()
         );
+        if let Some(brief) = line.brief {
+            text.insert_str(text.len() - 1, &format!(": {}", brief.escape_debug()));
+        }
     }
     text
 }

@@ -24,6 +24,9 @@ pub fn answer(result: &StudyResult) -> String {
     for inputs in more {
         text += &labelled(STRONG, "inputs", &visible(&inputs.sentence));
     }
+    for beside in answer.inputs.iter().flat_map(|inputs| &inputs.beside) {
+        text += &labelled(STRONG, "inputs", &visible(&beside.sentence));
+    }
     text += &labelled(STRONG, "left out", &left_out(answer));
     if let Some(surer) = &answer.surer {
         text += &labelled(STRONG, "surer", &surer.sentence);

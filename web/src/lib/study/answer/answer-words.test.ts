@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { LayoutAnswer, PlaceAnswer, StudyResult } from "../../../wire.ts";
-import { inputWords, layoutStanding, leadOf, leftOutWords, placeWords, surerWords, typeset, unrankedWords } from "./answer-words.ts";
+import { besideWords, inputWords, layoutStanding, leadOf, leftOutWords, placeWords, surerWords, typeset, unrankedWords } from "./answer-words.ts";
 
 test("terminal signs become those of print", () => {
   assert.equal(typeset("the angle to 9.2 +- 1.5 degrees, every 30 degrees, 2 mm deep"), "the angle to 9.2 ± 1.5°, every 30°, 2\u00a0mm deep");
@@ -48,4 +48,14 @@ test("the inputs that matter most are told with their errors", () => {
   const shares = [share("cords", 0.39, 0.012), share("P3", 0.301, null), share("P2", 0.1, 0.008), share("wall", 0.05, 0.008)];
   const words = inputWords({ sentence: "", location: "P3", direction: "y", shares });
   assert.equal(words, "cords 39.0 ± 1.2 %, P3 30.1 %, P2 10.0 ± 0.8 % of y at P3");
+});
+
+test("what inputs do to an angle is told beside noise, and to volts by the inputs", () => {
+  const share = (input: string, index: number) => ({ input, index, error: null });
+  const beside = { quantity: "", sentence: "", std: 2 };
+  assert.equal(
+    besideWords({ ...beside, unit: "degrees", shares: [share("P2", 0.75), share("noise", 0.25)] }),
+    "2.00° rms if all inputs vary, 1.00° by noise alone",
+  );
+  assert.equal(besideWords({ ...beside, unit: "V", shares: [share("pressure", 0.81), share("P3", 0.12)] }), "pressure 81 %, P3 12 % of 2.00 V");
 });

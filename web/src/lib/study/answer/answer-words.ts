@@ -1,7 +1,7 @@
 /** The answer's sentences as the page shows them. */
 
-import type { Answer, InputsAnswer, LayoutAnswer, LeftOut, PlaceAnswer, StudyResult } from "../../../wire.ts";
-import { duration, fixed } from "../../format.ts";
+import type { Answer, InputsAnswer, InputsBeside, LayoutAnswer, LeftOut, PlaceAnswer, StudyResult } from "../../../wire.ts";
+import { duration, fixed, significant } from "../../format.ts";
 import { filmCount, short } from "../../layouts/layout-words.ts";
 
 /** With the signs of print for those of a terminal. */
@@ -49,6 +49,19 @@ export function inputWords({ shares, direction, location }: InputsAnswer): strin
     .slice(0, MATTERING)
     .map(({ input, index, error }) => `${input} ${fixed(100 * index, 1)} ${error == null ? "" : `± ${fixed(100 * error, 1)} `}%`);
   return `${words.join(", ")} of ${direction} at ${location}`;
+}
+
+/** Whether inputs vary that aren't depths below the places, which a ranking of places doesn't show. */
+export function beyondPlaces({ shares }: InputsAnswer, { locations }: Pick<StudyResult, "locations">): boolean {
+  return shares.length > locations.length;
+}
+
+/** `1.27° rms if all inputs vary, 0.274° by noise alone`, `pressure 81 %, P3 12 % of 3.10 V`: what the inputs do to another quantity than a strain. */
+export function besideWords({ shares, std, unit }: InputsBeside): string {
+  const noise = shares.find(({ input }) => input === "noise");
+  if (noise !== undefined) return `${significant(std)}° rms if all inputs vary, ${significant(std * Math.sqrt(noise.index))}° by noise alone`;
+  const words = shares.slice(0, MATTERING).map(({ input, index }) => `${input} ${fixed(100 * index, 0)} %`);
+  return `${words.join(", ")} of ${significant(std)} ${unit}`;
 }
 
 /** `reference mesh, about 32 s`: what a surer answer costs. */

@@ -1,5 +1,15 @@
 import type { ComponentChildren } from "preact";
-import { firstOf, inputWords, layoutStanding, leadOf, leftOutWords, placeWords, surerWords, typeset } from "../../../lib/study/answer/answer-words.ts";
+import {
+  besideWords,
+  firstOf,
+  inputWords,
+  layoutStanding,
+  leadOf,
+  leftOutWords,
+  placeWords,
+  surerWords,
+  typeset,
+} from "../../../lib/study/answer/answer-words.ts";
 import { Term } from "../../shared/term/term.tsx";
 import { VerdictBadge } from "./verdict-badge.tsx";
 import type { Answer } from "../../../wire.ts";
@@ -28,6 +38,11 @@ export function AnswerText({ answer, notes, places, sheet }: { answer: Answer; n
           </Fact>
         )}
         {inputs != null && inputs.sentence !== answer.sentence && inputs.shares.length > places && <Fact name="Inputs">{inputWords(inputs)}</Fact>}
+        {(inputs?.beside ?? []).map((beside) => (
+          <Fact key={beside.quantity} name={beside.unit === "V" ? "Volts" : "Angle"}>
+            {besideWords(beside)}
+          </Fact>
+        ))}
         {left_out != null && <Fact name="Left out">{leftOutWords(left_out)}</Fact>}
         {surer != null && verdict !== "certain" && <Fact name="Surer">{surerWords(surer)}</Fact>}
       </dl>
@@ -51,8 +66,11 @@ function Fact({ name, children }: { name: string; children: ComponentChildren })
 }
 
 /** All sentences in full, and the notes that bear on the answer. */
-function Why({ answer: { sentence, place, layout, trade, left_out, surer }, notes }: { answer: Answer; notes: string[] }) {
-  const whole = [sentence, trade?.menu, place?.reason, layout?.reason, left_out?.sentence, surer?.sentence].filter((sentence) => sentence !== undefined);
+function Why({ answer: { sentence, place, layout, trade, inputs, left_out, surer }, notes }: { answer: Answer; notes: string[] }) {
+  const beside = (inputs?.beside ?? []).map(({ sentence }) => sentence);
+  const whole = [sentence, trade?.menu, place?.reason, layout?.reason, ...beside, left_out?.sentence, surer?.sentence].filter(
+    (sentence) => sentence !== undefined,
+  );
   return (
     <details>
       <summary>Why{notes.length > 0 && `, ${notes.length} ${notes.length === 1 ? "note" : "notes"}`}</summary>

@@ -2,6 +2,7 @@ import { useState } from "preact/hooks";
 import { shapeOf } from "../../../lib/layouts/wheel-films.ts";
 import { isPapersStudy } from "../../../lib/study/paper/paper-table.ts";
 import type { SectionProps } from "../section-props.ts";
+import { InputsPanel } from "./inputs/inputs-panel.tsx";
 import { MatrixPanel } from "./matrix-panel.tsx";
 import { RankingPanel } from "./ranking/ranking-panel.tsx";
 
@@ -19,6 +20,7 @@ export function IndicesView({ result, study }: SectionProps) {
         </p>
       )}
       <RankingPanel result={result} isCompared={isCompared} />
+      <InputsPanel result={result} />
       <MatrixPanel result={result} isCompared={isCompared} />
     </>
   );

@@ -4,7 +4,17 @@ import { filmWord, sizeWord } from "../../../lib/layouts/layout-words.ts";
 import type { SheetFilm } from "../../../wire.ts";
 import { ScrollTable, words } from "../../shared/scroll-table.tsx";
 
-const COLUMNS = [words("Film"), "Angle, °", "Arc from the mark, mm", "From the bead, mm", "From the crown, mm", "Along", "Size, mm"];
+const COLUMNS = [
+  words("Film"),
+  "Angle, °",
+  "Arc from the mark, mm",
+  "From the bead, mm",
+  "From the crown, mm",
+  "Along",
+  "Size, mm",
+  "Connector, mm",
+  "Lead, mm",
+];
 
 /** What stands above the expected signals: their unit and the depth of the contact. */
 function expectedHead([film]: readonly SheetFilm[]): string[] {
@@ -26,6 +36,8 @@ export function SheetTable({ id, films }: { id: string; films: readonly SheetFil
             <td>{fixed(film.from_crown_mm, 1)}</td>
             <td>{filmWord(film.direction)}</td>
             <td>{sizeWord(film)}</td>
+            <td>{film.connector_arc_mm == null ? "" : `${fixed(film.connector_arc_mm, 1)}; ${fixed(film.connector_from_bead_mm, 1)}`}</td>
+            <td>{fixed(film.lead_mm, 0)}</td>
             {film.expected_depth_mm != null && <td>{film.expected_v == null ? microstrain(film.expected_strain) : significant(film.expected_v)}</td>}
           </tr>
         ))}

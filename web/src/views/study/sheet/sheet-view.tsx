@@ -35,7 +35,8 @@ export function SheetView({ result, study }: SectionProps) {
       <SheetTable id={study.id} films={films} />
       <p class="quiet">
         Angles and arcs count from the mark, in the rolling direction; all arcs lie on the inner surface, to the film's middle. x runs around the wheel, y from
-        bead to bead.
+        bead to bead. A connector is told by its arc from the mark and from the bead: it is at the end nearer to a bead, or ahead. A lead runs from there
+        straight to the bead, and along it to the mark.
       </p>
       <section class="template" aria-labelledby="template-title">
         <h3 id="template-title">Template, 1:1</h3>

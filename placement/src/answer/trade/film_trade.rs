@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use super::layout_figures::{angle, compared, force};
-use super::layout_words::words;
+use crate::answer::layout_figures::Figures;
+use crate::answer::layout_words::words;
 use documents::study::question::Question;
 use layouts::simulate::simulation::LOST_DEG;
 use results::{LayoutFindings, RankedLayout, TradeAnswer, TradeRow};
 
 /// The trade of these layouts, which are in their order, with the question and the number of films that are glued on already; `None` where none has a score.
-pub(super) fn trade(
+pub(crate) fn trade(
     layouts: &[RankedLayout],
     findings: Option<&LayoutFindings>,
     (question, taken): (Question, usize),
@@ -46,7 +46,11 @@ pub(super) fn trade(
 fn best_of_each_count(layouts: &[RankedLayout], question: &Question) -> Vec<TradeRow> {
     let mut best: BTreeMap<usize, (f64, usize)> = BTreeMap::new();
     for (index, layout) in layouts.iter().enumerate() {
-        let Some(figure) = compared(layout, question).filter(|_| angle(layout).is_some()) else {
+        let figures = Figures::of(layout);
+        let Some(figure) = figures
+            .compared(question)
+            .filter(|_| figures.angle.is_some())
+        else {
             continue;
         };
         let entry = best
@@ -63,8 +67,9 @@ fn best_of_each_count(layouts: &[RankedLayout], question: &Question) -> Vec<Trad
 }
 
 fn row(index: usize, layout: &RankedLayout, question: &Question) -> Option<TradeRow> {
-    let (angle, force) = (angle(layout)?, force(layout));
-    let compared = compared(layout, question)?;
+    let figures = Figures::of(layout);
+    let (angle, force) = (figures.angle?, figures.force);
+    let compared = figures.compared(question)?;
     Some(TradeRow {
         film_count: layout.film_count,
         rank: layout.rank,
@@ -84,7 +89,9 @@ fn row(index: usize, layout: &RankedLayout, question: &Question) -> Option<Trade
 fn mark_front(rows: &mut [TradeRow], layouts: &[RankedLayout], question: &Question) {
     let mut least = f64::INFINITY;
     for row in rows {
-        let value = compared(&layouts[row.index], question).map_or(f64::INFINITY, |own| own.value);
+        let value = Figures::of(&layouts[row.index])
+            .compared(question)
+            .map_or(f64::INFINITY, |own| own.value);
         row.is_front = value < least;
         least = least.min(value);
     }
@@ -110,7 +117,9 @@ fn knee(rows: &[TradeRow]) -> Option<usize> {
 /// Returns the row of the least error.
 fn least(rows: &[TradeRow], layouts: &[RankedLayout], question: &Question) -> Option<usize> {
     let value = |k: usize| {
-        compared(&layouts[rows[k].index], question).map_or(f64::INFINITY, |own| own.value)
+        Figures::of(&layouts[rows[k].index])
+            .compared(question)
+            .map_or(f64::INFINITY, |own| own.value)
     };
     (0..rows.len()).min_by(|&i, &j| value(i).total_cmp(&value(j)))
 }

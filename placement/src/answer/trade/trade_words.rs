@@ -1,27 +1,11 @@
 //! The trade of films against errors in words.
 
-use super::figure_words::with_error;
-use super::layout_figures::{Figure, angle, force};
-use super::layout_words::{counted, laid, words};
+use crate::answer::figure_words::with_error;
+use crate::answer::layout_figures::Figures;
+use crate::answer::layout_words::{counted, laid, words};
 use documents::study::question::Question;
 use layouts::simulate::simulation::LOST_DEG;
 use results::{RankedLayout, TradeAnswer, TradeRow};
-
-/// The figures that are asked for: `10.7 +- 1.8 degrees`, `0.81 +- 0.05 N`, or both.
-pub(super) fn figures(layout: &RankedLayout, question: &Question) -> String {
-    let told = |figure: Option<Figure>, unit: &str| {
-        figure.map(|figure| format!("{} {unit}", with_error(figure.value, figure.claim)))
-    };
-    let is_forced = question.force_n.is_some();
-    let of_angle = (question.angle_deg.is_some() || !is_forced).then(|| angle(layout));
-    let of_force = is_forced.then(|| force(layout));
-    let both = [
-        told(of_angle.flatten(), "degrees"),
-        told(of_force.flatten(), "N"),
-    ];
-    let both: Vec<String> = both.into_iter().flatten().collect();
-    both.join(" and ")
-}
 
 /// The answer to the question in a sentence, with what more or fewer films would give; without a question about the knee.
 pub(super) fn sentence(trade: &TradeAnswer, picked: &RankedLayout) -> String {
@@ -97,11 +81,12 @@ fn refused(question: &Question) -> String {
 
 /// `the contact angle to 10.7 +- 1.8 degrees in 95 of 100 contacts`.
 fn known(layout: &RankedLayout, question: &Question) -> String {
-    let of_angle = angle(layout).map(|angle| {
+    let figures = Figures::of(layout);
+    let of_angle = figures.angle.map(|angle| {
         let angle = with_error(angle.value, angle.claim);
         format!("the contact angle to {angle} degrees in 95 of 100 contacts")
     });
-    let of_force = question.force_n.and_then(|_| force(layout)).map(|force| {
+    let of_force = question.force_n.and(figures.force).map(|force| {
         let force = with_error(force.value, force.claim);
         format!("the vertical force to {force} N rms")
     });

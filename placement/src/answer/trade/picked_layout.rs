@@ -1,19 +1,29 @@
 //! The layout that answers, with its verdict.
 
-use super::layout_figures::{angle, compared};
-use super::layout_words::words;
 use super::rivals::Rivals;
 use super::trade_words::sentence;
+use crate::answer::brief_words::of_layout;
+use crate::answer::layout_figures::Figures;
+use crate::answer::layout_words::words;
 use layouts::simulate::simulation::LOST_DEG;
 use results::{Certainty, LayoutAnswer, RankedLayout, TradeAnswer};
 
-/// The layout that a trade picks, with its sentence; where it picks none, the one that comes closest.
-pub(super) fn picked_layout(
-    trade: &TradeAnswer,
-    layouts: &[RankedLayout],
-) -> Option<(LayoutAnswer, String)> {
+/// Layout that answers.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct PickedLayout {
+    pub answer: LayoutAnswer,
+    pub sentence: String,
+    pub brief: String,
+}
+
+/// The layout that a trade picks; where it picks none, the one that comes closest.
+pub(crate) fn picked_layout(trade: &TradeAnswer, layouts: &[RankedLayout]) -> Option<PickedLayout> {
     let question = &trade.question;
-    let value = |layout: &RankedLayout| compared(layout, question).map(|figure| figure.value);
+    let value = |layout: &RankedLayout| {
+        Figures::of(layout)
+            .compared(question)
+            .map(|figure| figure.value)
+    };
     let few = |layout: &&RankedLayout| {
         trade
             .most_films
@@ -34,7 +44,7 @@ pub(super) fn picked_layout(
         Some(row) => &layouts[trade.rows[row].index],
         None => closest().or_else(|| layouts.first())?,
     };
-    let found = angle(picked)?;
+    let found = Figures::of(picked).angle?;
     let is_lost = found.value > LOST_DEG;
     let rivals = Rivals::of(picked, layouts, trade);
     let judged = rivals.judged();
@@ -57,7 +67,11 @@ pub(super) fn picked_layout(
         },
         reason,
     };
-    Some((answer, sentence(trade, picked)))
+    Some(PickedLayout {
+        answer,
+        sentence: sentence(trade, picked),
+        brief: of_layout(picked, trade),
+    })
 }
 
 /// Says what a layout that loses the contact is worth.
@@ -103,7 +117,7 @@ fn shear(best: &RankedLayout, layouts: &[RankedLayout]) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::film_trade::trade;
+    use crate::answer::trade::film_trade::trade;
     use documents::study::question::Question;
     use layouts::ranking::layout_order::rank;
     use results::{LayoutError, LayoutScore, LoadScore, ShearScore};
@@ -142,7 +156,8 @@ mod tests {
     fn asked(question: Question, mut layouts: Vec<RankedLayout>) -> (LayoutAnswer, String) {
         rank(&mut layouts);
         let trade = trade(&layouts, None, (question, 0)).expect("a trade");
-        picked_layout(&trade, &layouts).expect("a layout")
+        let picked = picked_layout(&trade, &layouts).expect("a layout");
+        (picked.answer, picked.sentence)
     }
 
     fn of_films(films: usize, layouts: Vec<RankedLayout>) -> (LayoutAnswer, String) {

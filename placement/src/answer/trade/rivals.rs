@@ -1,9 +1,8 @@
 //! The layouts that could answer in the place of the picked one: how sure it is against them, and why.
 
-use super::first_rank::{Judged, Standing, judge};
-use super::layout_figures::{Figure, compared};
-use super::layout_words::words;
-use super::trade_words::figures;
+use crate::answer::first_rank::{Judged, Standing, judge};
+use crate::answer::layout_figures::{Figure, Figures};
+use crate::answer::layout_words::words;
 use crate::score::notes::listed;
 use results::{Certainty, RankedLayout, TradeAnswer};
 
@@ -27,9 +26,11 @@ impl<'a> Rivals<'a> {
         trade: &'a TradeAnswer,
     ) -> Self {
         let question = &trade.question;
-        let own = compared(picked, question).map_or(f64::INFINITY, |figure| figure.value);
+        let own = Figures::of(picked)
+            .compared(question)
+            .map_or(f64::INFINITY, |figure| figure.value);
         let is_rival = |layout: &&RankedLayout| {
-            let Some(figure) = compared(layout, question) else {
+            let Some(figure) = Figures::of(layout).compared(question) else {
                 return false;
             };
             match question.has_limits() && trade.picked.is_some() {
@@ -46,7 +47,9 @@ impl<'a> Rivals<'a> {
         };
         let mut others: Vec<&RankedLayout> = layouts.iter().filter(is_rival).collect();
         let value = |layout: &RankedLayout| {
-            compared(layout, question).map_or(f64::INFINITY, |figure| figure.value)
+            Figures::of(layout)
+                .compared(question)
+                .map_or(f64::INFINITY, |figure| figure.value)
         };
         others.sort_by(|a, b| value(a).total_cmp(&value(b)));
         Self {
@@ -62,10 +65,12 @@ impl<'a> Rivals<'a> {
     }
 
     fn standing(&self, layout: &RankedLayout) -> Standing {
-        let figure = compared(layout, &self.trade.question).unwrap_or(Figure {
-            value: f64::INFINITY,
-            claim: None,
-        });
+        let figure = Figures::of(layout)
+            .compared(&self.trade.question)
+            .unwrap_or(Figure {
+                value: f64::INFINITY,
+                claim: None,
+            });
         Standing {
             // What is best is greatest.
             value: -figure.value,
@@ -185,7 +190,7 @@ impl<'a> Rivals<'a> {
 
     /// The figures that are asked for: `10.7 +- 1.8 degrees`, `0.81 +- 0.05 N`, or both.
     fn figures(&self, layout: &RankedLayout) -> String {
-        figures(layout, &self.trade.question)
+        Figures::of(layout).words(&self.trade.question)
     }
 }
 

@@ -1,0 +1,1 @@
+export{Bt as readToml}from"../views-CZ8hMwT7.js";
