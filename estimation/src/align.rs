@@ -46,6 +46,11 @@ impl Clock {
         }
     }
 
+    /// Begins anew with the next row, as after a pause.
+    pub fn restart(&mut self) {
+        self.begun = None;
+    }
+
     /// The ticks that a row completes: those up to the latest time at which every signal is known. Signals that are NaN weren't measured.
     pub fn push(&mut self, time_s: f64, cycle: Option<usize>, signals: &[f64]) -> Vec<Tick> {
         if self.begun.is_none() || time_s - self.last_s > self.pause_s {

@@ -68,9 +68,7 @@ impl FeatureStream {
             time_s - last > self.settings.pause_s || *before != cycle
         };
         if self.last.as_ref().is_some_and(apart) {
-            self.last = None;
-            self.readings.clear();
-            self.values.clear();
+            self.restart();
         }
         let reading = self.reading(signals);
         keep(&mut self.readings, reading, self.settings.smooth_rows);
@@ -81,6 +79,18 @@ impl FeatureStream {
         let variance = variances(&self.values, &mean);
         self.last = Some((time_s, cycle, value.clone()));
         [value, slope, mean, variance].concat()
+    }
+
+    /// Begins anew, as after a pause: the start value stays.
+    pub fn restart(&mut self) {
+        self.last = None;
+        self.readings.clear();
+        self.values.clear();
+    }
+
+    /// Takes the next row's signals for the start value.
+    pub(crate) fn forget_start(&mut self) {
+        self.start = None;
     }
 
     fn reading(&mut self, signals: &[f64]) -> Vec<f64> {

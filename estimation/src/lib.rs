@@ -14,7 +14,7 @@
 //! - [`model`]: mean, ridge, Gaussian process, neural networks
 //! - [`error_metrics`]: how far estimates are off; [`interval`]: how wide intervals must be
 //! - [`validation`]: every model and feature set on every split
-//! - [`estimator`]: what was chosen, learnt from all rows, as data; [`live_estimates`]: its estimates, row by row
+//! - [`estimator`]: what was chosen, learnt from all rows, as data; [`live`]: its estimates, row by row
 //! - [`fit_report`]: what the validation found, for people and programs
 
 pub mod align;
@@ -24,7 +24,7 @@ pub mod estimator;
 pub mod features;
 pub mod fit_report;
 pub mod interval;
-pub mod live_estimates;
+pub mod live;
 pub mod model;
 pub mod recipe;
 pub mod recording;

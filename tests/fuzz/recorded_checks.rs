@@ -4,7 +4,7 @@
 
 use estimation::estimator::Estimator;
 use estimation::features::features;
-use estimation::live_estimates::Live;
+use estimation::live::live_estimates::Live;
 use estimation::recipe::{Columns, CycleRule, Recipe};
 use estimation::recording::Recording;
 use estimation::recording::csv_recording::{header, read};

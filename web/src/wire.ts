@@ -1961,7 +1961,8 @@ export interface components {
              *       "start_value": "auto",
              *       "turn_sign": false,
              *       "smooth_rows": 1,
-             *       "scale": "standardise"
+             *       "scale": "standardise",
+             *       "bad_rows": "null"
              *     }
              */
             preprocess: components["schemas"]["PreprocessDocument"];
@@ -4606,6 +4607,12 @@ export interface components {
              * @enum {string}
              */
             scale: "standardise" | "normalise" | "off";
+            /**
+             * @description Answer to a row of a stream that isn't estimated from. `null`: No estimate: empty cells. `hold`: The last estimate.
+             * @default null
+             * @enum {string}
+             */
+            bad_rows: "null" | "hold";
             /** @description A longer time between rows is a pause, s; none for ten typical intervals. Nothing is carried over a pause. */
             pause_s?: number;
         };

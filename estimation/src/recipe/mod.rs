@@ -84,6 +84,10 @@ pub struct Preprocess {
     /// Method that brings features to one scale.
     #[field(default = Scale::Standardise)]
     pub scale: Scale,
+    /// Answer to a row of a stream that isn't estimated from.
+    #[field(default = BadRows::Null)]
+    #[serde(default)]
+    pub bad_rows: BadRows,
     /// A longer time between rows is a pause, s; none for ten typical intervals. Nothing is carried over a pause.
     #[field(within = SECONDS)]
     pub pause_s: Option<f64>,
@@ -98,6 +102,16 @@ pub enum StartValue {
     Subtract,
     /// First readings kept.
     Keep,
+}
+
+/// Answer to a row of a stream that isn't estimated from, as it is late, cut or no number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
+pub enum BadRows {
+    /// No estimate: empty cells.
+    #[default]
+    Null,
+    /// The last estimate.
+    Hold,
 }
 
 /// Method that brings features to one scale, learnt from training rows.

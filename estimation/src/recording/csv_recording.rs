@@ -130,6 +130,12 @@ impl RowReader {
         })
     }
 
+    /// The time of a line that may be faulty; None where it can't be told.
+    pub fn time_s(&self, line: &str) -> Option<f64> {
+        let cells = cells(line, self.width).ok()?;
+        number(cells.get(self.time)?).ok()?
+    }
+
     /// Reads one line; None after a fault.
     pub fn row(&self, line_number: usize, line: &str, faults: &mut FaultList) -> Option<Row> {
         let cells = match cells(line, self.width) {
@@ -222,7 +228,7 @@ pub fn rows_below_header(text: &str) -> usize {
 }
 
 /// Shortest time between rows, s: slopes over less mean nothing.
-const SHORTEST_S: f64 = 1e-9;
+pub const SHORTEST_S: f64 = 1e-9;
 
 /// A fault where time doesn't rise.
 pub fn check_time(
@@ -238,6 +244,24 @@ pub fn check_time(
     }
 }
 
+/// Numbers of cycles: one more with each change of the column that tells them apart.
+#[derive(Debug, Clone, Default)]
+pub struct CycleNumbers {
+    number: usize,
+    last: Option<String>,
+}
+
+impl CycleNumbers {
+    /// Returns the number of the next row's cycle.
+    pub fn next(&mut self, name: String) -> usize {
+        if self.last.as_ref().is_some_and(|last| *last != name) {
+            self.number += 1;
+        }
+        self.last = Some(name);
+        self.number
+    }
+}
+
 /// Rows side by side, with no list of their own for each.
 #[derive(Default)]
 struct GatheredRows {
@@ -246,7 +270,7 @@ struct GatheredRows {
     forces: Vec<f64>,
     /// Cycle of each row: a number that grows where the column of cycles changes. Empty without such a column.
     cycle: Vec<usize>,
-    last_cycle: Option<String>,
+    cycles: CycleNumbers,
 }
 
 impl GatheredRows {
@@ -254,11 +278,8 @@ impl GatheredRows {
         self.time_s.push(row.time_s);
         self.signals.extend(row.signals);
         self.forces.extend(row.forces);
-        if row.cycle.is_some() {
-            let before = self.cycle.last().copied().unwrap_or(0);
-            let changes = !self.cycle.is_empty() && self.last_cycle != row.cycle;
-            self.cycle.push(before + usize::from(changes));
-            self.last_cycle = row.cycle;
+        if let Some(name) = row.cycle {
+            self.cycle.push(self.cycles.next(name));
         }
     }
 

@@ -2,7 +2,7 @@
 
 use estimation::estimator::{Estimator, FORMAT, ForceModel, Stream, VERSION};
 use estimation::fit_report::Ranking;
-use estimation::live_estimates::Live;
+use estimation::live::live_estimates::Live;
 use estimation::recipe::{
     AnnSettings, CycleRule, FeatureSet, Features, GprSettings, Kind, Models, Preprocess, Recipe,
     SplitKind, StartValue,

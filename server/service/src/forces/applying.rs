@@ -8,8 +8,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use documents::own_model::csv_cell;
 use estimation::estimator::Estimator;
-use estimation::live_estimates::{Estimated, Live};
-use estimation::recording::csv_recording::{RowReader, check_time, header_names};
+use estimation::live::live_estimates::{Estimated, Live};
+use estimation::recording::csv_recording::{CycleNumbers, RowReader, check_time, header_names};
 use estimation::recording::recording_fault::{FaultList, RecordingFault};
 use estimation::recording::typical_interval;
 use estimation::rows::RATE_FACTOR;
@@ -28,7 +28,7 @@ pub struct EstimatedLines<'e> {
     live: Live<'e>,
     line: usize,
     last_s: Option<f64>,
-    cycle: (usize, Option<String>),
+    cycles: CycleNumbers,
     /// The first intervals, s, until the rate is known.
     intervals: Vec<f64>,
     /// Ticks of the model's clock that came since the last estimate.
@@ -44,6 +44,28 @@ pub fn estimates_header(estimator: &Estimator) -> String {
     csv_cell::line(&names)
 }
 
+/// A reader of the rows below a header.
+///
+/// # Errors
+/// Signals that it lacks.
+pub(super) fn row_reader(
+    estimator: &Estimator,
+    file: &str,
+    header: &str,
+) -> Result<RowReader, Vec<RecordingFault>> {
+    let mut faults = FaultList::of(file);
+    let names = header_names(header.trim_start_matches('\u{feff}'), &mut faults);
+    if faults.is_empty() {
+        estimator.columns.check_unlabelled(&names, &mut faults);
+    }
+    let unlabelled = estimator.columns.unlabelled(&names);
+    let reader = RowReader::new(&unlabelled, &names, estimator.stream.rate_hz.is_some());
+    match reader {
+        Some(reader) if faults.is_empty() => Ok(reader),
+        _ => Err(faults.into_faults()),
+    }
+}
+
 impl<'e> EstimatedLines<'e> {
     /// Reads the header's line.
     ///
@@ -54,27 +76,17 @@ impl<'e> EstimatedLines<'e> {
         file: &str,
         header: &str,
     ) -> Result<Self, Vec<RecordingFault>> {
-        let mut faults = FaultList::of(file);
-        let names = header_names(header.trim_start_matches('\u{feff}'), &mut faults);
-        if faults.is_empty() {
-            estimator.columns.check_unlabelled(&names, &mut faults);
-        }
-        let unlabelled = estimator.columns.unlabelled(&names);
-        let reader = RowReader::new(&unlabelled, &names, estimator.stream.rate_hz.is_some());
-        match reader {
-            Some(reader) if faults.is_empty() => Ok(Self {
-                estimator,
-                file: file.to_owned(),
-                reader,
-                live: Live::new(estimator),
-                line: 1,
-                last_s: None,
-                cycle: (0, None),
-                intervals: Vec::new(),
-                ticks: 0.0,
-            }),
-            _ => Err(faults.into_faults()),
-        }
+        Ok(Self {
+            estimator,
+            file: file.to_owned(),
+            reader: row_reader(estimator, file, header)?,
+            live: Live::new(estimator),
+            line: 1,
+            last_s: None,
+            cycles: CycleNumbers::default(),
+            intervals: Vec::new(),
+            ticks: 0.0,
+        })
     }
 
     /// Estimates from a line: a line for each estimate, none for a blank line.
@@ -103,7 +115,7 @@ impl<'e> EstimatedLines<'e> {
         self.check_rate(row.time_s)?;
         self.check_ticks(row.time_s)?;
         self.last_s = Some(row.time_s);
-        let cycle = row.cycle.map(|name| self.cycle_number(name));
+        let cycle = row.cycle.map(|name| self.cycles.next(name));
         let estimated = self.live.push(row.time_s, cycle, &row.signals);
         if !estimated.iter().all(Estimated::is_finite) {
             let detail = "has no finite estimate: signals or the model's numbers are too large";
@@ -141,16 +153,6 @@ impl<'e> EstimatedLines<'e> {
         Err(faults.into_faults())
     }
 
-    /// A number that grows where the column of cycles changes.
-    fn cycle_number(&mut self, name: String) -> usize {
-        let (number, last) = &mut self.cycle;
-        if last.as_ref().is_some_and(|last| *last != name) {
-            *number += 1;
-        }
-        *last = Some(name);
-        *number
-    }
-
     fn check_rate(&mut self, time_s: f64) -> Result<(), Vec<RecordingFault>> {
         let Some(last) = self.last_s.filter(|_| self.intervals.len() < RATE_ROWS) else {
             return Ok(());
@@ -178,7 +180,7 @@ impl<'e> EstimatedLines<'e> {
 }
 
 /// All numbers with the fewest digits that read back bit for bit.
-fn line_of(estimated: &Estimated) -> String {
+pub(super) fn line_of(estimated: &Estimated) -> String {
     let mut line = format!("{:?}", estimated.time_s);
     for estimate in &estimated.forces {
         // Writing to a text can't fail.

@@ -5,7 +5,7 @@
 //! - [`submission_reader`]: recipe and recordings in one document
 //! - [`fitting`]: learns an estimator on all cores; [`fit_process`]: the same in a process of its own
 //! - [`model_file`]: estimators as texts
-//! - [`applying`]: estimates of a recording, whole or row by row
+//! - [`applying`]: estimates of a recording, whole or row by row; [`streamed_lines`]: of a stream that goes on whatever a row is like
 //! - [`rig_recording`]: recordings of a virtual rig on a study's layout
 //! - [`estimator_queue`]: the line of estimators that the service learns; `learning`: one of them; `learnt_parts`: what is kept of it
 
@@ -20,4 +20,5 @@ pub(crate) mod learnt_parts;
 pub mod model_file;
 pub mod recorded_texts;
 pub mod rig_recording;
+pub mod streamed_lines;
 pub mod submission_reader;

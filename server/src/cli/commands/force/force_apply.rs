@@ -1,6 +1,6 @@
 //! `strainsite force apply`.
 
-use std::io::{self, BufRead, Read, Write};
+use std::io::{self, BufRead, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -9,22 +9,28 @@ use estimation::recording::recording_fault::RecordingFault;
 use service::forces::applying::{EstimatedLines, apply, estimates_header};
 use service::forces::model_file::{MOST_MODEL_BYTES, read_model};
 use service::forces::recorded_texts::{MOST_RECORDING_BYTES, add};
+use service::forces::streamed_lines::{StreamedLines, stream_header};
 use service::study_document::text_files::read_text;
 
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
-use crate::cli::terminal::output::print;
+use crate::cli::terminal::output::{print, warn};
 use crate::cli::terminal::output_place::{write, write_to};
 
 /// Longest line of a recording, bytes.
-const LONGEST_LINE: u64 = 1 << 20;
+const LONGEST_LINE: usize = 1 << 20;
+/// Name of the stream in messages.
+const STDIN: &str = "standard input";
 
 #[derive(Debug, Args)]
 pub(crate) struct Apply {
     /// Model of `force fit`
     model: PathBuf,
-    /// Recording, CSV; `-` reads rows from standard input and answers each at once
+    /// Recording, CSV; `-` reads rows from standard input and answers each at once, with its state
     run: PathBuf,
+    /// End a stream at its first imperfect row, as a file is refused for one
+    #[arg(long)]
+    strict: bool,
     /// Write the estimates here instead of to standard output
     #[arg(short, long)]
     output: Option<PathBuf>,
@@ -55,11 +61,18 @@ impl Apply {
         };
         let estimator = read_model(&text).map_err(named)?;
         drop(text);
+        let stream = |out: &mut dyn Write| {
+            let (rows, mut out) = (io::stdin().lock(), out);
+            match self.strict {
+                true => strictly_streamed(&estimator, rows, &mut out),
+                false => streamed(&estimator, rows, &mut out),
+            }
+        };
         match (self.is_streamed(), &self.output) {
-            (true, None) => streamed(&estimator, io::stdin().lock(), &mut io::stdout().lock()),
+            (true, None) => stream(&mut io::stdout().lock()),
             (true, Some(path)) => {
                 let mut out = Vec::new();
-                streamed(&estimator, io::stdin().lock(), &mut out)?;
+                stream(&mut out)?;
                 write(path, &out)
             }
             (false, _) => {
@@ -81,39 +94,78 @@ fn refused(found: Vec<RecordingFault>) -> Failure {
     Failure::Input(faults)
 }
 
-/// Answers each row as soon as its line is whole. Ends with the first fault: what comes after it may depend on it.
+/// Answers each row as soon as its line is whole, whatever it is like, and says at the end how many had which state.
 fn streamed(
     estimator: &Estimator,
     mut rows: impl BufRead,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
-    let mut line = String::new();
-    if !next_line(&mut rows, &mut line)? {
-        line.clear();
+    let header = next_line(&mut rows)?.unwrap_or_default();
+    let header = String::from_utf8_lossy(&header);
+    let mut lines = StreamedLines::new(estimator, STDIN, &header).map_err(refused)?;
+    write_to(&mut *out, stream_header(estimator).as_bytes()).map_err(Failure::other)?;
+    while let Some(line) = next_line(&mut rows)? {
+        let answer = lines.push(&String::from_utf8_lossy(&line));
+        write_to(&mut *out, answer.as_bytes()).map_err(Failure::other)?;
     }
-    let mut lines = EstimatedLines::new(estimator, "standard input", &line).map_err(refused)?;
+    let counts = lines.counts().iter();
+    let counts: Vec<String> = counts
+        .map(|(state, count)| format!("{count} {}", state.as_str()))
+        .collect();
+    warn(&format!("rows: {}\n", counts.join(", ")));
+    Ok(())
+}
+
+/// Answers each row as soon as its line is whole. Ends with the first fault: what comes after it may depend on it.
+fn strictly_streamed(
+    estimator: &Estimator,
+    mut rows: impl BufRead,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let mut line = || -> Result<Option<String>, Failure> {
+        let Some(bytes) = next_line(&mut rows)? else {
+            return Ok(None);
+        };
+        if bytes.len() >= LONGEST_LINE {
+            return Err(Failure::input(format!(
+                "{STDIN}: a line has {LONGEST_LINE} bytes or more"
+            )));
+        }
+        let text = String::from_utf8(bytes);
+        text.map(Some)
+            .map_err(|_| Failure::input(format!("{STDIN}: it is not UTF-8 text")))
+    };
+    let header = line()?.unwrap_or_default();
+    let mut lines = EstimatedLines::new(estimator, STDIN, &header).map_err(refused)?;
     write_to(&mut *out, estimates_header(estimator).as_bytes()).map_err(Failure::other)?;
-    while next_line(&mut rows, &mut line)? {
+    while let Some(line) = line()? {
         let estimates = lines.push(&line).map_err(refused)?;
         write_to(&mut *out, estimates.as_bytes()).map_err(Failure::other)?;
     }
     Ok(())
 }
 
-/// Reads the next line without its end; false where there is none.
-fn next_line(rows: &mut impl BufRead, line: &mut String) -> Result<bool, Failure> {
-    let mut bytes = Vec::new();
-    rows.take(LONGEST_LINE)
-        .read_until(b'\n', &mut bytes)
-        .map_err(Failure::other)?;
-    if bytes.len() as u64 == LONGEST_LINE {
-        return Err(Failure::input(format!(
-            "standard input: a line has {LONGEST_LINE} bytes or more"
-        )));
+/// Reads the next line without its end, of a longer one [`LONGEST_LINE`] bytes; none where there is no more.
+fn next_line(rows: &mut impl BufRead) -> Result<Option<Vec<u8>>, Failure> {
+    let mut line = Vec::new();
+    let mut is_there = false;
+    loop {
+        let part = rows.fill_buf().map_err(Failure::other)?;
+        if part.is_empty() {
+            return Ok(is_there.then_some(line));
+        }
+        is_there = true;
+        let end = part.iter().position(|byte| *byte == b'\n');
+        let whole = &part[..end.unwrap_or(part.len())];
+        let room = LONGEST_LINE.saturating_sub(line.len());
+        line.extend(&whole[..whole.len().min(room)]);
+        let read = end.map_or(part.len(), |end| end + 1);
+        rows.consume(read);
+        if end.is_some() {
+            while line.last() == Some(&b'\r') {
+                line.pop();
+            }
+            return Ok(Some(line));
+        }
     }
-    let text = String::from_utf8(bytes)
-        .map_err(|_| Failure::input("standard input: it is not UTF-8 text"))?;
-    line.clear();
-    line.push_str(text.trim_end_matches(['\n', '\r']));
-    Ok(!text.is_empty())
 }

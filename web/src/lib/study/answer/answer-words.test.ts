@@ -53,9 +53,6 @@ test("the inputs that matter most are told with their errors", () => {
 test("what inputs do to an angle is told beside noise, and to volts by the inputs", () => {
   const share = (input: string, index: number) => ({ input, index, error: null });
   const beside = { quantity: "", sentence: "", std: 2 };
-  assert.equal(
-    besideWords({ ...beside, unit: "degrees", shares: [share("P2", 0.75), share("noise", 0.25)] }),
-    "2.00° rms if all inputs vary, 1.00° by noise alone",
-  );
+  assert.equal(besideWords({ ...beside, unit: "degrees", shares: [share("P2", 0.75), share("noise", 0.25)] }), "2.00° rms; noise alone 1.00°");
   assert.equal(besideWords({ ...beside, unit: "V", shares: [share("pressure", 0.81), share("P3", 0.12)] }), "pressure 81 %, P3 12 % of 2.00 V");
 });

@@ -56,10 +56,10 @@ export function beyondPlaces({ shares }: InputsAnswer, { locations }: Pick<Study
   return shares.length > locations.length;
 }
 
-/** `1.27° rms if all inputs vary, 0.274° by noise alone`, `pressure 81 %, P3 12 % of 3.10 V`: what the inputs do to another quantity than a strain. */
+/** `1.27° rms; noise alone 0.274°`, `pressure 81 %, P3 12 % of 3.10 V`: what the inputs do to another quantity than a strain. */
 export function besideWords({ shares, std, unit }: InputsBeside): string {
   const noise = shares.find(({ input }) => input === "noise");
-  if (noise !== undefined) return `${significant(std)}° rms if all inputs vary, ${significant(std * Math.sqrt(noise.index))}° by noise alone`;
+  if (noise !== undefined) return `${significant(std)}° rms; noise alone ${significant(std * Math.sqrt(noise.index))}°`;
   const words = shares.slice(0, MATTERING).map(({ input, index }) => `${input} ${fixed(100 * index, 0)} %`);
   return `${words.join(", ")} of ${significant(std)} ${unit}`;
 }

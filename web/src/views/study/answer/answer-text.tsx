@@ -39,7 +39,7 @@ export function AnswerText({ answer, notes, places, sheet }: { answer: Answer; n
         )}
         {inputs != null && inputs.sentence !== answer.sentence && inputs.shares.length > places && <Fact name="Inputs">{inputWords(inputs)}</Fact>}
         {(inputs?.beside ?? []).map((beside) => (
-          <Fact key={beside.quantity} name={beside.unit === "V" ? "Volts" : "Angle"}>
+          <Fact key={beside.quantity} name={beside.unit === "V" ? "Volts" : "All inputs"}>
             {besideWords(beside)}
           </Fact>
         ))}

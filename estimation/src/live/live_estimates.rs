@@ -49,6 +49,20 @@ impl<'e> Live<'e> {
         }
     }
 
+    /// Begins anew, as after a pause: nothing is carried over. The zero stays.
+    pub fn restart(&mut self) {
+        self.stream.restart();
+        if let Some(clock) = &mut self.clock {
+            clock.restart();
+        }
+    }
+
+    /// Begins anew with the next row as the zero.
+    pub fn zero(&mut self) {
+        self.restart();
+        self.stream.forget_start();
+    }
+
     /// Estimates from a row of signals: once, or with a clock once for each of its ticks that the row completes.
     pub fn push(&mut self, time_s: f64, cycle: Option<usize>, signals: &[f64]) -> Vec<Estimated> {
         match &mut self.clock {

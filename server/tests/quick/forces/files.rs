@@ -1,76 +1,10 @@
-//! `strainsite force`: from recordings to a model, from a model to estimates.
+//! Models of files, and estimates of files.
 
 use std::io::{BufRead, BufReader, Write};
-use std::path::Path;
 use std::process::Stdio;
 
-use serde_json::Value;
-
+use super::{fitted, recording, recording_every, write};
 use crate::program::{command, strainsite, text};
-
-/// A recipe that takes a second.
-const RECIPE: &str = "[columns]\nblock_s = 2\n[features]\nsets = [\"raw\"]\n[models]\nkinds = [\"ridge\", \"gpr\"]\ngpr = { restarts = 2, search_rows = 60 }\n";
-
-/// A made-up press: two signals of a force, with offset and gains of the session, and noise. Every fifth row has no force.
-fn recording(session: f64) -> String {
-    recording_every(0.05, session)
-}
-
-/// Returns the recording with a row every so many seconds.
-fn recording_every(interval_s: f64, session: f64) -> String {
-    let mut rows = "time_s,a,\"b, V\",fz_n\n".to_owned();
-    for row in 0..300 {
-        let t = f64::from(row) * interval_s;
-        let force = 5.0 * (0.9 * t).sin().powi(2) * (1.0 + 0.3 * (0.21 * t + session).sin());
-        // None in the first row, which is taken off all others.
-        let noise = |k: f64| 0.03 * (f64::from(row * row) * k * (1.0 + 0.1 * session)).sin();
-        let gain = 1.0 + 0.02 * (2.0 * session).cos();
-        let cell = if row % 5 == 4 {
-            String::new()
-        } else {
-            format!("{force:?}")
-        };
-        let (a, b) = (
-            session + gain * force + noise(7.7),
-            0.3 * force * force / gain + noise(9.1),
-        );
-        rows.push_str(&format!("{t:?},{a:?},{b:?},{cell}\n"));
-    }
-    rows
-}
-
-fn write(folder: &Path, files: &[(&str, &str)]) {
-    for (name, content) in files {
-        std::fs::write(folder.join(name), content).expect("writes");
-    }
-}
-
-fn fitted(folder: &Path) -> Value {
-    write(
-        folder,
-        &[
-            ("recipe.toml", RECIPE),
-            ("one.csv", &recording(1.0)),
-            ("two.csv", &recording(2.0)),
-            ("three.csv", &recording(3.0)),
-            ("new.csv", &recording(4.0)),
-        ],
-    );
-    let arguments = [
-        "force",
-        "fit",
-        "recipe.toml",
-        "one.csv",
-        "two.csv",
-        "-o",
-        "model.json",
-        "--json",
-        "-",
-    ];
-    let fit = strainsite(folder, &arguments);
-    assert_eq!(fit.status.code(), Some(0), "{}", text(&fit.stderr));
-    serde_json::from_str(text(&fit.stdout)).expect("one JSON document")
-}
 
 #[test]
 fn a_model_knows_a_run_that_it_did_not_learn_from() {
@@ -132,7 +66,8 @@ fn rows_are_answered_one_by_one_with_the_file_s_bits() {
     let folder = tempfile::tempdir().expect("temp dir");
     fitted(folder.path());
     let whole = strainsite(folder.path(), &["force", "apply", "model.json", "new.csv"]);
-    let mut program = command(folder.path(), &["force", "apply", "model.json", "-"])
+    let arguments = ["force", "apply", "model.json", "-", "--strict"];
+    let mut program = command(folder.path(), &arguments)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn()

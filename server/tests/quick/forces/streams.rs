@@ -1,0 +1,192 @@
+//! Streams of rows that are late, cut, no numbers and worse: each is answered, and none ends them.
+
+use std::io::Write;
+use std::process::Stdio;
+
+use super::{fitted, recording_of};
+use crate::program::{command, text};
+
+const HEADER: &str = "time_s,a,\"b, V\",fz_n";
+const OUT: &str = "time_s,fz_n,fz_n_low,fz_n_high,outside,state,column";
+
+/// Answers to a stream, without their header, and what is said at its end.
+fn streamed(folder: &std::path::Path, rows: &[u8]) -> (Vec<String>, String) {
+    let mut program = command(folder, &["force", "apply", "model.json", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("starts");
+    let mut stdin = program.stdin.take().expect("a pipe");
+    let rows = rows.to_vec();
+    let sent = std::thread::spawn(move || stdin.write_all(&rows));
+    let output = program.wait_with_output().expect("ends");
+    sent.join().expect("sends").expect("is read to its end");
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let mut lines = text(&output.stdout).lines().map(str::to_owned);
+    assert_eq!(lines.next().as_deref(), Some(OUT));
+    (lines.collect(), text(&output.stderr).to_owned())
+}
+
+/// The rows of a clean recording.
+fn clean(rows: u32) -> Vec<String> {
+    let whole = recording_of(rows, 0.05, 4.0);
+    whole.lines().skip(1).map(str::to_owned).collect()
+}
+
+fn joined(rows: &[String]) -> Vec<u8> {
+    format!("{HEADER}\n{}\n", rows.join("\n")).into_bytes()
+}
+
+/// State and column of an answer.
+fn state(answer: &str) -> &str {
+    answer.splitn(6, ',').last().unwrap_or_default()
+}
+
+#[test]
+fn every_fault_is_answered_by_its_state_and_the_rows_around_it_are_right() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    fitted(folder.path());
+    let rows = clean(1000);
+    let (right, told) = streamed(folder.path(), &joined(&rows));
+    assert_eq!(told, "rows: 1000 ok\n");
+    assert!(right.iter().all(|answer| state(answer) == "ok,"));
+
+    let mut faulty = rows.clone();
+    let time = |row: &str| row.split(',').next().unwrap_or_default().to_owned();
+    // By their places from the last to the first, so that each is where it says.
+    faulty.insert(900, HEADER.to_owned());
+    faulty.insert(800, "\u{fffd}garbage".to_owned());
+    faulty.insert(700, rows[699][..rows[699].len() / 3].to_owned());
+    faulty.insert(600, format!("{},inf,1,", time(&rows[599])));
+    faulty.insert(500, format!("{},1,nan,", time(&rows[499])));
+    faulty.insert(400, format!("{},,1,", time(&rows[399])));
+    faulty.insert(300, rows[200].clone());
+    faulty.insert(200, rows[199].clone());
+    faulty.insert(100, format!("{}1,9,9,", time(&rows[99])));
+    let (answers, told) = streamed(folder.path(), &joined(&faulty));
+    let expected = [
+        (100, "early,"),
+        (201, "duplicate,"),
+        (302, "clock-reset,"),
+        (303, "gap,"),
+        (403, "not-a-number,a"),
+        (504, "not-a-number,\"b, V\""),
+        (605, "not-a-number,a"),
+        (706, "cut,"),
+        (807, "cut,"),
+        (908, "header,"),
+    ];
+    for (place, expected) in expected {
+        assert_eq!(state(&answers[place]), expected, "{}", answers[place]);
+    }
+    assert_eq!(answers.len(), 1009);
+    assert!(told.contains("999 ok"), "{told}");
+    // One that isn't estimated from changes no other: what is left is as without it, from the gap of the clock on as soon as windows are full again.
+    let estimated = answers.iter().filter(|answer| state(answer) == "ok,");
+    let expected = right.iter().enumerate().filter(|(row, _)| *row != 300);
+    for (answer, (row, right)) in estimated.zip(expected) {
+        assert_eq!(answer, right, "row {row}");
+    }
+}
+
+#[test]
+fn bad_rows_hold_the_last_estimate_where_the_recipe_says_so() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    fitted(folder.path());
+    let model = folder.path().join("model.json");
+    let text = std::fs::read_to_string(&model).expect("reads");
+    assert!(text.contains("\"bad_rows\":\"null\""));
+    let rows = [clean(1), vec!["0.05,,1,".to_owned()]].concat();
+    let (answers, _) = streamed(folder.path(), &joined(&rows));
+    assert_eq!(answers[1], "0.05,,,,,not-a-number,a");
+    std::fs::write(
+        &model,
+        text.replace("\"bad_rows\":\"null\"", "\"bad_rows\":\"hold\""),
+    )
+    .expect("writes");
+    let (answers, _) = streamed(folder.path(), &joined(&rows));
+    let cells = |answer: &str| {
+        answer
+            .split(',')
+            .skip(1)
+            .take(4)
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(cells(&answers[0]), cells(&answers[1]));
+}
+
+#[test]
+fn the_row_after_a_zero_is_the_zero() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    fitted(folder.path());
+    // Begun under load, a stream is off until it is zeroed where nothing acts.
+    let rows = clean(140);
+    let force = |row: &String| {
+        row.rsplit(',')
+            .next()
+            .and_then(|cell| cell.parse::<f64>().ok())
+    };
+    let free = (70..140).min_by(|i, j| {
+        let of = |row: usize| force(&rows[row]).unwrap_or(f64::INFINITY);
+        of(*i).total_cmp(&of(*j))
+    });
+    let free = free.expect("rows");
+    let loaded = (20..70).max_by(|i, j| {
+        let of = |row: usize| force(&rows[row]).unwrap_or(0.0);
+        of(*i).total_cmp(&of(*j))
+    });
+    let loaded = loaded.expect("rows");
+    let mut zeroed = rows[loaded..].to_vec();
+    zeroed.insert(free - loaded, "zero".to_owned());
+    let (answers, told) = streamed(folder.path(), &joined(&zeroed));
+    assert!(told.contains("1 zero"), "{told}");
+    let (right, _) = streamed(folder.path(), &joined(&rows));
+    let estimate = |answer: &str| -> f64 {
+        let cell = answer.split(',').nth(1).unwrap_or_default();
+        cell.parse().expect("a number")
+    };
+    let off = |row: usize| (estimate(&answers[row - loaded]) - estimate(&right[row])).abs();
+    assert!((loaded..free).all(|row| off(row) > 1.0));
+    assert_eq!(state(&answers[free - loaded]), "zero,");
+    // What is left is the noise of two readings, 0.03 of signals whose gain is 1.
+    assert!((free..140).all(|row| off(row) < 0.15), "{}", off(free));
+}
+
+#[test]
+fn whatever_a_row_is_like_the_stream_goes_on() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    fitted(folder.path());
+    let rows = clean(1000);
+    let mut state = 7_u64;
+    let mut drawn = |most: usize| {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        usize::try_from(state >> 33).expect("31 bits") % most
+    };
+    let mut bytes = joined(&rows);
+    let begins = HEADER.len() + 1;
+    for _ in 0..200 {
+        let at = begins + drawn(bytes.len() - begins);
+        match drawn(4) {
+            0 => bytes[at] = u8::try_from(drawn(256)).expect("a byte"),
+            1 => drop(bytes.drain(at..(at + drawn(40)).min(bytes.len()))),
+            2 => bytes.insert(at, b','),
+            _ => bytes.insert(at, b'\n'),
+        }
+    }
+    let (answers, told) = streamed(folder.path(), &bytes);
+    assert!(answers.len() > 900, "{told}");
+    assert!(
+        answers
+            .iter()
+            .all(|answer| !answer.contains("NaN") && !answer.contains("inf"))
+    );
+    let right = answers
+        .iter()
+        .filter(|answer| answer.ends_with(",ok,"))
+        .count();
+    assert!(right > 600, "{told}");
+}
