@@ -7,7 +7,7 @@ use crate::interval::factor_by;
 use crate::model::contract::{FitError, Prediction};
 use crate::recipe::{Recipe, SplitKind};
 use crate::recording::named_columns::NamedColumns;
-use crate::rows::{LabelledRows, Runs};
+use crate::rows::{LabelledRows, Runs, Start};
 use crate::validation::{Judged, LearntModel};
 
 /// Version of the model file. One of another version is refused.
@@ -32,6 +32,9 @@ pub struct Estimator {
     pub columns: NamedColumns,
     /// Treatment of rows before models read them.
     pub stream: Stream,
+    /// Signals without a force, in their own units; `None` where no run was unloaded, and in models of earlier versions.
+    #[serde(default)]
+    pub zero: Option<Vec<f64>>,
     /// Typical intervals between the rows of the runs that were learnt from, s: least and greatest.
     pub interval_s: (f64, f64),
     /// Least and greatest value of each signal that was learnt from, as models are given it.
@@ -88,10 +91,10 @@ const MOST_ROWS: usize = 100_000;
 const MOST_MEMBERS: usize = 12;
 
 impl Stream {
-    /// Makes the treatment that the recipe asks for, with the first reading taken off or not.
-    pub fn new(runs: &Runs, recipe: &Recipe, subtract_start: bool) -> Self {
+    /// Makes the treatment that the recipe asks for, with this taken off.
+    pub fn new(runs: &Runs, recipe: &Recipe, start: Start) -> Self {
         Self {
-            subtract_start,
+            subtract_start: start != Start::Kept,
             turn_sign: recipe.preprocess.turn_sign,
             rate_hz: recipe.preprocess.rate_hz,
             smooth_rows: recipe.preprocess.smooth_rows,
@@ -207,6 +210,10 @@ impl Estimator {
             return Err(format!(
                 "there must be a range for each of the {signals} signals"
             ));
+        }
+        let zero = self.zero.as_ref();
+        if zero.is_some_and(|zero| zero.len() != signals || !zero.iter().all(|x| x.is_finite())) {
+            return Err(format!("the zero must be {signals} finite numbers"));
         }
         let intervals = [self.interval_s, self.interval_s];
         if self

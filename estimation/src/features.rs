@@ -44,6 +44,8 @@ pub(crate) const MEANS: usize = 2;
 pub struct FeatureStream {
     settings: StreamSettings,
     start: Option<Vec<f64>>,
+    /// Signals without a force as they were learnt, where a start is given though none is taken off: it counts by how far it is from these.
+    learnt_zero: Option<Vec<f64>>,
     /// The last row: its time and cycle, its value of each signal.
     last: Option<(f64, Option<usize>, Vec<f64>)>,
     readings: VecDeque<Vec<f64>>,
@@ -56,6 +58,7 @@ impl FeatureStream {
         Self {
             settings,
             start: None,
+            learnt_zero: None,
             last: None,
             readings: VecDeque::new(),
             values: VecDeque::new(),
@@ -88,24 +91,22 @@ impl FeatureStream {
         self.values.clear();
     }
 
-    /// Takes the next row's signals for the start value.
-    pub(crate) fn forget_start(&mut self) {
-        self.start = None;
+    /// Takes these signals for the start value; none: the next row's. Where no start is taken off, `learnt` is what they were when they were learnt.
+    pub(crate) fn start_at(&mut self, start: Option<Vec<f64>>, learnt: Option<&Vec<f64>>) {
+        self.start = start;
+        self.learnt_zero = learnt.cloned();
     }
 
     fn reading(&mut self, signals: &[f64]) -> Vec<f64> {
         let start = self.start.get_or_insert_with(|| signals.to_vec());
         let sign = if self.settings.turn_sign { -1.0 } else { 1.0 };
-        let off = if self.settings.subtract_start {
-            1.0
-        } else {
-            0.0
+        let off = |signal: usize| match (self.settings.subtract_start, &self.learnt_zero) {
+            (true, _) => start[signal],
+            (false, Some(learnt)) => start[signal] - learnt[signal],
+            (false, None) => 0.0,
         };
-        signals
-            .iter()
-            .zip(start)
-            .map(|(x, start)| sign * (x - off * *start))
-            .collect()
+        let signals = signals.iter().enumerate();
+        signals.map(|(k, x)| sign * (x - off(k))).collect()
     }
 
     fn slope(&self, time_s: f64, value: &[f64]) -> Vec<f64> {
@@ -151,9 +152,14 @@ fn variances(rows: &VecDeque<Vec<f64>>, mean: &[f64]) -> Vec<f64> {
     sums.into_iter().map(|sum| sum / degrees).collect()
 }
 
-/// All features of a recording: rows x (4 groups of `signals` columns).
-pub fn features(recording: &Recording, settings: &StreamSettings) -> Array2<f64> {
+/// All features of a recording: rows x (4 groups of `signals` columns). `start`: what is taken off instead of the first reading.
+pub(crate) fn features(
+    recording: &Recording,
+    settings: &StreamSettings,
+    start: Option<Vec<f64>>,
+) -> Array2<f64> {
     let mut stream = FeatureStream::new(settings.clone());
+    stream.start_at(start, None);
     let signals = recording.signals.ncols();
     let mut found = Array2::zeros((recording.rows(), GROUPS * signals));
     for (row, time_s) in recording.time_s.iter().enumerate() {

@@ -8,6 +8,7 @@ use crate::error_metrics::order_statistics::upper_median;
 use crate::features::{StreamSettings, features};
 use crate::recipe::{Kind, Loss, Recipe, SplitKind, StartValue};
 use crate::recording::named_columns::NamedColumns;
+use crate::recording::unloaded::{begins_unloaded, is_first_a_zero, zero};
 use crate::recording::{PAUSE_INTERVALS, Recording};
 use crate::split::Place;
 
@@ -17,12 +18,6 @@ pub(crate) const FEWEST_CYCLES: usize = 4;
 pub const FEWEST_ROWS: usize = 20;
 /// Rates whose quotient is larger are other rates.
 pub const RATE_FACTOR: f64 = 1.5;
-/// A run whose first force is a smaller share of its range begins unloaded.
-const UNLOADED: f64 = 0.05;
-/// Share of their own deviation by which signals without a force may be away from a run's first reading where that is their zero. Beyond, taking it
-/// off moves signals of another run by more than their offsets are likely to differ: an offset as large would be half of what they say.
-const ZERO_SHARE: f64 = 0.5;
-
 /// Refusal of recordings that can't be used as the recipe asks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Refusal {
@@ -30,6 +25,17 @@ pub struct Refusal {
     pub pointer: String,
     /// Sentence that says what is wrong and what would be right.
     pub detail: String,
+}
+
+/// Reading that is taken off a run's signals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Start {
+    /// No reading: signals are kept.
+    Kept,
+    /// The first one.
+    First,
+    /// The median of those without a force.
+    Unloaded,
 }
 
 /// Runs that can be learnt from.
@@ -188,10 +194,10 @@ impl Runs {
         numbers.collect::<std::collections::BTreeSet<_>>().len()
     }
 
-    /// Returns the settings of the stream of features, with the first reading taken off or not.
-    pub fn stream_settings(&self, recipe: &Recipe, subtract_start: bool) -> StreamSettings {
+    /// Returns the settings of the stream of features, with this taken off.
+    pub fn stream_settings(&self, recipe: &Recipe, start: Start) -> StreamSettings {
         StreamSettings {
-            subtract_start,
+            subtract_start: start != Start::Kept,
             turn_sign: recipe.preprocess.turn_sign,
             smooth_rows: recipe.preprocess.smooth_rows,
             window_rows: recipe.features.window_rows,
@@ -199,13 +205,13 @@ impl Runs {
         }
     }
 
-    /// Features of all rows of all runs.
-    pub fn features(&self, settings: &StreamSettings) -> Array2<f64> {
-        let of_runs: Vec<Array2<f64>> = self
-            .runs
-            .iter()
-            .map(|run| features(run, settings))
-            .collect();
+    /// Features of all rows of all runs, with this taken off; a run without an unloaded row has its first reading taken off.
+    pub fn features(&self, settings: &StreamSettings, start: Start) -> Array2<f64> {
+        let of_run = |run: &Recording| {
+            let zero = zero(run).filter(|_| start == Start::Unloaded);
+            features(run, settings, zero)
+        };
+        let of_runs: Vec<Array2<f64>> = self.runs.iter().map(of_run).collect();
         let views: Vec<_> = of_runs.iter().map(|features| features.view()).collect();
         concatenate(Axis(0), &views).unwrap_or_default()
     }
@@ -237,24 +243,28 @@ impl Runs {
 
     /// Whether every run begins unloaded: then its first reading is what the signals are without a force.
     pub fn begin_unloaded(&self) -> bool {
-        self.runs
-            .iter()
-            .all(|run| run.forces.columns().into_iter().all(begins_unloaded))
+        self.runs.iter().all(begins_unloaded)
     }
 
-    /// Whether every run's first reading is what its signals come back to without a force. A motor's position isn't: it begins where it happened to stand.
-    pub(crate) fn begin_at_zero(&self) -> bool {
-        self.begin_unloaded() && self.runs.iter().all(comes_back)
-    }
-
-    /// Whether the first reading is taken off; None where left-out runs are to tell.
-    pub fn subtract_start(&self, asked: StartValue) -> Option<bool> {
+    /// Returns what is taken off; None where left-out runs are to tell.
+    pub fn start(&self, asked: StartValue) -> Option<Start> {
         match asked {
-            StartValue::Subtract => Some(true),
-            StartValue::Keep => Some(false),
-            StartValue::Auto if self.runs.len() < 2 => Some(self.begin_at_zero()),
-            StartValue::Auto => None,
+            StartValue::Subtract => Some(Start::First),
+            StartValue::Keep => Some(Start::Kept),
+            StartValue::Unloaded => Some(Start::Unloaded),
+            StartValue::Auto => match self.runs.as_slice() {
+                [one] if is_first_a_zero(one) => Some(Start::First),
+                [_] => Some(Start::Kept),
+                _ => None,
+            },
         }
+    }
+
+    /// The signals without a force: the medians of the runs' zeros. `None` where no run was unloaded.
+    pub fn zero(&self) -> Option<Vec<f64>> {
+        let zeros: Vec<Vec<f64>> = self.runs.iter().filter_map(zero).collect();
+        let of_signal = |signal: usize| upper_median(zeros.iter().map(|zero| zero[signal]));
+        (0..self.names.signals.len()).map(of_signal).collect()
     }
 
     /// Least and greatest value of each signal, as models are given it: the first group of all features.
@@ -273,44 +283,6 @@ impl Runs {
             .map(range)
             .collect()
     }
-}
-
-fn begins_unloaded(forces: ArrayView1<'_, f64>) -> bool {
-    let mut known = forces.iter().copied().filter(|force| force.is_finite());
-    let Some(first) = known.next() else {
-        return true;
-    };
-    let most = known.fold(first.abs(), |most, force| most.max(force.abs()));
-    first.abs() <= UNLOADED * most
-}
-
-/// Whether most signals are near their first reading wherever no force acts.
-fn comes_back(run: &Recording) -> bool {
-    let most: Vec<f64> = run
-        .forces
-        .columns()
-        .into_iter()
-        .map(|forces| {
-            let known = forces.iter().filter(|force| force.is_finite());
-            known.fold(0.0, |most: f64, force| most.max(force.abs()))
-        })
-        .collect();
-    let unloaded: Vec<usize> = (0..run.rows())
-        .filter(|row| {
-            let mut forces = run.forces.row(*row).into_iter().zip(&most);
-            // A force that wasn't measured may be any.
-            forces.all(|(force, most)| force.abs() <= UNLOADED * most)
-        })
-        .collect();
-    let share = |signal: ArrayView1<'_, f64>| {
-        let first = *signal.first()?;
-        let away = unloaded.iter().map(|row| (signal[*row] - first).powi(2));
-        let away = (away.sum::<f64>() / unloaded.len().max(1) as f64).sqrt();
-        // One that doesn't vary is at its first reading: 0 / 0 tells nothing.
-        Some(away / signal.std(0.0)).filter(|share| share.is_finite())
-    };
-    let shares = run.signals.columns().into_iter().filter_map(share);
-    upper_median(shares).is_none_or(|share| share <= ZERO_SHARE)
 }
 
 fn places(runs: &[Recording], recipe: &Recipe) -> Vec<Place> {

@@ -3,14 +3,13 @@
 //! The fuzzer calls these with texts of its own making, `estimation/tests/quick/fuzzed.rs` with those that it kept.
 
 use estimation::estimator::Estimator;
-use estimation::features::features;
 use estimation::live::live_estimates::Live;
 use estimation::recipe::{Columns, CycleRule, Recipe};
 use estimation::recording::Recording;
 use estimation::recording::csv_recording::{header, read};
 use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::recording_fault::{MOST_FAULTS, RecordingFault};
-use estimation::rows::Runs;
+use estimation::rows::{Runs, Start};
 
 /// A recording is refused with its faults, or has rows in the order of time whose features are finite, whatever makes its cycles.
 pub fn recording(text: &str) {
@@ -60,12 +59,11 @@ fn learnable(recipe: &Recipe, names: NamedColumns, recording: Recording) {
     }
     match Runs::new(recipe, names, vec![recording]) {
         Ok(runs) => {
-            let settings = runs.stream_settings(recipe, true);
-            assert!(
-                runs.runs
-                    .iter()
-                    .all(|run| features(run, &settings).iter().all(|x| x.is_finite()))
-            );
+            for start in [Start::Kept, Start::First, Start::Unloaded] {
+                let settings = runs.stream_settings(recipe, start);
+                let features = runs.features(&settings, start);
+                assert!(features.iter().all(|x| x.is_finite()));
+            }
         }
         Err(refusals) => assert!(
             !refusals.is_empty() && refusals.iter().all(|refusal| !refusal.detail.is_empty())

@@ -4582,11 +4582,11 @@ export interface components {
         /** @description Treatment of signals, in this order. */
         PreprocessDocument: {
             /**
-             * @description Whether each run's first reading is taken off. `auto`: Whichever knows left-out runs better; with one run, whether it begins unloaded. `subtract`: First readings taken off: runs begin unloaded. `keep`: First readings kept.
+             * @description Whether each run's first reading is taken off. `auto`: Whichever knows left-out runs better; of one run kept, unless its signals come back to the first reading and that is nearer to them than they are to 0. `subtract`: First readings taken off: runs begin unloaded. `keep`: First readings kept. `unloaded`: Each run's median without a force taken off, which takes forces that are measured as none; of what is estimated later the first reading, or `--start`.
              * @default auto
              * @enum {string}
              */
-            start_value: "auto" | "subtract" | "keep";
+            start_value: "auto" | "subtract" | "keep" | "unloaded";
             /**
              * @description Whether the sign of signals is turned.
              * @default false

@@ -60,7 +60,13 @@ impl<'e> Live<'e> {
     /// Begins anew with the next row as the zero.
     pub fn zero(&mut self) {
         self.restart();
-        self.stream.forget_start();
+        self.stream.start_at(None, self.estimator.zero.as_ref());
+    }
+
+    /// Takes these signals for the zero, one each.
+    pub fn start_at(&mut self, zero: Vec<f64>) {
+        self.stream
+            .start_at(Some(zero), self.estimator.zero.as_ref());
     }
 
     /// Estimates from a row of signals: once, or with a clock once for each of its ticks that the row completes.

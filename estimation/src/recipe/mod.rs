@@ -96,12 +96,14 @@ pub struct Preprocess {
 /// Whether each run's first reading is taken off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
 pub enum StartValue {
-    /// Whichever knows left-out runs better; with one run, whether it begins unloaded.
+    /// Whichever knows left-out runs better; of one run kept, unless its signals come back to the first reading and that is nearer to them than they are to 0.
     Auto,
     /// First readings taken off: runs begin unloaded.
     Subtract,
     /// First readings kept.
     Keep,
+    /// Each run's median without a force taken off, which takes forces that are measured as none; of what is estimated later the first reading, or `--start`.
+    Unloaded,
 }
 
 /// Answer to a row of a stream that isn't estimated from, as it is late, cut or no number.

@@ -197,7 +197,31 @@ pub fn read(
         return Err(faults.into_faults());
     }
     // Rows are read without the columns that are missing: all faults are told at once.
-    let Some(reader) = RowReader::new(&names.among(&header), &header, gaps) else {
+    rows(text, &names.among(&header), &header, gaps, faults)
+}
+
+/// Reads the rows below a header that has all of these columns. `gaps` lets signals be empty.
+///
+/// # Errors
+/// Every fault, as of [`read`].
+pub fn read_rows(
+    file: &str,
+    text: &str,
+    names: &NamedColumns,
+    header: &[String],
+    gaps: bool,
+) -> Result<Recording, Vec<RecordingFault>> {
+    rows(text, names, header, gaps, FaultList::of(file))
+}
+
+fn rows(
+    text: &str,
+    names: &NamedColumns,
+    header: &[String],
+    gaps: bool,
+    mut faults: FaultList,
+) -> Result<Recording, Vec<RecordingFault>> {
+    let Some(reader) = RowReader::new(names, header, gaps) else {
         return Err(faults.into_faults());
     };
     let mut rows = GatheredRows::default();
@@ -219,7 +243,8 @@ pub fn read(
     if rows.time_s.is_empty() && faults.is_empty() {
         faults.add(None, None, "has no row below its header");
     }
-    faults.or(|| rows.recording(file, names))
+    let file = faults.file().to_owned();
+    faults.or(|| rows.recording(&file, names))
 }
 
 /// Counts the rows below a header, those that are faulty too.

@@ -5,12 +5,14 @@
 //! - [`csv_recording`]: a recording from its text
 //! - [`recording_fault`]: what can be wrong with it
 //! - [`time_unit`]: times that are no seconds
+//! - [`unloaded`]: readings without a force
 
 mod csv_line;
 pub mod csv_recording;
 pub mod named_columns;
 pub mod recording_fault;
 pub mod time_unit;
+pub mod unloaded;
 
 use ndarray::Array2;
 

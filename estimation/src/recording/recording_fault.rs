@@ -48,6 +48,11 @@ impl FaultList {
         }
     }
 
+    /// Name of the file.
+    pub(crate) fn file(&self) -> &str {
+        &self.file
+    }
+
     /// Adds a fault.
     pub fn add(&mut self, line: Option<usize>, column: Option<&str>, detail: impl Into<String>) {
         let (line, column, detail) = match self.faults.len() {

@@ -9,7 +9,7 @@ use estimation::recipe::{
 };
 use estimation::recording::Recording;
 use estimation::recording::named_columns::NamedColumns;
-use estimation::rows::Runs;
+use estimation::rows::{Runs, Start};
 use estimation::validation::{Judged, Splits, blend, candidates, judge, rolled, rolled_r2};
 
 use rand::RngExt;
@@ -61,8 +61,8 @@ fn recipe() -> Recipe {
 /// Judges all candidates and learns the best from all rows.
 fn fitted(recipe: &Recipe, recordings: Vec<Recording>) -> (Estimator, Ranking, Runs) {
     let runs = Runs::new(recipe, names(), recordings).expect("runs");
-    let settings = runs.stream_settings(recipe, true);
-    let features = runs.features(&settings);
+    let settings = runs.stream_settings(recipe, Start::First);
+    let features = runs.features(&settings, Start::First);
     let rows = runs.of_force(0, &features);
     let splits = Splits::new(&rows, recipe, runs.interval_s.1);
     let judged = candidates(recipe)
@@ -76,7 +76,8 @@ fn fitted(recipe: &Recipe, recordings: Vec<Recording>) -> (Estimator, Ranking, R
         format: FORMAT.to_owned(),
         version: VERSION,
         columns: names(),
-        stream: Stream::new(&runs, recipe, true),
+        stream: Stream::new(&runs, recipe, Start::First),
+        zero: runs.zero(),
         interval_s: runs.interval_s,
         ranges: runs.ranges(&features),
         promise: splits.by,
@@ -244,13 +245,13 @@ fn returning(unloaded: f64, first_force: f64) -> Recording {
 fn a_first_reading_is_taken_off_one_run_where_signals_come_back_to_it() {
     let auto = |recording: Recording| {
         let runs = Runs::new(&recipe(), names(), vec![recording]).expect("a run");
-        runs.subtract_start(StartValue::Auto)
+        runs.start(StartValue::Auto)
     };
     // u away from the first reading without a force, of a deviation root((u^2 + 1) / 2): the share is 1/2 at u = 1 / root 7 = 0.378, the first of the 401 rows apart.
-    assert_eq!(auto(returning(0.37, 0.0)), Some(true));
-    assert_eq!(auto(returning(0.385, 0.0)), Some(false));
-    assert_eq!(auto(returning(0.37, 10.0)), Some(false));
+    assert_eq!(auto(returning(0.37, 0.0)), Some(Start::First));
+    assert_eq!(auto(returning(0.385, 0.0)), Some(Start::Kept));
+    assert_eq!(auto(returning(0.37, 10.0)), Some(Start::Kept));
     let two = vec![run(1, 200), run(2, 200)];
     let runs = Runs::new(&recipe(), names(), two).expect("runs");
-    assert_eq!(runs.subtract_start(StartValue::Auto), None);
+    assert_eq!(runs.start(StartValue::Auto), None);
 }

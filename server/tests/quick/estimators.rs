@@ -7,7 +7,7 @@ use estimation::recipe::Recipe;
 use fem_client::closed_form::ClosedFormSolver;
 use reqwest::{Response, StatusCode};
 use serde_json::{Value, json};
-use service::forces::applying::apply;
+use service::forces::applying::{Zero, apply};
 use service::forces::fitting::{Work, fit};
 use service::forces::model_file::{model_text, read_model};
 use service::forces::recorded_texts::NamedText;
@@ -137,7 +137,7 @@ async fn what_the_service_learns_and_estimates_is_what_the_command_line_does() {
     assert_eq!(answer.status(), StatusCode::OK);
     assert_eq!(answer.headers()["content-type"], "text/csv; charset=utf-8");
     let estimator = read_model(&model).expect("reads");
-    let estimates = apply(&estimator, "friday.csv", unmeasured).expect("applies");
+    let estimates = apply(&estimator, "friday.csv", unmeasured, &Zero::AsLearnt).expect("applies");
     assert_eq!(answer.text().await.expect("text"), estimates);
     assert_eq!(estimates.lines().count(), 4);
 }

@@ -9,9 +9,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use documents::own_model::csv_cell;
 use estimation::estimator::Estimator;
 use estimation::live::live_estimates::{Estimated, Live};
-use estimation::recording::csv_recording::{CycleNumbers, RowReader, check_time, header_names};
+use estimation::recording::csv_recording::{
+    CycleNumbers, RowReader, check_time, header, header_names, read_rows,
+};
 use estimation::recording::recording_fault::{FaultList, RecordingFault};
 use estimation::recording::typical_interval;
+use estimation::recording::unloaded;
 use estimation::rows::RATE_FACTOR;
 
 /// Rows whose typical interval tells a recording's rate.
@@ -75,12 +78,13 @@ impl<'e> EstimatedLines<'e> {
         estimator: &'e Estimator,
         file: &str,
         header: &str,
+        zero: &Zero,
     ) -> Result<Self, Vec<RecordingFault>> {
         Ok(Self {
             estimator,
             file: file.to_owned(),
             reader: row_reader(estimator, file, header)?,
-            live: Live::new(estimator),
+            live: live_from(estimator, zero),
             line: 1,
             last_s: None,
             cycles: CycleNumbers::default(),
@@ -194,12 +198,67 @@ pub(super) fn line_of(estimated: &Estimated) -> String {
     line
 }
 
+/// Zero of the signals that are estimated from.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Zero {
+    /// Zero that the model learnt to take: the first row's signals, or none.
+    #[default]
+    AsLearnt,
+    /// The first row's signals.
+    First,
+    /// Signals that are known to be it, one each.
+    Known(Vec<f64>),
+}
+
+/// Estimates from a stream's first row on.
+pub(super) fn live_from<'e>(estimator: &'e Estimator, zero: &Zero) -> Live<'e> {
+    let mut live = Live::new(estimator);
+    match zero {
+        Zero::AsLearnt => {}
+        Zero::First => live.zero(),
+        Zero::Known(zero) => live.start_at(zero.clone()),
+    }
+    live
+}
+
+/// The zero of a recording: its signals' medians where no force acts, or over all rows of one without forces.
+///
+/// # Errors
+/// Its faults; that none of its rows is unloaded.
+pub fn zero_of_recording(
+    estimator: &Estimator,
+    file: &str,
+    text: &str,
+) -> Result<Zero, Vec<RecordingFault>> {
+    let names = header(file, text)?;
+    let mut faults = FaultList::of(file);
+    estimator.columns.check_unlabelled(&names, &mut faults);
+    if !faults.is_empty() {
+        return Err(faults.into_faults());
+    }
+    let gaps = estimator.stream.rate_hz.is_some();
+    let there = estimator.columns.among(&names);
+    let run = read_rows(file, text, &there, &names, gaps)?;
+    let zero = unloaded::zero(&run);
+    zero.map(Zero::Known).ok_or_else(|| {
+        let detail = "has no row without a force: the zero is what the signals are then";
+        faults.add(None, None, detail);
+        faults.into_faults()
+    })
+}
+
 /// Estimates of a whole recording.
 ///
 /// # Errors
 /// Every fault, up to a bound.
-pub fn apply(estimator: &Estimator, file: &str, text: &str) -> Result<String, Vec<RecordingFault>> {
+pub fn apply(
+    estimator: &Estimator,
+    file: &str,
+    text: &str,
+    zero: &Zero,
+) -> Result<String, Vec<RecordingFault>> {
     let unbounded = Bounds {
+        zero,
         most_bytes: usize::MAX,
         stop: &AtomicBool::new(false),
     };
@@ -209,6 +268,8 @@ pub fn apply(estimator: &Estimator, file: &str, text: &str) -> Result<String, Ve
 /// Bounds of the estimates.
 #[derive(Debug, Clone, Copy)]
 pub struct Bounds<'a> {
+    /// Zero of the signals.
+    pub zero: &'a Zero,
     /// Most bytes of them.
     pub most_bytes: usize,
     /// Whether to stop.
@@ -226,7 +287,12 @@ pub fn apply_within(
     bounds: Bounds<'_>,
 ) -> Result<Option<String>, Vec<RecordingFault>> {
     let mut lines = text.lines();
-    let mut rows = EstimatedLines::new(estimator, file, lines.next().unwrap_or_default())?;
+    let mut rows = EstimatedLines::new(
+        estimator,
+        file,
+        lines.next().unwrap_or_default(),
+        bounds.zero,
+    )?;
     let mut out = estimates_header(estimator);
     let mut faults = Vec::new();
     for line in lines {

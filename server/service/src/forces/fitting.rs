@@ -10,7 +10,7 @@ use estimation::model::contract::FitError;
 use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
 use estimation::recording::Recording;
 use estimation::recording::time_unit::other_time_unit;
-use estimation::rows::{LabelledRows, Runs};
+use estimation::rows::{LabelledRows, Runs, Start};
 use estimation::split::strictest;
 use estimation::validation::{
     ANOTHER_SESSION, Candidate, Judged, LearntModel, Splits, Tested, blend, candidates, judge,
@@ -60,23 +60,24 @@ pub struct Work<'a> {
 pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, FitFailure> {
     let begun = Instant::now();
     let runs = read_runs(recipe, files).map_err(FitFailure::Input)?;
-    let subtract_start = subtract_start(recipe, &runs, work);
-    let rows = rows_of_forces(recipe, &runs, subtract_start);
+    let start = start(recipe, &runs, work);
+    let rows = rows_of_forces(recipe, &runs, start);
     let splits: Vec<Splits> = rows
         .iter()
         .map(|rows| Splits::new(rows, recipe, runs.interval_s.1))
         .collect();
     let (rankings, failures) = judged(recipe, &rows, &splits, work)?;
     let (models, rolled) = learnt(recipe, &rows, &splits, &rankings, work)?;
-    let settings = runs.stream_settings(recipe, subtract_start);
+    let settings = runs.stream_settings(recipe, start);
     let by = splits.first().map_or(SplitKind::Cycle, |splits| splits.by);
     let estimator = Estimator {
         format: FORMAT.to_owned(),
         version: VERSION,
         columns: runs.names.clone(),
-        stream: Stream::new(&runs, recipe, subtract_start),
+        stream: Stream::new(&runs, recipe, start),
+        zero: runs.zero(),
         interval_s: runs.interval_s,
-        ranges: runs.ranges(&runs.features(&settings)),
+        ranges: runs.ranges(&runs.features(&settings, start)),
         promise: by,
         recipe: recipe.clone(),
         forces: models,
@@ -92,7 +93,7 @@ pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, 
     let failed =
         |(force, failure): &(usize, String)| format!("{}: {failure}", runs.names.forces[*force]);
     notes.extend(failures.iter().map(failed));
-    notes.extend(more_notes(&runs, subtract_start, recipe));
+    notes.extend(more_notes(&runs, start, recipe));
     let report = Report {
         recordings: figures_of(&runs, files),
         forces: reports,
@@ -114,20 +115,20 @@ pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, 
     })
 }
 
-fn rows_of_forces(recipe: &Recipe, runs: &Runs, subtract_start: bool) -> Vec<LabelledRows> {
-    let features = runs.features(&runs.stream_settings(recipe, subtract_start));
+fn rows_of_forces(recipe: &Recipe, runs: &Runs, start: Start) -> Vec<LabelledRows> {
+    let features = runs.features(&runs.stream_settings(recipe, start), start);
     (0..runs.names.forces.len())
         .map(|force| runs.of_force(force, &features))
         .collect()
 }
 
-/// Whether first readings are taken off: as the recipe says, or as left-out runs say of lines and processes on raw signals.
-fn subtract_start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> bool {
-    if let Some(subtract) = runs.subtract_start(recipe.preprocess.start_value) {
-        return subtract;
+/// Reading that is taken off: as the recipe says, or as left-out runs say of lines and processes on raw signals.
+fn start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> Start {
+    if let Some(start) = runs.start(recipe.preprocess.start_value) {
+        return start;
     }
-    let tried: Vec<(bool, Vec<LabelledRows>)> = [true, false]
-        .map(|subtract| (subtract, rows_of_forces(recipe, runs, subtract)))
+    let tried: Vec<(Start, Vec<LabelledRows>)> = [Start::First, Start::Kept]
+        .map(|start| (start, rows_of_forces(recipe, runs, start)))
         .into();
     let kinds = [Kind::Ridge, Kind::Gpr].map(|kind| Candidate {
         kind,
@@ -159,7 +160,10 @@ fn subtract_start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> bool {
         };
         (0..runs.names.forces.len()).map(least).sum()
     };
-    of_way(0) <= of_way(1)
+    match of_way(0) <= of_way(1) {
+        true => Start::First,
+        false => Start::Kept,
+    }
 }
 
 /// A force by its number, and why a candidate of it couldn't be learnt.
@@ -262,17 +266,19 @@ fn learnt(
     Ok(found.unzip())
 }
 
-fn more_notes(runs: &Runs, subtract_start: bool, recipe: &Recipe) -> Vec<String> {
+fn more_notes(runs: &Runs, start: Start, recipe: &Recipe) -> Vec<String> {
     let mut notes: Vec<String> = other_time_unit(&runs.names.time, runs.interval_s.0)
         .into_iter()
         .collect();
-    let start = if subtract_start {
-        "taken off its signals"
-    } else {
-        "kept"
-    };
-    notes.push(format!("the first reading of each run is {start}"));
-    if subtract_start && !runs.begin_unloaded() {
+    notes.push(
+        match start {
+            Start::First => "the first reading of each run is taken off its signals",
+            Start::Kept => "the first reading of each run is kept",
+            Start::Unloaded => "each run's median without a force is taken off its signals; of a recording that is estimated the first reading is, unless force apply --start says what",
+        }
+        .to_owned(),
+    );
+    if start == Start::First && !runs.begin_unloaded() {
         notes.push(
             "a run begins with a force: its first reading isn't what the signals are without one"
                 .to_owned(),

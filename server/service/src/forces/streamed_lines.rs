@@ -14,7 +14,7 @@ use estimation::recipe::BadRows;
 use estimation::recording::csv_recording::{CycleNumbers, Row, RowReader};
 use estimation::recording::recording_fault::{FaultList, RecordingFault};
 
-use crate::forces::applying::{estimates_header, line_of, row_reader};
+use crate::forces::applying::{Zero, estimates_header, line_of, live_from, row_reader};
 
 /// Line that makes the next row's signals the zero.
 const ZERO: &str = "zero";
@@ -51,12 +51,13 @@ impl<'e> StreamedLines<'e> {
         estimator: &'e Estimator,
         file: &str,
         header: &str,
+        zero: &Zero,
     ) -> Result<Self, Vec<RecordingFault>> {
         Ok(Self {
             estimator,
             header: header.trim_start_matches('\u{feff}').trim().to_owned(),
             reader: row_reader(estimator, file, header)?,
-            live: Live::new(estimator),
+            live: live_from(estimator, zero),
             watch: RowWatch::new(estimator),
             cycles: CycleNumbers::default(),
             is_zero_next: false,

@@ -52,10 +52,15 @@ fn write(folder: &Path, files: &[(&str, &str)]) {
 }
 
 fn fitted(folder: &Path) -> Value {
+    fitted_with(folder, "")
+}
+
+/// Learns by the recipe with more at its end.
+fn fitted_with(folder: &Path, more: &str) -> Value {
     write(
         folder,
         &[
-            ("recipe.toml", RECIPE),
+            ("recipe.toml", &format!("{RECIPE}{more}")),
             ("one.csv", &recording(1.0)),
             ("two.csv", &recording(2.0)),
             ("three.csv", &recording(3.0)),

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use estimation::estimator::Estimator;
 use estimation::recording::recording_fault::RecordingFault;
-use service::forces::applying::{EstimatedLines, apply, estimates_header};
+use service::forces::applying::{EstimatedLines, Zero, apply, estimates_header, zero_of_recording};
 use service::forces::model_file::{MOST_MODEL_BYTES, read_model};
 use service::forces::recorded_texts::{MOST_RECORDING_BYTES, add};
 use service::forces::streamed_lines::{StreamedLines, stream_header};
@@ -28,6 +28,9 @@ pub(crate) struct Apply {
     model: PathBuf,
     /// Recording, CSV; `-` reads rows from standard input and answers each at once, with its state
     run: PathBuf,
+    /// Zero of the signals: `first` for the first row's, `model` for what they were where no force acted, or a recording without load
+    #[arg(long, value_name = "first|model|RUN")]
+    start: Option<PathBuf>,
     /// End a stream at its first imperfect row, as a file is refused for one
     #[arg(long)]
     strict: bool,
@@ -43,7 +46,34 @@ impl Apply {
         Files::default()
             .reading([&self.model])
             .reading(run)
+            .reading(self.start_file())
             .writing(self.output.as_deref())
+    }
+
+    /// The recording whose zero counts.
+    fn start_file(&self) -> Option<&Path> {
+        let start = self.start.as_deref()?;
+        (start != Path::new("first") && start != Path::new("model")).then_some(start)
+    }
+
+    /// The zero that is asked for.
+    fn zero(&self, estimator: &Estimator) -> Result<Zero, Failure> {
+        if let Some(file) = self.start_file() {
+            let text = read_text(file, MOST_RECORDING_BYTES).map_err(Failure::input)?;
+            let name = file.display().to_string();
+            return zero_of_recording(estimator, &name, &text).map_err(refused);
+        }
+        match self.start.as_deref() {
+            None => Ok(Zero::AsLearnt),
+            Some(start) if start == Path::new("first") => Ok(Zero::First),
+            Some(_) => match &estimator.zero {
+                Some(zero) => Ok(Zero::Known(zero.clone())),
+                None => Err(Failure::input(format!(
+                    "--start model: {} knows no zero, as no run that it learnt from was unloaded, or an earlier version learnt it",
+                    self.model.display()
+                ))),
+            },
+        }
     }
 
     fn is_streamed(&self) -> bool {
@@ -61,11 +91,12 @@ impl Apply {
         };
         let estimator = read_model(&text).map_err(named)?;
         drop(text);
+        let zero = self.zero(&estimator)?;
         let stream = |out: &mut dyn Write| {
             let (rows, mut out) = (io::stdin().lock(), out);
             match self.strict {
-                true => strictly_streamed(&estimator, rows, &mut out),
-                false => streamed(&estimator, rows, &mut out),
+                true => strictly_streamed(&estimator, &zero, rows, &mut out),
+                false => streamed(&estimator, &zero, rows, &mut out),
             }
         };
         match (self.is_streamed(), &self.output) {
@@ -77,8 +108,8 @@ impl Apply {
             }
             (false, _) => {
                 let text = read_text(&self.run, MOST_RECORDING_BYTES).map_err(Failure::input)?;
-                let estimates =
-                    apply(&estimator, &self.run.display().to_string(), &text).map_err(refused)?;
+                let estimates = apply(&estimator, &self.run.display().to_string(), &text, &zero)
+                    .map_err(refused)?;
                 match &self.output {
                     Some(path) => write(path, estimates.as_bytes()),
                     None => print(&estimates),
@@ -97,12 +128,13 @@ fn refused(found: Vec<RecordingFault>) -> Failure {
 /// Answers each row as soon as its line is whole, whatever it is like, and says at the end how many had which state.
 fn streamed(
     estimator: &Estimator,
+    zero: &Zero,
     mut rows: impl BufRead,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
     let header = next_line(&mut rows)?.unwrap_or_default();
     let header = String::from_utf8_lossy(&header);
-    let mut lines = StreamedLines::new(estimator, STDIN, &header).map_err(refused)?;
+    let mut lines = StreamedLines::new(estimator, STDIN, &header, zero).map_err(refused)?;
     write_to(&mut *out, stream_header(estimator).as_bytes()).map_err(Failure::other)?;
     while let Some(line) = next_line(&mut rows)? {
         let answer = lines.push(&String::from_utf8_lossy(&line));
@@ -119,6 +151,7 @@ fn streamed(
 /// Answers each row as soon as its line is whole. Ends with the first fault: what comes after it may depend on it.
 fn strictly_streamed(
     estimator: &Estimator,
+    zero: &Zero,
     mut rows: impl BufRead,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
@@ -136,7 +169,7 @@ fn strictly_streamed(
             .map_err(|_| Failure::input(format!("{STDIN}: it is not UTF-8 text")))
     };
     let header = line()?.unwrap_or_default();
-    let mut lines = EstimatedLines::new(estimator, STDIN, &header).map_err(refused)?;
+    let mut lines = EstimatedLines::new(estimator, STDIN, &header, zero).map_err(refused)?;
     write_to(&mut *out, estimates_header(estimator).as_bytes()).map_err(Failure::other)?;
     while let Some(line) = line()? {
         let estimates = lines.push(&line).map_err(refused)?;

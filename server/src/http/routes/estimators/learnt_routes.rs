@@ -27,7 +27,7 @@ use crate::http::edge::problem_document::Problem;
 use crate::http::routes::estimators::estimator_routes::known;
 use crate::http::routes::long_body::LongBody;
 use service::export::FileFormat;
-use service::forces::applying::{Bounds, apply_within};
+use service::forces::applying::{Bounds, Zero, apply_within};
 use service::forces::model_file::read_model;
 use service::forces::recorded_texts::NamedText;
 use service::forces::submission_reader::{of_recording, read_recording};
@@ -185,6 +185,7 @@ fn estimates(model: &str, recording: &NamedText, stop: &AtomicBool) -> Result<St
     };
     let estimator = read_model(model).map_err(unreadable)?;
     let bounds = Bounds {
+        zero: &Zero::AsLearnt,
         most_bytes: MOST_ESTIMATES,
         stop,
     };
