@@ -4568,6 +4568,8 @@ export interface components {
             time?: string;
             /** @description Signals; all other columns where none are named. */
             signals?: string | string[];
+            /** @description Columns that are no signals, whatever the patterns of signals say. */
+            not_signals?: string | string[];
             /** @description Forces, N; `fx_n`, `fy_n`, `fz_n` or the like where none are named. */
             forces?: string | string[];
             /** @description Cycles are rows with the same entry of this column, one after another. */

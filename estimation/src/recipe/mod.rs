@@ -46,7 +46,7 @@ pub struct Recipe {
 
 /// Columns that are meant; patterns have `*` and `?`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Table)]
-#[table(told = [time, signals, forces, "cycle", "pause_s", "threshold_n", "block_s"])]
+#[table(told = [time, signals, not_signals, forces, "cycle", "pause_s", "threshold_n", "block_s"])]
 #[serde(deny_unknown_fields)]
 pub struct Columns {
     /// Seconds; `time_s` or else the first column where none is named.
@@ -55,6 +55,10 @@ pub struct Columns {
     /// Signals; all other columns where none are named.
     #[field(with = column_names::several)]
     pub signals: Option<Vec<String>>,
+    /// Columns that are no signals, whatever the patterns of signals say.
+    #[field(with = column_names::several)]
+    #[serde(default)]
+    pub not_signals: Option<Vec<String>>,
     /// Forces, N; `fx_n`, `fy_n`, `fz_n` or the like where none are named.
     #[field(with = column_names::several)]
     pub forces: Option<Vec<String>>,

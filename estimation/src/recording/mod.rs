@@ -4,6 +4,7 @@
 //! - [`named_columns`]: which columns of a file are meant
 //! - [`csv_recording`]: a recording from its text
 //! - [`recording_fault`]: what can be wrong with it
+//! - [`repeated_rows`]: rows that stand in two of them; [`suspect_signals`]: columns that are no sensors
 //! - [`time_unit`]: times that are no seconds
 //! - [`unloaded`]: readings without a force
 
@@ -11,6 +12,8 @@ mod csv_line;
 pub mod csv_recording;
 pub mod named_columns;
 pub mod recording_fault;
+pub mod repeated_rows;
+pub mod suspect_signals;
 pub mod time_unit;
 pub mod unloaded;
 

@@ -29,7 +29,7 @@ pub struct NamedColumns {
 /// Name of the column of time where a recipe names none; a file without it has time first.
 const TIME: &str = "time_s";
 /// Forces where a recipe names none.
-const FORCES: [&str; 4] = ["f?_n", "force_n", "f?", "force"];
+const FORCES: [&str; 5] = ["f?_n", "force_n", "f_n", "f?", "force"];
 
 impl NamedColumns {
     /// Finds the columns in the headers of all runs. A signal by pattern is meant when one file has it; whether a file has all of them, [`Self::check`] tells.
@@ -62,6 +62,9 @@ impl NamedColumns {
             Some(patterns) => matching(patterns, &signals),
             None => signals.into_iter().cloned().collect(),
         };
+        let not = columns.not_signals.iter().flatten();
+        let is_left = |name: &String| !not.clone().any(|pattern| matches(pattern, name));
+        let signals = signals.into_iter().filter(is_left).collect();
         Self {
             time,
             signals,
@@ -271,6 +274,16 @@ mod tests {
         assert_eq!(found.time, "time_s");
         assert_eq!(found.signals, ["s1", "s2"]);
         assert_eq!(found.forces, ["fx_n", "fz_n"]);
+        let without = Columns {
+            not_signals: Some(named(&["s?"])),
+            ..Columns::default()
+        };
+        let header = named(&["time_s", "s1", "a", "f_n"]);
+        let found = NamedColumns::find(&without, [&header]);
+        assert_eq!(
+            (found.signals, found.forces),
+            (named(&["a"]), named(&["f_n"]))
+        );
         let header = named(&["t", "s1", "force"]);
         let found = NamedColumns::find(&Columns::default(), [&header]);
         assert_eq!(

@@ -9,6 +9,8 @@ use estimation::fit_report::{FitCost, ForceReport, Ranking, RecordingFigures, Re
 use estimation::model::contract::FitError;
 use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
 use estimation::recording::Recording;
+use estimation::recording::named_columns::NamedColumns;
+use estimation::recording::suspect_signals::suspect_signals;
 use estimation::recording::time_unit::other_time_unit;
 use estimation::rows::{LabelledRows, Runs, Start};
 use estimation::split::strictest;
@@ -266,10 +268,41 @@ fn learnt(
     Ok(found.unzip())
 }
 
+/// Most signals that a note names.
+const MOST_NAMED: usize = 12;
+
+/// Says which columns were read as what.
+fn columns_read(names: &NamedColumns) -> String {
+    let listed = |names: &[String]| {
+        let shown: Vec<String> = names
+            .iter()
+            .take(MOST_NAMED)
+            .map(|name| name.escape_debug().to_string())
+            .collect();
+        match names.len().saturating_sub(MOST_NAMED) {
+            0 => shown.join(", "),
+            more => format!("{} and {more} more", shown.join(", ")),
+        }
+    };
+    let time = names.time.escape_debug();
+    let (signals, forces) = (listed(&names.signals), listed(&names.forces));
+    let cycle = names
+        .cycle
+        .iter()
+        .map(|name| format!("; {} tells cycles apart", name.escape_debug()));
+    format!(
+        "columns: time {time}, forces {forces}, {} signals {signals}{}",
+        names.signals.len(),
+        cycle.collect::<String>()
+    )
+}
+
 fn more_notes(runs: &Runs, start: Start, recipe: &Recipe) -> Vec<String> {
     let mut notes: Vec<String> = other_time_unit(&runs.names.time, runs.interval_s.0)
         .into_iter()
         .collect();
+    notes.extend(suspect_signals(&runs.runs, &runs.names));
+    notes.push(columns_read(&runs.names));
     notes.push(
         match start {
             Start::First => "the first reading of each run is taken off its signals",

@@ -10,6 +10,7 @@ use estimation::recipe::Recipe;
 use estimation::recording::csv_recording::{MOST_COLUMNS, header, read, rows_below_header};
 use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::recording_fault::RecordingFault;
+use estimation::recording::repeated_rows::repeated;
 use estimation::recording::{PAUSE_INTERVALS, Recording};
 use estimation::rows::{Refusal, Runs};
 use serde::{Deserialize, Serialize};
@@ -82,11 +83,35 @@ pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Ve
     if !faults.is_empty() {
         return Err(faults);
     }
+    let repeated = repeated_stretches(&recordings);
+    if !repeated.is_empty() {
+        return Err(repeated);
+    }
     if let Some(refused) = too_many_ticks(recipe, &recordings) {
         return Err(vec![refused]);
     }
     Runs::new(recipe, names, recordings)
         .map_err(|refusals| refusals.into_iter().map(of_recipe).collect())
+}
+
+/// A fault for each pair of recordings that share a stretch of one measurement.
+fn repeated_stretches(recordings: &[Recording]) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    for (place, later) in recordings.iter().enumerate() {
+        for earlier in recordings.iter().take(place) {
+            if let Some([first, second]) = repeated(earlier, later) {
+                let detail = format!(
+                    "{} repeats {}: its row {} on is row {} on there, so that neither is a run that the other leaves out; give one of them",
+                    later.name,
+                    earlier.name,
+                    second + 1,
+                    first + 1
+                );
+                Fault::add(&mut faults, "", detail);
+            }
+        }
+    }
+    faults
 }
 
 /// A clock on which recordings would have more rows than are read: a few rows far apart make any number of them.
