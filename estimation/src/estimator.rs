@@ -1,11 +1,12 @@
 //! Estimator: what was chosen and learnt from all rows, as data, the model file.
 
+use ndarray::Array2;
 use serde::{Deserialize, Serialize};
 
-use crate::features::StreamSettings;
+use crate::features::{GROUPS, StreamSettings, columns};
 use crate::interval::factor_by;
 use crate::model::contract::{FitError, Prediction};
-use crate::recipe::{Recipe, SplitKind};
+use crate::recipe::{FeatureSet, Recipe, SplitKind};
 use crate::recording::named_columns::NamedColumns;
 use crate::rows::{LabelledRows, Runs, Start};
 use crate::validation::{Judged, LearntModel};
@@ -16,6 +17,8 @@ pub const VERSION: u32 = 2;
 pub const FORMAT: &str = "strainsite-estimator";
 /// A signal may leave the range that was learnt by this share of it before a row is flagged.
 const MARGIN: f64 = 0.05;
+/// Another feature may leave its range by this share of it: slopes and variances of unseen runs do by half in some 1 % of their rows, and a spike in a window by a hundred times it.
+const FEATURE_MARGIN: f64 = 0.5;
 /// Ratio of a process's error on another run to that on left-out parts of its own: on public recordings of a soft sensor 1.4 and 1.6 (sensors of
 /// eFlesh, normal presses: 0.98 % of the range against 1.35 and 1.55 %).
 const ANOTHER_RUN: f64 = 1.5;
@@ -39,12 +42,55 @@ pub struct Estimator {
     pub interval_s: (f64, f64),
     /// Least and greatest value of each signal that was learnt from, as models are given it.
     pub ranges: Vec<(f64, f64)>,
+    /// Least and greatest value of all features that the models read; `None` in models of earlier versions.
+    #[serde(default)]
+    pub feature_ranges: Option<FeatureRanges>,
     /// Split whose left-out rows the intervals promise to hold: rows of another run, or of other cycles.
     pub promise: SplitKind,
     /// Models, one a force, in the order of the columns.
     pub forces: Vec<ForceModel>,
     /// Recipe that was asked for.
     pub recipe: Recipe,
+}
+
+/// Least and greatest value of features that were learnt from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FeatureRanges {
+    /// Features that models read.
+    pub features: FeatureSet,
+    /// Ranges of them, group by group, each with an entry a signal.
+    pub ranges: Vec<(f64, f64)>,
+}
+
+impl FeatureRanges {
+    /// The ranges of what these models read, among all features of all rows.
+    pub fn of(forces: &[ForceModel], features: &Array2<f64>) -> Option<Self> {
+        let members = forces.iter().flat_map(|force| &force.members);
+        let read = members
+            .map(|member| member.features)
+            .reduce(FeatureSet::with)?;
+        let columns = columns(read, features.ncols() / GROUPS);
+        let range = |column| {
+            let values = features.column(column);
+            let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+            (
+                low,
+                values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            )
+        };
+        Some(Self {
+            features: read,
+            ranges: columns.map(range).collect(),
+        })
+    }
+
+    /// Whether a feature is beyond its range by more than half of it.
+    fn is_outside(&self, features: &[f64]) -> bool {
+        let read = columns(self.features, features.len() / GROUPS);
+        let mut pairs = read.zip(&self.ranges);
+        pairs.any(|(column, range)| is_beyond(features[column], *range, FEATURE_MARGIN))
+    }
 }
 
 /// Treatment of rows, as numbers.
@@ -216,9 +262,18 @@ impl Estimator {
             return Err(format!("the zero must be {signals} finite numbers"));
         }
         let intervals = [self.interval_s, self.interval_s];
+        let others = self.feature_ranges.as_ref();
+        if others
+            .is_some_and(|others| others.ranges.len() != columns(others.features, signals).count())
+        {
+            return Err(format!(
+                "there must be a range for each feature of the {signals} signals that models read"
+            ));
+        }
         if self
             .ranges
             .iter()
+            .chain(others.iter().flat_map(|others| &others.ranges))
             .chain(&intervals)
             .any(|(low, high)| !(low.is_finite() && high.is_finite() && low <= high))
         {
@@ -244,19 +299,23 @@ impl Estimator {
         Ok(())
     }
 
-    /// Whether a row is outside of what was learnt from.
-    pub fn is_outside(&self, values: &[f64]) -> bool {
-        is_outside(values, &self.ranges)
+    /// Whether a row of all features is outside of what was learnt from: a signal, or whatever else the models read.
+    pub fn is_outside(&self, features: &[f64]) -> bool {
+        let others = self.feature_ranges.as_ref();
+        is_outside(features, &self.ranges)
+            || others.is_some_and(|others| others.is_outside(features))
     }
 }
 
 /// Whether a signal is beyond the range that was learnt by more than a twentieth of it.
 pub fn is_outside(values: &[f64], ranges: &[(f64, f64)]) -> bool {
-    let beyond = |(x, (low, high)): (&f64, &(f64, f64))| {
-        let margin = MARGIN * (high - low);
-        *x < low - margin || *x > high + margin
-    };
-    values.iter().zip(ranges).any(beyond)
+    let mut pairs = values.iter().zip(ranges);
+    pairs.any(|(x, range)| is_beyond(*x, *range, MARGIN))
+}
+
+fn is_beyond(x: f64, (low, high): (f64, f64), margin: f64) -> bool {
+    let margin = margin * (high - low);
+    x < low - margin || x > high + margin
 }
 
 #[cfg(test)]

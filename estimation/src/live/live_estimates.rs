@@ -89,7 +89,7 @@ impl<'e> Live<'e> {
         Estimated {
             time_s,
             forces: forces.map(|force| force.estimate(&features)).collect(),
-            outside: self.estimator.is_outside(&features[..signals.len()]),
+            outside: self.estimator.is_outside(&features),
         }
     }
 }

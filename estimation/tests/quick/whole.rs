@@ -1,6 +1,6 @@
 //! Estimates of a run that nobody learnt from, from recordings on.
 
-use estimation::estimator::{Estimator, FORMAT, ForceModel, Stream, VERSION};
+use estimation::estimator::{Estimator, FORMAT, FeatureRanges, ForceModel, Stream, VERSION};
 use estimation::fit_report::Ranking;
 use estimation::live::live_estimates::Live;
 use estimation::recipe::{
@@ -72,6 +72,7 @@ fn fitted(recipe: &Recipe, recordings: Vec<Recording>) -> (Estimator, Ranking, R
     judged.extend(blend(&judged, splits.by, &rows, recipe));
     let ranking = Ranking::new(judged, splits.by);
     let chosen = ranking.chosen().expect("a best one");
+    let forces = vec![ForceModel::learn(chosen, splits.by, &rows, recipe).expect("learns")];
     let estimator = Estimator {
         format: FORMAT.to_owned(),
         version: VERSION,
@@ -80,8 +81,9 @@ fn fitted(recipe: &Recipe, recordings: Vec<Recording>) -> (Estimator, Ranking, R
         zero: runs.zero(),
         interval_s: runs.interval_s,
         ranges: runs.ranges(&features),
+        feature_ranges: FeatureRanges::of(&forces, &features),
         promise: splits.by,
-        forces: vec![ForceModel::learn(chosen, splits.by, &rows, recipe).expect("learns")],
+        forces,
         recipe: recipe.clone(),
     };
     let of_member = |member| rolled(member, &rows, &splits, recipe).expect("rolled");
@@ -254,4 +256,35 @@ fn a_first_reading_is_taken_off_one_run_where_signals_come_back_to_it() {
     let two = vec![run(1, 200), run(2, 200)];
     let runs = Runs::new(&recipe(), names(), two).expect("runs");
     assert_eq!(runs.start(StartValue::Auto), None);
+}
+
+#[test]
+fn rows_that_a_spike_in_their_window_moves_are_told_as_outside() {
+    let mut recipe = recipe();
+    recipe.features.sets = vec![FeatureSet::All];
+    let (estimator, ..) = fitted(&recipe, (1..=2).map(|session| run(session, 300)).collect());
+    let clean = run(3, 300);
+    let mut spiked = clean.clone();
+    spiked.signals[[150, 0]] = 500.0;
+    let answers = |recording: &Recording| {
+        let mut live = Live::new(&estimator);
+        let rows = (0..recording.rows()).map(|row| {
+            let signals = recording.signals.row(row).to_vec();
+            live.push(recording.time_s[row], None, &signals).remove(0)
+        });
+        rows.collect::<Vec<_>>()
+    };
+    let (clean, spiked) = (answers(&clean), answers(&spiked));
+    let mut moved = 0;
+    for (clean, spiked) in clean.iter().zip(&spiked) {
+        let [right, found] = [clean.forces[0], spiked.forces[0]];
+        if !(right.low..=right.high).contains(&found.force) {
+            assert!(spiked.outside, "{found:?} for {right:?}");
+            moved += 1;
+        }
+    }
+    // As many as a window of five rows holds.
+    assert_eq!(moved, 5);
+    let outside = clean.iter().filter(|row| row.outside).count();
+    assert!(outside <= 9, "{outside} of 300 clean rows");
 }

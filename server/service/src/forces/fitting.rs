@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Instant;
 
 use document::fault::Fault;
-use estimation::estimator::{Estimator, FORMAT, ForceModel, Stream, VERSION};
+use estimation::estimator::{Estimator, FORMAT, FeatureRanges, ForceModel, Stream, VERSION};
 use estimation::fit_report::{FitCost, ForceReport, Ranking, RecordingFigures, Report, promise};
 use estimation::model::contract::FitError;
 use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
@@ -71,6 +71,7 @@ pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, 
     let (rankings, failures) = judged(recipe, &rows, &splits, work)?;
     let (models, rolled) = learnt(recipe, &rows, &splits, &rankings, work)?;
     let settings = runs.stream_settings(recipe, start);
+    let features = runs.features(&settings, start);
     let by = splits.first().map_or(SplitKind::Cycle, |splits| splits.by);
     let estimator = Estimator {
         format: FORMAT.to_owned(),
@@ -79,7 +80,8 @@ pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, 
         stream: Stream::new(&runs, recipe, start),
         zero: runs.zero(),
         interval_s: runs.interval_s,
-        ranges: runs.ranges(&runs.features(&settings, start)),
+        ranges: runs.ranges(&features),
+        feature_ranges: FeatureRanges::of(&models, &features),
         promise: by,
         recipe: recipe.clone(),
         forces: models,
