@@ -56,12 +56,15 @@ pub(super) fn quoted(name: &str) -> Cow<'_, str> {
 /// Largest number: beyond, squares and slopes wouldn't be finite.
 const LARGEST: f64 = 1e100;
 
-/// The number of a cell; None where it is empty.
+/// Words for what wasn't measured.
+const NOTHING: [&str; 7] = ["nan", "na", "n/a", "null", "none", "-", "--"];
+
+/// The number of a cell; None where it is empty, or says that nothing was measured.
 ///
 /// # Errors
 /// A sentence when it is no finite number, or one beyond 1e100.
 pub fn number(cell: &str) -> Result<Option<f64>, String> {
-    if cell.is_empty() {
+    if cell.is_empty() || NOTHING.iter().any(|word| cell.eq_ignore_ascii_case(word)) {
         return Ok(None);
     }
     match cell.parse::<f64>() {
@@ -94,8 +97,10 @@ mod tests {
     #[test]
     fn only_finite_numbers_are_numbers() {
         assert_eq!(number("-1.5e3"), Ok(Some(-1500.0)));
-        assert_eq!(number(""), Ok(None));
-        for wrong in ["nan", "inf", "1e999", "-1e101", "0x1", "1,5", "one"] {
+        for nothing in ["", "NaN", "nan", "NA", "null", "None", "-"] {
+            assert_eq!(number(nothing), Ok(None), "{nothing}");
+        }
+        for wrong in ["inf", "1e999", "-1e101", "0x1", "1,5", "one"] {
             assert!(number(wrong).is_err(), "{wrong}");
         }
     }

@@ -1,6 +1,7 @@
 //! Recordings: signals, and forces where they were measured, over time.
 //!
 //! - `csv_line`: the cells of a line
+//! - [`dialect`]: files as loggers write them, in the form that is read
 //! - [`named_columns`]: which columns of a file are meant
 //! - [`csv_recording`]: a recording from its text
 //! - [`recording_fault`]: what can be wrong with it
@@ -10,6 +11,7 @@
 
 mod csv_line;
 pub mod csv_recording;
+pub mod dialect;
 pub mod named_columns;
 pub mod recording_fault;
 pub mod repeated_rows;

@@ -28,8 +28,18 @@ pub struct NamedColumns {
 
 /// Name of the column of time where a recipe names none; a file without it has time first.
 const TIME: &str = "time_s";
-/// Forces where a recipe names none.
-const FORCES: [&str; 5] = ["f?_n", "force_n", "f_n", "f?", "force"];
+/// Further names of the column of time, as [`plain`] makes them.
+const TIMES: [&str; 5] = ["time", "t", "timestamp", "seconds", "sec"];
+/// Forces where a recipe names none, as [`plain`] makes their names; the first patterns that fit a column decide.
+const FORCES: [&[&str]; 7] = [
+    &["f?_n"],
+    &["force_n"],
+    &["f_n"],
+    &["f?"],
+    &["force_x_n", "force_y_n", "force_z_n"],
+    &["force_x", "force_y", "force_z"],
+    &["force"],
+];
 
 impl NamedColumns {
     /// Finds the columns in the headers of all runs. A signal by pattern is meant when one file has it; whether a file has all of them, [`Self::check`] tells.
@@ -38,7 +48,12 @@ impl NamedColumns {
         let time = match &columns.time {
             Some(name) => name.clone(),
             None if all.iter().any(|name| name == TIME) => TIME.to_owned(),
-            None => all.first().cloned().unwrap_or_default(),
+            None => {
+                let usual = all
+                    .iter()
+                    .find(|name| TIMES.contains(&plain(name).as_str()));
+                usual.or(all.first()).cloned().unwrap_or_default()
+            }
         };
         let cycle = match &columns.cycles {
             CycleRule::Column(name) => Some(name.clone()),
@@ -141,7 +156,7 @@ fn nothing(what: &str, asked: &Option<Vec<String>>, header: &[String]) -> String
         None => "by the usual names".to_owned(),
     };
     format!(
-        "no column is among the {what} {asked}; the file has {}",
+        "no column is among the {what} {asked}: name them by {what} = [...] under [columns]; the file has {}",
         listed(header)
     )
 }
@@ -188,15 +203,23 @@ fn matching(patterns: &[String], names: &[&String]) -> Vec<String> {
     found
 }
 
-/// The first of the usual patterns that fits a column decides.
+/// The first of the usual patterns that fit a column decide.
 fn usual_forces(names: &[&String]) -> Vec<String> {
-    let of_pattern = |pattern: &&str| matching(&[(*pattern).to_owned()], names);
-    FORCES
-        .iter()
-        .filter(|pattern| names.iter().any(|name| matches(pattern, name)))
-        .map(of_pattern)
-        .next()
-        .unwrap_or_default()
+    let of_pattern = |patterns: &&[&str]| -> Vec<String> {
+        let is_meant = |name: &str| patterns.iter().any(|pattern| matches(pattern, name));
+        let fits = names.iter().filter(|name| is_meant(&plain(name)));
+        fits.map(|name| (*name).clone()).collect()
+    };
+    let mut found = FORCES.iter().map(of_pattern);
+    found.find(|names| !names.is_empty()).unwrap_or_default()
+}
+
+/// A name in small letters, with `_` for spaces, without `[s]` or `[N]` behind it: units as they are read. Others stay, so that such a column isn't taken for what it isn't.
+fn plain(name: &str) -> String {
+    let lower = name.to_lowercase();
+    let units = ["[s]", "(s)", "[n]", "(n)"];
+    let without = units.iter().find_map(|unit| lower.strip_suffix(unit));
+    without.unwrap_or(&lower).trim().replace(' ', "_")
 }
 
 /// Whether a name fits a pattern, in which `*` stands for any characters and `?` for one. What lies between two stars is looked for once, from left to right, so that
@@ -284,6 +307,24 @@ mod tests {
             (found.signals, found.forces),
             (named(&["a"]), named(&["f_n"]))
         );
+        for (time, force) in [
+            ("Time", "Fz"),
+            ("Time [s]", "Force Z [N]"),
+            ("timestamp", "FZ"),
+            ("t", "force_z"),
+        ] {
+            let header = named(&["sample", "S1", time, force]);
+            let found = NamedColumns::find(&Columns::default(), [&header]);
+            assert_eq!((found.time.as_str(), found.forces), (time, named(&[force])));
+        }
+        // Of other units nothing is guessed.
+        for force in ["Force Z (kN)", "force_g", "load_cell_N"] {
+            let header = named(&["time_s", "s1", force]);
+            assert_eq!(
+                NamedColumns::find(&Columns::default(), [&header]).forces,
+                [""; 0]
+            );
+        }
         let header = named(&["t", "s1", "force"]);
         let found = NamedColumns::find(&Columns::default(), [&header]);
         assert_eq!(

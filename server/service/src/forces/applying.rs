@@ -12,6 +12,7 @@ use estimation::live::live_estimates::{Estimated, Live};
 use estimation::recording::csv_recording::{
     CycleNumbers, RowReader, check_time, header, header_names, read_rows,
 };
+use estimation::recording::dialect::usual;
 use estimation::recording::recording_fault::{FaultList, RecordingFault};
 use estimation::recording::typical_interval;
 use estimation::recording::unloaded;
@@ -230,6 +231,7 @@ pub fn zero_of_recording(
     file: &str,
     text: &str,
 ) -> Result<Zero, Vec<RecordingFault>> {
+    let text = &usual(text);
     let names = header(file, text)?;
     let mut faults = FaultList::of(file);
     estimator.columns.check_unlabelled(&names, &mut faults);
@@ -286,13 +288,18 @@ pub fn apply_within(
     text: &str,
     bounds: Bounds<'_>,
 ) -> Result<Option<String>, Vec<RecordingFault>> {
-    let mut lines = text.lines();
+    let text = usual(text);
+    // Lines that were comments are blank.
+    let blanks = text.lines().take_while(|line| line.trim().is_empty());
+    let blanks = blanks.count();
+    let mut lines = text.lines().skip(blanks);
     let mut rows = EstimatedLines::new(
         estimator,
         file,
         lines.next().unwrap_or_default(),
         bounds.zero,
     )?;
+    rows.line += blanks;
     let mut out = estimates_header(estimator);
     let mut faults = Vec::new();
     for line in lines {

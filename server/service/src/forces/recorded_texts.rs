@@ -3,11 +3,13 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use std::borrow::Cow;
 use std::collections::HashSet;
 
 use document::fault::Fault;
 use estimation::recipe::Recipe;
 use estimation::recording::csv_recording::{MOST_COLUMNS, header, read, rows_below_header};
+use estimation::recording::dialect::usual;
 use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::recording_fault::RecordingFault;
 use estimation::recording::repeated_rows::repeated;
@@ -40,6 +42,8 @@ pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Ve
         )]);
     }
     let mut faults = Vec::new();
+    let usual: Vec<Cow<'_, str>> = files.iter().map(|file| usual(&file.text)).collect();
+    let named = || files.iter().map(|file| &file.name).zip(&usual);
     for (place, file) in files.iter().enumerate() {
         if let Some(twin) = files
             .iter()
@@ -53,16 +57,15 @@ pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Ve
             Fault::add(&mut faults, "", detail);
         }
     }
-    let rows: usize = files.iter().map(|file| rows_below_header(&file.text)).sum();
+    let rows: usize = usual.iter().map(|text| rows_below_header(text)).sum();
     if rows > MOST_ROWS {
         return Err(vec![fault(format!(
             "the recordings have {rows} rows; at most {MOST_ROWS} are read"
         ))]);
     }
     // A file without a header says so below.
-    let headers: Vec<Vec<String>> = files
-        .iter()
-        .filter_map(|file| header(&file.name, &file.text).ok())
+    let headers: Vec<Vec<String>> = named()
+        .filter_map(|(name, text)| header(name, text).ok())
         .collect();
     let columns: HashSet<&String> = headers.iter().flatten().collect();
     if columns.len() > MOST_COLUMNS {
@@ -74,8 +77,8 @@ pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Ve
     let names = NamedColumns::find(&recipe.columns, &headers);
     let gaps = recipe.preprocess.rate_hz.is_some();
     let mut recordings = Vec::new();
-    for file in files {
-        match read(&file.name, &file.text, &recipe.columns, &names, gaps) {
+    for (name, text) in named() {
+        match read(name, text, &recipe.columns, &names, gaps) {
             Ok(recording) => recordings.push(recording),
             Err(found) => add(&mut faults, found),
         }

@@ -14,7 +14,46 @@ use document::fields::nearest;
 /// # Errors
 /// A sentence that names the file, and a name like it where there is none.
 pub fn read_text(path: &Path, most_bytes: usize) -> Result<String, String> {
+    read_as(path, most_bytes, |bytes| {
+        let text = String::from_utf8(bytes);
+        text.map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-8 text"))
+    })
+}
+
+/// Reads a text as [`read_text`] does, which may be UTF-16 with its mark, too, or Latin-1: what spreadsheets and old loggers write.
+///
+/// # Errors
+/// As of [`read_text`], but for the bytes, which are always some text.
+pub fn read_any_text(path: &Path, most_bytes: usize) -> Result<String, String> {
+    read_as(path, most_bytes, |bytes| Ok(decoded(bytes)))
+}
+
+fn decoded(bytes: Vec<u8>) -> String {
+    let utf16 = |pair: fn([u8; 2]) -> u16| {
+        let (pairs, _) = bytes.get(2..).unwrap_or_default().as_chunks::<2>();
+        let units = pairs.iter().map(|bytes| pair(*bytes));
+        char::decode_utf16(units)
+            .map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER))
+            .collect()
+    };
+    match bytes.as_slice() {
+        [0xff, 0xfe, ..] => return utf16(u16::from_le_bytes),
+        [0xfe, 0xff, ..] => return utf16(u16::from_be_bytes),
+        _ => {}
+    }
+    String::from_utf8(bytes).unwrap_or_else(|error| {
+        // Bytes of Latin-1 are the first characters of Unicode.
+        error.into_bytes().into_iter().map(char::from).collect()
+    })
+}
+
+fn read_as(
+    path: &Path,
+    most_bytes: usize,
+    text_of: impl Fn(Vec<u8>) -> io::Result<String>,
+) -> Result<String, String> {
     let read = File::open(path).and_then(|file| bounded(file, most_bytes));
+    let read = read.and_then(|bytes| bytes.map(text_of).transpose());
     match read {
         Ok(Some(text)) => Ok(text),
         Ok(None) => Err(format!(
@@ -31,8 +70,8 @@ pub fn read_text(path: &Path, most_bytes: usize) -> Result<String, String> {
     }
 }
 
-/// The text, or none when there is more of it. A pipe doesn't say how long it is.
-fn bounded(file: File, most_bytes: usize) -> io::Result<Option<String>> {
+/// The bytes, or none when there are more. A pipe doesn't say how long it is.
+fn bounded(file: File, most_bytes: usize) -> io::Result<Option<Vec<u8>>> {
     let limit = u64::try_from(most_bytes).unwrap_or(u64::MAX);
     let length = file.metadata()?.len();
     if length > limit {
@@ -40,12 +79,7 @@ fn bounded(file: File, most_bytes: usize) -> io::Result<Option<String>> {
     }
     let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0).saturating_add(1));
     file.take(limit.saturating_add(1)).read_to_end(&mut bytes)?;
-    if bytes.len() > most_bytes {
-        return Ok(None);
-    }
-    let text = String::from_utf8(bytes);
-    text.map(Some)
-        .map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-8 text"))
+    Ok((bytes.len() <= most_bytes).then_some(bytes))
 }
 
 /// Files of a folder that are looked at for a name like the one that isn't there.
@@ -74,6 +108,17 @@ fn like(path: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn bytes_of_other_encodings_become_text() {
+        let utf16 = |order: fn(u16) -> [u8; 2]| -> Vec<u8> {
+            "\u{feff}a,µ\n".encode_utf16().flat_map(order).collect()
+        };
+        assert_eq!(decoded(utf16(u16::to_le_bytes)), "a,µ\n");
+        assert_eq!(decoded(utf16(u16::to_be_bytes)), "a,µ\n");
+        assert_eq!(decoded(b"a,\xb5\n".to_vec()), "a,µ\n");
+        assert_eq!(decoded("a,µ\n".into()), "a,µ\n");
+    }
 
     #[test]
     fn no_more_than_the_limit_is_read() {

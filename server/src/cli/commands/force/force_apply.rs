@@ -10,7 +10,7 @@ use service::forces::applying::{EstimatedLines, Zero, apply, estimates_header, z
 use service::forces::model_file::{MOST_MODEL_BYTES, read_model};
 use service::forces::recorded_texts::{MOST_RECORDING_BYTES, add};
 use service::forces::streamed_lines::{StreamedLines, stream_header};
-use service::study_document::text_files::read_text;
+use service::study_document::text_files::{read_any_text, read_text};
 
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
@@ -59,7 +59,7 @@ impl Apply {
     /// The zero that is asked for.
     fn zero(&self, estimator: &Estimator) -> Result<Zero, Failure> {
         if let Some(file) = self.start_file() {
-            let text = read_text(file, MOST_RECORDING_BYTES).map_err(Failure::input)?;
+            let text = read_any_text(file, MOST_RECORDING_BYTES).map_err(Failure::input)?;
             let name = file.display().to_string();
             return zero_of_recording(estimator, &name, &text).map_err(refused);
         }
@@ -107,7 +107,8 @@ impl Apply {
                 write(path, &out)
             }
             (false, _) => {
-                let text = read_text(&self.run, MOST_RECORDING_BYTES).map_err(Failure::input)?;
+                let text =
+                    read_any_text(&self.run, MOST_RECORDING_BYTES).map_err(Failure::input)?;
                 let estimates = apply(&estimator, &self.run.display().to_string(), &text, &zero)
                     .map_err(refused)?;
                 match &self.output {

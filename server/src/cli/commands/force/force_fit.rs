@@ -10,7 +10,7 @@ use service::forces::fit_forecast::fit_forecast;
 use service::forces::fit_process::{ARGUMENT, FitOrder, Learnt, Unlearnt, learn};
 use service::forces::fitting::FitFailure;
 use service::forces::recorded_texts::{MOST_RECORDING_BYTES, NamedText};
-use service::study_document::text_files::read_text;
+use service::study_document::text_files::read_any_text;
 use service::study_document::{format_of, read_file};
 use service::wire::estimator_wire::FitProgress;
 use service::work::own_process::{Wish, own_program};
@@ -105,7 +105,7 @@ impl Fit {
         let mut files = Vec::new();
         let mut unread = Vec::new();
         for path in &self.runs {
-            match read_text(path, MOST_RECORDING_BYTES) {
+            match read_any_text(path, MOST_RECORDING_BYTES) {
                 Ok(text) => files.push(NamedText {
                     name: path.display().to_string(),
                     text,
