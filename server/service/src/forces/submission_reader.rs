@@ -252,7 +252,8 @@ mod tests {
         let mut text = "time_s,s1,fz_n\n".to_owned();
         for row in 0..60 {
             let force = f64::from(row % 10);
-            let signal = 2.0 * force + 0.001 * file.len() as f64;
+            let noise = (f64::from(row * row) * file.len() as f64).sin();
+            let signal = 2.0 * force + 0.1 * noise;
             writeln!(text, "{},{signal},{force}", 0.01 * f64::from(row)).expect("writes");
         }
         json!({"file": file, "text": text})
