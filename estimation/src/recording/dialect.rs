@@ -8,6 +8,7 @@
 use std::borrow::Cow;
 
 use crate::recording::csv_line::quoted;
+use crate::recording::csv_recording::MOST_COLUMNS;
 
 /// Rows below a header that show a file's form.
 const SHOWN: usize = 8;
@@ -31,30 +32,36 @@ struct Form {
 /// Text of a file in the usual form; the text itself where that is its form.
 pub fn usual(text: &str) -> Cow<'_, str> {
     let text = text.trim_start_matches('\u{feff}');
-    let lines: Vec<&str> = match text.contains('\n') {
-        true => text.lines().collect(),
-        false => text.split('\r').collect(),
-    };
+    let has_usual_ends = text.contains('\n');
+    let end = if has_usual_ends { '\n' } else { '\r' };
+    // The end of the last line begins no other one.
+    let whole = text.strip_suffix(end).unwrap_or(text);
+    let lines = || whole.split(end).map(|line| line.trim_end_matches('\r'));
     let is_comment = |line: &&str| line.trim_start().starts_with(['#', '%']);
     let is_data = |line: &&str| !line.trim().is_empty() && !is_comment(line);
-    let shown: Vec<&str> = lines.iter().copied().filter(is_data).take(SHOWN).collect();
+    let shown: Vec<&str> = lines().filter(is_data).take(SHOWN).collect();
     let Some((header, rows)) = shown.split_first() else {
         return Cow::Borrowed(text);
     };
+    // What has so many cells is refused as it stands.
+    if shown.iter().any(|line| is_long(line)) {
+        return Cow::Borrowed(text);
+    }
     let Some(form) = Form::of(header, rows) else {
         return Cow::Borrowed(text);
     };
     let is_plain = form == Form::USUAL && !header.starts_with(',');
-    if is_plain && text.contains('\n') && !lines.iter().any(is_comment) {
+    if is_plain && has_usual_ends && !lines().any(|line| is_comment(&line)) {
         return Cow::Borrowed(text);
     }
     let mut below = 0;
     let mut usual = String::with_capacity(text.len());
-    for line in &lines {
-        if is_data(line) {
+    for line in lines() {
+        if is_data(&line) {
             match below {
                 0 => usual.push_str(&form.header(line)),
                 1 if form.has_units => {}
+                _ if is_long(line) => usual.push_str(line),
                 _ => usual.push_str(&form.row(line)),
             }
             below += 1;
@@ -133,6 +140,11 @@ impl Form {
         }
         joined(&cells)
     }
+}
+
+/// Whether a line has more separators than a file may have columns.
+fn is_long(line: &str) -> bool {
+    line.matches(SEPARATORS).nth(MOST_COLUMNS).is_some()
 }
 
 fn joined(cells: &[String]) -> String {

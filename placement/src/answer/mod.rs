@@ -3,7 +3,7 @@
 //! - `figure_words`: figures with their errors, as they stand in sentences
 //! - `first_rank`: how sure a first rank is
 //! - `best_place`: the first rank of places, its verdict and reason
-//! - [`trade`]: the best layout of each number of films, the one that answers, and its verdict
+//! - `trade`: the best layout of each number of films, the one that answers, and its verdict
 //! - `inputs_that_matter`: the shares of all inputs in the strain; `inputs_beside`: in volts and in a layout's error
 //! - `strongest_film`: the film that gives most, in volts
 //! - `gluing_sheet`: its films, one by one
